@@ -1,0 +1,39 @@
+package org.starl;
+
+/** {@code gvh.id}: who this robot is, and which robots the deployment knows. */
+public final class Identity {
+
+  private final RobotId name;
+  private final Participants participants;
+  private final int boot;
+  private int handedOut;
+
+  Identity(RobotId name, Participants participants, int boot) {
+    if (boot <= 0) {
+      throw new IllegalArgumentException("boot number " + boot + ": expected above 0");
+    }
+    this.name = name;
+    this.participants = participants;
+    this.boot = boot;
+  }
+
+  public RobotId name() {
+    return name;
+  }
+
+  /** All robots that the deployment knew at its start; who takes part now is Registration's. */
+  public Participants participants() {
+    return participants;
+  }
+
+  /** How often this robot's program has started, from 1; survives restarts. */
+  public int boot() {
+    return boot;
+  }
+
+  /** An id that this robot has never used and will never use again. */
+  public ProcessId freshProcess() {
+    handedOut++;
+    return new ProcessId(name, ((long) boot << 32) + handedOut);
+  }
+}

@@ -1,0 +1,84 @@
+package org.starl;
+
+import java.util.List;
+import java.util.function.BooleanSupplier;
+
+/**
+ * A robot's app. Override {@link #callStarL}, a blocking state machine as in the paper's Figure 4;
+ * or pass a period and override {@link #step}, which is called once a period and never waits.
+ *
+ * <p>All of it runs on the robot's strand, as do message handlers and timers: what lies between two
+ * waits is one atomic action, and nothing needs a lock. A wait is {@link #sleep}, {@link #await} and
+ * nothing else: never {@code Thread.sleep}, a lock or input and output.
+ */
+public abstract class LogicThread {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  protected final GlobalVarHolder gvh;
+  private final long stepPeriodMs;
+
+  /** An app that overrides {@link #callStarL}. */
+  protected LogicThread(GlobalVarHolder gvh) {
+    this.gvh = gvh;
+    this.stepPeriodMs = 0;
+  }
+
+  /**
+   * An app that overrides {@link #step}.
+   *
+   * @param stepPeriodMs above 0
+   */
+  protected LogicThread(GlobalVarHolder gvh, long stepPeriodMs) {
+    if (stepPeriodMs <= 0) {
+      throw new IllegalArgumentException("step period " + stepPeriodMs + " ms: expected above 0");
+    }
+    this.gvh = gvh;
+    this.stepPeriodMs = stepPeriodMs;
+  }
+
+  /** The app. When it returns, the robot goes on answering messages until it leaves. */
+  public List<Object> callStarL() {
+    throw new IllegalStateException(
+        getClass().getName() + " overrides neither callStarL() nor, with a period, step()");
+  }
+
+  /**
+   * One round of an app that never waits.
+   *
+   * @return whether there is another round; where not, {@link #returnResults} are its results
+   */
+  protected boolean step() {
+    throw new IllegalStateException(getClass().getName() + " has a period but no step()");
+  }
+
+  /** What the app has to say at its end; empty unless overridden. */
+  protected List<Object> returnResults() {
+    return List.of();
+  }
+
+  /** The period of {@link #step}, or 0 for an app that overrides {@link #callStarL}. */
+  public final long stepPeriodMs() {
+    return stepPeriodMs;
+  }
+
+  /** Gives up the strand for {@code ms} milliseconds; messages and timers are handled meanwhile. */
+  protected final void sleep(long ms) {
+    gvh.plat.strand.sleepUntil(gvh.plat.clock.nowNs() + ms * NS_PER_MS);
+  }
+
+  /** Gives up the strand until {@code condition} holds. */
+  protected final void await(BooleanSupplier condition) {
+    gvh.plat.strand.awaitUntil(condition, Long.MAX_VALUE);
+  }
+
+  /**
+   * Gives up the strand until {@code condition} holds or {@code timeoutMs} have passed.
+   *
+   * @return whether the condition held
+   */
+  protected final boolean await(BooleanSupplier condition, long timeoutMs) {
+    return gvh.plat.strand.awaitUntil(
+        condition, gvh.plat.clock.nowNs() + timeoutMs * NS_PER_MS);
+  }
+}

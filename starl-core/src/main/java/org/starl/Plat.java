@@ -1,0 +1,36 @@
+package org.starl;
+
+import org.starl.motion.MotionControl;
+import org.starl.platform.Clock;
+import org.starl.platform.Entropy;
+import org.starl.platform.Stable;
+import org.starl.platform.Strand;
+import org.starl.platform.Timers;
+
+/** {@code gvh.plat}: the motion automaton, and the ports that primitives stand on. */
+public final class Plat {
+
+  /** The motion automaton (paper, section 3.2): {@code gvh.plat.moat.doMove(p)}. */
+  public final MotionControl moat;
+
+  public final Clock clock;
+  public final Timers timers;
+  public final Strand strand;
+  public final Stable stable;
+  public final Entropy entropy;
+
+  Plat(
+      MotionControl moat,
+      Clock clock,
+      Timers timers,
+      Strand strand,
+      Stable stable,
+      Entropy entropy) {
+    this.moat = moat;
+    this.clock = clock;
+    this.timers = timers;
+    this.strand = strand;
+    this.stable = stable;
+    this.entropy = entropy;
+  }
+}

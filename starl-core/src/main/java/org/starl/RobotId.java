@@ -1,0 +1,99 @@
+package org.starl;
+
+/**
+ * A robot's name, unique in its deployment: 1 to 32 letters, digits, {@code _}, {@code -} or {@code
+ * .}, beginning with a letter. Ordered as people order them: {@code bot2} before {@code bot10}.
+ */
+public record RobotId(String name) implements Comparable<RobotId> {
+
+  public static final int MAX_LENGTH = 32;
+
+  public RobotId {
+    if (!isValid(name)) {
+      throw new IllegalArgumentException(
+          "robot name '" + name + "': expected a letter, then up to 31 of A-Z a-z 0-9 _ - .");
+    }
+  }
+
+  public static boolean isValid(String name) {
+    if (name.isEmpty() || name.length() > MAX_LENGTH || !isLetter(name.charAt(0))) {
+      return false;
+    }
+    for (int i = 1; i < name.length(); i++) {
+      char c = name.charAt(i);
+      if (!isLetter(c) && !isDigit(c) && c != '_' && c != '-' && c != '.') {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Compares runs of digits by their value, everything else by character; total. */
+  @Override
+  public int compareTo(RobotId other) {
+    String a = name;
+    String b = other.name;
+    int i = 0;
+    int j = 0;
+    while (i < a.length() && j < b.length()) {
+      if (isDigit(a.charAt(i)) && isDigit(b.charAt(j))) {
+        int iEnd = endOfDigits(a, i);
+        int jEnd = endOfDigits(b, j);
+        int byValue = compareDigits(a, i, iEnd, b, j, jEnd);
+        if (byValue != 0) {
+          return byValue;
+        }
+        i = iEnd;
+        j = jEnd;
+      } else {
+        int byCharacter = Character.compare(a.charAt(i), b.charAt(j));
+        if (byCharacter != 0) {
+          return byCharacter;
+        }
+        i++;
+        j++;
+      }
+    }
+    int byRest = Integer.compare(a.length() - i, b.length() - j);
+    // Equal values with unequal leading zeros are different names.
+    return byRest != 0 ? byRest : a.compareTo(b);
+  }
+
+  private static int compareDigits(String a, int i, int iEnd, String b, int j, int jEnd) {
+    int from = skipZeros(a, i, iEnd);
+    int otherFrom = skipZeros(b, j, jEnd);
+    int byLength = Integer.compare(iEnd - from, jEnd - otherFrom);
+    return byLength != 0
+        ? byLength
+        : a.substring(from, iEnd).compareTo(b.substring(otherFrom, jEnd));
+  }
+
+  private static int skipZeros(String s, int from, int end) {
+    int i = from;
+    while (i < end - 1 && s.charAt(i) == '0') {
+      i++;
+    }
+    return i;
+  }
+
+  private static int endOfDigits(String s, int from) {
+    int i = from;
+    while (i < s.length() && isDigit(s.charAt(i))) {
+      i++;
+    }
+    return i;
+  }
+
+  private static boolean isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  }
+
+  private static boolean isDigit(char c) {
+    return c >= '0' && c <= '9';
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+}

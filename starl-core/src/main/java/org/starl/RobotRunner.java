@@ -1,0 +1,100 @@
+package org.starl;
+
+import java.nio.ByteBuffer;
+import java.util.List;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Platform;
+import org.starl.platform.Timer;
+
+/**
+ * Brings one robot up on a platform, simulated or real: counts its start in stable storage, builds
+ * its gvh, makes its app and runs it.
+ *
+ * <p>An exception of the app or of a handler is a bug: it leaves through the strand, whose owner
+ * ends the run.
+ */
+public final class RobotRunner {
+
+  private static final String BOOT_KEY = "starl.boot";
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final Platform platform;
+  private final Function<GlobalVarHolder, ? extends LogicThread> appFactory;
+  private @Nullable GlobalVarHolder gvh;
+  private @Nullable LogicThread app;
+  private @Nullable List<Object> results;
+
+  public RobotRunner(
+      Platform platform, Function<GlobalVarHolder, ? extends LogicThread> appFactory) {
+    this.platform = platform;
+    this.appFactory = appFactory;
+  }
+
+  /** Starts the robot. Callable from outside the strand, once. */
+  public void start() {
+    platform.strand().post(this::boot);
+  }
+
+  /** Whether the app has come to its end. Strand only, as is everything below. */
+  public boolean isFinished() {
+    return results != null;
+  }
+
+  /** What the app returned, or null before its end. */
+  public @Nullable List<Object> results() {
+    return results;
+  }
+
+  /** The app, or null before the robot is up. */
+  public @Nullable LogicThread app() {
+    return app;
+  }
+
+  /** The robot's gvh, or null before the robot is up. */
+  public @Nullable GlobalVarHolder gvh() {
+    return gvh;
+  }
+
+  // The number must be on disk before the first message bears it: after a crash in between, the
+  // next start would use it again, for another incarnation.
+  private void boot() {
+    byte[] stored = platform.stable().get(BOOT_KEY);
+    int boot = (stored == null ? 0 : ByteBuffer.wrap(stored).getInt()) + 1;
+    byte[] next = ByteBuffer.allocate(Integer.BYTES).putInt(boot).array();
+    platform.stable().put(BOOT_KEY, next, () -> run(boot));
+  }
+
+  private void run(int boot) {
+    GlobalVarHolder holder = new GlobalVarHolder(platform, boot);
+    LogicThread logic = appFactory.apply(holder);
+    gvh = holder;
+    app = logic;
+    if (logic.stepPeriodMs() > 0) {
+      new Stepper(logic).run();
+    } else {
+      platform.strand().start(() -> results = logic.callStarL());
+    }
+  }
+
+  /** Calls {@code step()} at fixed distances from the start, so that periods do not drift. */
+  private final class Stepper implements Runnable {
+    private final LogicThread logic;
+    private final Timer timer = platform.timers().timer(this);
+    private long dueNs = platform.clock().nowNs();
+
+    Stepper(LogicThread logic) {
+      this.logic = logic;
+    }
+
+    @Override
+    public void run() {
+      if (logic.step()) {
+        dueNs += logic.stepPeriodMs() * NS_PER_MS;
+        timer.set(dueNs);
+      } else {
+        results = logic.returnResults();
+      }
+    }
+  }
+}

@@ -1,0 +1,12 @@
+package org.starl.comms;
+
+/**
+ * The bytes of one channel's messages. {@code read(write(m))} equals {@code m}; {@code read} throws
+ * {@link WireFormatException} on anything that {@code write} cannot have written.
+ */
+public interface Codec<T> {
+
+  void write(T message, WireWriter out);
+
+  T read(WireReader in);
+}

@@ -1,0 +1,19 @@
+package org.starl.comms;
+
+/** What became of a reliable message. Strand only; see {@link Endpoint#sendReliably}. */
+public interface Receipt {
+
+  /** The other end's handler has run, exactly once. */
+  boolean isDelivered();
+
+  /** Given up at the deadline; the other end may or may not have handled it, at most once. */
+  boolean isFailed();
+
+  /** Delivered or failed; for {@code await(receipt::isSettled)}. */
+  default boolean isSettled() {
+    return isDelivered() || isFailed();
+  }
+
+  /** Calls {@code action} on the strand when it settles; at once if it has. */
+  void whenSettled(Runnable action);
+}

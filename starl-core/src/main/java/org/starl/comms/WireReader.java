@@ -1,0 +1,141 @@
+package org.starl.comms;
+
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+
+/** Reads what {@link WireWriter} wrote; anything else is a {@link WireFormatException}. */
+public final class WireReader {
+
+  private byte[] buffer = new byte[0];
+  private int position;
+  private int end;
+
+  public WireReader() {}
+
+  public WireReader(byte[] bytes) {
+    reset(bytes, 0, bytes.length);
+  }
+
+  /** Begins anew at {@code from}; what lies at and after {@code to} does not exist. */
+  void reset(byte[] bytes, int from, int to) {
+    buffer = bytes;
+    position = from;
+    end = to;
+  }
+
+  public int remaining() {
+    return end - position;
+  }
+
+  int position() {
+    return position;
+  }
+
+  public int u8() {
+    need(1);
+    return buffer[position++] & 0xFF;
+  }
+
+  public boolean bool() {
+    int value = u8();
+    if (value > 1) {
+      throw new WireFormatException("boolean " + value);
+    }
+    return value == 1;
+  }
+
+  public int u16() {
+    need(2);
+    int value = (buffer[position] & 0xFF) << 8 | (buffer[position + 1] & 0xFF);
+    position += 2;
+    return value;
+  }
+
+  public int i32() {
+    need(4);
+    int value = 0;
+    for (int i = 0; i < 4; i++) {
+      value = value << 8 | (buffer[position++] & 0xFF);
+    }
+    return value;
+  }
+
+  public long i64() {
+    need(8);
+    long value = 0;
+    for (int i = 0; i < 8; i++) {
+      value = value << 8 | (buffer[position++] & 0xFF);
+    }
+    return value;
+  }
+
+  /** A number; neither infinite nor NaN. */
+  public double f64() {
+    double value = Double.longBitsToDouble(i64());
+    if (!Double.isFinite(value)) {
+      throw new WireFormatException("number " + value);
+    }
+    return value;
+  }
+
+  public String string() {
+    int bytes = u8();
+    need(bytes);
+    try {
+      String value =
+          StandardCharsets.UTF_8
+              .newDecoder()
+              .onMalformedInput(CodingErrorAction.REPORT)
+              .onUnmappableCharacter(CodingErrorAction.REPORT)
+              .decode(ByteBuffer.wrap(buffer, position, bytes))
+              .toString();
+      position += bytes;
+      return value;
+    } catch (CharacterCodingException e) {
+      throw new WireFormatException("a string that is not UTF-8");
+    }
+  }
+
+  public byte[] bytes() {
+    int bytes = u16();
+    need(bytes);
+    byte[] value = Arrays.copyOfRange(buffer, position, position + bytes);
+    position += bytes;
+    return value;
+  }
+
+  public RobotId robot() {
+    String name = string();
+    if (!RobotId.isValid(name)) {
+      throw new WireFormatException("robot name");
+    }
+    return new RobotId(name);
+  }
+
+  public ProcessId process() {
+    RobotId robot = robot();
+    long inc = i64();
+    if (inc <= 0) {
+      throw new WireFormatException("incarnation " + inc);
+    }
+    return new ProcessId(robot, inc);
+  }
+
+  /** Fails unless everything was read. */
+  void expectEnd() {
+    if (position != end) {
+      throw new WireFormatException(remaining() + " bytes too many");
+    }
+  }
+
+  private void need(int bytes) {
+    if (end - position < bytes) {
+      throw new WireFormatException("ends " + (bytes - remaining()) + " bytes early");
+    }
+  }
+}

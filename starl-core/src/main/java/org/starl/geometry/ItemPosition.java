@@ -1,0 +1,13 @@
+package org.starl.geometry;
+
+/** A named pose on the floor: a waypoint, a start, a goal. Nothing more. */
+public record ItemPosition(String name, Pose pose) {
+
+  public ItemPosition(String name, double xMm, double yMm) {
+    this(name, new Pose(xMm, yMm, 0));
+  }
+
+  public Point at() {
+    return pose.at();
+  }
+}

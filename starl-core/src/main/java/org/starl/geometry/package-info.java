@@ -1,0 +1,9 @@
+/**
+ * Immutable plane geometry: millimetres, radians counter-clockwise from the x axis, y upwards. All
+ * functions are exact or use {@code StrictMath}: equal inputs give equal bits on every JVM. Imports
+ * the JDK only.
+ */
+@NullMarked
+package org.starl.geometry;
+
+import org.jspecify.annotations.NullMarked;

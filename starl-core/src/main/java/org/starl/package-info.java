@@ -1,0 +1,13 @@
+/**
+ * What an app's author sees (paper, section 2): {@link org.starl.LogicThread}, the app's blocking
+ * state machine, and {@link org.starl.GlobalVarHolder}, the {@code gvh} through which it reaches
+ * everything else. Everything of one robot runs on that robot's strand; nothing here is for use
+ * from other threads.
+ *
+ * <p>This module is the interface and the logic layer of Figure 1 and the ports below them. It
+ * imports the JDK and JSpecify only, and nothing that a phone with API level 26 lacks.
+ */
+@NullMarked
+package org.starl;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,25 @@
+package org.starl.platform;
+
+import org.starl.Participants;
+import org.starl.RobotId;
+
+/**
+ * All that one robot stands on. A platform is this bundle of ports and nothing else; {@link
+ * org.starl.RobotRunner} builds the robot's {@link org.starl.GlobalVarHolder} over it.
+ *
+ * @param id who this robot is
+ * @param deployment all robots that the deployment knows at its start; others may join later
+ */
+public record Platform(
+    RobotId id,
+    Participants deployment,
+    Clock clock,
+    Timers timers,
+    Strand strand,
+    Radio radio,
+    Positioning positioning,
+    Chassis chassis,
+    Stable stable,
+    Entropy entropy,
+    LogSink log,
+    TraceSink trace) {}

@@ -1,0 +1,12 @@
+package org.starl.platform;
+
+import org.starl.trace.TraceEvent;
+
+/** Takes the run's events, in the order in which they happen. */
+public interface TraceSink {
+
+  /** Whether anybody listens; where not, callers make no event. Constant during a run. */
+  boolean isOn();
+
+  void record(TraceEvent event);
+}

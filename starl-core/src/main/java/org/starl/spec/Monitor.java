@@ -1,0 +1,36 @@
+package org.starl.spec;
+
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.trace.TraceEvent;
+
+/**
+ * One executable specification, over one run. It sees every event in order, has no side effect, and
+ * needs nothing but the events: it works alike on a live run and on a recorded one.
+ */
+public interface Monitor {
+
+  /** The lemmas that this monitor checks, by their names in the paper, in PVS or in the models. */
+  List<String> lemmas();
+
+  /** Sees the next event. */
+  void observe(TraceEvent event, Report report);
+
+  /** Sees the end of the run. */
+  default void finish(long endNs, Report report) {}
+
+  /** Takes what a monitor finds. */
+  interface Report {
+
+    /** {@code lemma} was looked at once more, and held unless a violation is reported as well. */
+    void checked(String lemma);
+
+    /**
+     * {@code lemma} does not hold.
+     *
+     * @param robots those involved, in order
+     * @param detail one line with the values
+     */
+    void violated(String lemma, long timeNs, List<RobotId> robots, String detail);
+  }
+}

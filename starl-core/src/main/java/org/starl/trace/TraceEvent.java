@@ -1,0 +1,64 @@
+package org.starl.trace;
+
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+
+/** One thing that happened to one robot. Times are ns from the start of the run. */
+public sealed interface TraceEvent {
+
+  long timeNs();
+
+  RobotId robot();
+
+  /**
+   * An atomic action under its name in the paper and in PVS: {@code do_mutex}, {@code od_mutex},
+   * {@code release}, {@code do_register}.
+   *
+   * @param source {@code app}, or a primitive and its instance: {@code mutex/crossing}
+   */
+  record Action(long timeNs, RobotId robot, String source, String name, List<String> args)
+      implements TraceEvent {}
+
+  /** A variable of the gvh, or one that a specification needs to see, has a new value. */
+  record Variable(long timeNs, RobotId robot, String source, String name, String value)
+      implements TraceEvent {}
+
+  /**
+   * A message was handed to the radio.
+   *
+   * @param to a robot, or {@code *} for everyone
+   * @param seq its number among this robot's datagrams of this incarnation
+   * @param message the message as text, for people; never parsed
+   */
+  record Sent(
+      long timeNs, RobotId robot, String to, String channel, long seq, int bytes, String message)
+      implements TraceEvent {}
+
+  /** A message was handed to its handler on {@code robot}. */
+  record Delivered(
+      long timeNs, RobotId robot, RobotId from, String channel, long seq, String message)
+      implements TraceEvent {}
+
+  /**
+   * A datagram to {@code robot} came to nothing.
+   *
+   * @param from the sender's name as far as known, or {@code ?}
+   * @param why {@code loss}, {@code malformed}, {@code duplicate}, {@code no-listener}, ...
+   */
+  record Dropped(long timeNs, RobotId robot, String from, String why) implements TraceEvent {}
+
+  /**
+   * From now on the robot's true body moves so: from this pose with constant forward and turning
+   * speed, until its next {@code Moved}.
+   */
+  record Moved(
+      long timeNs, RobotId robot, Pose pose, double linearMmPerS, double angularRadPerS)
+      implements TraceEvent {}
+
+  /** The robot's body, a disc, is on the floor from now on; it stands still. */
+  record Joined(long timeNs, RobotId robot, Pose pose, double radiusMm) implements TraceEvent {}
+
+  /** The robot's body is off the floor from now on. */
+  record Left(long timeNs, RobotId robot) implements TraceEvent {}
+}
