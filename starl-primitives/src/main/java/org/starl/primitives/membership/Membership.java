@@ -1,0 +1,38 @@
+package org.starl.primitives.membership;
+
+import org.starl.ProcessId;
+
+/** Who takes part, as this robot has learned it. Strand only. */
+public interface Membership {
+
+  /**
+   * This robot's participant; changes only through a new registration, and may stand in no view yet.
+   */
+  ProcessId me();
+
+  /** The latest view that this robot has learned, or {@link View#NONE}. */
+  View view();
+
+  /** Calls {@code listener} on the strand after each change of {@link #view} or {@link #me}. */
+  void onChange(Runnable listener);
+
+  /** A closed group: {@code view} for ever. */
+  static Membership closed(ProcessId me, View view) {
+    return new Membership() {
+      @Override
+      public ProcessId me() {
+        return me;
+      }
+
+      @Override
+      public View view() {
+        return view;
+      }
+
+      @Override
+      public void onChange(Runnable listener) {
+        // A closed group never changes.
+      }
+    };
+  }
+}
