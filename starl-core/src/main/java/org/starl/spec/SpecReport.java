@@ -1,0 +1,124 @@
+package org.starl.spec;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.starl.RobotId;
+
+/**
+ * What the monitors of one run found: how often each lemma was checked, and where it did not hold.
+ * Lemmas are in the order of their names, violations in the order in which they were found.
+ */
+public final class SpecReport implements Monitor.Report {
+
+  /** Of one lemma no more violations are kept; all are counted. */
+  public static final int MAX_KEPT_PER_LEMMA = 100;
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long NS_PER_S = 1_000_000_000;
+
+  /**
+   * One place where a lemma does not hold.
+   *
+   * @param robots those involved, in order
+   * @param detail one line with the values
+   */
+  public record Violation(String lemma, long timeNs, List<RobotId> robots, String detail) {
+
+    public Violation {
+      robots = List.copyOf(robots);
+    }
+
+    /** {@code Exclusive violated at 12.345 s by bot1 bot2: both hold A}. */
+    @Override
+    public String toString() {
+      StringBuilder line = new StringBuilder(lemma);
+      line.append(" violated at ").append(timeNs / NS_PER_S).append('.');
+      String ms = Long.toString(timeNs % NS_PER_S / NS_PER_MS);
+      line.append("000", 0, 3 - ms.length()).append(ms).append(" s");
+      if (!robots.isEmpty()) {
+        line.append(" by");
+        robots.forEach(robot -> line.append(' ').append(robot));
+      }
+      return line.append(": ").append(detail).toString();
+    }
+  }
+
+  private static final class Tally {
+    private long checks;
+    private long violations;
+  }
+
+  private final Map<String, Tally> tallies = new TreeMap<>();
+  private final List<Violation> violations = new ArrayList<>();
+
+  /** Names lemmas that are to appear in the report even if nothing ever checks them. */
+  public void expect(Collection<String> lemmas) {
+    lemmas.forEach(this::tally);
+  }
+
+  @Override
+  public void checked(String lemma) {
+    tally(lemma).checks++;
+  }
+
+  @Override
+  public void violated(String lemma, long timeNs, List<RobotId> robots, String detail) {
+    Tally tally = tally(lemma);
+    tally.violations++;
+    if (tally.violations <= MAX_KEPT_PER_LEMMA) {
+      violations.add(new Violation(lemma, timeNs, robots, detail));
+    }
+  }
+
+  /** Whether every lemma held wherever it was checked. */
+  public boolean holds() {
+    return violations.isEmpty();
+  }
+
+  /** The lemmas that were expected, checked or violated, in order. */
+  public List<String> lemmas() {
+    return List.copyOf(tallies.keySet());
+  }
+
+  /** How often {@code lemma} was checked. */
+  public long checks(String lemma) {
+    Tally tally = tallies.get(lemma);
+    return tally == null ? 0 : tally.checks;
+  }
+
+  /** How often {@code lemma} did not hold, kept or not. */
+  public long violations(String lemma) {
+    Tally tally = tallies.get(lemma);
+    return tally == null ? 0 : tally.violations;
+  }
+
+  /** The first violations of each lemma, in the order in which they were found. */
+  public List<Violation> violations() {
+    return Collections.unmodifiableList(violations);
+  }
+
+  private Tally tally(String lemma) {
+    return tallies.computeIfAbsent(lemma, name -> new Tally());
+  }
+
+  /** One line a lemma, then one line a violation; no line ending after the last. */
+  @Override
+  public String toString() {
+    List<String> lines = new ArrayList<>();
+    tallies.forEach((lemma, tally) -> lines.add(lemma + ": " + describe(tally)));
+    violations.forEach(violation -> lines.add(violation.toString()));
+    return String.join("\n", lines);
+  }
+
+  private static String describe(Tally tally) {
+    String checks = tally.checks == 1 ? "1 check" : tally.checks + " checks";
+    if (tally.violations == 0) {
+      return tally.checks == 0 ? "never checked" : checks + ", held";
+    }
+    return checks + ", violated " + (tally.violations == 1 ? "once" : tally.violations + " times");
+  }
+}

@@ -1,0 +1,84 @@
+package org.starl.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.trace.TraceEvent;
+
+class SpecReportTest {
+
+  private static final RobotId ONE = new RobotId("bot1");
+  private static final RobotId TWO = new RobotId("bot2");
+
+  @Test
+  void readsOneLineALemmaAndOneAViolation() {
+    SpecReport report = new SpecReport();
+    report.expect(List.of("Promise", "Connected"));
+    report.checked("Exclusive");
+    report.checked("Exclusive");
+    report.checked("Connected");
+    assertThat(report.holds()).isTrue();
+
+    report.violated("Exclusive", 12_345_678_901L, List.of(ONE, TWO), "both hold A");
+
+    assertThat(report.holds()).isFalse();
+    assertThat(report)
+        .hasToString(
+            "Connected: 1 check, held\n"
+                + "Exclusive: 2 checks, violated once\n"
+                + "Promise: never checked\n"
+                + "Exclusive violated at 12.345 s by bot1 bot2: both hold A");
+  }
+
+  @Test
+  void countsWhatItDoesNotKeep() {
+    SpecReport report = new SpecReport();
+    int found = SpecReport.MAX_KEPT_PER_LEMMA + 7;
+    for (int i = 0; i < found; i++) {
+      report.violated("Kept", 5_000_000, List.of(), "again");
+    }
+    assertThat(report.violations()).hasSize(SpecReport.MAX_KEPT_PER_LEMMA);
+    assertThat(report.violations("Kept")).isEqualTo(found);
+    assertThat(report.violations().get(0)).hasToString("Kept violated at 0.005 s: again");
+  }
+
+  @Test
+  void monitorsSeeEveryEventAndTheEndOnce() {
+    Monitors monitors = new Monitors(List.of(new EveryActionIs("go"), new EveryActionIs("stop")));
+    monitors.observe(new TraceEvent.Action(1, ONE, "app", "go", List.of()));
+    monitors.finish(9);
+
+    assertThat(monitors.lemmas()).containsExactly("go", "stop");
+    assertThat(monitors.report().checks("go")).isEqualTo(2);
+    assertThat(monitors.report().violations("go")).isZero();
+    assertThat(monitors.report().violations("stop")).isEqualTo(1);
+    assertThatThrownBy(() -> monitors.finish(9)).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(
+            () -> monitors.observe(new TraceEvent.Action(9, ONE, "app", "go", List.of())))
+        .isInstanceOf(IllegalStateException.class);
+  }
+
+  private record EveryActionIs(String name) implements Monitor {
+
+    @Override
+    public List<String> lemmas() {
+      return List.of(name);
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      report.checked(name);
+      if (event instanceof TraceEvent.Action action && !action.name().equals(name)) {
+        report.violated(name, event.timeNs(), List.of(event.robot()), action.name());
+      }
+    }
+
+    @Override
+    public void finish(long endNs, Report report) {
+      report.checked(name);
+    }
+  }
+}

@@ -1,0 +1,86 @@
+package org.starl.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+class WithinTest {
+
+  private final Within<String> within = new Within<>(10);
+  private final List<String> expired = new ArrayList<>();
+
+  private void expireAt(long nowNs) {
+    within.expire(nowNs, (key, since, deadline) -> expired.add(key + " " + since + ".." + deadline));
+  }
+
+  @Test
+  void whatComesExactlyAtTheBoundIsInTime() {
+    within.owe("a", 5);
+    expireAt(15);
+    assertThat(within.settle("a")).isTrue();
+    expireAt(100);
+    assertThat(expired).isEmpty();
+  }
+
+  @Test
+  void whatIsLateExpiresOnceWithItsDeadline() {
+    within.owe("a", 5);
+    expireAt(16);
+    expireAt(17);
+    assertThat(expired).containsExactly("a 5..15");
+    assertThat(within.settle("a")).isFalse();
+  }
+
+  @Test
+  void owingAgainDoesNotMoveTheDeadline() {
+    within.owe("a", 5);
+    within.owe("a", 14);
+    expireAt(16);
+    assertThat(expired).containsExactly("a 5..15");
+  }
+
+  @Test
+  void aBrokenAssumptionSuspendsAndGivesTheWholeBoundAfterwards() {
+    within.owe("a", 0);
+    within.assume("a", false, 9);
+    within.owe("a", 20);
+    expireAt(50);
+    assertThat(within.isOwed("a")).isTrue();
+    within.assume("a", true, 50);
+    within.assume("a", true, 55);
+    expireAt(60);
+    assertThat(expired).isEmpty();
+    expireAt(61);
+    assertThat(expired).containsExactly("a 50..60");
+  }
+
+  @Test
+  void anAssumptionWithoutADebtDoesNothing() {
+    within.assume("a", true, 0);
+    within.assume("a", false, 0);
+    assertThat(within.isOwed("a")).isFalse();
+  }
+
+  @Test
+  void debtsExpireInTheOrderOfTheirDeadlinesAfterASuspension() {
+    within.owe("a", 0);
+    within.owe("b", 1);
+    within.assume("a", false, 2);
+    within.assume("a", true, 3);
+    expireAt(12);
+    assertThat(expired).containsExactly("b 1..11");
+    assertThat(within.running()).isEqualTo(1);
+    expireAt(14);
+    assertThat(expired).containsExactly("b 1..11", "a 3..13");
+  }
+
+  @Test
+  void aNegativeBoundIsRefused() {
+    assertThatThrownBy(() -> new Within<>(-1))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("-1");
+  }
+}
