@@ -21,14 +21,21 @@ public final class RobotRunner {
 
   private final Platform platform;
   private final Function<GlobalVarHolder, ? extends LogicThread> appFactory;
+  private final Runnable whenFinished;
   private @Nullable GlobalVarHolder gvh;
   private @Nullable LogicThread app;
   private @Nullable List<Object> results;
 
+  /**
+   * @param whenFinished called on the strand when the app has come to its end
+   */
   public RobotRunner(
-      Platform platform, Function<GlobalVarHolder, ? extends LogicThread> appFactory) {
+      Platform platform,
+      Function<GlobalVarHolder, ? extends LogicThread> appFactory,
+      Runnable whenFinished) {
     this.platform = platform;
     this.appFactory = appFactory;
+    this.whenFinished = whenFinished;
   }
 
   /** Starts the robot. Callable from outside the strand, once. */
@@ -73,8 +80,13 @@ public final class RobotRunner {
     if (logic.stepPeriodMs() > 0) {
       new Stepper(logic).run();
     } else {
-      platform.strand().start(() -> results = logic.callStarL());
+      platform.strand().start(() -> finish(logic.callStarL()));
     }
+  }
+
+  private void finish(List<Object> appResults) {
+    results = appResults;
+    whenFinished.run();
   }
 
   /** Calls {@code step()} at fixed distances from the start, so that periods do not drift. */
@@ -93,7 +105,7 @@ public final class RobotRunner {
         dueNs += logic.stepPeriodMs() * NS_PER_MS;
         timer.set(dueNs);
       } else {
-        results = logic.returnResults();
+        finish(logic.returnResults());
       }
     }
   }
