@@ -35,4 +35,9 @@ public record Point(double xMm, double yMm) {
   public double angleRad() {
     return StrictMath.atan2(yMm, xMm);
   }
+
+  /** Whether both numbers are numbers, neither infinite. */
+  public boolean isFinite() {
+    return Double.isFinite(xMm) && Double.isFinite(yMm);
+  }
 }

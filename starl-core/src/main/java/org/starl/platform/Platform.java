@@ -2,6 +2,7 @@ package org.starl.platform;
 
 import org.starl.Participants;
 import org.starl.RobotId;
+import org.starl.geometry.Obstacles;
 
 /**
  * All that one robot stands on. A platform is this bundle of ports and nothing else; {@link
@@ -9,6 +10,7 @@ import org.starl.RobotId;
  *
  * @param id who this robot is
  * @param deployment all robots that the deployment knows at its start; others may join later
+ * @param knownObstacles the map that the robot has at its start; hidden obstacles are not on it
  */
 public record Platform(
     RobotId id,
@@ -22,4 +24,5 @@ public record Platform(
     Stable stable,
     Entropy entropy,
     LogSink log,
-    TraceSink trace) {}
+    TraceSink trace,
+    Obstacles knownObstacles) {}

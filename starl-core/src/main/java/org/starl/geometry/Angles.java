@@ -1,0 +1,34 @@
+package org.starl.geometry;
+
+/** Angles in radians, counter-clockwise. */
+public final class Angles {
+
+  private static final double TURN = 2 * StrictMath.PI;
+
+  private Angles() {}
+
+  /** The same direction in (-pi, pi]. */
+  public static double normalize(double angleRad) {
+    if (angleRad > -StrictMath.PI && angleRad <= StrictMath.PI) {
+      return angleRad;
+    }
+    // IEEEremainder is exact and lies in [-pi, pi].
+    double rest = StrictMath.IEEEremainder(angleRad, TURN);
+    return rest <= -StrictMath.PI ? StrictMath.PI : rest;
+  }
+
+  /** The shorter turn that leads from direction {@code from} to direction {@code to}. */
+  public static double difference(double to, double from) {
+    return normalize(to - from);
+  }
+
+  /** Degrees, as in the files and settings of people, to radians. */
+  public static double fromDegrees(double degrees) {
+    return degrees * (StrictMath.PI / 180);
+  }
+
+  /** Radians to degrees, for people. */
+  public static double toDegrees(double angleRad) {
+    return angleRad * (180 / StrictMath.PI);
+  }
+}

@@ -1,0 +1,70 @@
+package org.starl.geometry;
+
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * A thing that stands on the floor and in the way.
+ *
+ * @param points at least two: a wall along the lines between them, or the corners of a body
+ * @param closed whether the last point is joined to the first one and the inside is solid
+ * @param hidden in the world, but on no robot's map until the robot runs into it
+ * @param lifetimeMs how long it stands from the start of the run, or {@link #FOREVER}
+ */
+public record Obstacle(List<Point> points, boolean closed, boolean hidden, long lifetimeMs) {
+
+  public static final long FOREVER = -1;
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  public Obstacle {
+    points = List.copyOf(points);
+    if (points.size() < (closed ? 3 : 2)) {
+      throw new IllegalArgumentException(
+          "obstacle of " + points.size() + " points: expected at least " + (closed ? 3 : 2));
+    }
+    for (Point point : points) {
+      if (!point.isFinite()) {
+        throw new IllegalArgumentException("obstacle with point " + point + ": expected numbers");
+      }
+    }
+    if (lifetimeMs < 0 && lifetimeMs != FOREVER) {
+      throw new IllegalArgumentException(
+          "obstacle's lifetime " + lifetimeMs + " ms: expected at least 0, or -1 for ever");
+    }
+  }
+
+  /** A known wall that stands for ever. */
+  public static Obstacle wall(Point... points) {
+    return new Obstacle(List.of(points), false, false, FOREVER);
+  }
+
+  /** A known solid body that stands for ever. */
+  public static Obstacle body(Point... corners) {
+    return new Obstacle(List.of(corners), true, false, FOREVER);
+  }
+
+  /** Whether it still stands. */
+  public boolean standsAt(long timeNs) {
+    return lifetimeMs == FOREVER || timeNs < lifetimeMs * NS_PER_MS;
+  }
+
+  /** Distance from the nearest point of it; 0 inside a solid one. */
+  public double distanceMm(Point point) {
+    return closed && Outlines.contains(points, point)
+        ? 0
+        : Outlines.borderDistanceMm(points, closed, point);
+  }
+
+  /** Its lines, in order. */
+  public List<Segment> sides() {
+    List<Segment> sides = new ArrayList<>(points.size());
+    for (int i = 1; i < points.size(); i++) {
+      sides.add(new Segment(points.get(i - 1), points.get(i)));
+    }
+    if (closed) {
+      sides.add(new Segment(points.get(points.size() - 1), points.get(0)));
+    }
+    return sides;
+  }
+}

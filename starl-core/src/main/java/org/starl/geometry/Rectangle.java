@@ -1,0 +1,54 @@
+package org.starl.geometry;
+
+/** A rectangle along the axes; a line or a point if its sides say so. */
+public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMaxMm)
+    implements Region {
+
+  public Rectangle {
+    boolean finite =
+        Double.isFinite(xMinMm)
+            && Double.isFinite(yMinMm)
+            && Double.isFinite(xMaxMm)
+            && Double.isFinite(yMaxMm);
+    if (!finite || xMinMm > xMaxMm || yMinMm > yMaxMm) {
+      throw new IllegalArgumentException(
+          "rectangle x " + xMinMm + ".." + xMaxMm + ", y " + yMinMm + ".." + yMaxMm
+              + ": expected numbers, the smaller one first");
+    }
+  }
+
+  /** The rectangle of this size with {@code center} in its middle. */
+  public static Rectangle around(Point center, double widthMm, double heightMm) {
+    return new Rectangle(
+        center.xMm() - widthMm / 2,
+        center.yMm() - heightMm / 2,
+        center.xMm() + widthMm / 2,
+        center.yMm() + heightMm / 2);
+  }
+
+  public Point center() {
+    return new Point((xMinMm + xMaxMm) / 2, (yMinMm + yMaxMm) / 2);
+  }
+
+  @Override
+  public boolean contains(Point point) {
+    return xMinMm <= point.xMm()
+        && point.xMm() <= xMaxMm
+        && yMinMm <= point.yMm()
+        && point.yMm() <= yMaxMm;
+  }
+
+  @Override
+  public double distanceMm(Point point) {
+    double dx = Math.max(0, Math.max(xMinMm - point.xMm(), point.xMm() - xMaxMm));
+    double dy = Math.max(0, Math.max(yMinMm - point.yMm(), point.yMm() - yMaxMm));
+    return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  @Override
+  public double depthMm(Point point) {
+    double dx = Math.min(point.xMm() - xMinMm, xMaxMm - point.xMm());
+    double dy = Math.min(point.yMm() - yMinMm, yMaxMm - point.yMm());
+    return Math.max(0, Math.min(dx, dy));
+  }
+}
