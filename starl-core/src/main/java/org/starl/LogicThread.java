@@ -78,7 +78,6 @@ public abstract class LogicThread {
    * @return whether the condition held
    */
   protected final boolean await(BooleanSupplier condition, long timeoutMs) {
-    return gvh.plat.strand.awaitUntil(
-        condition, gvh.plat.clock.nowNs() + timeoutMs * NS_PER_MS);
+    return gvh.plat.strand.awaitUntil(condition, gvh.plat.clock.nowNs() + timeoutMs * NS_PER_MS);
   }
 }

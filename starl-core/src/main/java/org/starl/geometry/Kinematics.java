@@ -14,8 +14,7 @@ public final class Kinematics {
   private Kinematics() {}
 
   /** The pose after {@code seconds}; they may be below 0: where it came from. */
-  public static Pose after(
-      Pose start, double linearMmPerS, double angularRadPerS, double seconds) {
+  public static Pose after(Pose start, double linearMmPerS, double angularRadPerS, double seconds) {
     double turn = angularRadPerS * seconds;
     double chordMm = chordMm(linearMmPerS, turn, seconds);
     double direction = start.headingRad() + turn / 2;

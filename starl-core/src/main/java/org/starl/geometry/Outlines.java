@@ -20,8 +20,7 @@ final class Outlines {
       }
       boolean straddles = (a.yMm() > py) != (b.yMm() > py);
       if (straddles) {
-        double side =
-            (b.xMm() - a.xMm()) * (py - a.yMm()) - (b.yMm() - a.yMm()) * (px - a.xMm());
+        double side = (b.xMm() - a.xMm()) * (py - a.yMm()) - (b.yMm() - a.yMm()) * (px - a.xMm());
         if ((side > 0) == (b.yMm() > a.yMm())) {
           inside = !inside;
         }
@@ -41,8 +40,7 @@ final class Outlines {
       best =
           Math.min(
               best,
-              Segment.distanceMm(
-                  a.xMm(), a.yMm(), b.xMm(), b.yMm(), point.xMm(), point.yMm()));
+              Segment.distanceMm(a.xMm(), a.yMm(), b.xMm(), b.yMm(), point.xMm(), point.yMm()));
       a = b;
     }
     return best;

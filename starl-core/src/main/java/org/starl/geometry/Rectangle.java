@@ -12,7 +12,14 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
             && Double.isFinite(yMaxMm);
     if (!finite || xMinMm > xMaxMm || yMinMm > yMaxMm) {
       throw new IllegalArgumentException(
-          "rectangle x " + xMinMm + ".." + xMaxMm + ", y " + yMinMm + ".." + yMaxMm
+          "rectangle x "
+              + xMinMm
+              + ".."
+              + xMaxMm
+              + ", y "
+              + yMinMm
+              + ".."
+              + yMaxMm
               + ": expected numbers, the smaller one first");
     }
   }

@@ -52,8 +52,7 @@ public sealed interface TraceEvent {
    * From now on the robot's true body moves so: from this pose with constant forward and turning
    * speed, until its next {@code Moved}.
    */
-  record Moved(
-      long timeNs, RobotId robot, Pose pose, double linearMmPerS, double angularRadPerS)
+  record Moved(long timeNs, RobotId robot, Pose pose, double linearMmPerS, double angularRadPerS)
       implements TraceEvent {}
 
   /** The robot's body, a disc, is on the floor from now on; it stands still. */

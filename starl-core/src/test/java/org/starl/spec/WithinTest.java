@@ -13,7 +13,8 @@ class WithinTest {
   private final List<String> expired = new ArrayList<>();
 
   private void expireAt(long nowNs) {
-    within.expire(nowNs, (key, since, deadline) -> expired.add(key + " " + since + ".." + deadline));
+    within.expire(
+        nowNs, (key, since, deadline) -> expired.add(key + " " + since + ".." + deadline));
   }
 
   @Test
