@@ -1,0 +1,94 @@
+package org.starl.spec;
+
+import java.util.Collections;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.geometry.Kinematics;
+import org.starl.geometry.Pose;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+
+/**
+ * Where the robots' true bodies are, at any time between two events: each moves along an arc, in
+ * closed form, from its last {@code Moved}. For specifications, pictures and viewers alike.
+ */
+public final class Bodies {
+
+  private static final double NS_PER_S = 1e9;
+
+  private final SortedMap<RobotId, Body> onFloor = new TreeMap<>();
+
+  private static final class Body {
+    private final double radiusMm;
+    private long sinceNs;
+    private Pose from;
+    private double linearMmPerS;
+    private double angularRadPerS;
+
+    Body(double radiusMm, long sinceNs, Pose from) {
+      this.radiusMm = radiusMm;
+      this.sinceNs = sinceNs;
+      this.from = from;
+    }
+  }
+
+  /** Sees the next event. */
+  public void observe(TraceEvent event) {
+    switch (event) {
+      case Joined joined ->
+          onFloor.put(
+              joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose()));
+      case Moved moved -> {
+        Body body = body(moved.robot());
+        body.sinceNs = moved.timeNs();
+        body.from = moved.pose();
+        body.linearMmPerS = moved.linearMmPerS();
+        body.angularRadPerS = moved.angularRadPerS();
+      }
+      case Left left -> onFloor.remove(left.robot());
+      default -> {
+        // Says nothing of bodies.
+      }
+    }
+  }
+
+  /** The robots whose bodies are on the floor, in order. */
+  public Set<RobotId> robots() {
+    return Collections.unmodifiableSet(onFloor.keySet());
+  }
+
+  public boolean isOnFloor(RobotId robot) {
+    return onFloor.containsKey(robot);
+  }
+
+  /** Whether a body on the floor changes its place now. */
+  public boolean isMoving(RobotId robot) {
+    return body(robot).linearMmPerS != 0;
+  }
+
+  public double radiusMm(RobotId robot) {
+    return body(robot).radiusMm;
+  }
+
+  /** The true pose of a body on the floor at {@code timeNs}, not before its last event. */
+  public Pose poseAt(RobotId robot, long timeNs) {
+    Body body = body(robot);
+    if (body.linearMmPerS == 0 && body.angularRadPerS == 0) {
+      return body.from;
+    }
+    double seconds = (timeNs - body.sinceNs) / NS_PER_S;
+    return Kinematics.after(body.from, body.linearMmPerS, body.angularRadPerS, seconds);
+  }
+
+  private Body body(RobotId robot) {
+    Body body = onFloor.get(robot);
+    if (body == null) {
+      throw new IllegalStateException(robot + " has no body on the floor");
+    }
+    return body;
+  }
+}

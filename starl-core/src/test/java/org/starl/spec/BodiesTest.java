@@ -1,0 +1,47 @@
+package org.starl.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+
+class BodiesTest {
+
+  private static final RobotId BOT = new RobotId("bot0");
+  private static final long SECOND = 1_000_000_000;
+
+  private final Bodies bodies = new Bodies();
+
+  @Test
+  void aBodyStandsWhereItJoinedUntilItMoves() {
+    bodies.observe(new Joined(0, BOT, new Pose(10, 20, 1), 165));
+    assertThat(bodies.poseAt(BOT, 5 * SECOND)).isEqualTo(new Pose(10, 20, 1));
+    assertThat(bodies.isMoving(BOT)).isFalse();
+    assertThat(bodies.radiusMm(BOT)).isEqualTo(165);
+  }
+
+  @Test
+  void aBodyMovesAlongItsArcBetweenTwoEvents() {
+    bodies.observe(new Joined(0, BOT, new Pose(0, 0, 0), 165));
+    bodies.observe(new Moved(SECOND, BOT, new Pose(0, 0, 0), 100, Math.PI / 2));
+    Pose quarter = bodies.poseAt(BOT, 2 * SECOND);
+    double radius = 100 / (Math.PI / 2);
+    assertThat(quarter.xMm()).isCloseTo(radius, within(1e-9));
+    assertThat(quarter.yMm()).isCloseTo(radius, within(1e-9));
+    assertThat(bodies.isMoving(BOT)).isTrue();
+  }
+
+  @Test
+  void aBodyThatLeftIsNowhere() {
+    bodies.observe(new Joined(0, BOT, new Pose(0, 0, 0), 165));
+    bodies.observe(new Left(1, BOT));
+    assertThat(bodies.robots()).isEmpty();
+    assertThatThrownBy(() -> bodies.poseAt(BOT, 2)).isInstanceOf(IllegalStateException.class);
+  }
+}
