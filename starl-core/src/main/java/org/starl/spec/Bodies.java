@@ -40,8 +40,7 @@ public final class Bodies {
   public void observe(TraceEvent event) {
     switch (event) {
       case Joined joined ->
-          onFloor.put(
-              joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose()));
+          onFloor.put(joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose()));
       case Moved moved -> {
         Body body = body(moved.robot());
         body.sinceNs = moved.timeNs();
