@@ -1,0 +1,137 @@
+package org.starl.trace;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+
+/** Bytes of JSON under construction, in UTF-8; grows, and is used again without allocation. */
+final class LineBuffer {
+
+  private static final String HEX = "0123456789abcdef";
+
+  private byte[] bytes = new byte[1 << 16];
+  private int length;
+
+  int length() {
+    return length;
+  }
+
+  void clear() {
+    length = 0;
+  }
+
+  void writeTo(OutputStream out) throws IOException {
+    out.write(bytes, 0, length);
+  }
+
+  /** What was written since {@code from}. */
+  String textFrom(int from) {
+    return new String(bytes, from, length - from, StandardCharsets.UTF_8);
+  }
+
+  void ascii(char c) {
+    room(1);
+    bytes[length++] = (byte) c;
+  }
+
+  void ascii(String text) {
+    room(text.length());
+    for (int i = 0; i < text.length(); i++) {
+      bytes[length++] = (byte) text.charAt(i);
+    }
+  }
+
+  /** A decimal integer. */
+  void number(long value) {
+    if (value == Long.MIN_VALUE) {
+      ascii("-9223372036854775808");
+      return;
+    }
+    long rest = value;
+    if (rest < 0) {
+      ascii('-');
+      rest = -rest;
+    }
+    int digits = 1;
+    for (long power = rest / 10; power > 0; power /= 10) {
+      digits++;
+    }
+    room(digits);
+    for (int i = length + digits - 1; i >= length; i--) {
+      bytes[i] = (byte) ('0' + rest % 10);
+      rest /= 10;
+    }
+    length += digits;
+  }
+
+  /** A JSON string with its quotes. */
+  void string(String text) {
+    ascii('"');
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      if (c >= 0x20 && c < 0x7F) {
+        if (c == '"' || c == '\\') {
+          ascii('\\');
+        }
+        ascii(c);
+      } else if (Character.isHighSurrogate(c)
+          && i + 1 < text.length()
+          && Character.isLowSurrogate(text.charAt(i + 1))) {
+        i++;
+        utf8(Character.toCodePoint(c, text.charAt(i)));
+      } else if (needsEscape(c)) {
+        escape(c);
+      } else {
+        utf8(c);
+      }
+    }
+    ascii('"');
+  }
+
+  // Beyond what JSON asks for: whatever some reader takes for the end of a line (U+0085, U+2028,
+  // U+2029), and halves of a surrogate pair, which UTF-8 cannot hold.
+  private static boolean needsEscape(char c) {
+    return c < 0xA0 || c == 0x2028 || c == 0x2029 || Character.isSurrogate(c);
+  }
+
+  private void escape(char c) {
+    switch (c) {
+      case '\n' -> ascii("\\n");
+      case '\r' -> ascii("\\r");
+      case '\t' -> ascii("\\t");
+      default -> {
+        ascii("\\u");
+        for (int shift = 12; shift >= 0; shift -= 4) {
+          ascii(HEX.charAt((c >> shift) & 0xF));
+        }
+      }
+    }
+  }
+
+  // Above U+007F; everything below is ASCII.
+  private void utf8(int codePoint) {
+    room(4);
+    if (codePoint < 0x800) {
+      bytes[length++] = (byte) (0xC0 | (codePoint >> 6));
+    } else if (codePoint < 0x10000) {
+      bytes[length++] = (byte) (0xE0 | (codePoint >> 12));
+      sixBits(codePoint, 6);
+    } else {
+      bytes[length++] = (byte) (0xF0 | (codePoint >> 18));
+      sixBits(codePoint, 12);
+      sixBits(codePoint, 6);
+    }
+    sixBits(codePoint, 0);
+  }
+
+  private void sixBits(int codePoint, int shift) {
+    bytes[length++] = (byte) (0x80 | ((codePoint >> shift) & 0x3F));
+  }
+
+  private void room(int more) {
+    if (length + more > bytes.length) {
+      bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + more));
+    }
+  }
+}

@@ -1,0 +1,246 @@
+package org.starl.trace;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.starl.RobotId;
+
+/** Walks along one line of a trace; what does not stand there is a {@link TraceFormatException}. */
+final class LineParser {
+
+  private static final int SHOWN = 24;
+  private static final int MAX_EXACT_DIGITS = 15;
+
+  private final String file;
+  private final long lineNumber;
+  private final String line;
+  private int position;
+
+  LineParser(String file, long lineNumber, String line) {
+    this.file = file;
+    this.lineNumber = lineNumber;
+    this.line = line;
+  }
+
+  /** An error about what stands at this place. */
+  TraceFormatException expected(String what) {
+    return at(position, what);
+  }
+
+  /** An error about {@code value}, read just now, which no version of the format knows. */
+  TraceFormatException unknown(String what, String value) {
+    return new TraceFormatException(
+        file, lineNumber, "expected a known " + what + ", found " + printable(value));
+  }
+
+  /** Takes {@code text}, which must stand here. */
+  void expect(String text) throws TraceFormatException {
+    if (!line.startsWith(text, position)) {
+      throw expected(text);
+    }
+    position += text.length();
+  }
+
+  /** Takes {@code text} if it stands here. */
+  boolean take(String text) {
+    boolean stands = line.startsWith(text, position);
+    if (stands) {
+      position += text.length();
+    }
+    return stands;
+  }
+
+  void expectEnd() throws TraceFormatException {
+    if (position != line.length()) {
+      throw expected("the end of the line");
+    }
+  }
+
+  long number() throws TraceFormatException {
+    int start = position;
+    take("-");
+    digits();
+    try {
+      return Long.parseLong(line.substring(start, position));
+    } catch (NumberFormatException e) {
+      throw at(start, "an integer of at most 64 bits");
+    }
+  }
+
+  int smallNumber() throws TraceFormatException {
+    int start = position;
+    long value = number();
+    if (value != (int) value) {
+      throw at(start, "an integer of at most 32 bits");
+    }
+    return (int) value;
+  }
+
+  /** A number with exactly {@code decimals} decimals. */
+  double decimal(int decimals) throws TraceFormatException {
+    int start = position;
+    boolean negative = take("-");
+    int from = position;
+    digits();
+    int point = position;
+    boolean hasFraction = take(".");
+    if (!hasFraction || digits() != decimals) {
+      throw at(start, "a number with " + decimals + " decimals");
+    }
+    if (position - from - 1 > MAX_EXACT_DIGITS) {
+      double value = Double.parseDouble(line.substring(start, position));
+      if (!Double.isFinite(value)) {
+        throw at(start, "a number of at most 308 digits");
+      }
+      return value;
+    }
+    long units = 0;
+    for (int i = from; i < position; i++) {
+      if (i != point) {
+        units = 10 * units + (line.charAt(i) - '0');
+      }
+    }
+    return Decimals.fromUnits(negative ? -units : units, decimals);
+  }
+
+  String string() throws TraceFormatException {
+    int start = position;
+    if (!take("\"")) {
+      throw expected("a string");
+    }
+    int plainEnd = position;
+    while (plainEnd < line.length() && isPlain(line.charAt(plainEnd))) {
+      plainEnd++;
+    }
+    if (line.startsWith("\"", plainEnd)) {
+      String plain = line.substring(position, plainEnd);
+      position = plainEnd + 1;
+      return plain;
+    }
+    StringBuilder text = new StringBuilder(line.length() - position);
+    while (position < line.length()) {
+      char c = line.charAt(position);
+      if (c == '"') {
+        position++;
+        return text.toString();
+      }
+      if (c < 0x20) {
+        throw expected("an escape in place of a control character");
+      }
+      position++;
+      text.append(c == '\\' ? escape() : c);
+    }
+    throw at(start, "a string that ends");
+  }
+
+  /** A string that is a robot's name. */
+  String robotName() throws TraceFormatException {
+    int start = position;
+    String name = string();
+    if (!RobotId.isValid(name)) {
+      throw at(start, "a robot's name");
+    }
+    return name;
+  }
+
+  /** Strings in square brackets. */
+  List<String> strings() throws TraceFormatException {
+    List<String> values = new ArrayList<>();
+    expect("[");
+    if (!take("]")) {
+      do {
+        values.add(string());
+      } while (take(","));
+      expect("]");
+    }
+    return List.copyOf(values);
+  }
+
+  /** An object whose values are strings, in its order; no key stands twice. */
+  Map<String, String> stringMap() throws TraceFormatException {
+    Map<String, String> values = new LinkedHashMap<>();
+    expect("{");
+    if (!take("}")) {
+      do {
+        int start = position;
+        String key = string();
+        expect(":");
+        if (values.put(key, string()) != null) {
+          throw at(start, "each key once");
+        }
+      } while (take(","));
+      expect("}");
+    }
+    return values;
+  }
+
+  private static boolean isPlain(char c) {
+    return c != '"' && c != '\\' && c >= 0x20;
+  }
+
+  private char escape() throws TraceFormatException {
+    int start = position - 1;
+    char kind = position < line.length() ? line.charAt(position) : ' ';
+    position++;
+    return switch (kind) {
+      case '"', '\\', '/' -> kind;
+      case 'n' -> '\n';
+      case 'r' -> '\r';
+      case 't' -> '\t';
+      case 'b' -> '\b';
+      case 'f' -> '\f';
+      case 'u' -> unicode(start);
+      default -> throw at(start, "an escape of JSON");
+    };
+  }
+
+  private char unicode(int start) throws TraceFormatException {
+    int value = 0;
+    for (int i = 0; i < 4; i++, position++) {
+      int digit = position < line.length() ? hexDigit(line.charAt(position)) : -1;
+      if (digit < 0) {
+        throw at(start, "\\u and four hexadecimal digits");
+      }
+      value = (value << 4) | digit;
+    }
+    return (char) value;
+  }
+
+  private static int hexDigit(char c) {
+    return c < 0x80 ? Character.digit(c, 16) : -1;
+  }
+
+  private int digits() throws TraceFormatException {
+    int start = position;
+    while (position < line.length()
+        && line.charAt(position) >= '0'
+        && line.charAt(position) <= '9') {
+      position++;
+    }
+    if (position == start) {
+      throw expected("a digit");
+    }
+    return position - start;
+  }
+
+  private TraceFormatException at(int place, String what) {
+    String rest = line.substring(Math.min(place, line.length()));
+    String found =
+        rest.isEmpty()
+            ? "the end of the line"
+            : printable(rest.length() <= SHOWN ? rest : rest.substring(0, SHOWN) + "...");
+    return new TraceFormatException(
+        file, lineNumber, "column " + (place + 1) + ": expected " + what + ", found " + found);
+  }
+
+  // A message is one line on a terminal, whatever bytes the file holds.
+  private static String printable(String text) {
+    StringBuilder shown = new StringBuilder(text.length());
+    for (int i = 0; i < text.length(); i++) {
+      char c = text.charAt(i);
+      shown.append(Character.isISOControl(c) || c == 0x2028 || c == 0x2029 ? '?' : c);
+    }
+    return shown.toString();
+  }
+}

@@ -1,0 +1,98 @@
+package org.starl.trace;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.CodingErrorAction;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+
+/** Cuts a stream into lines at {@code \n}, and insists on UTF-8 and on a last line that ends. */
+final class LineSource implements Closeable {
+
+  private static final int MAX_LINE_BYTES = 1 << 26;
+
+  private final String file;
+  private final InputStream in;
+  private final byte[] chunk = new byte[1 << 16];
+  private int from;
+  private int to;
+  private byte[] line = new byte[1 << 10];
+  private int length;
+  private long lineNumber;
+
+  LineSource(String file, InputStream in) {
+    this.file = file;
+    this.in = in;
+  }
+
+  /** The number of the line that {@link #next} gave last, from 1. */
+  long lineNumber() {
+    return lineNumber;
+  }
+
+  /** The next line, or null after the last. */
+  @Nullable String next() throws IOException {
+    length = 0;
+    while (true) {
+      if (from == to && !fill()) {
+        if (length > 0) {
+          throw new TraceFormatException(
+              file, lineNumber + 1, "expected a whole line: the trace was cut off inside it");
+        }
+        return null;
+      }
+      int end = from;
+      while (end < to && chunk[end] != '\n') {
+        end++;
+      }
+      keep(end);
+      from = end;
+      if (end < to) {
+        from++;
+        lineNumber++;
+        return decode();
+      }
+    }
+  }
+
+  @Override
+  public void close() throws IOException {
+    in.close();
+  }
+
+  private boolean fill() throws IOException {
+    from = 0;
+    to = Math.max(0, in.read(chunk));
+    return to > 0;
+  }
+
+  private void keep(int end) throws TraceFormatException {
+    int more = end - from;
+    if (length + more > MAX_LINE_BYTES) {
+      throw new TraceFormatException(
+          file, lineNumber + 1, "expected a line of at most " + MAX_LINE_BYTES + " bytes");
+    }
+    if (length + more > line.length) {
+      line = Arrays.copyOf(line, Math.max(2 * line.length, length + more));
+    }
+    System.arraycopy(chunk, from, line, length, more);
+    length += more;
+  }
+
+  private String decode() throws TraceFormatException {
+    try {
+      return StandardCharsets.UTF_8
+          .newDecoder()
+          .onMalformedInput(CodingErrorAction.REPORT)
+          .onUnmappableCharacter(CodingErrorAction.REPORT)
+          .decode(ByteBuffer.wrap(line, 0, length))
+          .toString();
+    } catch (CharacterCodingException e) {
+      throw new TraceFormatException(file, lineNumber, "expected text in UTF-8");
+    }
+  }
+}

@@ -1,0 +1,184 @@
+package org.starl.trace;
+
+import java.util.Iterator;
+import java.util.List;
+import java.util.Map;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Dropped;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * The lines of a trace: one JSON object each, without white space, its keys in a fixed order, as
+ * {@code docs/trace-format.md} lists them. Keys are the names of the events' components. The line of
+ * an event depends on nothing but the event.
+ */
+public final class TraceCodec {
+
+  private TraceCodec() {}
+
+  /** The line of {@code event}, without its line end. */
+  public static String line(TraceEvent event) {
+    LineBuffer out = new LineBuffer();
+    append(out, event);
+    return out.textFrom(0);
+  }
+
+  /**
+   * {@code event} as it is read back: lengths to 0.001 mm, angles to 0.000001 rad, halves away from
+   * zero. Equal events have equal lines, and events with equal lines are equal after this.
+   */
+  public static TraceEvent rounded(TraceEvent event) {
+    if (event instanceof Moved moved) {
+      return new Moved(
+          moved.timeNs(),
+          moved.robot(),
+          rounded(moved.pose()),
+          Decimals.round(moved.linearMmPerS(), Decimals.MM),
+          Decimals.round(moved.angularRadPerS(), Decimals.RAD));
+    }
+    if (event instanceof Joined joined) {
+      return new Joined(
+          joined.timeNs(),
+          joined.robot(),
+          rounded(joined.pose()),
+          Decimals.round(joined.radiusMm(), Decimals.MM));
+    }
+    return event;
+  }
+
+  private static Pose rounded(Pose pose) {
+    return new Pose(
+        Decimals.round(pose.xMm(), Decimals.MM),
+        Decimals.round(pose.yMm(), Decimals.MM),
+        Decimals.round(pose.headingRad(), Decimals.RAD));
+  }
+
+  static void append(LineBuffer out, TraceHeader header) {
+    out.ascii("{\"kind\":\"header\",\"format\":");
+    out.number(TraceHeader.FORMAT);
+    text(out, ",\"starl\":", header.starl());
+    text(out, ",\"scenario\":", header.scenario());
+    number(out, ",\"scenarioSeed\":", header.scenarioSeed());
+    number(out, ",\"behaviourSeed\":", header.behaviourSeed());
+    out.ascii(",\"settings\":{");
+    String comma = "";
+    for (Map.Entry<String, String> setting : header.settings().entrySet()) {
+      out.ascii(comma);
+      out.string(setting.getKey());
+      text(out, ":", setting.getValue());
+      comma = ",";
+    }
+    out.ascii("},\"robots\":[");
+    comma = "";
+    for (RobotId robot : header.robots()) {
+      text(out, comma, robot.name());
+      comma = ",";
+    }
+    out.ascii("]}");
+  }
+
+  static void append(LineBuffer out, TraceEnd end) {
+    number(out, "{\"kind\":\"end\",\"timeNs\":", end.timeNs());
+    number(out, ",\"events\":", end.events());
+    out.ascii('}');
+  }
+
+  static void append(LineBuffer out, TraceEvent event) {
+    out.ascii("{\"kind\":\"");
+    out.ascii(kind(event));
+    number(out, "\",\"timeNs\":", event.timeNs());
+    text(out, ",\"robot\":", event.robot().name());
+    switch (event) {
+      case Action action -> {
+        text(out, ",\"source\":", action.source());
+        text(out, ",\"name\":", action.name());
+        texts(out, ",\"args\":[", action.args());
+      }
+      case Variable variable -> {
+        text(out, ",\"source\":", variable.source());
+        text(out, ",\"name\":", variable.name());
+        text(out, ",\"value\":", variable.value());
+      }
+      case Sent sent -> {
+        text(out, ",\"to\":", sent.to());
+        text(out, ",\"channel\":", sent.channel());
+        number(out, ",\"seq\":", sent.seq());
+        number(out, ",\"bytes\":", sent.bytes());
+        text(out, ",\"message\":", sent.message());
+      }
+      case Delivered delivered -> {
+        text(out, ",\"from\":", delivered.from().name());
+        text(out, ",\"channel\":", delivered.channel());
+        number(out, ",\"seq\":", delivered.seq());
+        text(out, ",\"message\":", delivered.message());
+      }
+      case Dropped dropped -> {
+        text(out, ",\"from\":", dropped.from());
+        text(out, ",\"why\":", dropped.why());
+      }
+      case Moved moved -> {
+        pose(out, moved.pose());
+        decimal(out, ",\"linearMmPerS\":", moved.linearMmPerS(), Decimals.MM);
+        decimal(out, ",\"angularRadPerS\":", moved.angularRadPerS(), Decimals.RAD);
+      }
+      case Joined joined -> {
+        pose(out, joined.pose());
+        decimal(out, ",\"radiusMm\":", joined.radiusMm(), Decimals.MM);
+      }
+      case Left left -> {}
+    }
+    out.ascii('}');
+  }
+
+  private static String kind(TraceEvent event) {
+    return switch (event) {
+      case Action action -> "action";
+      case Variable variable -> "variable";
+      case Sent sent -> "sent";
+      case Delivered delivered -> "delivered";
+      case Dropped dropped -> "dropped";
+      case Moved moved -> "moved";
+      case Joined joined -> "joined";
+      case Left left -> "left";
+    };
+  }
+
+  private static void pose(LineBuffer out, Pose pose) {
+    decimal(out, ",\"xMm\":", pose.xMm(), Decimals.MM);
+    decimal(out, ",\"yMm\":", pose.yMm(), Decimals.MM);
+    decimal(out, ",\"headingRad\":", pose.headingRad(), Decimals.RAD);
+  }
+
+  private static void decimal(LineBuffer out, String key, double value, int decimals) {
+    out.ascii(key);
+    Decimals.append(out, value, decimals);
+  }
+
+  private static void number(LineBuffer out, String key, long value) {
+    out.ascii(key);
+    out.number(value);
+  }
+
+  private static void text(LineBuffer out, String key, String value) {
+    out.ascii(key);
+    out.string(value);
+  }
+
+  private static void texts(LineBuffer out, String key, List<String> values) {
+    out.ascii(key);
+    for (Iterator<String> rest = values.iterator(); rest.hasNext(); ) {
+      out.string(rest.next());
+      if (rest.hasNext()) {
+        out.ascii(',');
+      }
+    }
+    out.ascii(']');
+  }
+}

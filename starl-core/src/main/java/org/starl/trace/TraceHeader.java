@@ -1,0 +1,34 @@
+package org.starl.trace;
+
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.starl.RobotId;
+
+/**
+ * The first line of a trace: all that it takes to run the same again.
+ *
+ * @param starl the version of StarL that ran
+ * @param scenario the app's or scenario's name, or its file
+ * @param scenarioSeed decides the world: starts, delays, losses, faults
+ * @param behaviourSeed decides what the robots draw themselves
+ * @param settings every setting that differs from its default, in the order to show them
+ * @param robots the robots of the deployment, in order; others may join during the run
+ */
+public record TraceHeader(
+    String starl,
+    String scenario,
+    long scenarioSeed,
+    long behaviourSeed,
+    Map<String, String> settings,
+    List<RobotId> robots) {
+
+  /** The version of the lines' format; a reader takes no other. */
+  public static final int FORMAT = 1;
+
+  public TraceHeader {
+    settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));
+    robots = List.copyOf(robots);
+  }
+}

@@ -1,0 +1,77 @@
+package org.starl.trace;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.InputStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads the lines that {@link TraceWriter} wrote, and only those: the same keys in the same order
+ * without white space. Anything else is a {@link TraceFormatException} that names file, line, column
+ * and what was expected. A trace that was cut off between two lines reads well, but has no {@link
+ * #end}. Not for use by several threads at once.
+ */
+public final class TraceReader implements Closeable {
+
+  private final String file;
+  private final LineSource lines;
+  private final EventParser parser = new EventParser();
+  private final TraceHeader header;
+  private long events;
+  private @Nullable TraceEnd end;
+
+  /**
+   * Reads the header.
+   *
+   * @param file what errors call the source
+   * @param in closed by {@link #close}; by the caller where this constructor throws
+   */
+  public TraceReader(String file, InputStream in) throws IOException {
+    this.file = file;
+    this.lines = new LineSource(file, in);
+    String first = lines.next();
+    this.header = parser.header(new LineParser(file, 1, first == null ? "" : first));
+  }
+
+  public TraceHeader header() {
+    return header;
+  }
+
+  /** The next event, or null after the last. */
+  public @Nullable TraceEvent next() throws IOException {
+    String text = lines.next();
+    if (text == null) {
+      return null;
+    }
+    LineParser line = new LineParser(file, lines.lineNumber(), text);
+    if (end != null) {
+      throw line.expected("nothing after the line of kind end");
+    }
+    line.expect("{\"kind\":");
+    String kind = line.string();
+    line.expect(",\"timeNs\":");
+    long timeNs = line.number();
+    if (kind.equals("end")) {
+      end = parser.traceEnd(line, timeNs, events);
+      return next();
+    }
+    TraceEvent event = parser.event(line, kind, timeNs);
+    events++;
+    return event;
+  }
+
+  /** The line of the event that {@link #next} gave last, from 1. */
+  public long lineNumber() {
+    return lines.lineNumber();
+  }
+
+  /** The trace's end once {@link #next} gave null; null before, and where the trace was cut off. */
+  public @Nullable TraceEnd end() {
+    return end;
+  }
+
+  @Override
+  public void close() throws IOException {
+    lines.close();
+  }
+}
