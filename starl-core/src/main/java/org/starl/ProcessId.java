@@ -25,4 +25,18 @@ public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId
   public String toString() {
     return robot + "#" + inc;
   }
+
+  /**
+   * Reads what {@link #toString} wrote.
+   *
+   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   */
+  public static ProcessId parse(String text) {
+    int hash = text.indexOf('#');
+    if (hash < 0) {
+      throw new IllegalArgumentException("participant '" + text + "': expected robot#incarnation");
+    }
+    return new ProcessId(
+        new RobotId(text.substring(0, hash)), Long.parseLong(text.substring(hash + 1)));
+  }
 }

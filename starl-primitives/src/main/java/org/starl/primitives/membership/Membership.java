@@ -16,6 +16,14 @@ public interface Membership {
   /** Calls {@code listener} on the strand after each change of {@link #view} or {@link #me}. */
   void onChange(Runnable listener);
 
+  /**
+   * Asks others for the latest view: for one who waits for the answer of a participant that stays
+   * silent, and may have left.
+   */
+  default void refresh() {
+    // A closed group has no later view.
+  }
+
   /** A closed group: {@code view} for ever. */
   static Membership closed(ProcessId me, View view) {
     return new Membership() {

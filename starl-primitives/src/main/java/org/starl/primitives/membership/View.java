@@ -70,4 +70,41 @@ public record View(long number, SortedMap<ProcessId, Long> admitted) {
     }
     return Participants.of(robots);
   }
+
+  /** {@code 3:bot0#4294967297@1,bot2#4294967297@3}: number, then who, each {@code @} its view. */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder().append(number).append(':');
+    String separator = "";
+    for (Map.Entry<ProcessId, Long> entry : admitted.entrySet()) {
+      text.append(separator).append(entry.getKey()).append('@').append(entry.getValue());
+      separator = ",";
+    }
+    return text.toString();
+  }
+
+  /**
+   * Reads what {@link #toString} wrote, as a trace has it.
+   *
+   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   */
+  public static View parse(String text) {
+    int colon = text.indexOf(':');
+    if (colon < 0) {
+      throw new IllegalArgumentException("view '" + text + "': expected number:id@number,...");
+    }
+    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+    String entries = text.substring(colon + 1);
+    if (!entries.isEmpty()) {
+      for (String entry : entries.split(",", -1)) {
+        int at = entry.lastIndexOf('@');
+        if (at < 0) {
+          throw new IllegalArgumentException("view entry '" + entry + "': expected id@number");
+        }
+        ProcessId id = ProcessId.parse(entry.substring(0, at));
+        admitted.put(id, Long.parseLong(entry.substring(at + 1)));
+      }
+    }
+    return new View(Long.parseLong(text.substring(0, colon)), admitted);
+  }
 }

@@ -1,0 +1,168 @@
+package org.starl.primitives.agreement;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Queue;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.primitives.agreement.AcceptorRecord.Slot;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Nack;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Vote;
+
+/**
+ * One voter. Whatever it promises or accepts is on stable storage before it says so: a voter that
+ * forgets a promise lets two values be decided.
+ *
+ * <p>Pure: it writes and answers through its {@link Out}, and never waits.
+ */
+final class Acceptor {
+
+  /** Wishes in one promise take at most so many bytes, their lengths included. */
+  private static final int MAX_WISH_BYTES = 400;
+
+  private static final int MAX_WISHES = 32;
+
+  private final Out out;
+  private @Nullable Decided decided;
+  private final TreeMap<Long, Slot> slots;
+
+  // Hints only, so neither stable nor part of any argument.
+  private final TreeMap<Long, Map<RobotId, Value>> wishes = new TreeMap<>();
+
+  private long version;
+  private long flushedVersion;
+  private final Queue<Waiting> waiting = new ArrayDeque<>();
+
+  Acceptor(AcceptorRecord record, Out out) {
+    this.out = out;
+    this.decided = record.decided();
+    this.slots = new TreeMap<>(record.slots());
+  }
+
+  /** Where an acceptor's effects go. */
+  interface Out {
+
+    /** Sends, best effort. */
+    void send(RobotId to, SynodMessage message);
+
+    /**
+     * Writes {@code record} in place of the one before, and calls {@link Acceptor#flushed} with
+     * {@code version}, later, once it would survive a crash. Writes are flushed in order.
+     */
+    void persist(long version, byte[] record);
+  }
+
+  /** An answer that must not go out before its version is flushed. */
+  private record Waiting(long version, RobotId to, SynodMessage answer) {}
+
+  /** The latest decree that this acceptor knows, or null. */
+  @Nullable Decided decided() {
+    return decided;
+  }
+
+  /** The model's {@code Prepared}. */
+  void prepare(RobotId from, Prepare m) {
+    Decided known = decided;
+    if (known != null && known.number() >= m.number()) {
+      out.send(from, known);
+      return;
+    }
+    keepWish(from, m);
+    Slot slot = slots.get(m.number());
+    if (slot != null && m.ballot().compareTo(slot.promised()) < 0) {
+      out.send(from, new Nack(m.number(), m.ballot(), slot.promised()));
+      return;
+    }
+    Vote vote = slot == null ? null : slot.vote();
+    // Equal ballots are one message twice: the promise is repeated, nothing changes.
+    if (slot == null || !slot.promised().equals(m.ballot())) {
+      write(m.number(), new Slot(m.ballot(), vote));
+    }
+    List<Value> heard = vote == null ? wishesFor(m.number()) : List.of();
+    answerOnceFlushed(from, new Promise(m.number(), m.ballot(), vote, heard));
+  }
+
+  /** The model's {@code Accept}. */
+  void accept(RobotId from, Accept m) {
+    Decided known = decided;
+    if (known != null && known.number() >= m.number()) {
+      out.send(from, known);
+      return;
+    }
+    Slot slot = slots.get(m.number());
+    if (slot != null && m.ballot().compareTo(slot.promised()) < 0) {
+      out.send(from, new Nack(m.number(), m.ballot(), slot.promised()));
+      return;
+    }
+    Slot voted = new Slot(m.ballot(), new Vote(m.ballot(), m.value()));
+    if (!voted.equals(slot)) {
+      write(m.number(), voted);
+    }
+    answerOnceFlushed(from, new Accepted(m.number(), m.ballot()));
+  }
+
+  /** Learns a decree, and forgets what only mattered before it. */
+  void decided(Decided m) {
+    if (decided == null || m.number() > decided.number()) {
+      decided = m;
+      slots.headMap(m.number(), true).clear();
+      wishes.headMap(m.number(), true).clear();
+      persist();
+    }
+  }
+
+  /** What was written as {@code flushed} and before would survive a crash. */
+  void flushed(long flushed) {
+    flushedVersion = Math.max(flushedVersion, flushed);
+    while (!waiting.isEmpty() && waiting.element().version() <= flushedVersion) {
+      Waiting next = waiting.remove();
+      out.send(next.to(), next.answer());
+    }
+  }
+
+  private void write(long number, Slot slot) {
+    slots.put(number, slot);
+    persist();
+  }
+
+  private void persist() {
+    version++;
+    out.persist(version, new AcceptorRecord(decided, slots).toBytes());
+  }
+
+  private void answerOnceFlushed(RobotId to, SynodMessage answer) {
+    if (version <= flushedVersion) {
+      out.send(to, answer);
+    } else {
+      waiting.add(new Waiting(version, to, answer));
+    }
+  }
+
+  private void keepWish(RobotId from, Prepare m) {
+    if (m.wish().length() > 0) {
+      wishes.computeIfAbsent(m.number(), n -> new LinkedHashMap<>()).put(from, m.wish());
+    }
+  }
+
+  private List<Value> wishesFor(long number) {
+    List<Value> fitting = new ArrayList<>();
+    int bytes = 0;
+    for (Value wish : wishes.getOrDefault(number, Map.of()).values()) {
+      bytes += wish.length() + Short.BYTES;
+      if (bytes > MAX_WISH_BYTES || fitting.size() == MAX_WISHES) {
+        break;
+      }
+      fitting.add(wish);
+    }
+    return fitting;
+  }
+}

@@ -1,0 +1,84 @@
+package org.starl.primitives.agreement;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Vote;
+
+/**
+ * What an acceptor must remember over a restart.
+ *
+ * @param decided the latest decree that it knows, or null
+ * @param slots for each later number that it was asked about, what it has promised and accepted
+ */
+record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
+
+  static final AcceptorRecord NEW = new AcceptorRecord(null, new TreeMap<>());
+
+  private static final int FORMAT = 1;
+  private static final int FIXED_BYTES = 32;
+  private static final int SLOT_BYTES = 128;
+
+  AcceptorRecord {
+    slots = Collections.unmodifiableSortedMap(new TreeMap<>(slots));
+  }
+
+  /** What was promised, and accepted, for one number. */
+  record Slot(Ballot promised, @Nullable Vote vote) {}
+
+  byte[] toBytes() {
+    byte[] buffer = new byte[sizeBound()];
+    WireWriter out = new WireWriter(buffer);
+    out.u8(FORMAT);
+    out.bool(decided != null);
+    if (decided != null) {
+      out.i64(decided.number());
+      out.bytes(decided.value().bytes());
+    }
+    out.u16(slots.size());
+    for (Map.Entry<Long, Slot> slot : slots.entrySet()) {
+      out.i64(slot.getKey());
+      SynodCodec.ballot(out, slot.getValue().promised());
+      SynodCodec.vote(out, slot.getValue().vote());
+    }
+    return Arrays.copyOf(buffer, out.length());
+  }
+
+  /** Throws {@link WireFormatException} on bytes that {@link #toBytes} cannot have written. */
+  static AcceptorRecord fromBytes(byte[] bytes) {
+    WireReader in = new WireReader(bytes);
+    int format = in.u8();
+    if (format != FORMAT) {
+      throw new WireFormatException("acceptor's record of format " + format);
+    }
+    Decided decided =
+        in.bool() ? new Decided(SynodCodec.number(in, 1), SynodCodec.value(in)) : null;
+    SortedMap<Long, Slot> slots = new TreeMap<>();
+    int count = in.u16();
+    for (int i = 0; i < count; i++) {
+      long number = SynodCodec.number(in, 1);
+      Ballot promised = SynodCodec.ballot(in);
+      Vote vote = in.bool() ? new Vote(SynodCodec.ballot(in), SynodCodec.value(in)) : null;
+      slots.put(number, new Slot(promised, vote));
+    }
+    if (in.remaining() > 0) {
+      throw new WireFormatException(in.remaining() + " bytes too many");
+    }
+    return new AcceptorRecord(decided, slots);
+  }
+
+  private int sizeBound() {
+    int bytes = FIXED_BYTES + (decided == null ? 0 : decided.value().length());
+    for (Slot slot : slots.values()) {
+      bytes += SLOT_BYTES + (slot.vote() == null ? 0 : slot.vote().value().length());
+    }
+    return bytes;
+  }
+}

@@ -1,0 +1,30 @@
+package org.starl.primitives.agreement;
+
+import org.starl.ProcessId;
+
+/**
+ * The rank of one attempt of one proposer. Unique because a proposer never uses a round twice and
+ * no id is ever used by two proposers; so a restarted proposer needs no records.
+ *
+ * @param round above 0
+ */
+public record Ballot(long round, ProcessId proposer) implements Comparable<Ballot> {
+
+  public Ballot {
+    if (round <= 0) {
+      throw new IllegalArgumentException("round " + round + ": expected above 0");
+    }
+  }
+
+  @Override
+  public int compareTo(Ballot other) {
+    int byRound = Long.compare(round, other.round);
+    return byRound != 0 ? byRound : proposer.compareTo(other.proposer);
+  }
+
+  /** {@code 3/bot1#4294967297}: round, then proposer. */
+  @Override
+  public String toString() {
+    return round + "/" + proposer;
+  }
+}

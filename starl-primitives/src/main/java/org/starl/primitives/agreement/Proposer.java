@@ -1,0 +1,210 @@
+package org.starl.primitives.agreement;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Nack;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Vote;
+import org.starl.random.Rng;
+
+/**
+ * Works for the decision of one number at a time, ballot after ballot, until it is stopped. It
+ * repeats its question to each acceptor until that has answered; once a majority cannot come any
+ * more, it pauses at random and begins a higher ballot.
+ *
+ * <p>Pure and clock-driven: {@link #timer} is due at {@link #wakeAtNs}.
+ */
+final class Proposer {
+
+  private enum Phase {
+    IDLE,
+    PAUSING,
+    PREPARING,
+    ACCEPTING
+  }
+
+  private final ProcessId id;
+  private final Participants acceptors;
+  private final SynodTiming timing;
+  private final Rng rng;
+  private final Out out;
+
+  private Phase phase = Phase.IDLE;
+  private long number;
+  private Value wish = Value.EMPTY;
+  private Chooser chooser = wishes -> Value.EMPTY;
+
+  // Never goes down while this proposer lives: no ballot of it is used twice.
+  private long round;
+
+  private Ballot ballot;
+  private Value value = Value.EMPTY;
+  private final Map<RobotId, Promise> promises = new TreeMap<>();
+  private final Set<RobotId> votes = new TreeSet<>();
+  private final Set<RobotId> refusals = new TreeSet<>();
+  private int defeats;
+  private long wakeAtNs = Long.MAX_VALUE;
+  private long resendNs;
+
+  /**
+   * @param id used by no other proposer, ever
+   */
+  Proposer(ProcessId id, Participants acceptors, SynodTiming timing, Rng rng, Out out) {
+    this.id = id;
+    this.acceptors = acceptors;
+    this.timing = timing;
+    this.rng = rng;
+    this.out = out;
+    this.ballot = new Ballot(1, id);
+  }
+
+  /** Where a proposer's effects go. */
+  interface Out {
+
+    /** Sends, best effort. */
+    void send(RobotId to, SynodMessage message);
+
+    /** A majority has accepted {@code value} in one ballot: it is decided. */
+    void chosen(long number, Value value);
+  }
+
+  /** Begins, in place of whatever it worked for before. */
+  void propose(long aNumber, Value aWish, Chooser aChooser, long nowNs) {
+    number = aNumber;
+    wish = aWish;
+    chooser = aChooser;
+    defeats = 0;
+    prepare(nowNs);
+  }
+
+  void stop() {
+    phase = Phase.IDLE;
+    wakeAtNs = Long.MAX_VALUE;
+  }
+
+  boolean isIdle() {
+    return phase == Phase.IDLE;
+  }
+
+  /** The number that it works for, unless idle. */
+  long number() {
+    return number;
+  }
+
+  long wakeAtNs() {
+    return wakeAtNs;
+  }
+
+  void timer(long nowNs) {
+    if (nowNs < wakeAtNs) {
+      return;
+    }
+    if (phase == Phase.PAUSING) {
+      prepare(nowNs);
+    } else if (phase != Phase.IDLE) {
+      ask();
+      resendNs = timing.nextResendNs(resendNs);
+      wakeAtNs = nowNs + resendNs;
+    }
+  }
+
+  void promise(RobotId from, Promise m, long nowNs) {
+    if (phase != Phase.PREPARING || !isMine(from, m.number(), m.ballot())) {
+      return;
+    }
+    refusals.remove(from);
+    promises.put(from, m);
+    if (isMajority(promises.size())) {
+      value = valueToPropose();
+      refusals.clear();
+      begin(Phase.ACCEPTING, nowNs);
+    }
+  }
+
+  void accepted(RobotId from, Accepted m) {
+    if (phase != Phase.ACCEPTING || !isMine(from, m.number(), m.ballot())) {
+      return;
+    }
+    votes.add(from);
+    if (isMajority(votes.size())) {
+      stop();
+      out.chosen(number, value);
+    }
+  }
+
+  void nack(RobotId from, Nack m, long nowNs) {
+    boolean asking = phase == Phase.PREPARING || phase == Phase.ACCEPTING;
+    if (!asking || !isMine(from, m.number(), m.ballot())) {
+      return;
+    }
+    round = Math.max(round, m.promised().round());
+    refusals.add(from);
+    if (!isMajority(acceptors.size() - refusals.size())) {
+      defeats++;
+      phase = Phase.PAUSING;
+      wakeAtNs = nowNs + timing.backoffNs(defeats, rng);
+    }
+  }
+
+  private void prepare(long nowNs) {
+    round++;
+    ballot = new Ballot(round, id);
+    promises.clear();
+    votes.clear();
+    refusals.clear();
+    begin(Phase.PREPARING, nowNs);
+  }
+
+  private void begin(Phase next, long nowNs) {
+    phase = next;
+    ask();
+    resendNs = timing.firstResendNs();
+    wakeAtNs = nowNs + resendNs;
+  }
+
+  private void ask() {
+    boolean preparing = phase == Phase.PREPARING;
+    Set<RobotId> answered = preparing ? promises.keySet() : votes;
+    SynodMessage question =
+        preparing ? new Prepare(number, ballot, wish) : new Accept(number, ballot, value);
+    for (RobotId acceptor : acceptors) {
+      if (!answered.contains(acceptor) && !refusals.contains(acceptor)) {
+        out.send(acceptor, question);
+      }
+    }
+  }
+
+  /** The vote of the highest ballot among the promises; only where there is none, a value of ours. */
+  private Value valueToPropose() {
+    Vote highest = null;
+    Set<Value> wishes = new LinkedHashSet<>();
+    for (Promise promise : promises.values()) {
+      Vote vote = promise.vote();
+      if (vote != null && (highest == null || vote.ballot().compareTo(highest.ballot()) > 0)) {
+        highest = vote;
+      }
+      wishes.addAll(promise.wishes());
+    }
+    List<Value> heard = new ArrayList<>(wishes);
+    return highest != null ? highest.value() : chooser.choose(heard);
+  }
+
+  private boolean isMine(RobotId from, long itsNumber, Ballot itsBallot) {
+    return itsNumber == number && itsBallot.equals(ballot) && acceptors.contains(from);
+  }
+
+  private boolean isMajority(int count) {
+    return 2 * count > acceptors.size();
+  }
+}

@@ -1,0 +1,189 @@
+package org.starl.primitives.agreement;
+
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.GvhVariable;
+import org.starl.Participants;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.primitives.StarLPrimitive;
+
+/**
+ * Agreement on one value, once. Constructing it makes this robot serve as an acceptor if it is one;
+ * {@link #propose} makes it work for a decision. Strand only.
+ */
+public final class SetAgreement implements StarLPrimitive {
+
+  /** A proposal is given up after so long, in ms, unless told otherwise. */
+  public static final long DEFAULT_DEADLINE_MS = 30_000;
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long ONLY_NUMBER = 1;
+
+  private final GlobalVarHolder gvh;
+  private final String source;
+  private final Participants acceptors;
+  private final long deadlineMs;
+  private final GvhCell<Decision> decided;
+  private final GvhCell<Boolean> failed;
+  private final Protocol protocol;
+  private final SynodWire wire;
+
+  /** With all robots of the deployment as acceptors. */
+  public SetAgreement(GlobalVarHolder gvh, String instance) {
+    this(gvh, instance, gvh.id.participants(), SynodTiming.DEFAULT, DEFAULT_DEADLINE_MS);
+  }
+
+  /**
+   * @param acceptors the same on every robot, for ever
+   */
+  public SetAgreement(
+      GlobalVarHolder gvh,
+      String instance,
+      Participants acceptors,
+      SynodTiming timing,
+      long deadlineMs) {
+    this.gvh = gvh;
+    this.acceptors = acceptors;
+    this.deadlineMs = deadlineMs;
+    Channel<SynodMessage> channel =
+        new Channel<>(
+            "agreement", instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
+    source = channel.name();
+    decided = gvh.variable(source, "decided", Decision.NONE_YET);
+    failed = gvh.variable(source, "failed", false);
+    wire = new SynodWire(gvh, channel);
+    protocol = new Protocol(timing);
+    wire.start(protocol);
+  }
+
+  /**
+   * Works for a decision, on {@code value} unless another one is ahead, until {@link #decided} or,
+   * at the deadline, {@link #failed}; then it may be called again. Another call replaces the one before.
+   * Once something is decided, a call changes nothing.
+   *
+   * @param value at most {@link Value#MAX_BYTES} bytes
+   */
+  public void propose(byte[] value) {
+    Value proposed = Value.of(value);
+    if (gvh.trace.isOn()) {
+      gvh.trace.action(source, "propose", proposed);
+    }
+    wire.call(() -> protocol.propose(proposed, gvh.plat.clock.nowNs()));
+  }
+
+  /** Asks the acceptors whether something is decided, without proposing anything. */
+  public void refresh() {
+    wire.call(() -> protocol.synod.queryAll());
+  }
+
+  public GvhVariable<Decision> decided() {
+    return decided;
+  }
+
+  /** Whether the latest proposal was given up at its deadline. */
+  public GvhVariable<Boolean> failed() {
+    return failed;
+  }
+
+  @Override
+  public String source() {
+    return source;
+  }
+
+  @Override
+  public void close() {
+    wire.close();
+  }
+
+  private final class Protocol implements SynodWire.Client, SynodPort {
+    private final Synod synod;
+    private long deadlineNs = Long.MAX_VALUE;
+    private boolean gaveUp;
+
+    Protocol(SynodTiming timing) {
+      synod =
+          new Synod(
+              gvh.id.name(),
+              acceptors,
+              gvh.id.freshProcess(),
+              timing,
+              gvh.plat.entropy.fork(source),
+              wire.record(),
+              this);
+    }
+
+    void propose(Value value, long nowNs) {
+      gaveUp = false;
+      if (synod.latest() == null) {
+        deadlineNs = nowNs + deadlineMs * NS_PER_MS;
+        synod.propose(ONLY_NUMBER, Value.EMPTY, wishes -> value, nowNs);
+      }
+    }
+
+    @Override
+    public void received(RobotId from, SynodMessage message, long nowNs) {
+      if (message.number() <= ONLY_NUMBER) {
+        synod.received(from, message, nowNs);
+      }
+    }
+
+    @Override
+    public void flushed(long version, long nowNs) {
+      synod.flushed(version);
+    }
+
+    @Override
+    public void timer(long nowNs) {
+      synod.timer(nowNs);
+      if (nowNs >= deadlineNs) {
+        deadlineNs = Long.MAX_VALUE;
+        gaveUp = true;
+        synod.stop();
+      }
+    }
+
+    @Override
+    public long wakeAtNs() {
+      return Math.min(deadlineNs, synod.wakeAtNs());
+    }
+
+    @Override
+    public void settled() {
+      SynodMessage.Decided latest = synod.latest();
+      if (latest != null) {
+        decided.set(new Decision.Decided(latest.value()));
+      }
+      failed.set(gaveUp);
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      wire.send(to, message);
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      wire.persist(version, record);
+    }
+
+    @Override
+    public void chosen(long number, Value value) {
+      for (RobotId acceptor : acceptors) {
+        if (!acceptor.equals(gvh.id.name())) {
+          wire.sendReliably(acceptor, new SynodMessage.Decided(number, value));
+        }
+      }
+    }
+
+    @Override
+    public void learned(long number, Value value) {
+      deadlineNs = Long.MAX_VALUE;
+    }
+
+    @Override
+    public void rumour(long number) {
+      // Only a list of views has something to hide meanwhile.
+    }
+  }
+}

@@ -1,0 +1,208 @@
+package org.starl.primitives.agreement;
+
+import org.jspecify.annotations.Nullable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Nack;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Query;
+import org.starl.random.Rng;
+
+/**
+ * One robot's part in a sequence of decrees: proposer, acceptor if it is one, and learner (Lamport,
+ * "The part-time parliament", ACM Transactions on Computer Systems 16(2), 1998; the single-decree
+ * Synod of its section 2, once a number).
+ *
+ * <p>For each number at most one value is ever decided, whatever is lost, late, doubled, reordered,
+ * and whoever crashes and restarts. A learner may skip numbers, so a value must be complete in
+ * itself where more than one number is used.
+ *
+ * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link SynodPort};
+ * {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ */
+public final class Synod {
+
+  private final SynodPort port;
+  private final Participants acceptors;
+  private final Proposer proposer;
+  private final @Nullable Acceptor acceptor;
+  private @Nullable Decided latest;
+
+  /**
+   * @param acceptors who votes; the same on every robot, for ever
+   * @param proposerId used by no other proposer, ever
+   * @param record what this robot's acceptor has last written, or null if it never wrote
+   * @throws IllegalStateException if the record is damaged: an acceptor without its memory must
+   *     never vote again
+   */
+  public Synod(
+      RobotId self,
+      Participants acceptors,
+      ProcessId proposerId,
+      SynodTiming timing,
+      Rng rng,
+      byte @Nullable [] record,
+      SynodPort port) {
+    if (acceptors.size() == 0) {
+      throw new IllegalArgumentException("no acceptors: expected at least one");
+    }
+    this.port = port;
+    this.acceptors = acceptors;
+    this.proposer = new Proposer(proposerId, acceptors, timing, rng, new ProposerOut());
+    this.acceptor =
+        acceptors.contains(self) ? new Acceptor(restored(record), new AcceptorOut()) : null;
+    this.latest = acceptor == null ? null : acceptor.decided();
+  }
+
+  /** The latest decree that this robot knows, or null. */
+  public @Nullable Decided latest() {
+    return latest;
+  }
+
+  /**
+   * Works for the decision of {@code number}, in place of whatever it worked for before, until that
+   * number or a later one is learned, or until {@link #stop}. The value decided may be another
+   * proposer's.
+   *
+   * @param number above all that are known to be decided
+   * @param wish what others who propose for the same number may fulfil; empty for none
+   */
+  public void propose(long number, Value wish, Chooser chooser, long nowNs) {
+    Decided known = latest;
+    if (number < 1 || (known != null && number <= known.number())) {
+      throw new IllegalArgumentException("decree " + number + " is decided, or below 1");
+    }
+    proposer.propose(number, wish, chooser, nowNs);
+  }
+
+  /** Works for nothing any more; what it has proposed may still be decided. */
+  public void stop() {
+    proposer.stop();
+  }
+
+  /** Whether it works for the decision of a number. */
+  public boolean isProposing() {
+    return !proposer.isIdle();
+  }
+
+  /** Learns {@code number} from elsewhere, such as the deployment's first value. */
+  public void learn(long number, Value value) {
+    Decided known = latest;
+    if (known != null && number <= known.number()) {
+      return;
+    }
+    Decided decree = new Decided(number, value);
+    latest = decree;
+    if (acceptor != null) {
+      acceptor.decided(decree);
+    }
+    if (!proposer.isIdle() && proposer.number() <= number) {
+      proposer.stop();
+    }
+    port.learned(number, value);
+  }
+
+  /** Asks {@code acceptor} for the latest decree, if that is later than the one known here. */
+  public void query(RobotId acceptor) {
+    Decided known = latest;
+    port.send(acceptor, new Query(known == null ? 0 : known.number()));
+  }
+
+  /** Asks all acceptors. */
+  public void queryAll() {
+    for (RobotId each : acceptors) {
+      query(each);
+    }
+  }
+
+  public void received(RobotId from, SynodMessage message, long nowNs) {
+    switch (message) {
+      case Prepare m -> {
+        if (acceptor != null) {
+          acceptor.prepare(from, m);
+        }
+        heardOf(m.number());
+      }
+      case Accept m -> {
+        if (acceptor != null) {
+          acceptor.accept(from, m);
+        }
+        heardOf(m.number());
+      }
+      case Promise m -> proposer.promise(from, m, nowNs);
+      case Accepted m -> proposer.accepted(from, m);
+      case Nack m -> proposer.nack(from, m, nowNs);
+      case Decided m -> learn(m.number(), m.value());
+      case Query m -> answer(from, m);
+    }
+  }
+
+  /** The acceptor's record of {@code version}, and all before it, would survive a crash. */
+  public void flushed(long version) {
+    if (acceptor != null) {
+      acceptor.flushed(version);
+    }
+  }
+
+  public void timer(long nowNs) {
+    proposer.timer(nowNs);
+  }
+
+  /** When {@link #timer} is due; {@code Long.MAX_VALUE} for never. */
+  public long wakeAtNs() {
+    return proposer.wakeAtNs();
+  }
+
+  private void heardOf(long number) {
+    Decided known = latest;
+    if (known == null || number > known.number()) {
+      port.rumour(number);
+    }
+  }
+
+  private void answer(RobotId from, Query m) {
+    Decided known = latest;
+    if (known != null && known.number() > m.number()) {
+      port.send(from, known);
+    }
+  }
+
+  private static AcceptorRecord restored(byte @Nullable [] record) {
+    try {
+      return record == null ? AcceptorRecord.NEW : AcceptorRecord.fromBytes(record);
+    } catch (WireFormatException e) {
+      throw new IllegalStateException("the acceptor's stable record is damaged", e);
+    }
+  }
+
+  private final class AcceptorOut implements Acceptor.Out {
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      port.send(to, message);
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      port.persist(version, record);
+    }
+  }
+
+  private final class ProposerOut implements Proposer.Out {
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      port.send(to, message);
+    }
+
+    @Override
+    public void chosen(long number, Value value) {
+      port.chosen(number, value);
+      learn(number, value);
+    }
+  }
+}

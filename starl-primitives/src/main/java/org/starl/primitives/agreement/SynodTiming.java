@@ -1,0 +1,42 @@
+package org.starl.primitives.agreement;
+
+import org.starl.random.Rng;
+
+/**
+ * How patient a proposer is; of no weight for safety.
+ *
+ * @param resendMs wait for an acceptor's first answer, in ms; about two message delays
+ * @param maxResendMs no wait for an answer is longer; waits grow by half each time
+ * @param backoffMs mean pause after a first defeat by a higher ballot, in ms; it doubles with each
+ *     further defeat
+ * @param maxBackoffMs no mean pause is longer
+ */
+public record SynodTiming(long resendMs, long maxResendMs, long backoffMs, long maxBackoffMs) {
+
+  public static final SynodTiming DEFAULT = new SynodTiming(250, 2_000, 250, 4_000);
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final int MAX_DOUBLINGS = 20;
+
+  public SynodTiming {
+    if (resendMs <= 0 || maxResendMs < resendMs || backoffMs <= 0 || maxBackoffMs < backoffMs) {
+      throw new IllegalArgumentException(
+          "synod timing: expected waits above 0, and no bound below its first wait");
+    }
+  }
+
+  long firstResendNs() {
+    return resendMs * NS_PER_MS;
+  }
+
+  long nextResendNs(long beforeNs) {
+    return Math.min(beforeNs + beforeNs / 2, maxResendMs * NS_PER_MS);
+  }
+
+  /** A random pause after the {@code defeats}-th defeat in a row, between 0.5 and 1.5 of its mean. */
+  long backoffNs(int defeats, Rng rng) {
+    long meanMs = Math.min(backoffMs << Math.min(defeats - 1, MAX_DOUBLINGS), maxBackoffMs);
+    long halfNs = meanMs * NS_PER_MS / 2;
+    return halfNs + rng.nextLong(0, 2 * halfNs);
+  }
+}

@@ -1,0 +1,43 @@
+package org.starl.primitives.registration;
+
+import org.starl.GvhVariable;
+import org.starl.primitives.StarLPrimitive;
+
+/** Registration as an app sees it (paper, section 4.3). Strand only. */
+public interface RegPrim extends StarLPrimitive {
+
+  /**
+   * Asks to be in. {@link #rList} is null at once, and a list that lists this robot once registered;
+   * or {@link #failed} becomes true at the deadline.
+   *
+   * @throws IllegalStateException if this robot is registered, registering or unregistering
+   */
+  void do_register();
+
+  /** The same as {@code rList().get()}. */
+  RList getList();
+
+  /**
+   * The agreed list. Null also while a newer one is known to be on its way, for a bounded time: no
+   * mutex depends on it, which reads the views themselves.
+   */
+  GvhVariable<RList> rList();
+
+  /** The number of the latest list that this robot has learned; 0 before any. */
+  long ts();
+
+  /** Whether the latest call was given up at its deadline. */
+  GvhVariable<Boolean> failed();
+
+  /**
+   * Asks to be out. Call it only when idle in every mutex over this registration, and request
+   * nothing from then on until registered anew; that is the app's duty. If it is given up, {@link
+   * #failed} is told: call it again.
+   *
+   * @throws IllegalStateException if this robot is not registered
+   */
+  void unregister();
+
+  /** Whether the latest {@link #unregister} has come to its end: the latest list lacks this robot. */
+  boolean isUnregistered();
+}

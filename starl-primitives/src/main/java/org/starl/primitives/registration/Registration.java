@@ -1,0 +1,214 @@
+package org.starl.primitives.registration;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.GvhVariable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodWire;
+import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.View;
+
+/**
+ * The registration of one robot: {@link RegPrim} for its app, {@link Membership} for the mutex.
+ * Constructing it makes this robot serve as an acceptor, if it is one, whether it ever registers or
+ * not. Strand only.
+ */
+public final class Registration implements RegPrim, Membership {
+
+  private final GlobalVarHolder gvh;
+  private final String source;
+  private final SynodWire wire;
+  private final RegistrationProtocol protocol;
+  private final GvhCell<RList> rList;
+  private final GvhCell<Boolean> failed;
+  private final GvhCell<View> view;
+  private final List<Runnable> listeners = new ArrayList<>();
+  private ProcessId shownMe;
+
+  /** With all robots of the deployment as acceptors. */
+  public Registration(GlobalVarHolder gvh, String xid) {
+    this(gvh, xid, gvh.id.participants());
+  }
+
+  /**
+   * @param acceptors the same on every robot, for ever; a majority of them must be in reach for
+   *     anybody to register or unregister
+   */
+  public Registration(GlobalVarHolder gvh, String xid, Participants acceptors) {
+    this(gvh, xid, acceptors, RegistrationSettings.DEFAULT);
+  }
+
+  public Registration(
+      GlobalVarHolder gvh, String xid, Participants acceptors, RegistrationSettings settings) {
+    this.gvh = gvh;
+    Channel<SynodMessage> channel =
+        new Channel<>(RegistrationTrace.PRIMITIVE, xid, new SynodCodec(new ViewFormat()));
+    source = channel.name();
+    rList = gvh.variable(source, RegistrationTrace.R_LIST, RList.UNKNOWN);
+    failed = gvh.variable(source, RegistrationTrace.FAILED, false);
+    view = gvh.variable(source, RegistrationTrace.VIEW, View.NONE);
+    wire = new SynodWire(gvh, channel);
+    protocol =
+        new RegistrationProtocol(
+            gvh.id.name(),
+            acceptors,
+            settings,
+            gvh.plat.entropy.fork(source),
+            wire.record(),
+            gvh.id.boot() == 1,
+            new Port(),
+            gvh.plat.clock.nowNs());
+    shownMe = protocol.me();
+    wire.start(new Client());
+  }
+
+  @Override
+  public void do_register() {
+    wire.call(() -> protocol.do_register(gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public void unregister() {
+    wire.call(() -> protocol.unregister(gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public boolean isUnregistered() {
+    return protocol.isUnregistered();
+  }
+
+  @Override
+  public RList getList() {
+    return rList.get();
+  }
+
+  @Override
+  public GvhVariable<RList> rList() {
+    return rList;
+  }
+
+  @Override
+  public long ts() {
+    return protocol.view().number();
+  }
+
+  @Override
+  public GvhVariable<Boolean> failed() {
+    return failed;
+  }
+
+  @Override
+  public ProcessId me() {
+    return protocol.me();
+  }
+
+  @Override
+  public View view() {
+    return protocol.view();
+  }
+
+  @Override
+  public void onChange(Runnable listener) {
+    listeners.add(listener);
+  }
+
+  @Override
+  public void refresh() {
+    wire.call(() -> protocol.refresh(gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public String source() {
+    return source;
+  }
+
+  @Override
+  public void close() {
+    wire.close();
+  }
+
+  private void show() {
+    boolean changed =
+        protocol.view().number() != view.get().number() || !protocol.me().equals(shownMe);
+    shownMe = protocol.me();
+    view.set(protocol.view());
+    rList.set(protocol.rList());
+    failed.set(protocol.hasFailed());
+    if (changed) {
+      for (Runnable listener : List.copyOf(listeners)) {
+        listener.run();
+      }
+    }
+  }
+
+  private final class Client implements SynodWire.Client {
+    @Override
+    public void received(RobotId from, SynodMessage message, long nowNs) {
+      protocol.received(from, message, nowNs);
+    }
+
+    @Override
+    public void flushed(long version, long nowNs) {
+      protocol.flushed(version, nowNs);
+    }
+
+    @Override
+    public void timer(long nowNs) {
+      protocol.timer(nowNs);
+    }
+
+    @Override
+    public long wakeAtNs() {
+      return protocol.wakeAtNs();
+    }
+
+    @Override
+    public void settled() {
+      show();
+    }
+  }
+
+  private final class Port implements RegistrationPort {
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      wire.send(to, message);
+    }
+
+    @Override
+    public void sendReliably(RobotId to, SynodMessage message) {
+      wire.sendReliably(to, message);
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      wire.persist(version, record);
+    }
+
+    @Override
+    public ProcessId freshProcess() {
+      return gvh.id.freshProcess();
+    }
+
+    @Override
+    public void asksFor(ProcessId id) {
+      gvh.trace.action(source, RegistrationTrace.DO_REGISTER, id);
+    }
+
+    @Override
+    public void unregisters(ProcessId id) {
+      gvh.trace.action(source, RegistrationTrace.UNREGISTER, id);
+    }
+
+    @Override
+    public void givesUp(ProcessId id) {
+      gvh.trace.action(source, RegistrationTrace.GIVE_UP, id);
+    }
+  }
+}

@@ -1,0 +1,30 @@
+package org.starl.primitives.registration;
+
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.agreement.SynodMessage;
+
+/** Where a {@link RegistrationProtocol}'s effects go. */
+interface RegistrationPort {
+
+  /** Sends, best effort; to this robot itself as well. */
+  void send(RobotId to, SynodMessage message);
+
+  /** Sends until acknowledged or in vain for long. */
+  void sendReliably(RobotId to, SynodMessage message);
+
+  /** As {@link org.starl.primitives.agreement.SynodPort#persist}. */
+  void persist(long version, byte[] record);
+
+  /** An id that this robot has never used and will never use again. */
+  ProcessId freshProcess();
+
+  /** This robot asks for {@code id} to be in. */
+  void asksFor(ProcessId id);
+
+  /** This robot asks for {@code id} to be out, which will never request anything again. */
+  void unregisters(ProcessId id);
+
+  /** {@code id} was asked in, but never requested anything and never will: it may be taken out. */
+  void givesUp(ProcessId id);
+}

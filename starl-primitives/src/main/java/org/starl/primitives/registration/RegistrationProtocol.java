@@ -1,0 +1,335 @@
+package org.starl.primitives.registration;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.agreement.Synod;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodPort;
+import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.View;
+import org.starl.random.Rng;
+
+/**
+ * One robot's part in one registration: views 1, 2, 3, ... each decided by the Synod, each derived
+ * from the decided one before. Who wants a change proposes it; there is no leader.
+ *
+ * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link
+ * RegistrationPort}; {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ */
+class RegistrationProtocol {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** Where this robot's id stands. */
+  enum Phase {
+    OUT,
+    JOINING,
+    IN,
+    LEAVING,
+    /** Still listed, after an {@code unregister} that was given up. */
+    LEFT_HALFWAY
+  }
+
+  private final RobotId self;
+  private final List<RobotId> acceptors;
+  private final RegistrationSettings settings;
+  private final RegistrationPort port;
+  private final Synod synod;
+  private final RListRule rListRule;
+
+  private Phase phase = Phase.OUT;
+  private ProcessId me;
+  private View view = View.NONE;
+  private boolean failed;
+  private boolean unregistered;
+
+  // The number of the latest proposal that would let me in; 0 for none.
+  private long askedIn;
+
+  private long deadlineNs = Long.MAX_VALUE;
+  private long queryAtNs = Long.MAX_VALUE;
+  private int nextQueried;
+  private long nowNs;
+
+  // Ids of mine that never requested anything and never will: whoever let them in wasted a place.
+  private final Set<ProcessId> givenUp = new TreeSet<>();
+
+  /**
+   * @param record what this robot's acceptor has last written, or null
+   * @param isFirstStart whether this robot starts for the first time, and so is who the initial view
+   *     says it is
+   */
+  RegistrationProtocol(
+      RobotId self,
+      Participants acceptors,
+      RegistrationSettings settings,
+      Rng rng,
+      byte @Nullable [] record,
+      boolean isFirstStart,
+      RegistrationPort port,
+      long nowNs) {
+    this.nowNs = nowNs;
+    this.self = self;
+    this.acceptors = acceptors.asList();
+    this.settings = settings;
+    this.port = port;
+    this.rListRule = new RListRule(settings.nullMs() * NS_PER_MS);
+    this.me = port.freshProcess();
+    this.synod =
+        new Synod(self, acceptors, me, settings.timing(), rng, record, new SynodEffects());
+    start(isFirstStart);
+  }
+
+  private void start(boolean isFirstStart) {
+    View initial = settings.initialView();
+    for (ProcessId id : initial.ids()) {
+      if (isFirstStart && id.robot().equals(self)) {
+        me = id;
+        settle(Phase.IN);
+        port.asksFor(id);
+      }
+    }
+    SynodMessage.Decided known = synod.latest();
+    if (known != null) {
+      learn(ViewFormat.read(known.number(), known.value()));
+    }
+    if (initial.number() > view.number()) {
+      synod.learn(initial.number(), ViewFormat.toValue(initial));
+    }
+  }
+
+  // Calls.
+
+  void do_register(long now) {
+    nowNs = now;
+    if (phase != Phase.OUT && phase != Phase.LEFT_HALFWAY) {
+      throw new IllegalStateException("do_register while " + phase + ": unregister first");
+    }
+    if (phase == Phase.LEFT_HALFWAY) {
+      givenUp.add(me);
+    }
+    failed = false;
+    unregistered = false;
+    phase = Phase.JOINING;
+    deadlineNs = now + settings.deadlineMs() * NS_PER_MS;
+    takeFreshId();
+    change();
+  }
+
+  void unregister(long now) {
+    nowNs = now;
+    if (phase != Phase.IN && phase != Phase.LEFT_HALFWAY) {
+      throw new IllegalStateException("unregister while " + phase + ": register first");
+    }
+    if (phase == Phase.IN) {
+      port.unregisters(me);
+    }
+    failed = false;
+    phase = Phase.LEAVING;
+    deadlineNs = now + settings.deadlineMs() * NS_PER_MS;
+    change();
+  }
+
+  /** Asks all acceptors for the latest view. */
+  void refresh(long now) {
+    nowNs = now;
+    synod.queryAll();
+  }
+
+  // Inputs.
+
+  void received(RobotId from, SynodMessage message, long now) {
+    nowNs = now;
+    synod.received(from, message, now);
+  }
+
+  void flushed(long version, long now) {
+    nowNs = now;
+    synod.flushed(version);
+  }
+
+  void timer(long now) {
+    nowNs = now;
+    synod.timer(now);
+    if (now >= deadlineNs) {
+      giveUp();
+    }
+    if (rListRule.timer(now)) {
+      synod.queryAll();
+    }
+    if (now >= queryAtNs) {
+      synod.query(acceptors.get(nextQueried % acceptors.size()));
+      nextQueried++;
+      queryAtNs = now + settings.queryMs() * NS_PER_MS;
+    }
+  }
+
+  long wakeAtNs() {
+    return Math.min(
+        Math.min(synod.wakeAtNs(), deadlineNs), Math.min(queryAtNs, rListRule.wakeAtNs()));
+  }
+
+  // What is known.
+
+  Phase phase() {
+    return phase;
+  }
+
+  ProcessId me() {
+    return me;
+  }
+
+  View view() {
+    return view;
+  }
+
+  boolean hasFailed() {
+    return failed;
+  }
+
+  boolean isUnregistered() {
+    return unregistered;
+  }
+
+  RList rList() {
+    return phase == Phase.JOINING || !view.contains(me) || !rListRule.isShown()
+        ? RList.UNKNOWN
+        : new RList.Agreed(view.participants(), view.number());
+  }
+
+  // The protocol.
+
+  /** Works for what this robot wants different in the latest view, if anything. */
+  private void change() {
+    Change wanted = wanted();
+    if (wanted.isVoidIn(view)) {
+      synod.stop();
+      return;
+    }
+    View base = view;
+    if (wanted.join() != null) {
+      if (!ViewFormat.fits(wanted.apply(base))) {
+        giveUp();
+        return;
+      }
+      askedIn = base.number() + 1;
+    }
+    rListRule.rumour(base.number() + 1, nowNs);
+    synod.propose(
+        base.number() + 1,
+        wanted.toValue(),
+        wishes -> ViewFormat.toValue(proposal(base, wanted, wishes)),
+        nowNs);
+  }
+
+  /** The next view: always derived from the decided one. */
+  View proposal(View decided, Change wanted, List<Value> wishes) {
+    View proposed = wanted.apply(decided);
+    for (Value wish : wishes) {
+      View more = Change.fromValue(wish).alsoApply(proposed);
+      proposed = ViewFormat.fits(more) ? more : proposed;
+    }
+    return proposed;
+  }
+
+  private Change wanted() {
+    List<ProcessId> leave = new ArrayList<>();
+    for (ProcessId id : givenUp) {
+      if (view.contains(id)) {
+        leave.add(id);
+      }
+    }
+    if (phase == Phase.LEAVING) {
+      leave.add(me);
+    }
+    return new Change(phase == Phase.JOINING ? me : null, leave);
+  }
+
+  private void learn(View learned) {
+    long skippedFrom = askedIn;
+    view = learned;
+    boolean listed = learned.contains(me);
+    if (phase == Phase.JOINING && listed) {
+      settle(Phase.IN);
+    } else if (phase == Phase.JOINING && skippedFrom > 0 && learned.number() > skippedFrom) {
+      // A view that I never saw may have let me in, and a later one put me out again.
+      givenUp.add(me);
+      port.givesUp(me);
+      takeFreshId();
+    } else if (phase == Phase.LEAVING && !listed) {
+      settle(Phase.OUT);
+      unregistered = true;
+    } else if ((phase == Phase.IN || phase == Phase.LEFT_HALFWAY) && !listed) {
+      settle(Phase.OUT);
+    }
+    rListRule.learned(learned.number(), nowNs);
+    change();
+  }
+
+  /** At the deadline, or when no view could take me in. */
+  private void giveUp() {
+    failed = true;
+    if (phase == Phase.JOINING) {
+      givenUp.add(me);
+      port.givesUp(me);
+      me = port.freshProcess();
+      askedIn = 0;
+      settle(Phase.OUT);
+    } else {
+      settle(Phase.LEFT_HALFWAY);
+    }
+    synod.stop();
+    change();
+  }
+
+  private void settle(Phase next) {
+    phase = next;
+    deadlineNs = Long.MAX_VALUE;
+    queryAtNs = next == Phase.OUT ? Long.MAX_VALUE : nowNs + settings.queryMs() * NS_PER_MS;
+  }
+
+  private void takeFreshId() {
+    me = port.freshProcess();
+    askedIn = 0;
+    port.asksFor(me);
+  }
+
+  private final class SynodEffects implements SynodPort {
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      port.send(to, message);
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      port.persist(version, record);
+    }
+
+    @Override
+    public void chosen(long number, Value value) {
+      Set<RobotId> concerned = new TreeSet<>(acceptors);
+      concerned.addAll(view.participants().asList());
+      concerned.addAll(ViewFormat.read(number, value).participants().asList());
+      concerned.remove(self);
+      for (RobotId robot : concerned) {
+        port.sendReliably(robot, new SynodMessage.Decided(number, value));
+      }
+    }
+
+    @Override
+    public void learned(long number, Value value) {
+      learn(ViewFormat.read(number, value));
+    }
+
+    @Override
+    public void rumour(long number) {
+      rListRule.rumour(number, nowNs);
+    }
+  }
+}

@@ -1,0 +1,36 @@
+package org.starl.primitives.registration;
+
+/**
+ * The names under which registrations appear in a trace. A monitor decides everything from these:
+ * views as {@link org.starl.primitives.membership.View#parse} reads them, ids as {@link
+ * org.starl.ProcessId#parse} does.
+ */
+final class RegistrationTrace {
+
+  static final String PRIMITIVE = "registration";
+
+  /** Action with the id that asks to be in; one for each attempt, so one call may have several. */
+  static final String DO_REGISTER = "do_register";
+
+  /** Action with the id that asks to be out. */
+  static final String UNREGISTER = "unregister";
+
+  /** Action with an id that was asked in, never requested anything, and never will. */
+  static final String GIVE_UP = "give_up";
+
+  /** Variable: {@code null}, or time stamp and list, as in {@code 3:[bot0, bot2]}. */
+  static final String R_LIST = "rList";
+
+  /** Variable: whether the latest call was given up. */
+  static final String FAILED = "failed";
+
+  /** Variable: the latest view that the robot has learned. */
+  static final String VIEW = "view";
+
+  private RegistrationTrace() {}
+
+  /** Whether {@code source} is a registration, as in {@code registration/crossing}. */
+  static boolean isRegistration(String source) {
+    return source.startsWith(PRIMITIVE + "/");
+  }
+}
