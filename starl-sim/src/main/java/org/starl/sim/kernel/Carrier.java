@@ -1,0 +1,22 @@
+package org.starl.sim.kernel;
+
+/**
+ * Carries one app, which waits now and then, beside the kernel, which goes on meanwhile: either the
+ * app or the kernel runs, never both.
+ */
+interface Carrier {
+
+  /**
+   * Kernel's side: lets the app begin or go on, and returns when it suspends itself or is over.
+   *
+   * @throws ForeignWait if it does neither, because it waits for something that is not the kernel,
+   *     for longer than the limit; a later call waits anew
+   */
+  void resume();
+
+  /** App's side: lets the kernel go on, and returns when the kernel resumes it. */
+  void suspend();
+
+  /** Kernel's side: interrupts an app that waits for something that is not the kernel. */
+  void interrupt();
+}

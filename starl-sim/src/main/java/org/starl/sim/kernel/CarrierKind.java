@@ -1,0 +1,45 @@
+package org.starl.sim.kernel;
+
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+
+/** What carries an app that waits. The order of everything is the same on both. */
+public enum CarrierKind {
+
+  /** A virtual thread whose scheduler is the kernel: fast and small. */
+  VIRTUAL,
+
+  /** A platform thread that passes a baton to and fro with the kernel: runs everywhere. */
+  PLATFORM;
+
+  private static final int FIRST_GOOD_JDK = 24;
+
+  /** The best kind that this Java runtime allows. */
+  public static CarrierKind best() {
+    return fallbackReason() == null ? VIRTUAL : PLATFORM;
+  }
+
+  /** One line that says why {@link #best} is not {@link #VIRTUAL}, or null if it is. */
+  public static @Nullable String fallbackReason() {
+    String obstacle;
+    if (Runtime.version().feature() < FIRST_GOOD_JDK) {
+      // Before, a virtual thread that waits inside synchronized blocks the kernel's own thread.
+      obstacle = "need Java 24 or later, and this is Java " + Runtime.version().feature();
+    } else if (!Object.class.getModule().isOpen("java.lang", CarrierKind.class.getModule())) {
+      obstacle = "need the option --add-opens java.base/java.lang=ALL-UNNAMED";
+    } else if (!VirtualCarrier.isSupported()) {
+      obstacle = "cannot be had from Java " + Runtime.version();
+    } else {
+      return null;
+    }
+    return "virtual threads on the kernel "
+        + obstacle
+        + ": robots run on platform threads, slower but with the same results";
+  }
+
+  Carrier newCarrier(String name, Runnable app, Duration foreignWaitLimit) {
+    return this == VIRTUAL
+        ? new VirtualCarrier(name, app, foreignWaitLimit)
+        : new PlatformCarrier(name, app, foreignWaitLimit);
+  }
+}

@@ -1,0 +1,202 @@
+package org.starl.sim.kernel;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Clock;
+import org.starl.platform.Timer;
+
+/**
+ * Runs events in the order of their virtual time, and those of equal time in the order in which
+ * they were scheduled. An event belongs to a robot's {@link SimStrand} or, scheduled here, to the
+ * world. Everything is to be called from the thread that calls {@link #run}: before it, after it, or
+ * from inside an event.
+ */
+public final class Kernel implements Clock, AutoCloseable {
+
+  /** How long an app may wait for something that is not the kernel, in real time. */
+  public static final Duration FOREIGN_WAIT_LIMIT = Duration.ofSeconds(10);
+
+  final EventQueue queue = new EventQueue();
+
+  private final CarrierKind carrierKind;
+  private final Duration foreignWaitLimit;
+  private final Set<SimStrand> strandsWithApps = new LinkedHashSet<>();
+  private final List<SimStrand> strandsToUnwind = new ArrayList<>();
+  private @Nullable SimStrand current;
+  private long nowNs;
+  private long events;
+  private boolean isRunning;
+  private boolean isClosed;
+
+  public Kernel(CarrierKind carrierKind) {
+    this(carrierKind, FOREIGN_WAIT_LIMIT);
+  }
+
+  /**
+   * @param foreignWaitLimit how long, in real time, an app may wait for something that is not the
+   *     kernel ({@code Thread.sleep}, a lock, input) before the run fails; above 0
+   */
+  public Kernel(CarrierKind carrierKind, Duration foreignWaitLimit) {
+    if (foreignWaitLimit.isNegative() || foreignWaitLimit.isZero()) {
+      throw new IllegalArgumentException("limit " + foreignWaitLimit + ": expected above 0");
+    }
+    this.carrierKind = carrierKind;
+    this.foreignWaitLimit = foreignWaitLimit;
+  }
+
+  /** Virtual time of the event that runs, or ran last, in ns from the start of the run. */
+  @Override
+  public long nowNs() {
+    return nowNs;
+  }
+
+  /** How many events have run. */
+  public long events() {
+    return events;
+  }
+
+  /**
+   * Schedules an event of the world.
+   *
+   * @throws IllegalArgumentException if {@code atNs} is past
+   */
+  public void schedule(long atNs, Runnable event) {
+    schedule(atNs, null, event);
+  }
+
+  /** A timer of the world, not set. */
+  public Timer timer(Runnable action) {
+    return new KernelTimer(this, null, action);
+  }
+
+  /** A new strand; its name is for people. */
+  public SimStrand strand(String name) {
+    return new SimStrand(this, name);
+  }
+
+  /**
+   * Runs events until none is left, or the next one is later than {@code untilNs} (which is the time
+   * then), or {@code finished} holds, which is asked after each event.
+   *
+   * @throws RobotError if an exception comes out of a strand's piece or app; an exception out of an
+   *     event of the world comes through as it is. Either way the kernel is to be closed next.
+   */
+  public void run(long untilNs, BooleanSupplier finished) {
+    begin();
+    try {
+      while (queue.poll(untilNs)) {
+        SimStrand strand = queue.strand();
+        if (strand != null && strand.isClosed()) {
+          continue;
+        }
+        nowNs = queue.atNs();
+        events++;
+        if (strand == null) {
+          queue.piece().run();
+        } else {
+          strand.run(queue.piece());
+        }
+        if (!strandsToUnwind.isEmpty()) {
+          unwindClosedStrands();
+        }
+        if (finished.getAsBoolean()) {
+          return;
+        }
+      }
+      if (queue.size() > 0) {
+        nowNs = Math.max(nowNs, untilNs);
+      }
+    } finally {
+      isRunning = false;
+    }
+  }
+
+  /**
+   * Ends the run: closes every strand whose app still waits, in the order in which the apps began.
+   *
+   * @throws RobotError if an app failed while it was unwound, or did not end; the others are
+   *     unwound nevertheless
+   */
+  @Override
+  public void close() {
+    if (isRunning) {
+      throw new IllegalStateException("a kernel cannot be closed by one of its events");
+    }
+    isClosed = true;
+    RobotError failure = null;
+    for (SimStrand strand : new ArrayList<>(strandsWithApps)) {
+      try {
+        strand.close();
+        strand.unwindApp();
+      } catch (RobotError e) {
+        if (failure == null) {
+          failure = e;
+        } else {
+          failure.addSuppressed(e);
+        }
+      }
+    }
+    strandsWithApps.clear();
+    if (failure != null) {
+      throw failure;
+    }
+  }
+
+  int schedule(long atNs, @Nullable SimStrand strand, Runnable piece) {
+    if (atNs < nowNs) {
+      throw new IllegalArgumentException(
+          "scheduled at " + atNs + " ns, which is before now, " + nowNs + " ns");
+    }
+    return queue.add(atNs, strand, piece);
+  }
+
+  /** The strand that runs now, or null while the world does. */
+  @Nullable SimStrand current() {
+    return current;
+  }
+
+  void setCurrent(@Nullable SimStrand strand) {
+    current = strand;
+  }
+
+  Carrier carry(SimStrand strand, Runnable app) {
+    strandsWithApps.add(strand);
+    return carrierKind.newCarrier(strand.name(), app, foreignWaitLimit);
+  }
+
+  void appIsOver(SimStrand strand) {
+    strandsWithApps.remove(strand);
+  }
+
+  /** Unwinds a closed strand's app: at once, or, if a strand runs now, after its piece. */
+  void unwind(SimStrand strand) {
+    if (current == null) {
+      strand.unwindApp();
+    } else {
+      strandsToUnwind.add(strand);
+    }
+  }
+
+  private void begin() {
+    if (isRunning || isClosed) {
+      throw new IllegalStateException(isClosed ? "the kernel is closed" : "the kernel runs already");
+    }
+    if (carrierKind == CarrierKind.VIRTUAL && Thread.currentThread().isVirtual()) {
+      throw new IllegalStateException("a kernel with virtual carriers needs a platform thread");
+    }
+    isRunning = true;
+  }
+
+  // Unwinding runs finally blocks, which may close further strands.
+  private void unwindClosedStrands() {
+    for (int i = 0; i < strandsToUnwind.size(); i++) {
+      strandsToUnwind.get(i).unwindApp();
+    }
+    strandsToUnwind.clear();
+  }
+}

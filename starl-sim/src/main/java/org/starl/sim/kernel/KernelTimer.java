@@ -1,0 +1,53 @@
+package org.starl.sim.kernel;
+
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Timer;
+
+/** A timer of a strand, or of the world: one event of the queue at most. */
+final class KernelTimer implements Timer, Runnable {
+
+  private final Kernel kernel;
+  private final @Nullable SimStrand strand;
+  private final Runnable action;
+  private int slot = EventTable.NONE;
+
+  KernelTimer(Kernel kernel, @Nullable SimStrand strand, Runnable action) {
+    this.kernel = kernel;
+    this.strand = strand;
+    this.action = action;
+  }
+
+  @Override
+  public void set(long atNs) {
+    if (isDead()) {
+      return;
+    }
+    cancel();
+    slot = kernel.queue.add(Math.max(atNs, kernel.nowNs()), strand, this);
+  }
+
+  @Override
+  public void cancel() {
+    if (isSet()) {
+      kernel.queue.remove(slot);
+      slot = EventTable.NONE;
+    }
+  }
+
+  @Override
+  public boolean isSet() {
+    return slot != EventTable.NONE && !isDead();
+  }
+
+  /** Runs as an event of the kernel. */
+  @Override
+  public void run() {
+    slot = EventTable.NONE;
+    action.run();
+  }
+
+  // The queue drops a closed strand's events, and may have given the slot to another event since.
+  private boolean isDead() {
+    return strand != null && strand.isClosed();
+  }
+}

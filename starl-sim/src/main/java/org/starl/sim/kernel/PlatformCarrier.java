@@ -1,0 +1,88 @@
+package org.starl.sim.kernel;
+
+import java.time.Duration;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+
+/** A platform thread that runs only while it has the baton; the kernel waits for it meanwhile. */
+final class PlatformCarrier implements Carrier {
+
+  // Reserved, not used: as much as the kernel's thread has for apps on virtual threads.
+  private static final long STACK_BYTES = 1 << 20;
+
+  private final Thread thread;
+  private final Duration foreignWaitLimit;
+  private boolean isStarted;
+  private @Nullable Thread kernelThread;
+  private volatile boolean appHasBaton;
+
+  PlatformCarrier(String name, Runnable app, Duration foreignWaitLimit) {
+    this.foreignWaitLimit = foreignWaitLimit;
+    Runnable body =
+        () -> {
+          try {
+            app.run();
+          } finally {
+            passBatonToKernel();
+          }
+        };
+    this.thread = new Thread(null, body, name, STACK_BYTES, false);
+    this.thread.setDaemon(true);
+  }
+
+  @Override
+  public void resume() {
+    kernelThread = Thread.currentThread();
+    appHasBaton = true;
+    if (isStarted) {
+      LockSupport.unpark(thread);
+    } else {
+      isStarted = true;
+      thread.start();
+    }
+    PatientWait wait = new PatientWait(foreignWaitLimit);
+    try {
+      while (appHasBaton) {
+        if (!wait.park(this)) {
+          if (isWaiting()) {
+            throw new ForeignWait(thread, foreignWaitLimit);
+          }
+          wait.restart();
+        }
+      }
+    } finally {
+      wait.close();
+    }
+  }
+
+  @Override
+  public void suspend() {
+    passBatonToKernel();
+    boolean wasInterrupted = false;
+    while (!appHasBaton) {
+      LockSupport.park(this);
+      // An interrupted thread does not park: it would spin until it has the baton.
+      wasInterrupted |= Thread.interrupted();
+    }
+    if (wasInterrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void interrupt() {
+    thread.interrupt();
+  }
+
+  private void passBatonToKernel() {
+    appHasBaton = false;
+    LockSupport.unpark(kernelThread);
+  }
+
+  // An app may compute for as long as it likes; a thread in a native call waits for input.
+  private boolean isWaiting() {
+    StackTraceElement[] stack = thread.getStackTrace();
+    return thread.getState() != Thread.State.RUNNABLE
+        || (stack.length > 0 && stack[0].isNativeMethod());
+  }
+}

@@ -1,0 +1,40 @@
+package org.starl.sim.kernel;
+
+/**
+ * Ends a run: an exception came out of a robot's app, handler or timer, which is a bug of the
+ * robot's program. The cause is that exception.
+ */
+public final class RobotError extends RuntimeException {
+
+  private static final long serialVersionUID = 1L;
+
+  private final String strand;
+  private final long timeNs;
+
+  RobotError(String strand, long timeNs, Throwable cause) {
+    super(strand + " at " + seconds(timeNs) + ": " + describe(cause), cause);
+    this.strand = strand;
+    this.timeNs = timeNs;
+  }
+
+  /** The name of the strand, which is the robot's. */
+  public String strand() {
+    return strand;
+  }
+
+  /** When it happened, in ns of virtual time. */
+  public long timeNs() {
+    return timeNs;
+  }
+
+  private static String describe(Throwable cause) {
+    String message = cause.getMessage();
+    String type = cause.getClass().getSimpleName();
+    return message == null ? type : type + ": " + message;
+  }
+
+  private static String seconds(long timeNs) {
+    String nanos = Long.toString(1_000_000_000 + timeNs % 1_000_000_000);
+    return timeNs / 1_000_000_000 + "." + nanos.substring(1) + " s";
+  }
+}

@@ -1,0 +1,146 @@
+package org.starl.sim.kernel;
+
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Strand;
+import org.starl.platform.StrandClosed;
+import org.starl.platform.Timer;
+import org.starl.platform.Timers;
+
+/** A robot's strand in virtual time: a piece takes no time, and no two pieces overlap. */
+public final class SimStrand implements Strand, Timers {
+
+  private final Kernel kernel;
+  private final String name;
+  private boolean isClosed;
+  private @Nullable WaitingApp app;
+
+  SimStrand(Kernel kernel, String name) {
+    this.kernel = kernel;
+    this.name = name;
+  }
+
+  public String name() {
+    return name;
+  }
+
+  /**
+   * Runs {@code piece} on this strand at {@code atNs}; without allocation, so that the caller can use
+   * one piece again and again. Dropped if the strand is closed by then.
+   *
+   * @throws IllegalArgumentException if {@code atNs} is past
+   */
+  public void schedule(long atNs, Runnable piece) {
+    if (!isClosed) {
+      kernel.schedule(atNs, this, piece);
+    }
+  }
+
+  @Override
+  public void post(Runnable action) {
+    schedule(kernel.nowNs(), action);
+  }
+
+  @Override
+  public Timer timer(Runnable action) {
+    return new KernelTimer(kernel, this, action);
+  }
+
+  @Override
+  public boolean isCurrent() {
+    return kernel.current() == this;
+  }
+
+  @Override
+  public void start(Runnable newApp) {
+    if (app != null) {
+      throw new IllegalStateException(name + ": an app was started here before");
+    }
+    app = new WaitingApp(kernel, this, newApp);
+    app.start();
+  }
+
+  @Override
+  public void sleepUntil(long atNs) {
+    runningApp().sleepUntil(atNs);
+  }
+
+  /** {@inheritDoc} At the deadline the condition is evaluated once more. */
+  @Override
+  public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
+    return runningApp().awaitUntil(condition, deadlineNs);
+  }
+
+  /**
+   * Nothing of this strand runs any more, from now on: a crash, or the robot leaves. Its app is
+   * unwound by {@link StrandClosed}, {@code finally} blocks included: at once or, if a strand's piece
+   * calls this, right after that piece.
+   *
+   * @throws RobotError if the app is unwound at once, and fails or does not end
+   */
+  public void close() {
+    if (isClosed) {
+      return;
+    }
+    isClosed = true;
+    if (app != null) {
+      app.forgetWait();
+      kernel.unwind(this);
+    }
+  }
+
+  public boolean isClosed() {
+    return isClosed;
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+
+  /** Runs one event of this strand, and then the app if what it waits for has come. */
+  void run(Runnable piece) {
+    Throwable failure = null;
+    kernel.setCurrent(this);
+    try {
+      piece.run();
+      if (app != null) {
+        failure = app.afterPiece(piece);
+      }
+    } catch (Throwable e) {
+      failure = e;
+    } finally {
+      kernel.setCurrent(null);
+    }
+    if (failure != null) {
+      throw new RobotError(name, kernel.nowNs(), failure);
+    }
+  }
+
+  /** Makes the app of this strand, which is closed, end. */
+  void unwindApp() {
+    if (app == null) {
+      return;
+    }
+    Throwable failure;
+    kernel.setCurrent(this);
+    try {
+      failure = app.unwind();
+    } catch (Throwable e) {
+      failure = e;
+    } finally {
+      kernel.setCurrent(null);
+    }
+    if (failure != null) {
+      throw new RobotError(name, kernel.nowNs(), failure);
+    }
+  }
+
+  private WaitingApp runningApp() {
+    if (app == null || !app.isRunning() || kernel.current() != this) {
+      throw new IllegalStateException(
+          name + ": only the app may wait; a handler, a timer or a condition runs to its end");
+    }
+    return app;
+  }
+}

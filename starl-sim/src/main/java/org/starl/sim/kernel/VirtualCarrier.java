@@ -1,0 +1,144 @@
+package org.starl.sim.kernel;
+
+import java.lang.reflect.Constructor;
+import java.time.Duration;
+import java.util.concurrent.Executor;
+import java.util.concurrent.locks.LockSupport;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A virtual thread whose scheduler is this object: it runs on the kernel's own thread, inside {@link
+ * #resume}, and nowhere else.
+ *
+ * <p>An app that waits for something foreign is made runnable by a foreign thread. That thread only
+ * hands the continuation over; the kernel, which waits in {@code resume}, runs it.
+ */
+final class VirtualCarrier implements Carrier, Executor {
+
+  private static final @Nullable Constructor<?> BUILDER = findBuilder();
+
+  private final Thread thread;
+  private final Duration foreignWaitLimit;
+  private boolean isStarted;
+  private boolean isSuspended;
+  private boolean isOver;
+  private @Nullable Thread kernelThread;
+  private @Nullable Runnable ready;
+  private volatile @Nullable Runnable readyFromOutside;
+
+  VirtualCarrier(String name, Runnable app, Duration foreignWaitLimit) {
+    this.foreignWaitLimit = foreignWaitLimit;
+    this.thread =
+        newBuilder(this)
+            .name(name)
+            .inheritInheritableThreadLocals(false)
+            .unstarted(
+                () -> {
+                  try {
+                    app.run();
+                  } finally {
+                    isOver = true;
+                  }
+                });
+  }
+
+  static boolean isSupported() {
+    return BUILDER != null;
+  }
+
+  @Override
+  public void resume() {
+    kernelThread = Thread.currentThread();
+    if (isStarted) {
+      isSuspended = false;
+      LockSupport.unpark(thread);
+    } else {
+      isStarted = true;
+      thread.start();
+    }
+    do {
+      takeReady().run();
+    } while (!isSuspended && !isOver);
+  }
+
+  @Override
+  public void suspend() {
+    isSuspended = true;
+    boolean wasInterrupted = false;
+    LockSupport.park(this);
+    while (isSuspended) {
+      // A permit that a foreign thread has left over, or an interrupt, ends a park, but not the
+      // suspension; and an interrupted thread would not park again.
+      wasInterrupted |= Thread.interrupted();
+      LockSupport.park(this);
+    }
+    if (wasInterrupted) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void interrupt() {
+    thread.interrupt();
+  }
+
+  /** Called by whoever makes the virtual thread runnable: most times the kernel, in resume. */
+  @Override
+  public void execute(Runnable continuation) {
+    if (Thread.currentThread() == kernelThread) {
+      ready = continuation;
+    } else {
+      readyFromOutside = continuation;
+      LockSupport.unpark(kernelThread);
+    }
+  }
+
+  private Runnable takeReady() {
+    Runnable continuation = ready;
+    if (continuation == null) {
+      continuation = awaitReadyFromOutside();
+    }
+    ready = null;
+    return continuation;
+  }
+
+  private Runnable awaitReadyFromOutside() {
+    PatientWait wait = new PatientWait(foreignWaitLimit);
+    try {
+      Runnable continuation = readyFromOutside;
+      while (continuation == null) {
+        if (!wait.park(this)) {
+          throw new ForeignWait(thread, foreignWaitLimit);
+        }
+        continuation = readyFromOutside;
+      }
+      readyFromOutside = null;
+      return continuation;
+    } finally {
+      wait.close();
+    }
+  }
+
+  private static Thread.Builder.OfVirtual newBuilder(Executor scheduler) {
+    if (BUILDER == null) {
+      throw new IllegalStateException(String.valueOf(CarrierKind.fallbackReason()));
+    }
+    try {
+      return (Thread.Builder.OfVirtual) BUILDER.newInstance(scheduler);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException("no virtual thread with a scheduler of its own", e);
+    }
+  }
+
+  // The JDK has no public way to a virtual thread with another scheduler than its own.
+  private static @Nullable Constructor<?> findBuilder() {
+    try {
+      Constructor<?> constructor =
+          Class.forName("java.lang.ThreadBuilders$VirtualThreadBuilder")
+              .getDeclaredConstructor(Executor.class);
+      return constructor.trySetAccessible() ? constructor : null;
+    } catch (ReflectiveOperationException e) {
+      return null;
+    }
+  }
+}

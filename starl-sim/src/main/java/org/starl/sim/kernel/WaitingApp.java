@@ -1,0 +1,180 @@
+package org.starl.sim.kernel;
+
+import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.StrandClosed;
+
+/** A strand's app: runs on its carrier from one wait to the next, as one piece of the strand. */
+final class WaitingApp {
+
+  /** So often an app that was told of its end may wait again before it is given up. */
+  private static final int MAX_REFUSALS = 1000;
+
+  private final Kernel kernel;
+  private final SimStrand strand;
+  private final Runnable wake = this::wake;
+  private @Nullable Runnable body;
+  private @Nullable Carrier carrier;
+  private boolean isRunning;
+  private boolean isLost;
+  private int refusals;
+  private @Nullable Throwable failure;
+
+  // What it waits for: an event of the queue, a condition, or both.
+  private int wakeSlot = EventTable.NONE;
+  private @Nullable BooleanSupplier condition;
+  private boolean conditionHeld;
+
+  WaitingApp(Kernel kernel, SimStrand strand, Runnable body) {
+    this.kernel = kernel;
+    this.strand = strand;
+    this.body = body;
+  }
+
+  void start() {
+    if (!strand.isClosed()) {
+      wakeSlot = kernel.schedule(kernel.nowNs(), strand, wake);
+    }
+  }
+
+  /** Whether the app itself is what runs on the strand now. */
+  boolean isRunning() {
+    return isRunning;
+  }
+
+  void sleepUntil(long atNs) {
+    suspend(null, atNs, true);
+  }
+
+  boolean awaitUntil(BooleanSupplier newCondition, long deadlineNs) {
+    if (!strand.isClosed() && newCondition.getAsBoolean()) {
+      return true;
+    }
+    suspend(newCondition, deadlineNs, deadlineNs != Long.MAX_VALUE);
+    return conditionHeld;
+  }
+
+  /**
+   * Goes on if the condition that it waits for holds, now that {@code piece} has run.
+   *
+   * @return what came out of the app, if anything ever did
+   */
+  @Nullable Throwable afterPiece(Runnable piece) {
+    BooleanSupplier awaited = condition;
+    if (awaited != null && piece != wake && awaited.getAsBoolean()) {
+      forgetWait();
+      conditionHeld = true;
+      resume();
+    }
+    return failure;
+  }
+
+  /** Waits for nothing more: no event of the queue resumes it. */
+  void forgetWait() {
+    condition = null;
+    if (wakeSlot != EventTable.NONE) {
+      kernel.queue.remove(wakeSlot);
+      wakeSlot = EventTable.NONE;
+    }
+  }
+
+  /**
+   * Resumes the app on its closed strand, where every wait throws, until it ends.
+   *
+   * @return what came out of the app on its way
+   */
+  @Nullable Throwable unwind() {
+    Carrier waiting = carrier;
+    if (waiting == null) {
+      return null;
+    }
+    if (isLost) {
+      waiting.interrupt();
+    }
+    try {
+      resume();
+      return carrier == null
+          ? failure
+          : new IllegalStateException(
+              "the app goes on although its run has ended; does it catch StrandClosed?");
+    } finally {
+      end();
+    }
+  }
+
+  // The event at the end of a sleep, at the deadline of an await, or at the app's start.
+  private void wake() {
+    wakeSlot = EventTable.NONE;
+    BooleanSupplier awaited = condition;
+    condition = null;
+    conditionHeld = awaited != null && awaited.getAsBoolean();
+    resume();
+  }
+
+  private void suspend(@Nullable BooleanSupplier newCondition, long untilNs, boolean isTimed) {
+    Carrier mine = carrier;
+    if (mine == null) {
+      throw new IllegalStateException(strand + ": the app is over");
+    }
+    if (strand.isClosed()) {
+      refuse(mine);
+    }
+    condition = newCondition;
+    if (isTimed) {
+      wakeSlot = kernel.schedule(Math.max(untilNs, kernel.nowNs()), strand, wake);
+    }
+    mine.suspend();
+    if (strand.isClosed()) {
+      throw new StrandClosed();
+    }
+  }
+
+  private void refuse(Carrier mine) {
+    refusals++;
+    if (refusals > MAX_REFUSALS) {
+      mine.suspend();
+    }
+    throw new StrandClosed();
+  }
+
+  private void resume() {
+    Carrier mine = carrier;
+    if (mine == null) {
+      mine = kernel.carry(strand, this::runBody);
+      carrier = mine;
+    }
+    isRunning = true;
+    try {
+      mine.resume();
+    } catch (ForeignWait e) {
+      isLost = true;
+      throw e;
+    } finally {
+      isRunning = false;
+    }
+    if (body == null) {
+      end();
+    }
+  }
+
+  // On the carrier.
+  private void runBody() {
+    Runnable app = body;
+    try {
+      if (app != null) {
+        app.run();
+      }
+    } catch (StrandClosed e) {
+      failure = strand.isClosed() ? null : e;
+    } catch (Throwable e) {
+      failure = e;
+    } finally {
+      body = null;
+    }
+  }
+
+  private void end() {
+    carrier = null;
+    kernel.appIsOver(strand);
+  }
+}
