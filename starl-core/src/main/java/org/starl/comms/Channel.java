@@ -19,7 +19,20 @@ public record Channel<T>(String primitive, String instance, Codec<T> codec) {
     return primitive + "/" + instance;
   }
 
+  /** Whether {@code name} is that of a channel: two valid parts and a slash. */
+  static boolean isName(String name) {
+    int slash = name.indexOf('/');
+    return slash >= 0 && isPart(name.substring(0, slash)) && isPart(name.substring(slash + 1));
+  }
+
   private static void check(String part) {
+    if (!isPart(part)) {
+      throw new IllegalArgumentException(
+          "channel name '" + part + "': expected 1 to 31 of A-Z a-z 0-9 _ - .");
+    }
+  }
+
+  private static boolean isPart(String part) {
     boolean valid = !part.isEmpty() && part.length() <= 31;
     for (int i = 0; i < part.length() && valid; i++) {
       char c = part.charAt(i);
@@ -31,9 +44,6 @@ public record Channel<T>(String primitive, String instance, Codec<T> codec) {
               || c == '-'
               || c == '.';
     }
-    if (!valid) {
-      throw new IllegalArgumentException(
-          "channel name '" + part + "': expected 1 to 31 of A-Z a-z 0-9 _ - .");
-    }
+    return valid;
   }
 }

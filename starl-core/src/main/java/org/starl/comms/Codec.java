@@ -2,7 +2,9 @@ package org.starl.comms;
 
 /**
  * The bytes of one channel's messages. {@code read(write(m))} equals {@code m}; {@code read} throws
- * {@link WireFormatException} on anything that {@code write} cannot have written.
+ * {@link WireFormatException} on anything that {@code write} cannot have written, as {@link
+ * WireReader} does of itself. An {@link IllegalArgumentException}, with which a value's constructor
+ * refuses its arguments, counts as the same.
  */
 public interface Codec<T> {
 

@@ -4,7 +4,11 @@ import org.starl.RobotId;
 
 /**
  * This robot's end of a channel. Strand only. What is sent to this robot itself arrives as well, in
- * a later piece of the strand, without the radio.
+ * a later piece of the strand, without the radio, through the codec.
+ *
+ * <p>A message that does not fit a datagram ({@link org.starl.platform.Radio#MAX_BYTES}, header
+ * included) is an {@link IllegalArgumentException}; sending on a closed endpoint is an {@link
+ * IllegalStateException}.
  */
 public interface Endpoint<T> {
 
@@ -22,7 +26,7 @@ public interface Endpoint<T> {
 
   Receipt sendReliably(RobotId to, T message, Reliability reliability);
 
-  /** Hears nothing more; receipts under way fail. */
+  /** Hears nothing more; receipts under way fail, and their actions run inside this call. */
   void close();
 
   /** Takes a channel's messages, on the strand. */

@@ -3,7 +3,11 @@ package org.starl.comms;
 /** What became of a reliable message. Strand only; see {@link Endpoint#sendReliably}. */
 public interface Receipt {
 
-  /** The other end's handler has run, exactly once. */
+  /**
+   * The other end's handler has run, exactly once in the incarnation that acknowledged it. A
+   * receiver that restarts forgets what it handled: the message may have been handled once by each
+   * of its incarnations.
+   */
   boolean isDelivered();
 
   /** Given up at the deadline; the other end may or may not have handled it, at most once. */

@@ -86,6 +86,10 @@ public final class WireReader {
   public String string() {
     int bytes = u8();
     need(bytes);
+    if (isAscii(buffer, position, bytes)) {
+      position += bytes;
+      return new String(buffer, position - bytes, bytes, StandardCharsets.ISO_8859_1);
+    }
     try {
       String value =
           StandardCharsets.UTF_8
@@ -124,6 +128,15 @@ public final class WireReader {
       throw new WireFormatException("incarnation " + inc);
     }
     return new ProcessId(robot, inc);
+  }
+
+  static boolean isAscii(byte[] bytes, int from, int length) {
+    for (int i = from; i < from + length; i++) {
+      if (bytes[i] < 0) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /** Fails unless everything was read. */

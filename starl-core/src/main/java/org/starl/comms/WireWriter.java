@@ -1,25 +1,45 @@
 package org.starl.comms;
 
+import java.nio.ByteBuffer;
+import java.nio.CharBuffer;
+import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 
 /**
- * Writes a message's fields into a buffer of fixed size, big-endian. A message that does not fit is
- * the sender's bug: {@link IllegalArgumentException}.
+ * Writes a message's fields, big-endian. A field that the format cannot hold, or a message that does
+ * not fit the buffer, is the sender's bug: {@link IllegalArgumentException}.
  */
 public final class WireWriter {
 
-  private final byte[] buffer;
+  private static final int FIRST_SIZE = 128;
+
+  private final boolean grows;
+  private byte[] buffer;
   private int length;
 
+  /** Writes into {@code buffer}, which does not grow. */
   public WireWriter(byte[] buffer) {
     this.buffer = buffer;
+    this.grows = false;
+  }
+
+  /** Writes into a buffer of its own, which grows. */
+  WireWriter() {
+    this.buffer = new byte[FIRST_SIZE];
+    this.grows = true;
   }
 
   /** Begins anew at {@code position}. */
   void reset(int position) {
     length = position;
+  }
+
+  /** What was written lies in its first {@link #length} bytes; valid until the next write. */
+  byte[] buffer() {
+    return buffer;
   }
 
   /** Bytes written so far. */
@@ -58,16 +78,47 @@ public final class WireWriter {
     }
   }
 
+  /** A number; neither infinite nor NaN. */
   public void f64(double value) {
+    if (!Double.isFinite(value)) {
+      throw new IllegalArgumentException("f64 cannot be " + value);
+    }
     i64(Double.doubleToLongBits(value));
   }
 
   /** A string of at most 255 bytes in UTF-8, its length first. */
   public void string(String value) {
-    byte[] bytes = value.getBytes(StandardCharsets.UTF_8);
-    check(bytes.length <= 0xFF, "string length", bytes.length);
-    u8(bytes.length);
-    raw(bytes);
+    int chars = value.length();
+    if (chars > 0xFF) {
+      throw new IllegalArgumentException("string length cannot be " + chars);
+    }
+    room(1 + chars);
+    int at = length + 1;
+    for (int i = 0; i < chars; i++) {
+      char c = value.charAt(i);
+      if (c >= 0x80) {
+        encoded(value);
+        return;
+      }
+      buffer[at++] = (byte) c;
+    }
+    buffer[length] = (byte) chars;
+    length = at;
+  }
+
+  private void encoded(String value) {
+    try {
+      // A fresh encoder reports half a surrogate pair, where String.getBytes would write a '?'.
+      ByteBuffer utf8 = StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(value));
+      int bytes = utf8.remaining();
+      check(bytes <= 0xFF, "string length", bytes);
+      room(1 + bytes);
+      buffer[length++] = (byte) bytes;
+      utf8.get(buffer, length, bytes);
+      length += bytes;
+    } catch (CharacterCodingException e) {
+      throw new IllegalArgumentException("a string with half a surrogate pair", e);
+    }
   }
 
   /** At most 65,535 bytes, their number first. */
@@ -85,7 +136,8 @@ public final class WireWriter {
     i64(id.inc());
   }
 
-  private void raw(byte[] bytes) {
+  /** The bytes alone, without their number. */
+  void raw(byte[] bytes) {
     room(bytes.length);
     System.arraycopy(bytes, 0, buffer, length, bytes.length);
     length += bytes.length;
@@ -93,8 +145,11 @@ public final class WireWriter {
 
   private void room(int bytes) {
     if (length + bytes > buffer.length) {
-      throw new IllegalArgumentException(
-          "message longer than the " + buffer.length + " bytes of a datagram");
+      if (!grows) {
+        throw new IllegalArgumentException(
+            "message longer than the " + buffer.length + " bytes of a datagram");
+      }
+      buffer = Arrays.copyOf(buffer, Math.max(2 * buffer.length, length + bytes));
     }
   }
 

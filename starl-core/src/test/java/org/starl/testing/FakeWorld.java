@@ -1,0 +1,120 @@
+package org.starl.testing;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import java.util.TreeMap;
+import org.starl.Participants;
+import org.starl.RobotId;
+import org.starl.trace.TraceEvent;
+
+/**
+ * Several {@link FakePlatform}s in one virtual time, and the radio between them. Events of equal
+ * time happen in the order in which they were made.
+ */
+public final class FakeWorld {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** Says when copies of a datagram arrive: delays in ns; an empty array is a loss. */
+  @FunctionalInterface
+  public interface Rule {
+    long[] delaysNs(RobotId from, RobotId to, byte[] datagram);
+  }
+
+  private record Event(long atNs, long serial, Runnable action) {}
+
+  /** What every robot of this world recorded, in order; filled while {@link #tracing}. */
+  public final List<TraceEvent> trace = new ArrayList<>();
+
+  public boolean tracing = true;
+
+  /** What the radio does to datagrams; set anew at will. By default each takes 1 ms. */
+  public Rule rule = (from, to, datagram) -> new long[] {NS_PER_MS};
+
+  private final PriorityQueue<Event> events =
+      new PriorityQueue<>(Comparator.comparingLong(Event::atNs).thenComparingLong(Event::serial));
+  private final Map<RobotId, FakePlatform> robots = new TreeMap<>();
+  private final Participants deployment;
+  private long nowNs;
+  private long serial;
+
+  public FakeWorld(String... names) {
+    deployment = Participants.of(Arrays.stream(names).map(RobotId::new).toList());
+  }
+
+  /** Starts, or restarts with nothing kept but stable storage, the robot of this name. */
+  public FakePlatform boot(String name) {
+    RobotId id = new RobotId(name);
+    FakePlatform before = robots.get(id);
+    if (before != null) {
+      before.isUp = false;
+    }
+    FakePlatform robot =
+        new FakePlatform(this, id, deployment, before == null ? new TreeMap<>() : before.stored);
+    robots.put(id, robot);
+    return robot;
+  }
+
+  public long nowNs() {
+    return nowNs;
+  }
+
+  /** Does everything that is due up to {@code ms} milliseconds from now. */
+  public void runMs(long ms) {
+    long untilNs = nowNs + ms * NS_PER_MS;
+    while (step(untilNs)) {
+      continue;
+    }
+  }
+
+  /** Does the next event if there is one until {@code untilNs}; else it is that time. */
+  boolean step(long untilNs) {
+    Event next = events.peek();
+    if (next == null || next.atNs > untilNs) {
+      nowNs = Math.max(nowNs, untilNs);
+      return false;
+    }
+    events.poll();
+    nowNs = Math.max(nowNs, next.atNs);
+    next.action.run();
+    return true;
+  }
+
+  void at(long atNs, Runnable action) {
+    serial++;
+    events.add(new Event(Math.max(atNs, nowNs), serial, action));
+  }
+
+  /** Lets these bytes arrive at {@code to} as they are, after what is due now. */
+  public void inject(RobotId to, byte[] datagram) {
+    at(nowNs, () -> arrive(to, datagram));
+  }
+
+  void transmit(RobotId from, RobotId to, byte[] datagram) {
+    for (long delayNs : rule.delaysNs(from, to, datagram)) {
+      at(nowNs + delayNs, () -> arrive(to, datagram));
+    }
+  }
+
+  void broadcast(RobotId from, byte[] datagram) {
+    for (RobotId to : robots.keySet()) {
+      if (!to.equals(from)) {
+        transmit(from, to, datagram);
+      }
+    }
+  }
+
+  // A copy each time: the receiver's buffer is valid during the call only.
+  private void arrive(RobotId to, byte[] datagram) {
+    FakePlatform robot = robots.get(to);
+    if (robot != null) {
+      byte[] buffer = datagram.clone();
+      robot.arrive(buffer, buffer.length);
+      Arrays.fill(buffer, (byte) 0xEE);
+    }
+  }
+}
