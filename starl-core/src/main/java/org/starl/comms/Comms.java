@@ -28,17 +28,13 @@ public final class Comms {
   private final RobotNames robots = new RobotNames();
   private final Endpoints endpoints = new Endpoints();
   private final InboundWindows inbound = new InboundWindows();
-  private final OutboundQueue<Retained> outbound = new OutboundQueue<>(this::transmit);
+  private final OutboundQueue<RetainedMessage> outbound = new OutboundQueue<>(this::transmit);
   private final Drops drops;
   private @Nullable Timer timer;
   private long timerNs = Long.MAX_VALUE;
   private long lastNumber;
   private long sent;
   private long received;
-
-  /** A reliable message under way. */
-  private record Retained(
-      OpenEndpoint<?> endpoint, Object message, long number, byte[] datagram) {}
 
   /**
    * @param boot how often this robot's program has started, from 1
@@ -103,7 +99,7 @@ public final class Comms {
     long order = outbound.nextOrder(to);
     int length = writer.message(endpoint, to, message, number, order, lamportClock.now());
     byte[] datagram = Arrays.copyOf(writer.buffer(), length);
-    Retained retained = new Retained(endpoint, message, number, datagram);
+    RetainedMessage retained = new RetainedMessage(endpoint, message, number, datagram);
     Receipt receipt = outbound.send(to, retained, reliability, now());
     setTimer();
     return receipt;
@@ -111,17 +107,17 @@ public final class Comms {
 
   void close(OpenEndpoint<?> endpoint) {
     endpoints.remove(endpoint);
-    outbound.fail(retained -> retained.endpoint() == endpoint, now());
+    outbound.fail(retained -> retained.endpoint == endpoint, now());
     setTimer();
   }
 
-  private void transmit(Outgoing<Retained> outgoing) {
-    Retained retained = outgoing.content;
-    byte[] datagram = retained.datagram();
+  private void transmit(Outgoing<RetainedMessage> outgoing) {
+    RetainedMessage retained = outgoing.content;
+    byte[] datagram = retained.datagram;
     DatagramWriter.setClock(datagram, lamportClock.now());
     if (platform.trace().isOn()) {
-      String channel = retained.endpoint().channel.name();
-      traceSent(outgoing.to, channel, retained.number(), datagram.length, retained.message());
+      String channel = retained.endpoint.channel.name();
+      traceSent(outgoing.to, channel, retained.number, datagram.length, retained.message);
     }
     emit(outgoing.to, datagram, datagram.length);
   }
@@ -273,8 +269,7 @@ public final class Comms {
       platform
           .trace()
           .record(
-              new TraceEvent.Delivered(
-                  now(), platform.id(), from, channel, header.number, text));
+              new TraceEvent.Delivered(now(), platform.id(), from, channel, header.number, text));
     }
     endpoint.handler.received(from, message);
     if (order > 0) {
@@ -302,13 +297,7 @@ public final class Comms {
         .trace()
         .record(
             new TraceEvent.Sent(
-                now(),
-                platform.id(),
-                addressee,
-                channel,
-                number,
-                bytes,
-                String.valueOf(message)));
+                now(), platform.id(), addressee, channel, number, bytes, String.valueOf(message)));
   }
 
   private long now() {

@@ -47,8 +47,13 @@ final class DatagramWriter {
     if (length > Radio.MAX_BYTES) {
       out = new WireWriter();
       throw new IllegalArgumentException(
-          "channel " + from.channel.name() + ": a message of " + (length - payloadAt)
-              + " bytes, at most " + (Radio.MAX_BYTES - payloadAt) + " fit a datagram");
+          "channel "
+              + from.channel.name()
+              + ": a message of "
+              + (length - payloadAt)
+              + " bytes, at most "
+              + (Radio.MAX_BYTES - payloadAt)
+              + " fit a datagram");
     }
     return finish();
   }

@@ -24,10 +24,12 @@ final class Drops {
     counts[reason.ordinal()]++;
     String sender = from == null ? "?" : from.name();
     if (counts[reason.ordinal()] == 1) {
-      LogSink.Level level =
-          reason.isSuspicious() ? LogSink.Level.WARN : LogSink.Level.DEBUG;
+      LogSink.Level level = reason.isSuspicious() ? LogSink.Level.WARN : LogSink.Level.DEBUG;
       String line =
-          "dropped a datagram from " + sender + ": " + reason
+          "dropped a datagram from "
+              + sender
+              + ": "
+              + reason
               + (detail.isEmpty() ? "" : " (" + detail + ")")
               + "; more of these are only counted";
       platform.log().log(platform.clock().nowNs(), level, "comms", line);

@@ -148,8 +148,7 @@ final class OutboundQueue<P> {
       dropSettled(heldBack);
       Outgoing<P> oldest = window.peek();
       Outgoing<P> next = heldBack.peek();
-      if (next == null
-          || (oldest != null && next.order >= oldest.order + InboundWindows.WINDOW)) {
+      if (next == null || (oldest != null && next.order >= oldest.order + InboundWindows.WINDOW)) {
         return null;
       }
       heldBack.poll();

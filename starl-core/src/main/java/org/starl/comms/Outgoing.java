@@ -58,7 +58,7 @@ final class Outgoing<P> implements Receipt {
   void transmitted(long nowNs) {
     transmissions++;
     dueNs = Math.min(nowNs + waitNs, deadlineNs);
-    waitNs = (long) Math.min(waitNs * reliability.backoff(), ns(reliability.maxWaitMs()));
+    waitNs = Math.min((long) (waitNs * reliability.backoff()), ns(reliability.maxWaitMs()));
   }
 
   void settle(boolean delivered) {

@@ -13,8 +13,6 @@ final class RobotNames {
 
   private final @Nullable Entry[] entries;
 
-  private record Entry(byte[] name, RobotId id) {}
-
   RobotNames() {
     entries = new Entry[SLOTS];
   }
@@ -36,5 +34,15 @@ final class RobotNames {
     RobotId id = new RobotId(text);
     entries[slot] = new Entry(Arrays.copyOfRange(bytes, from, from + length), id);
     return id;
+  }
+
+  private static final class Entry {
+    private final byte[] name;
+    private final RobotId id;
+
+    Entry(byte[] name, RobotId id) {
+      this.name = name;
+      this.id = id;
+    }
   }
 }

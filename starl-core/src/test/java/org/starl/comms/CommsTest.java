@@ -149,8 +149,7 @@ class CommsTest {
           return new long[0];
         };
 
-    Receipt receipt =
-        a.sendReliably(B, "hello", new Reliability(100, 2, 10_000, 2, 60_000));
+    Receipt receipt = a.sendReliably(B, "hello", new Reliability(100, 2, 10_000, 2, 60_000));
     receipt.whenSettled(() -> failures.add(world.nowNs()));
     world.runMs(60_000);
 
@@ -195,7 +194,9 @@ class CommsTest {
     Comms a = comms("a", 1);
     open(a, "a");
 
-    assertThatIllegalStateException().isThrownBy(() -> open(a, "a")).withMessageContaining("talk/1");
+    assertThatIllegalStateException()
+        .isThrownBy(() -> open(a, "a"))
+        .withMessageContaining("talk/1");
   }
 
   @Test
@@ -350,12 +351,11 @@ class CommsTest {
 
     assertThat(heard).containsExactly("b:a:" + "x".repeat(1_361));
     assertThat(world.trace)
-        .anySatisfy(
-            event ->
-                assertThat(event)
-                    .isInstanceOfSatisfying(
-                        TraceEvent.Sent.class,
-                        sent -> assertThat(sent.bytes()).isEqualTo(Radio.MAX_BYTES)));
+        .anySatisfy(event ->
+            assertThat(event)
+                .isInstanceOfSatisfying(
+                    TraceEvent.Sent.class,
+                    sent -> assertThat(sent.bytes()).isEqualTo(Radio.MAX_BYTES)));
   }
 
   @Test

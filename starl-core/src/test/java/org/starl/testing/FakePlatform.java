@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.geometry.Fix;
+import org.starl.geometry.Obstacles;
 import org.starl.motion.Bumps;
 import org.starl.motion.WheelCommand;
 import org.starl.platform.Chassis;
@@ -61,7 +62,8 @@ public final class FakePlatform {
             new FakeStable(),
             name -> new Rng(42).fork(id.name()).fork(name),
             (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
-            new FakeTrace());
+            new FakeTrace(),
+            Obstacles.NONE);
   }
 
   /** The bundle of ports. */
@@ -71,21 +73,19 @@ public final class FakePlatform {
 
   /** Lets the robot have this fix in its next piece. */
   public void fix(Fix fix) {
-    post(
-        () -> {
-          if (fixReceiver != null) {
-            fixReceiver.fixed(fix);
-          }
-        });
+    post(() -> {
+      if (fixReceiver != null) {
+        fixReceiver.fixed(fix);
+      }
+    });
   }
 
   /** Presses or releases the bump sensors in the robot's next piece. */
   public void bump(Bumps now) {
-    post(
-        () -> {
-          bumps = now;
-          bumpReceiver.run();
-        });
+    post(() -> {
+      bumps = now;
+      bumpReceiver.run();
+    });
   }
 
   void arrive(byte[] buffer, int length) {
