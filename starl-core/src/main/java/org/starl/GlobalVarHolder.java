@@ -51,6 +51,11 @@ public final class GlobalVarHolder {
     return cell;
   }
 
+  /** Adds a variable whose owner computes its value when it is read. */
+  public void register(GvhVariable<?> variable) {
+    variables.add(variable);
+  }
+
   /** Every variable of this robot, in the order in which they were made. */
   public List<GvhVariable<?>> variables() {
     return Collections.unmodifiableList(variables);

@@ -1,35 +1,201 @@
 package org.starl.motion;
 
+import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
 import org.starl.GvhVariable;
+import org.starl.Log;
+import org.starl.Trace;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
 import org.starl.geometry.Region;
+import org.starl.platform.Chassis;
+import org.starl.platform.Clock;
 import org.starl.platform.Platform;
+import org.starl.platform.Timer;
+import org.starl.random.Rng;
 
-/** {@code gvh.plat.moat}: brings the robot to a target. Strand only. */
+/**
+ * {@code gvh.plat.moat}: brings the robot to a target (paper, section 4.1). Strand only.
+ *
+ * <p>Safety: the body, a disc, stays outside the region to avoid, within the bounds that {@link Gps}
+ * states. Progress: DONE means within the goal radius of the target by the robot's own position,
+ * hence within goal radius plus error bound in truth; FAIL, with a {@link #failure}, means that the
+ * wheels are stopped and the target was not reached. While a motion is under way a timer steps the
+ * automaton once a period, and a bump at once; an idle robot costs nothing.
+ */
 public final class MotionControl {
 
-  public MotionControl(GlobalVarHolder gvh, Platform platform, Gps gps) {}
+  private static final String SOURCE = "motion";
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final Gps gps;
+  private final Clock clock;
+  private final Chassis chassis;
+  private final Log log;
+  private final Trace trace;
+  private final Timer timer;
+  private final Rng rng;
+  private final GvhCell<MotionTask> task;
+  private final GvhCell<MotionFlag> motionflag;
+
+  private MotionParameters parameters = MotionParameters.DEFAULT;
+  private MotionParameters inUse = parameters;
+  private WheelCommand commanded = WheelCommand.STOP;
+  private boolean bumped;
+  private long dueNs;
+  private @Nullable MotionRun run;
+
+  public MotionControl(GlobalVarHolder gvh, Platform platform, Gps gps) {
+    this.gps = gps;
+    clock = platform.clock();
+    chassis = platform.chassis();
+    log = gvh.log;
+    trace = gvh.trace;
+    timer = platform.timers().timer(this::tick);
+    rng = platform.entropy().fork(SOURCE);
+    task = gvh.variable(SOURCE, "(target, avoid)", new MotionTask.None());
+    motionflag = gvh.variable(SOURCE, "motionflag", MotionFlag.IDLE);
+    chassis.onBump(this::bumpsChanged);
+    // A program that starts again must not inherit the speed of the one before.
+    chassis.drive(WheelCommand.STOP);
+  }
 
   /** Goes to {@code target}, in place of whatever it did before. */
   public void doMove(ItemPosition target) {
-    throw new UnsupportedOperationException();
+    doMove(target, new Nowhere());
   }
 
-  /** Goes to {@code target} with the whole body outside {@code avoid}, or stops and says FAIL. */
+  /**
+   * Goes to {@code target} with the whole body outside {@code avoid}, or stops and says FAIL; in
+   * place of whatever it did before. The target's heading is of no account.
+   */
   public void doMove(ItemPosition target, Region avoid) {
-    throw new UnsupportedOperationException();
+    trace.action(SOURCE, "doMove", target, avoid);
+    begin(
+        new MotionTask.GoTo(target, avoid),
+        MotionRun.goTo(target.at(), avoid, parameters, rng, clock.nowNs()));
   }
 
-  public boolean inMotion() {
-    throw new UnsupportedOperationException();
+  /** Turns on the spot until the robot faces {@code target}, in place of what it did before. */
+  public void turnTo(ItemPosition target) {
+    trace.action(SOURCE, "turnTo", target);
+    begin(
+        new MotionTask.TurnTo(target),
+        MotionRun.turnTo(target.at(), new Nowhere(), parameters, rng, clock.nowNs()));
   }
 
+  /** Stops the wheels and forgets the target. */
   public void motion_stop() {
-    throw new UnsupportedOperationException();
+    trace.action(SOURCE, "motion_stop");
+    run = null;
+    timer.cancel();
+    drive(WheelCommand.STOP);
+    task.set(new MotionTask.None());
+    motionflag.set(MotionFlag.IDLE);
+  }
+
+  /** Whether the last motion is still under way: neither done nor failed nor stopped. */
+  public boolean inMotion() {
+    return motionflag.get() == MotionFlag.MOVING;
+  }
+
+  /** The paper's {@code mc.failed}: whether the last motion came to nothing. */
+  public boolean failed() {
+    return motionflag.get() == MotionFlag.FAIL;
+  }
+
+  /** Why the last motion failed, in words for people; empty unless it did. */
+  public String failure() {
+    return run == null ? "" : run.failure();
   }
 
   public GvhVariable<MotionFlag> motionflag() {
-    throw new UnsupportedOperationException();
+    return motionflag;
+  }
+
+  /** The pair {@code (target, avoid)}: what the robot was told to do last. */
+  public GvhVariable<MotionTask> target() {
+    return task;
+  }
+
+  /** The parameters of the next motion; the one under way keeps its own. */
+  public void setParameters(MotionParameters newParameters) {
+    parameters = newParameters;
+  }
+
+  public MotionParameters parameters() {
+    return parameters;
+  }
+
+  private void begin(MotionTask newTask, MotionRun newRun) {
+    run = newRun;
+    inUse = parameters;
+    task.set(newTask);
+    motionflag.set(MotionFlag.MOVING);
+    dueNs = clock.nowNs();
+    tick();
+  }
+
+  private void tick() {
+    long nowNs = clock.nowNs();
+    step(nowNs);
+    if (run == null || !run.needsSteps()) {
+      timer.cancel();
+      return;
+    }
+    long periodNs = inUse.automatonPeriodMs() * NS_PER_MS;
+    while (dueNs <= nowNs) {
+      dueNs += periodNs;
+    }
+    timer.set(dueNs);
+  }
+
+  private void step(long nowNs) {
+    if (run == null) {
+      return;
+    }
+    drive(run.step(gps.location(), chassis.bumps(), nowNs));
+    if (run.status() == MotionFlag.FAIL && motionflag.get() == MotionFlag.MOVING) {
+      log.i(SOURCE, "failed: " + run.failure());
+    }
+    motionflag.set(run.status());
+  }
+
+  private void drive(WheelCommand command) {
+    if (!command.equals(commanded)) {
+      commanded = command;
+      gps.commanded(command, bumped, inUse.reactionMs() * NS_PER_MS);
+      chassis.drive(command);
+    }
+  }
+
+  private void bumpsChanged() {
+    Bumps bumps = chassis.bumps();
+    bumped = bumps.any();
+    gps.commanded(commanded, bumped, 0);
+    if (run != null && run.needsSteps()) {
+      if (bumped && marksContacts()) {
+        mark(bumps);
+      }
+      step(clock.nowNs());
+      if (run != null && !run.needsSteps()) {
+        timer.cancel();
+      }
+    }
+  }
+
+  private boolean marksContacts() {
+    return inUse.collisionPolicy() == CollisionPolicy.STOP_ON_COLLISION
+        || inUse.collisionPolicy() == CollisionPolicy.USE_COLBACK;
+  }
+
+  private void mark(Bumps bumps) {
+    if (gps.location() instanceof Location.Known known) {
+      gps.knownObstacles()
+          .learn(
+              KnownObstacles.contact(known.pose(), bumps, inUse.robotRadiusMm()),
+              inUse.contactMarkMm());
+    }
   }
 }

@@ -1,0 +1,149 @@
+package org.starl.motion;
+
+import org.starl.geometry.Angles;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+
+/**
+ * What a robot does after a bump, by its {@link CollisionPolicy}: a short sequence of phases, begun
+ * anew by a bump on the way. Pure, as a part of its automaton.
+ */
+final class CollisionManeuver {
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final double FOLLOW_TURN_RAD = StrictMath.PI / 4;
+  private static final double FOLLOW_RADIUS_MM = 320;
+  private static final double RANDOM_TURN_RAD = StrictMath.PI / 2;
+
+  private final MotionParameters p;
+  private final Rng rng;
+
+  private MotionState phase = MotionState.INIT;
+  private Bumps side = Bumps.NONE;
+  private long sinceNs;
+  private double wantedRad;
+  private boolean failed;
+
+  CollisionManeuver(MotionParameters parameters, Rng rng) {
+    this.p = parameters;
+    this.rng = rng;
+  }
+
+  boolean isUnderWay() {
+    return phase != MotionState.INIT;
+  }
+
+  MotionState state() {
+    return phase;
+  }
+
+  boolean hasFailed() {
+    return failed;
+  }
+
+  /** Begins, goes on, or ends: then {@link #isUnderWay} is false and the command means nothing. */
+  WheelCommand step(Pose pose, Bumps bumps, long nowNs) {
+    if (bumps.any() && phase != MotionState.COLLISION_BACK && phase != MotionState.COLLISION_TURN) {
+      begin(bumps, nowNs);
+    }
+    return switch (phase) {
+      case COLLISION_BACK -> back(pose, nowNs);
+      case COLLISION_TURN -> turn(pose, bumps, nowNs);
+      case COLLISION_ARC -> arc(pose, nowNs);
+      case COLLISION_STRAIGHT -> straight(nowNs);
+      default -> WheelCommand.STOP;
+    };
+  }
+
+  private void begin(Bumps bumps, long nowNs) {
+    side = bumps;
+    switch (p.collisionPolicy()) {
+      case BUMPERCARS -> enter(MotionState.INIT, nowNs);
+      case STOP_ON_COLLISION -> fail();
+      case USE_COLAVOID -> enter(MotionState.COLLISION_TURN, nowNs);
+      case USE_COLBACK -> enter(MotionState.COLLISION_BACK, nowNs);
+    }
+  }
+
+  private void enter(MotionState next, long nowNs) {
+    phase = next;
+    sinceNs = nowNs;
+  }
+
+  private void fail() {
+    phase = MotionState.INIT;
+    failed = true;
+  }
+
+  private boolean hasLasted(long ms, long nowNs) {
+    return nowNs - sinceNs >= ms * NS_PER_MS;
+  }
+
+  private WheelCommand back(Pose pose, long nowNs) {
+    if (!hasLasted(p.collisionBackMs(), nowNs)) {
+      return new WheelCommand(-p.linSpeedMaxMmPerS() / 2, 0);
+    }
+    if (p.robotType() == RobotType.GOAL) {
+      fail();
+      return WheelCommand.STOP;
+    }
+    double turnRad =
+        p.robotType() == RobotType.DISCOVERY
+            ? awayFromSide() * FOLLOW_TURN_RAD
+            : (2 * rng.nextDouble() - 1) * RANDOM_TURN_RAD;
+    wantedRad = pose.headingRad() + turnRad;
+    enter(MotionState.COLLISION_TURN, nowNs);
+    return turnToWanted(pose, nowNs);
+  }
+
+  private WheelCommand turn(Pose pose, Bumps bumps, long nowNs) {
+    if (p.collisionPolicy() == CollisionPolicy.USE_COLBACK) {
+      return turnToWanted(pose, nowNs);
+    }
+    if (bumps.any() || !hasLasted(p.collisionTurnMs(), nowNs)) {
+      return new WheelCommand(0, awayFromSide() * p.turnSpeedMaxRadPerS());
+    }
+    enter(MotionState.COLLISION_STRAIGHT, nowNs);
+    return straight(nowNs);
+  }
+
+  private WheelCommand turnToWanted(Pose pose, long nowNs) {
+    double offRad = Angles.difference(wantedRad, pose.headingRad());
+    if (Math.abs(offRad) > p.smallTurnAngleRad()) {
+      double speed = Math.min(p.turnSpeedMaxRadPerS(), Math.abs(offRad) / p.periodS());
+      return new WheelCommand(0, StrictMath.copySign(speed, offRad));
+    }
+    if (p.robotType() == RobotType.DISCOVERY) {
+      // Back towards the obstacle's side, by twice the turn.
+      wantedRad = pose.headingRad() - awayFromSide() * 2 * FOLLOW_TURN_RAD;
+      enter(MotionState.COLLISION_ARC, nowNs);
+      return arc(pose, nowNs);
+    }
+    enter(MotionState.COLLISION_STRAIGHT, nowNs);
+    return straight(nowNs);
+  }
+
+  private WheelCommand arc(Pose pose, long nowNs) {
+    double offRad = Angles.difference(wantedRad, pose.headingRad());
+    double toWards = -awayFromSide();
+    if (offRad * toWards > p.smallTurnAngleRad()) {
+      double speed = p.linSpeedMinMmPerS();
+      return new WheelCommand(speed, toWards * speed / FOLLOW_RADIUS_MM);
+    }
+    enter(MotionState.COLLISION_STRAIGHT, nowNs);
+    return straight(nowNs);
+  }
+
+  private WheelCommand straight(long nowNs) {
+    if (!hasLasted(p.collisionStraightMs(), nowNs)) {
+      return new WheelCommand(p.linSpeedMinMmPerS(), 0);
+    }
+    enter(MotionState.INIT, nowNs);
+    return WheelCommand.STOP;
+  }
+
+  /** 1 where the obstacle is to the right or ahead: then counter-clockwise is away from it. */
+  private double awayFromSide() {
+    return side == Bumps.LEFT ? -1 : 1;
+  }
+}

@@ -1,0 +1,90 @@
+package org.starl.motion;
+
+import org.starl.geometry.Angles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+
+/**
+ * Ideal motion: one period to turn, whatever the angle; straight at full speed; the last period at
+ * just the speed that ends on the target. A bump fails, except under BUMPERCARS.
+ */
+final class IdealAutomaton implements MotionAutomaton {
+
+  /** A body that is farther off its line at the target than this part of the radius turns again. */
+  private static final double MISS = 0.5;
+
+  private static final double EXACT_MM = 1e-6;
+  private static final double EXACT_RAD = 1e-9;
+
+  private final Point target;
+  private final boolean turnOnly;
+  private final MotionParameters p;
+
+  private MotionState state = MotionState.INIT;
+  private MotionFlag status = MotionFlag.MOVING;
+  private WheelCommand last = WheelCommand.STOP;
+  private boolean onLastLeg;
+
+  IdealAutomaton(Point target, boolean turnOnly, MotionParameters parameters) {
+    this.target = target;
+    this.turnOnly = turnOnly;
+    this.p = parameters;
+  }
+
+  @Override
+  public WheelCommand step(Pose pose, Bumps bumps, long nowNs) {
+    if (status == MotionFlag.MOVING) {
+      last = bumps.any() && p.collisionPolicy() != CollisionPolicy.BUMPERCARS ? fail() : go(pose);
+    }
+    return last;
+  }
+
+  @Override
+  public MotionFlag status() {
+    return status;
+  }
+
+  @Override
+  public MotionState state() {
+    return state;
+  }
+
+  private WheelCommand go(Pose pose) {
+    Point way = target.minus(pose.at());
+    double distanceMm = way.normMm();
+    if (!turnOnly && (distanceMm <= EXACT_MM || (onLastLeg && distanceMm <= p.goalRadiusMm()))) {
+      return arrive();
+    }
+    double offRad = distanceMm == 0 ? 0 : Angles.difference(way.angleRad(), pose.headingRad());
+    if (turnOnly && Math.abs(offRad) <= EXACT_RAD) {
+      return arrive();
+    }
+    double aheadMm = distanceMm * StrictMath.cos(offRad);
+    double asideMm = distanceMm * Math.abs(StrictMath.sin(offRad));
+    boolean turns =
+        state == MotionState.STRAIGHT
+            ? aheadMm <= 0 || asideMm > MISS * p.goalRadiusMm()
+            : Math.abs(offRad) > EXACT_RAD;
+    onLastLeg = false;
+    if (turns) {
+      state = MotionState.TURN;
+      return new WheelCommand(0, offRad / p.periodS());
+    }
+    state = MotionState.STRAIGHT;
+    double speed = Math.min(p.linSpeedMaxMmPerS(), aheadMm / p.periodS());
+    onLastLeg = speed < p.linSpeedMaxMmPerS();
+    return new WheelCommand(speed, 0);
+  }
+
+  private WheelCommand arrive() {
+    state = MotionState.GOAL;
+    status = MotionFlag.DONE;
+    return p.stopAtDestination() ? WheelCommand.STOP : last;
+  }
+
+  private WheelCommand fail() {
+    state = MotionState.FAILED;
+    status = MotionFlag.FAIL;
+    return WheelCommand.STOP;
+  }
+}

@@ -1,0 +1,64 @@
+package org.starl.motion;
+
+import java.util.List;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+
+/**
+ * The obstacles that one robot believes in: those on its map at the start, and a small square where
+ * it ran into something. Strand only.
+ */
+public final class KnownObstacles {
+
+  private static final double SENSOR_RAD = StrictMath.PI / 4;
+
+  private Obstacles obstacles;
+  private int learned;
+
+  KnownObstacles(Obstacles atStart) {
+    this.obstacles = atStart;
+  }
+
+  /** All of them now; an immutable value, for planners that work on it elsewhere. */
+  public Obstacles all() {
+    return obstacles;
+  }
+
+  /** How many contacts it has learned. */
+  public int learned() {
+    return learned;
+  }
+
+  /** Learns that there is something at {@code contact}, known to within {@code sideMm}. */
+  public void learn(Point contact, double sideMm) {
+    double x = StrictMath.floor(contact.xMm() / sideMm) * sideMm;
+    double y = StrictMath.floor(contact.yMm() / sideMm) * sideMm;
+    Obstacle mark =
+        Obstacle.body(
+            new Point(x, y),
+            new Point(x + sideMm, y),
+            new Point(x + sideMm, y + sideMm),
+            new Point(x, y + sideMm));
+    List<Obstacle> now = obstacles.all();
+    if (!now.contains(mark)) {
+      obstacles = obstacles.plus(mark);
+      learned++;
+    }
+  }
+
+  /** Where a body at {@code pose} touches what its bump sensors tell of. */
+  static Point contact(Pose pose, Bumps bumps, double radiusMm) {
+    double side =
+        switch (bumps) {
+          case LEFT -> SENSOR_RAD;
+          case RIGHT -> -SENSOR_RAD;
+          case BOTH, NONE -> 0;
+        };
+    double direction = pose.headingRad() + side;
+    return new Point(
+        pose.xMm() + radiusMm * StrictMath.cos(direction),
+        pose.yMm() + radiusMm * StrictMath.sin(direction));
+  }
+}

@@ -1,0 +1,140 @@
+package org.starl.motion;
+
+import org.starl.geometry.Angles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Region;
+import org.starl.random.Rng;
+
+/**
+ * One motion command with all that doubts it: the automaton believes its pose; this class stops the
+ * wheels while there is no recent fix, keeps the body out of the region to avoid, and fails where
+ * the robot gets nowhere. Pure: what a step returns depends on the arguments of the steps so far.
+ */
+final class MotionRun {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final Point target;
+  private final MotionParameters p;
+  private final MotionAutomaton automaton;
+  private final AvoidGuard guard;
+  private final ProgressWatch watch;
+  private final long startNs;
+
+  private MotionFlag status = MotionFlag.MOVING;
+  private String failure = "";
+  private long lastStepNs;
+  private boolean heldBack;
+  private long heldBackNs;
+  private boolean wheelsTurn;
+
+  private MotionRun(
+      Point target, Region avoid, MotionParameters p, MotionAutomaton automaton, long nowNs) {
+    this.target = target;
+    this.p = p;
+    this.automaton = automaton;
+    this.guard = new AvoidGuard(avoid, p);
+    this.watch = new ProgressWatch(p);
+    this.startNs = nowNs;
+    this.lastStepNs = nowNs;
+  }
+
+  static MotionRun goTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
+    MotionRun run = new MotionRun(target, avoid, p, MotionAutomaton.goTo(target, p, rng), nowNs);
+    if (run.guard.forbids(target)) {
+      run.fail("the target is in the region to avoid");
+    }
+    return run;
+  }
+
+  static MotionRun turnTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
+    return new MotionRun(target, avoid, p, MotionAutomaton.turnTo(target, p, rng), nowNs);
+  }
+
+  MotionFlag status() {
+    return status;
+  }
+
+  MotionState state() {
+    return automaton.state();
+  }
+
+  /** Why it failed, in words; empty unless it did. */
+  String failure() {
+    return failure;
+  }
+
+  /** Whether there is anything left to do: moving, or driving on through the target. */
+  boolean needsSteps() {
+    return status == MotionFlag.MOVING || wheelsTurn;
+  }
+
+  WheelCommand step(Location location, Bumps bumps, long nowNs) {
+    WheelCommand command =
+        status == MotionFlag.FAIL ? WheelCommand.STOP : decide(location, bumps, nowNs);
+    if (command.isStop()) {
+      watch.excuse(nowNs - lastStepNs);
+    }
+    lastStepNs = nowNs;
+    wheelsTurn = !command.isStop();
+    return command;
+  }
+
+  private WheelCommand decide(Location location, Bumps bumps, long nowNs) {
+    if (!(location instanceof Location.Known at)) {
+      return waitForFix(nowNs - startNs);
+    }
+    if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
+      return waitForFix(Math.min(at.fixAgeNs(), nowNs - startNs));
+    }
+    if (status == MotionFlag.DONE && bumps.any()) {
+      return WheelCommand.STOP;
+    }
+    WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
+    if (automaton.status() == MotionFlag.FAIL) {
+      return fail("bumped into something");
+    }
+    if (status == MotionFlag.MOVING) {
+      status = automaton.status();
+    }
+    return status == MotionFlag.MOVING && isStuck(at)
+        ? fail("no progress")
+        : keepOut(wanted, at, nowNs);
+  }
+
+  private WheelCommand waitForFix(long ageNs) {
+    return ageNs >= p.failFixAgeMs() * NS_PER_MS && status == MotionFlag.MOVING
+        ? fail("no position fix")
+        : WheelCommand.STOP;
+  }
+
+  private boolean isStuck(Location.Known at) {
+    Pose pose = at.pose();
+    Point way = target.minus(pose.at());
+    double bearingRad = Angles.difference(way.angleRad(), pose.headingRad());
+    return watch.isStuck(at, way.normMm(), bearingRad);
+  }
+
+  private WheelCommand keepOut(WheelCommand wanted, Location.Known at, long nowNs) {
+    WheelCommand limited = guard.limit(wanted, at);
+    if (!limited.isStop() || wanted.isStop()) {
+      heldBack = false;
+      return limited;
+    }
+    if (!heldBack) {
+      heldBack = true;
+      heldBackNs = nowNs;
+    }
+    // The bound of a body that stands shrinks with the next fix: wait for it before giving up.
+    return nowNs - heldBackNs >= p.avoidPatienceMs() * NS_PER_MS && status == MotionFlag.MOVING
+        ? fail("the region to avoid is in the way")
+        : WheelCommand.STOP;
+  }
+
+  private WheelCommand fail(String why) {
+    status = MotionFlag.FAIL;
+    failure = why;
+    return WheelCommand.STOP;
+  }
+}

@@ -1,0 +1,21 @@
+package org.starl.motion;
+
+/** Where a motion automaton is in its work. The first six are the original StarL's. */
+public enum MotionState {
+  INIT,
+  TURN,
+  STRAIGHT,
+  SMALLTURN,
+  ARCING,
+  GOAL,
+  /** Backs off after a collision. */
+  COLLISION_BACK,
+  /** Turns away after a collision. */
+  COLLISION_TURN,
+  /** Follows an obstacle on an arc. */
+  COLLISION_ARC,
+  /** Drives straight, away from where it collided. */
+  COLLISION_STRAIGHT,
+  /** Given up. */
+  FAILED
+}

@@ -1,0 +1,197 @@
+package org.starl.motion;
+
+import org.starl.geometry.Angles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+
+/**
+ * The original StarL's motion automaton: turn on the spot, then straight on, with small turns on the
+ * way, or an arc from near by. Its states, parameters and transitions are kept. Differences: no step
+ * commands more than what leads to the target or to the wanted heading, because 175 mm/s for 60 ms
+ * are 10.5 mm and would orbit a goal radius of 10 mm; a bump is never an arrival.
+ */
+final class UnicycleAutomaton implements MotionAutomaton {
+
+  private final Point target;
+  private final boolean turnOnly;
+  private final MotionParameters p;
+  private final CollisionManeuver collision;
+
+  private MotionState state = MotionState.INIT;
+  private MotionFlag status = MotionFlag.MOVING;
+  private WheelCommand last = WheelCommand.STOP;
+  // Bumped since before the command was given: what one has to be able to turn away from.
+  private boolean bumpedFromStart;
+  private boolean stepped;
+
+  // Seen from the robot, as of this step: distance of the target, and its bearing.
+  private double distanceMm;
+  private double bearingRad;
+
+  UnicycleAutomaton(Point target, boolean turnOnly, MotionParameters parameters, Rng rng) {
+    this.target = target;
+    this.turnOnly = turnOnly;
+    this.p = parameters;
+    this.collision = new CollisionManeuver(parameters, rng);
+  }
+
+  @Override
+  public WheelCommand step(Pose pose, Bumps bumps, long nowNs) {
+    look(pose);
+    noteBumps(bumps);
+    WheelCommand command =
+        collision.isUnderWay() || reactsTo(bumps) ? collide(pose, bumps, nowNs) : drive();
+    if (mayNot(command, bumps)) {
+      command = collide(pose, bumps, nowNs);
+    }
+    last = command;
+    return command;
+  }
+
+  @Override
+  public MotionFlag status() {
+    return status;
+  }
+
+  @Override
+  public MotionState state() {
+    return collision.isUnderWay() ? collision.state() : state;
+  }
+
+  private void look(Pose pose) {
+    double dx = target.xMm() - pose.xMm();
+    double dy = target.yMm() - pose.yMm();
+    distanceMm = Math.sqrt(dx * dx + dy * dy);
+    bearingRad =
+        distanceMm == 0 ? 0 : Angles.difference(StrictMath.atan2(dy, dx), pose.headingRad());
+  }
+
+  private void noteBumps(Bumps bumps) {
+    bumpedFromStart = bumps.any() && (bumpedFromStart || !stepped);
+    stepped = true;
+  }
+
+  private boolean reactsTo(Bumps bumps) {
+    return bumps.any()
+        && !bumpedFromStart
+        && status == MotionFlag.MOVING
+        && p.collisionPolicy() != CollisionPolicy.BUMPERCARS;
+  }
+
+  /** Against what it touched from the start it may turn, not drive. */
+  private boolean mayNot(WheelCommand command, Bumps bumps) {
+    return bumps.any()
+        && bumpedFromStart
+        && !collision.isUnderWay()
+        && command.linearMmPerS() > 0
+        && p.collisionPolicy() != CollisionPolicy.BUMPERCARS;
+  }
+
+  private WheelCommand collide(Pose pose, Bumps bumps, long nowNs) {
+    bumpedFromStart = false;
+    WheelCommand command = collision.step(pose, bumps, nowNs);
+    if (collision.hasFailed()) {
+      state = MotionState.FAILED;
+      status = MotionFlag.FAIL;
+    } else if (!collision.isUnderWay()) {
+      state = MotionState.INIT;
+      return drive();
+    }
+    return command;
+  }
+
+  private WheelCommand drive() {
+    if (status != MotionFlag.MOVING) {
+      return status == MotionFlag.DONE && !p.stopAtDestination() ? last : WheelCommand.STOP;
+    }
+    state = next();
+    return switch (state) {
+      case TURN -> new WheelCommand(0, turnSpeed());
+      case STRAIGHT -> new WheelCommand(forwardSpeed(p.linSpeedMaxMmPerS()), 0);
+      case SMALLTURN -> arc(0.5, p.linSpeedMaxMmPerS());
+      case ARCING -> arc(1, p.arcSpeedMaxMmPerS());
+      case GOAL -> arrive();
+      default -> throw new IllegalStateException("no command in state " + state);
+    };
+  }
+
+  private WheelCommand arrive() {
+    status = MotionFlag.DONE;
+    return p.stopAtDestination() ? WheelCommand.STOP : last;
+  }
+
+  private MotionState next() {
+    double off = Math.abs(bearingRad);
+    if (turnOnly) {
+      return off <= p.smallTurnAngleRad() ? MotionState.GOAL : MotionState.TURN;
+    }
+    if (distanceMm <= p.goalRadiusMm()) {
+      return MotionState.GOAL;
+    }
+    return switch (state) {
+      case INIT ->
+          p.enableArcing() && distanceMm <= p.arcRadiusMm() && off <= p.arcAngleMaxRad()
+              ? MotionState.ARCING
+              : turnOrStraight(off);
+      case TURN -> turnOrStraight(off);
+      case ARCING -> {
+        if (off > p.arcExitAngleRad()) {
+          yield MotionState.TURN;
+        }
+        yield off < p.straightAngleRad() ? MotionState.STRAIGHT : MotionState.ARCING;
+      }
+      case STRAIGHT, SMALLTURN -> {
+        if (off > p.arcAngleMaxRad()) {
+          yield MotionState.TURN;
+        }
+        yield off < p.smallTurnAngleRad() ? MotionState.STRAIGHT : MotionState.SMALLTURN;
+      }
+      default -> throw new IllegalStateException("no way on from state " + state);
+    };
+  }
+
+  private MotionState turnOrStraight(double off) {
+    return off <= p.smallTurnAngleRad() ? MotionState.STRAIGHT : MotionState.TURN;
+  }
+
+  /** From the maximum far from the wanted heading to the minimum at it, and never past it. */
+  private double turnSpeed() {
+    double off = Math.abs(bearingRad);
+    double speed =
+        ramp(
+            off,
+            p.smallTurnAngleRad(),
+            p.slowTurnAngleRad(),
+            p.turnSpeedMinRadPerS(),
+            p.turnSpeedMaxRadPerS());
+    return StrictMath.copySign(Math.min(speed, off / p.periodS()), bearingRad);
+  }
+
+  /** From the maximum far from the target to the minimum at it, and never past it. */
+  private double forwardSpeed(double maxMmPerS) {
+    double speed =
+        ramp(
+            distanceMm,
+            p.goalRadiusMm(),
+            p.slowFwdRadiusMm(),
+            p.linSpeedMinMmPerS(),
+            p.linSpeedMaxMmPerS());
+    return Math.min(Math.min(speed, maxMmPerS), distanceMm / p.periodS());
+  }
+
+  /** On a circle whose radius is {@code part} of that of the circle which leads to the target. */
+  private WheelCommand arc(double part, double maxMmPerS) {
+    double speed = forwardSpeed(maxMmPerS);
+    double turn = speed * 2 * StrictMath.sin(bearingRad) / (distanceMm * part);
+    double most = Math.min(p.turnSpeedMaxRadPerS(), 2 * Math.abs(bearingRad) / p.periodS());
+    return new WheelCommand(speed, Math.max(-most, Math.min(most, turn)));
+  }
+
+  private static double ramp(double at, double low, double high, double slow, double fast) {
+    if (at >= high) {
+      return fast;
+    }
+    return at <= low ? slow : slow + (fast - slow) * (at - low) / (high - low);
+  }
+}
