@@ -17,24 +17,43 @@ public abstract class LogicThread {
 
   protected final GlobalVarHolder gvh;
   private final long stepPeriodMs;
+  private final long stepPhaseNs;
 
   /** An app that overrides {@link #callStarL}. */
   protected LogicThread(GlobalVarHolder gvh) {
     this.gvh = gvh;
     this.stepPeriodMs = 0;
+    this.stepPhaseNs = 0;
+  }
+
+  /**
+   * An app that overrides {@link #step}, the first time at once.
+   *
+   * @param stepPeriodMs above 0
+   */
+  protected LogicThread(GlobalVarHolder gvh, long stepPeriodMs) {
+    this(gvh, stepPeriodMs, 0);
   }
 
   /**
    * An app that overrides {@link #step}.
    *
    * @param stepPeriodMs above 0
+   * @param stepPhaseNs from the start of the robot to the first step, at least 0; robots of unequal
+   *     phases do not all step at once
    */
-  protected LogicThread(GlobalVarHolder gvh, long stepPeriodMs) {
-    if (stepPeriodMs <= 0) {
-      throw new IllegalArgumentException("step period " + stepPeriodMs + " ms: expected above 0");
+  protected LogicThread(GlobalVarHolder gvh, long stepPeriodMs, long stepPhaseNs) {
+    if (stepPeriodMs <= 0 || stepPhaseNs < 0) {
+      throw new IllegalArgumentException(
+          "step period "
+              + stepPeriodMs
+              + " ms, phase "
+              + stepPhaseNs
+              + " ns: expected above 0, and at least 0");
     }
     this.gvh = gvh;
     this.stepPeriodMs = stepPeriodMs;
+    this.stepPhaseNs = stepPhaseNs;
   }
 
   /** The app. When it returns, the robot goes on answering messages until it leaves. */
@@ -60,6 +79,11 @@ public abstract class LogicThread {
   /** The period of {@link #step}, or 0 for an app that overrides {@link #callStarL}. */
   public final long stepPeriodMs() {
     return stepPeriodMs;
+  }
+
+  /** From the start of the robot to the first {@link #step}. */
+  public final long stepPhaseNs() {
+    return stepPhaseNs;
   }
 
   /** Gives up the strand for {@code ms} milliseconds; messages and timers are handled meanwhile. */

@@ -78,7 +78,7 @@ public final class RobotRunner {
     gvh = holder;
     app = logic;
     if (logic.stepPeriodMs() > 0) {
-      new Stepper(logic).run();
+      new Stepper(logic).begin();
     } else {
       platform.strand().start(() -> finish(logic.callStarL()));
     }
@@ -93,10 +93,15 @@ public final class RobotRunner {
   private final class Stepper implements Runnable {
     private final LogicThread logic;
     private final Timer timer = platform.timers().timer(this);
-    private long dueNs = platform.clock().nowNs();
+    private long dueNs;
 
     Stepper(LogicThread logic) {
       this.logic = logic;
+    }
+
+    void begin() {
+      dueNs = platform.clock().nowNs() + logic.stepPhaseNs();
+      timer.set(dueNs);
     }
 
     @Override

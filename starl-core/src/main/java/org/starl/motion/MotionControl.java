@@ -39,8 +39,8 @@ public final class MotionControl {
   private final GvhCell<MotionTask> task;
   private final GvhCell<MotionFlag> motionflag;
 
-  private MotionParameters parameters = MotionParameters.DEFAULT;
-  private MotionParameters inUse = parameters;
+  private MotionParameters parameters;
+  private MotionParameters inUse;
   private WheelCommand commanded = WheelCommand.STOP;
   private boolean bumped;
   private long dueNs;
@@ -48,6 +48,8 @@ public final class MotionControl {
 
   public MotionControl(GlobalVarHolder gvh, Platform platform, Gps gps) {
     this.gps = gps;
+    parameters = platform.motionParameters();
+    inUse = parameters;
     clock = platform.clock();
     chassis = platform.chassis();
     log = gvh.log;

@@ -3,6 +3,7 @@ package org.starl.platform;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.geometry.Obstacles;
+import org.starl.motion.MotionParameters;
 
 /**
  * All that one robot stands on. A platform is this bundle of ports and nothing else; {@link
@@ -11,6 +12,7 @@ import org.starl.geometry.Obstacles;
  * @param id who this robot is
  * @param deployment all robots that the deployment knows at its start; others may join later
  * @param knownObstacles the map that the robot has at its start; hidden obstacles are not on it
+ * @param motionParameters how this robot moves unless its app says otherwise
  */
 public record Platform(
     RobotId id,
@@ -25,4 +27,5 @@ public record Platform(
     Entropy entropy,
     LogSink log,
     TraceSink trace,
-    Obstacles knownObstacles) {}
+    Obstacles knownObstacles,
+    MotionParameters motionParameters) {}

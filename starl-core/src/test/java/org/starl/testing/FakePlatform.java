@@ -11,6 +11,7 @@ import org.starl.RobotId;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Obstacles;
 import org.starl.motion.Bumps;
+import org.starl.motion.MotionParameters;
 import org.starl.motion.WheelCommand;
 import org.starl.platform.Chassis;
 import org.starl.platform.Platform;
@@ -63,7 +64,8 @@ public final class FakePlatform {
             name -> new Rng(42).fork(id.name()).fork(name),
             (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
             new FakeTrace(),
-            Obstacles.NONE);
+            Obstacles.NONE,
+            MotionParameters.DEFAULT);
   }
 
   /** The bundle of ports. */
