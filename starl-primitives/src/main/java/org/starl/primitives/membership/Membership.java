@@ -13,7 +13,16 @@ public interface Membership {
   /** The latest view that this robot has learned, or {@link View#NONE}. */
   View view();
 
-  /** Calls {@code listener} on the strand after each change of {@link #view} or {@link #me}. */
+  /**
+   * Whether {@link #me} stands in {@link #view} and has not begun to leave. Only then may it begin
+   * what needs the others' consent: who has asked to leave may be forgotten by them at any moment.
+   */
+  boolean mayRequest();
+
+  /**
+   * Calls {@code listener} on the strand after each change of {@link #view}, {@link #me} or {@link
+   * #mayRequest}. Whoever stops {@code mayRequest} (unregisters) does it before anybody hears of it.
+   */
   void onChange(Runnable listener);
 
   /**
@@ -35,6 +44,11 @@ public interface Membership {
       @Override
       public View view() {
         return view;
+      }
+
+      @Override
+      public boolean mayRequest() {
+        return view.contains(me);
       }
 
       @Override

@@ -1,0 +1,31 @@
+package org.starl.primitives.mutex;
+
+import java.util.SortedSet;
+import org.starl.ProcessId;
+
+/** What participants of one mutex say to each other. Each may be lost, late, doubled, overtaken. */
+sealed interface MutexMessage {
+
+  ProcessId from();
+
+  /** The participant that is meant: a robot may answer under an older id as well. */
+  ProcessId to();
+
+  /**
+   * {@code from} asks for {@code want}. Repeated until its {@link Ok} comes or the request ends.
+   *
+   * @param num the request's number, from 1; an id never uses one twice
+   * @param admittedBy the number of the view that admitted {@code from}
+   * @param ts the request's logical time; the lower one goes first
+   */
+  record Req(
+      ProcessId from, ProcessId to, long num, long admittedBy, long ts, SortedSet<String> want)
+      implements MutexMessage {}
+
+  /** {@code from} grants request {@code num} of {@code to}, and no other. */
+  record Ok(ProcessId from, ProcessId to, long num) implements MutexMessage {}
+
+  /** What {@code from} still holds or wants of its request {@code num}; nothing: it is over. */
+  record Rem(ProcessId from, ProcessId to, long num, SortedSet<String> left)
+      implements MutexMessage {}
+}
