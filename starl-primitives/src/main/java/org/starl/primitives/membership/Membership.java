@@ -21,7 +21,7 @@ public interface Membership {
 
   /**
    * Calls {@code listener} on the strand after each change of {@link #view}, {@link #me} or {@link
-   * #mayRequest}. Whoever stops {@code mayRequest} (unregisters) does it before anybody hears of it.
+   * #mayRequest}, in the same piece of the strand as the change.
    */
   void onChange(Runnable listener);
 

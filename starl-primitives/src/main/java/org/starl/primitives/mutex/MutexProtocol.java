@@ -95,7 +95,7 @@ class MutexProtocol {
   private final TreeSet<ProcessId> missing = new TreeSet<>();
   private long deadlineNs = Long.MAX_VALUE;
   private long resendAtNs = Long.MAX_VALUE;
-  private double resendMs;
+  private long resendNs;
 
   // Those heard from that were admitted after the latest view, with the number of that view.
   private final TreeMap<ProcessId, Long> heard = new TreeMap<>();
@@ -173,8 +173,8 @@ class MutexProtocol {
     missing.clear();
     missing.addAll(asked);
     deadlineNs = nowNs + times.deadlineMs() * NS_PER_MS;
-    resendMs = times.resendMs();
-    resendAtNs = nowNs + times.resendMs() * NS_PER_MS;
+    resendNs = times.resendMs() * NS_PER_MS;
+    resendAtNs = nowNs + resendNs;
     effects.requested(num, ts, want, asked);
     sendRequests();
     enter();
@@ -241,8 +241,9 @@ class MutexProtocol {
     if (nowNs >= deadlineNs) {
       withdraw(MutexFailure.DEADLINE);
     } else if (nowNs >= resendAtNs) {
-      resendMs = Math.min(resendMs * times.backoff(), times.maxResendMs());
-      resendAtNs = nowNs + (long) resendMs * NS_PER_MS;
+      double longerNs = (double) resendNs * times.backoff();
+      resendNs = Math.min((long) longerNs, times.maxResendMs() * NS_PER_MS);
+      resendAtNs = nowNs + resendNs;
       sendRequests();
     }
   }

@@ -31,6 +31,7 @@ public final class Registration implements RegPrim, Membership {
   private final GvhCell<View> view;
   private final List<Runnable> listeners = new ArrayList<>();
   private ProcessId shownMe;
+  private boolean shownMayRequest;
 
   /** With all robots of the deployment as acceptors. */
   public Registration(GlobalVarHolder gvh, String xid) {
@@ -115,6 +116,11 @@ public final class Registration implements RegPrim, Membership {
   }
 
   @Override
+  public boolean mayRequest() {
+    return protocol.phase() == RegistrationProtocol.Phase.IN;
+  }
+
+  @Override
   public void onChange(Runnable listener) {
     listeners.add(listener);
   }
@@ -136,8 +142,11 @@ public final class Registration implements RegPrim, Membership {
 
   private void show() {
     boolean changed =
-        protocol.view().number() != view.get().number() || !protocol.me().equals(shownMe);
+        protocol.view().number() != view.get().number()
+            || !protocol.me().equals(shownMe)
+            || mayRequest() != shownMayRequest;
     shownMe = protocol.me();
+    shownMayRequest = mayRequest();
     view.set(protocol.view());
     rList.set(protocol.rList());
     failed.set(protocol.hasFailed());
