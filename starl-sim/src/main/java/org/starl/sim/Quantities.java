@@ -1,0 +1,204 @@
+package org.starl.sim;
+
+import java.math.BigDecimal;
+import java.math.RoundingMode;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Reads quantities as people write them: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
+ * throws {@link BadInput} with the text and what was expected; the caller knows where it stood, and
+ * says so with {@link #in}.
+ */
+public final class Quantities {
+
+  private static final Pattern NUMBER_AND_UNIT =
+      Pattern.compile("([+-]?[0-9]{1,18}(?:\\.[0-9]{1,18})?)\\s*([a-z]*)");
+
+  private static final Map<String, BigDecimal> NS_PER_UNIT = new LinkedHashMap<>();
+  private static final Map<String, BigDecimal> MM_PER_UNIT = new LinkedHashMap<>();
+
+  static {
+    NS_PER_UNIT.put("ns", BigDecimal.ONE);
+    NS_PER_UNIT.put("us", BigDecimal.valueOf(1_000));
+    NS_PER_UNIT.put("ms", BigDecimal.valueOf(1_000_000));
+    NS_PER_UNIT.put("s", BigDecimal.valueOf(1_000_000_000));
+    NS_PER_UNIT.put("min", BigDecimal.valueOf(60_000_000_000L));
+    NS_PER_UNIT.put("h", BigDecimal.valueOf(3_600_000_000_000L));
+    MM_PER_UNIT.put("", BigDecimal.ONE);
+    MM_PER_UNIT.put("mm", BigDecimal.ONE);
+    MM_PER_UNIT.put("cm", BigDecimal.TEN);
+    MM_PER_UNIT.put("m", BigDecimal.valueOf(1_000));
+  }
+
+  private static final BigDecimal LONGEST_NS = BigDecimal.valueOf(Long.MAX_VALUE / 4);
+  private static final BigDecimal LONGEST_MM = BigDecimal.valueOf(1_000_000_000);
+
+  private Quantities() {}
+
+  /** A time span of at least 0, in ns: {@code 250us}, {@code 100ms}, {@code 1.5s}, {@code 0}. */
+  public static long durationNs(String text) {
+    String expected = "a duration with a unit (ns us ms s min h), such as 100ms";
+    Matcher matcher = match(text, expected);
+    BigDecimal number = new BigDecimal(matcher.group(1));
+    BigDecimal unit = NS_PER_UNIT.get(matcher.group(2));
+    if (unit == null && number.signum() == 0 && matcher.group(2).isEmpty()) {
+      return 0;
+    }
+    if (unit == null || number.signum() < 0) {
+      throw notA(text, expected);
+    }
+    BigDecimal ns = number.multiply(unit);
+    if (ns.compareTo(LONGEST_NS) > 0) {
+      throw notA(text, "a duration below 70 years");
+    }
+    return ns.setScale(0, RoundingMode.HALF_UP).longValueExact();
+  }
+
+  /** The shortest text that {@link #durationNs} reads as {@code ns}: {@code 15ms}. */
+  public static String durationText(long ns) {
+    if (ns == 0) {
+      return "0ms";
+    }
+    if (ns % 1_000_000_000 == 0) {
+      return ns / 1_000_000_000 + "s";
+    }
+    if (ns % 1_000_000 == 0) {
+      return ns / 1_000_000 + "ms";
+    }
+    return ns % 1_000 == 0 ? ns / 1_000 + "us" : ns + "ns";
+  }
+
+  /** A distance of at least 0, in mm: {@code 165}, {@code 20mm}, {@code 2.5cm}, {@code 3m}. */
+  public static double distanceMm(String text) {
+    String expected = "a distance of at least 0 (mm cm m; mm where no unit stands), such as 20mm";
+    Matcher matcher = match(text, expected);
+    BigDecimal number = new BigDecimal(matcher.group(1));
+    BigDecimal unit = MM_PER_UNIT.get(matcher.group(2));
+    if (unit == null || number.signum() < 0) {
+      throw notA(text, expected);
+    }
+    BigDecimal mm = number.multiply(unit);
+    if (mm.compareTo(LONGEST_MM) > 0) {
+      throw notA(text, "a distance below 1000 km");
+    }
+    return mm.doubleValue();
+  }
+
+  /** The text that {@link #distanceMm} reads as {@code mm}: {@code 165mm}. */
+  public static String distanceText(double mm) {
+    return plain(mm) + "mm";
+  }
+
+  /** A speed of at least 0, in mm/s: {@code 500}, {@code 500mm/s}, {@code 0.5m/s}. */
+  public static double speedMmPerS(String text) {
+    String stripped = text.strip();
+    try {
+      return distanceMm(
+          stripped.endsWith("/s") ? stripped.substring(0, stripped.length() - 2) : stripped);
+    } catch (BadInput noDistance) {
+      throw notA(text, "a speed of at least 0 (mm/s m/s; mm/s where no unit stands)");
+    }
+  }
+
+  /** The text that {@link #speedMmPerS} reads as {@code mmPerS}: {@code 500mm/s}. */
+  public static String speedText(double mmPerS) {
+    return distanceText(mmPerS) + "/s";
+  }
+
+  /** A number of at least 0 without a unit. */
+  public static double number(String text) {
+    String expected = "a number of at least 0, such as 2.5";
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    if (!matcher.group(2).isEmpty() || number < 0) {
+      throw notA(text, expected);
+    }
+    return number;
+  }
+
+  /** An angle of at least 0, in radians: {@code 3deg}, {@code 0.05rad}, {@code 0}. */
+  public static double angleRad(String text) {
+    String expected = "an angle of at least 0 with a unit (deg rad), such as 3deg";
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    String unit = matcher.group(2);
+    if (number < 0 || (unit.isEmpty() && number != 0)) {
+      throw notA(text, expected);
+    }
+    return switch (unit) {
+      case "" -> 0;
+      case "rad" -> number;
+      case "deg" -> StrictMath.toRadians(number);
+      default -> throw notA(text, expected);
+    };
+  }
+
+  /** The text that {@link #angleRad} reads as {@code rad}: {@code 0.05rad}. */
+  public static String angleText(double rad) {
+    return plain(rad) + "rad";
+  }
+
+  /** A probability from 0 to 1. */
+  public static double probability(String text) {
+    String expected = "a probability from 0 to 1, such as 0.05";
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    if (!matcher.group(2).isEmpty() || number < 0 || number > 1) {
+      throw notA(text, expected);
+    }
+    return number;
+  }
+
+  /** A whole number from {@code min} to {@code max}. */
+  public static long whole(String text, long min, long max) {
+    String bound =
+        max == Long.MAX_VALUE
+            ? (min == Long.MIN_VALUE ? "" : " of at least " + min)
+            : " from " + min + " to " + max;
+    String expected = "a whole number" + bound;
+    long number;
+    try {
+      number = Long.parseLong(text.strip());
+    } catch (NumberFormatException notANumber) {
+      throw notA(text, expected);
+    }
+    if (number < min || number > max) {
+      throw notA(text, expected);
+    }
+    return number;
+  }
+
+  /** {@code true} or {@code false}. */
+  public static boolean yesOrNo(String text) {
+    return switch (text.strip()) {
+      case "true", "yes", "on" -> true;
+      case "false", "no", "off" -> false;
+      default -> throw notA(text, "true or false");
+    };
+  }
+
+  /** The same error with where it stood before it: {@code --loss: '2': expected ...}. */
+  public static BadInput in(String where, BadInput error) {
+    return new BadInput(where + ": " + error.getMessage());
+  }
+
+  /** A finite number without an exponent, so that every reader here reads it back. */
+  static String plain(double number) {
+    return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+  }
+
+  private static Matcher match(String text, String expected) {
+    Matcher matcher = NUMBER_AND_UNIT.matcher(text.strip());
+    if (!matcher.matches()) {
+      throw notA(text, expected);
+    }
+    return matcher;
+  }
+
+  private static BadInput notA(String text, String expected) {
+    return new BadInput(BadInput.quote(text) + ": expected " + expected);
+  }
+}

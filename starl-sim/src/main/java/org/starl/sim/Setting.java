@@ -1,0 +1,343 @@
+package org.starl.sim;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.OptionalLong;
+import java.util.function.Function;
+import org.starl.RobotId;
+import org.starl.sim.net.Latency;
+
+/**
+ * One parameter of a simulation: its key in {@code --set key=value}, what it means, its default, and
+ * how its text is read and written. The constants below are all there are; {@link SimSettings} holds
+ * a value for each.
+ *
+ * @param <T> the type of its values
+ */
+public final class Setting<T> {
+
+  private static final List<Setting<?>> TABLE = new ArrayList<>();
+
+  // The run.
+  public static final Setting<Integer> ROBOTS = whole("robots", 4, 0, "how many robots start");
+  public static final Setting<Integer> DISCOVERY_ROBOTS =
+      whole("discoveryRobots", 0, 0, "how many of them explore by bumping");
+  public static final Setting<Integer> RANDOM_ROBOTS =
+      whole("randomRobots", 0, 0, "how many of them wander and get in the way");
+  public static final Setting<OptionalLong> SEED =
+      seed("seed", "random", "the run's seed; random draws one, which is told");
+  public static final Setting<OptionalLong> BEHAVIOUR_SEED =
+      seed("behaviourSeed", "derived", "the seed of robots' own draws; derived takes the run's");
+  public static final Setting<Duration> DURATION =
+      duration("duration", 0, "simulated time after which the run ends; 0ms for no limit");
+  public static final Setting<Duration> WALL_TIMEOUT =
+      duration("wallTimeout", 0, "real time after which the run is given up; 0ms for no limit");
+  public static final Setting<Double> SPEED =
+      number("speed", 5, "simulated seconds per real second in the viewer; 0 for no limit");
+
+  // The floor.
+  public static final Setting<Double> FLOOR_WIDTH =
+      distance("floorWidth", 5000, "extent of the floor along x");
+  public static final Setting<Double> FLOOR_HEIGHT =
+      distance("floorHeight", 3000, "extent of the floor along y");
+  public static final Setting<String> WAYPOINT_FILE =
+      text("waypointFile", "", "file of waypoints (WAY lines); empty for none");
+  public static final Setting<String> SENSE_POINT_FILE =
+      text("sensePointFile", "", "file of things to find (SENSE lines); empty for none");
+  public static final Setting<String> OBSTACLE_FILE =
+      text("obstacleFile", "", "file of obstacles (Obstacle and Hidden lines); empty for none");
+  public static final Setting<String> START_FILE =
+      text("startFile", "", "file of start poses (WAY lines with robots' names); empty for drawn");
+  public static final Setting<Double> START_SPACING =
+      number("startSpacing", 2.8, "drawn starts keep this many radii between centres");
+
+  // The bodies.
+  public static final Setting<String> ROBOT_NAME =
+      new Setting<>(
+          "robotName",
+          String.class,
+          "bot",
+          "robots are called so, with a number from 0 behind",
+          String::strip,
+          text -> text,
+          text -> RobotId.isValid(text + "00000000"),
+          "a letter, then up to 23 of A-Z a-z 0-9 _ - .");
+  public static final Setting<Double> ROBOT_RADIUS =
+      distance("robotRadius", 165, "radius of a robot's body");
+  public static final Setting<Boolean> IDEAL_MOTION =
+      yesOrNo("idealMotion", false, "bodies pass through everything, wheels are exact");
+  public static final Setting<Double> MAX_SPEED =
+      new Setting<>(
+          "maxSpeed",
+          Double.class,
+          500.0,
+          "no body drives faster",
+          Quantities::speedMmPerS,
+          Quantities::speedText,
+          value -> value > 0,
+          "a speed above 0");
+  public static final Setting<Double> SPEED_ERROR =
+      probability("speedError", "wheel speeds are off by up to this fraction, per command");
+
+  // Positioning, clocks and storage.
+  public static final Setting<Duration> POSITION_PERIOD =
+      new Setting<>(
+          "positionPeriod",
+          Duration.class,
+          Duration.ofMillis(75),
+          "time between two fixes of a robot",
+          Setting::readDuration,
+          Setting::durationText,
+          value -> !value.isZero() && !value.isNegative(),
+          "a duration above 0");
+  public static final Setting<Double> POSITION_NOISE =
+      distance("positionNoise", 0, "a fix lies at most this far from the truth");
+  public static final Setting<Double> HEADING_NOISE =
+      new Setting<>(
+          "headingNoise",
+          Double.class,
+          0.0,
+          "a fix's heading is at most this far from the truth",
+          Quantities::angleRad,
+          Quantities::angleText,
+          value -> value >= 0 && value <= StrictMath.PI,
+          "an angle from 0 to 180deg");
+  public static final Setting<Boolean> POSITION_IN_PHASE =
+      yesOrNo("positionInPhase", false, "all robots get their fixes at the same instants");
+  public static final Setting<Duration> CLOCK_OFFSET =
+      duration("clockOffset", 0, "robots' clocks start at most this far from true time");
+  public static final Setting<Double> CLOCK_SKEW =
+      probability("clockSkew", "robots' clocks run at most this fraction too fast or too slow");
+  public static final Setting<Duration> STABLE_DELAY =
+      duration("stableDelay", 0, "time until a write to stable storage survives a crash");
+
+  // The air.
+  public static final Setting<Latency> MESSAGE_DELAY =
+      new Setting<>(
+          "messageDelay",
+          Latency.class,
+          new Latency.Uniform(10_000_000, 20_000_000),
+          "how long a datagram takes: 100ms, uniform(..), normal(..), exponential(..)",
+          Latency::parse,
+          Latency::toString,
+          value -> true,
+          "a delay");
+  public static final Setting<Double> MESSAGE_LOSS =
+      probability("messageLoss", "probability that a datagram is lost, per recipient");
+
+  // What robots learn of hidden obstacles.
+  public static final Setting<Double> DETECTION_GRID =
+      distance("detectionGrid", 1, "a robot's map rounds what it bumps into to this grid");
+  public static final Setting<Integer> DETECTION_RADIUS =
+      whole("detectionRadius", 1, 0, "a bump marks this many grid cells around it");
+
+  // What is written and shown.
+  public static final Setting<String> TRACE_FILE =
+      text("traceFile", "", "file for the run's events; empty for none");
+  public static final Setting<String> CSV_FILE =
+      text("csvFile", "", "file for true positions over time; empty for none");
+  public static final Setting<Boolean> DRAW_TRAILS =
+      yesOrNo("drawTrails", false, "the viewer shows where robots have been");
+  public static final Setting<Integer> TRAIL_LENGTH =
+      whole("trailLength", 128, 1, "how many points a trail has");
+  public static final Setting<Boolean> DRAW_WAYPOINTS =
+      yesOrNo("drawWaypoints", true, "the viewer shows waypoints");
+  public static final Setting<Boolean> DRAW_WAYPOINT_NAMES =
+      yesOrNo("drawWaypointNames", true, "the viewer names waypoints");
+  public static final Setting<Boolean> DRAW_OBSTACLES =
+      yesOrNo("drawObstacles", true, "the viewer shows obstacles");
+  public static final Setting<Integer> MAX_FPS =
+      whole("maxFps", 30, 1, "the viewer draws at most so many pictures a second");
+
+  private final String key;
+  private final Class<T> type;
+  private final T defaultValue;
+  private final String meaning;
+  private final Function<String, T> reader;
+  private final Function<T, String> writer;
+  private final Function<T, Boolean> isValid;
+  private final String expected;
+
+  private Setting(
+      String key,
+      Class<T> type,
+      T defaultValue,
+      String meaning,
+      Function<String, T> reader,
+      Function<T, String> writer,
+      Function<T, Boolean> isValid,
+      String expected) {
+    this.key = key;
+    this.type = type;
+    this.defaultValue = defaultValue;
+    this.meaning = meaning;
+    this.reader = reader;
+    this.writer = writer;
+    this.isValid = isValid;
+    this.expected = expected;
+    TABLE.add(this);
+  }
+
+  /** Every setting there is, in the order above. */
+  public static List<Setting<?>> all() {
+    return Collections.unmodifiableList(TABLE);
+  }
+
+  /** Its name in {@code --set key=value}. */
+  public String key() {
+    return key;
+  }
+
+  /** One line for people. */
+  public String meaning() {
+    return meaning;
+  }
+
+  public T defaultValue() {
+    return defaultValue;
+  }
+
+  /** The default as {@code --set} would read it. */
+  public String defaultText() {
+    return writer.apply(defaultValue);
+  }
+
+  /** @throws BadInput naming key, text and what was expected */
+  T read(String text) {
+    T value;
+    try {
+      value = reader.apply(text);
+    } catch (BadInput unreadable) {
+      throw new BadInput(key + "=" + unreadable.getMessage());
+    }
+    return checked(value);
+  }
+
+  /** @throws BadInput if the value is out of range */
+  T checked(T value) {
+    if (!isValid.apply(value)) {
+      throw new BadInput(key + "=" + writer.apply(value) + ": expected " + expected);
+    }
+    return value;
+  }
+
+  String text(Object value) {
+    return writer.apply(type.cast(value));
+  }
+
+  T cast(Object value) {
+    return type.cast(value);
+  }
+
+  @Override
+  public String toString() {
+    return key;
+  }
+
+  private static Setting<Integer> whole(String key, int initial, int least, String meaning) {
+    return new Setting<>(
+        key,
+        Integer.class,
+        initial,
+        meaning,
+        text -> (int) Quantities.whole(text, least, Integer.MAX_VALUE),
+        String::valueOf,
+        value -> value >= least,
+        "a whole number of at least " + least);
+  }
+
+  private static Setting<Double> number(String key, double initial, String meaning) {
+    return new Setting<>(
+        key,
+        Double.class,
+        initial,
+        meaning,
+        Quantities::number,
+        Quantities::plain,
+        Setting::isAmount,
+        "a number of at least 0");
+  }
+
+  private static Setting<Double> distance(String key, double initialMm, String meaning) {
+    // What is positive by default, a size, cannot be 0; noise can.
+    return new Setting<>(
+        key,
+        Double.class,
+        initialMm,
+        meaning,
+        Quantities::distanceMm,
+        Quantities::distanceText,
+        value -> isAmount(value) && (value > 0 || initialMm == 0),
+        initialMm > 0 ? "a distance above 0" : "a distance of at least 0");
+  }
+
+  private static Setting<Double> probability(String key, String meaning) {
+    return new Setting<>(
+        key,
+        Double.class,
+        0.0,
+        meaning,
+        Quantities::probability,
+        Quantities::plain,
+        value -> value >= 0 && value <= 1,
+        "a number from 0 to 1");
+  }
+
+  private static Setting<Duration> duration(String key, long initialMs, String meaning) {
+    return new Setting<>(
+        key,
+        Duration.class,
+        Duration.ofMillis(initialMs),
+        meaning,
+        Setting::readDuration,
+        Setting::durationText,
+        value -> !value.isNegative(),
+        "a duration of at least 0");
+  }
+
+  private static Setting<Boolean> yesOrNo(String key, boolean initial, String meaning) {
+    return new Setting<>(
+        key,
+        Boolean.class,
+        initial,
+        meaning,
+        Quantities::yesOrNo,
+        String::valueOf,
+        value -> true,
+        "true or false");
+  }
+
+  private static Setting<String> text(String key, String initial, String meaning) {
+    return new Setting<>(
+        key, String.class, initial, meaning, String::strip, text -> text, value -> true, "a text");
+  }
+
+  private static Setting<OptionalLong> seed(String key, String none, String meaning) {
+    return new Setting<>(
+        key,
+        OptionalLong.class,
+        OptionalLong.empty(),
+        meaning,
+        text ->
+            text.strip().equals(none)
+                ? OptionalLong.empty()
+                : OptionalLong.of(Quantities.whole(text, Long.MIN_VALUE, Long.MAX_VALUE)),
+        value -> value.isPresent() ? String.valueOf(value.getAsLong()) : none,
+        value -> true,
+        "a whole number or " + none);
+  }
+
+  private static boolean isAmount(double value) {
+    return value >= 0 && value < Double.POSITIVE_INFINITY;
+  }
+
+  private static Duration readDuration(String text) {
+    return Duration.ofNanos(Quantities.durationNs(text));
+  }
+
+  private static String durationText(Duration duration) {
+    return Quantities.durationText(duration.toNanos());
+  }
+}

@@ -1,0 +1,188 @@
+package org.starl.sim;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.starl.sim.net.Latency;
+import org.starl.sim.net.Loss;
+import org.starl.sim.world.PositionNoise;
+import org.starl.sim.world.WorldLimits;
+
+/**
+ * A value for each {@link Setting} of a simulation. Immutable; made by a builder, in code by
+ * constant ({@code set(Setting.ROBOTS, 8)}) or by text ({@code set("robots", "8")}).
+ */
+public final class SimSettings {
+
+  private static final double WHEEL_TRACK_MM = 258;
+
+  private final Map<Setting<?>, Object> values;
+
+  private SimSettings(Map<Setting<?>, Object> values) {
+    this.values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
+  }
+
+  /** A builder that stands at the defaults. */
+  public static Builder builder() {
+    return new Builder();
+  }
+
+  /** Every setting at its default. */
+  public static SimSettings defaults() {
+    return builder().build();
+  }
+
+  /** A builder that stands at these values. */
+  public Builder toBuilder() {
+    Builder builder = new Builder();
+    builder.values.putAll(values);
+    return builder;
+  }
+
+  /** The value of one setting. */
+  public <T> T get(Setting<T> setting) {
+    Object value = values.get(setting);
+    return value == null ? setting.defaultValue() : setting.cast(value);
+  }
+
+  /** Every key with its value as text, in the table's order; what {@code set} reads back. */
+  public Map<String, String> asText() {
+    Map<String, String> text = new LinkedHashMap<>();
+    for (Setting<?> setting : Setting.all()) {
+      text.put(setting.key(), setting.text(get(setting)));
+    }
+    return text;
+  }
+
+  public int robots() {
+    return get(Setting.ROBOTS);
+  }
+
+  /** How many robots neither explore nor wander. */
+  public int goalRobots() {
+    return robots() - get(Setting.DISCOVERY_ROBOTS) - get(Setting.RANDOM_ROBOTS);
+  }
+
+  /** Simulated time after which the run ends, or {@code Long.MAX_VALUE}. */
+  public long endNs() {
+    Duration duration = get(Setting.DURATION);
+    return duration.isZero() ? Long.MAX_VALUE : duration.toNanos();
+  }
+
+  public Latency messageDelay() {
+    return get(Setting.MESSAGE_DELAY);
+  }
+
+  public Loss messageLoss() {
+    return new Loss(get(Setting.MESSAGE_LOSS));
+  }
+
+  public double robotRadiusMm() {
+    return get(Setting.ROBOT_RADIUS);
+  }
+
+  public long positionPeriodNs() {
+    return get(Setting.POSITION_PERIOD).toNanos();
+  }
+
+  public PositionNoise positionNoise() {
+    return new PositionNoise(get(Setting.POSITION_NOISE), get(Setting.HEADING_NOISE));
+  }
+
+  /** Speeds at most {@code maxSpeed} a wheel, for wheels as far apart as the Create's. */
+  public WorldLimits worldLimits() {
+    double maxMmPerS = get(Setting.MAX_SPEED);
+    boolean collisions = !get(Setting.IDEAL_MOTION);
+    return new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, collisions);
+  }
+
+  /** Wheels' error; none with ideal motion. */
+  public double speedError() {
+    return get(Setting.IDEAL_MOTION) ? 0 : get(Setting.SPEED_ERROR);
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof SimSettings that && asText().equals(that.asText());
+  }
+
+  @Override
+  public int hashCode() {
+    return asText().hashCode();
+  }
+
+  @Override
+  public String toString() {
+    return asText().toString();
+  }
+
+  /** Collects values; each is checked when it is set, and all together in {@link #build}. */
+  public static final class Builder {
+    private final Map<Setting<?>, Object> values = new LinkedHashMap<>();
+
+    private Builder() {}
+
+    /** @throws BadInput if the value is out of the setting's range */
+    public <T> Builder set(Setting<T> setting, T value) {
+      values.put(setting, setting.checked(value));
+      return this;
+    }
+
+    /**
+     * Sets by text, as {@code --set key=value} does.
+     *
+     * @throws BadInput if there is no such key, naming those that look like it, or the value is not
+     *     what was expected
+     */
+    public Builder set(String key, String value) {
+      List<String> keys = new ArrayList<>();
+      for (Setting<?> setting : Setting.all()) {
+        if (setting.key().equals(key)) {
+          values.put(setting, setting.read(value));
+          return this;
+        }
+        keys.add(setting.key());
+      }
+      throw new BadInput(
+          "no setting is called " + BadInput.quote(key) + NearMatches.hint(key, keys));
+    }
+
+    public Builder robots(int robots) {
+      return set(Setting.ROBOTS, robots);
+    }
+
+    public Builder duration(Duration duration) {
+      return set(Setting.DURATION, duration);
+    }
+
+    public Builder messageDelay(Latency delay) {
+      return set(Setting.MESSAGE_DELAY, delay);
+    }
+
+    public Builder messageLoss(double probability) {
+      return set(Setting.MESSAGE_LOSS, probability);
+    }
+
+    /** @throws BadInput if the values do not fit each other */
+    public SimSettings build() {
+      SimSettings settings = new SimSettings(values);
+      if (settings.goalRobots() < 0) {
+        throw new BadInput(
+            "discoveryRobots="
+                + settings.get(Setting.DISCOVERY_ROBOTS)
+                + " and randomRobots="
+                + settings.get(Setting.RANDOM_ROBOTS)
+                + ": expected no more than robots="
+                + settings.robots()
+                + " together");
+      }
+      if (settings.get(Setting.SPEED_ERROR) >= 1) {
+        throw new BadInput("speedError=1: expected a fraction below 1");
+      }
+      return settings;
+    }
+  }
+}

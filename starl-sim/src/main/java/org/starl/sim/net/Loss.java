@@ -1,0 +1,34 @@
+package org.starl.sim.net;
+
+import org.starl.random.Rng;
+import org.starl.sim.Quantities;
+
+/**
+ * How often a datagram is lost: each copy to each recipient on its own.
+ *
+ * @param probability from 0 (never) to 1 (always)
+ */
+public record Loss(double probability) {
+
+  public static final Loss NONE = new Loss(0);
+
+  public Loss {
+    if (!(probability >= 0 && probability <= 1)) {
+      throw new IllegalArgumentException("loss " + probability + ": expected from 0 to 1");
+    }
+  }
+
+  /** Reads a probability. @throws org.starl.sim.BadInput if it is none */
+  public static Loss parse(String text) {
+    return new Loss(Quantities.probability(text));
+  }
+
+  /** Draws nothing where the answer is certain. */
+  boolean strikes(Rng rng) {
+    return probability > 0 && (probability >= 1 || rng.nextBoolean(probability));
+  }
+
+  boolean isCertain() {
+    return probability == 0 || probability == 1;
+  }
+}

@@ -1,0 +1,47 @@
+package org.starl.sim.net;
+
+import org.jspecify.annotations.Nullable;
+
+/** A copy of a sender's bytes, shared by all its deliveries, taken back when the last is done. */
+final class Packet {
+
+  private static final int LEAST_CAPACITY = 128;
+
+  private final DeliveryPool pool;
+  private byte[] data = new byte[LEAST_CAPACITY];
+  private int length;
+  private int holders;
+  @Nullable Packet nextFree;
+
+  Packet(DeliveryPool pool) {
+    this.pool = pool;
+  }
+
+  void fill(byte[] buffer, int newLength) {
+    if (data.length < newLength) {
+      data = new byte[newLength];
+    }
+    System.arraycopy(buffer, 0, data, 0, newLength);
+    length = newLength;
+    holders = 1;
+  }
+
+  void hold() {
+    holders++;
+  }
+
+  void release() {
+    holders--;
+    if (holders == 0) {
+      pool.takeBack(this);
+    }
+  }
+
+  byte[] data() {
+    return data;
+  }
+
+  int length() {
+    return length;
+  }
+}

@@ -1,0 +1,247 @@
+package org.starl.sim.net;
+
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.platform.Clock;
+import org.starl.platform.Radio;
+import org.starl.platform.TraceSink;
+import org.starl.random.Rng;
+import org.starl.trace.TraceEvent;
+
+/**
+ * The air between all robots of a run. Robots come and go with {@link #attach} and {@link #detach};
+ * rules with {@link #install}. Used by one kernel at a time.
+ */
+public final class SimNetwork {
+
+  private final Clock clock;
+  private final TraceSink trace;
+  private final Rng root;
+  private final Map<RobotId, SimRadio> byId = new HashMap<>();
+  private final List<SimRadio> attached = new ArrayList<>();
+  private final Map<RobotId, Sender> senders = new HashMap<>();
+  private final List<Installed> rules = new ArrayList<>();
+  private final DeliveryPool pool = new DeliveryPool(this);
+  private Latency latency = new Latency.Constant(0);
+  private Loss loss = Loss.NONE;
+  private LinkChoice choice = LinkChoice.seeded();
+  private boolean seeded = true;
+  private @Nullable Audience audience;
+  private long sent;
+  private long sentBytes;
+  private long delivered;
+  private long lost;
+
+  /**
+   * @param clock the run's true time
+   * @param rng the run's generator; the network forks it by robots' names
+   */
+  public SimNetwork(Clock clock, TraceSink trace, Rng rng) {
+    this.clock = clock;
+    this.trace = trace;
+    this.root = rng;
+  }
+
+  /** From now on, what no rule decides takes so long and is lost so often. */
+  public void base(Latency newLatency, Loss newLoss) {
+    latency = newLatency;
+    loss = newLoss;
+  }
+
+  /** Who makes the choices that no rule made; the seed unless set. */
+  public void choice(LinkChoice newChoice) {
+    choice = newChoice;
+    seeded = false;
+  }
+
+  /** Who can hear whose broadcasts; everyone unless set. */
+  public void audience(Audience newAudience) {
+    audience = newAudience;
+  }
+
+  /**
+   * Gives {@code id} a radio; what it receives runs through {@code inbox}, its strand.
+   *
+   * @throws IllegalStateException if it has one already
+   */
+  public Radio attach(RobotId id, Inbox inbox) {
+    if (byId.containsKey(id)) {
+      throw new IllegalStateException(id + " has a radio already");
+    }
+    Sender sender = senders.computeIfAbsent(id, this::newSender);
+    SimRadio radio = new SimRadio(this, id, sender, inbox);
+    byId.put(id, radio);
+    attached.add(radio);
+    return radio;
+  }
+
+  /** Takes {@code id}'s radio off the air: it sends nothing more, what is under way to it is lost. */
+  public void detach(RobotId id) {
+    SimRadio radio = byId.remove(id);
+    if (radio != null) {
+      radio.close();
+      attached.remove(radio);
+    }
+  }
+
+  /** Puts {@code rule} before those that are installed, until its handle takes it out. */
+  public LinkRule.Handle install(LinkRule rule) {
+    Installed installed = new Installed(rule);
+    rules.add(0, installed);
+    return () -> rules.remove(installed);
+  }
+
+  public NetStatistics statistics() {
+    return new NetStatistics(sent, sentBytes, delivered, lost);
+  }
+
+  void send(SimRadio from, RobotId to, byte[] buffer, int length) {
+    long datagram = countSent(from, length);
+    Packet packet = pool.packet(buffer, length);
+    transmit(from, to, packet, datagram);
+    packet.release();
+  }
+
+  void broadcast(SimRadio from, byte[] buffer, int length) {
+    long datagram = countSent(from, length);
+    Packet packet = pool.packet(buffer, length);
+    if (audience == null) {
+      for (int i = 0; i < attached.size(); i++) {
+        SimRadio to = attached.get(i);
+        if (to != from) {
+          transmit(from, to.id(), packet, datagram);
+        }
+      }
+    } else {
+      Consumer<RobotId> toHearer =
+          to -> {
+            if (!to.equals(from.id())) {
+              transmit(from, to, packet, datagram);
+            }
+          };
+      audience.forEachHearer(from.id(), toHearer);
+    }
+    packet.release();
+  }
+
+  void delivered() {
+    delivered++;
+  }
+
+  void dropped(RobotId from, RobotId to, String why) {
+    lost++;
+    if (trace.isOn()) {
+      trace.record(new TraceEvent.Dropped(clock.nowNs(), to, from.name(), why));
+    }
+  }
+
+  private long countSent(SimRadio from, int length) {
+    sent++;
+    sentBytes += length;
+    return from.sender().nextDatagram();
+  }
+
+  private void transmit(SimRadio from, RobotId to, Packet packet, long datagram) {
+    if (!rules.isEmpty() && decidedByRule(from, to, packet, datagram)) {
+      return;
+    }
+    long delayNs = baseDelayNs(from, to, packet, datagram);
+    if (delayNs == LinkChoice.LOST) {
+      dropped(from.id(), to, "loss");
+    } else {
+      deliver(from, to, packet, delayNs);
+    }
+  }
+
+  private boolean decidedByRule(SimRadio from, RobotId to, Packet packet, long datagram) {
+    // Rules draw from a generator of their own: one that draws and passes changes no base delay.
+    Rng rng = new Rng(~copySeed(from, to, datagram));
+    Transmission copy =
+        new Transmission(from.id(), to, clock.nowNs(), datagram, packet.length(), rng);
+    for (int i = 0; i < rules.size(); i++) {
+      Verdict verdict = rules.get(i).rule.judge(copy);
+      if (verdict instanceof Verdict.Drop drop) {
+        dropped(from.id(), to, drop.why());
+        return true;
+      }
+      if (verdict instanceof Verdict.Deliver deliver) {
+        for (int again = 0; again < deliver.copies(); again++) {
+          deliver(from, to, packet, deliver.delayNs(again));
+        }
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private long baseDelayNs(SimRadio from, RobotId to, Packet packet, long datagram) {
+    if (!seeded) {
+      Rng rng = new Rng(copySeed(from, to, datagram));
+      Transmission copy =
+          new Transmission(from.id(), to, clock.nowNs(), datagram, packet.length(), rng);
+      return choice.delayNsOrLost(copy, latency, loss);
+    }
+    if (loss.isCertain() && latency.isConstant()) {
+      return loss.probability() > 0 ? LinkChoice.LOST : ((Latency.Constant) latency).ns();
+    }
+    // As LinkChoice.seeded() does, without a Transmission.
+    Rng rng = new Rng(copySeed(from, to, datagram));
+    return loss.strikes(rng) ? LinkChoice.LOST : latency.drawNs(rng);
+  }
+
+  private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs) {
+    SimRadio radio = byId.get(to);
+    if (radio == null) {
+      dropped(from.id(), to, "no-such-robot");
+      return;
+    }
+    radio.inbox().schedule(clock.nowNs() + delayNs, pool.delivery(from.id(), radio, packet));
+  }
+
+  private long copySeed(SimRadio from, RobotId to, long datagram) {
+    Sender recipient = senders.get(to);
+    if (recipient == null) {
+      recipient = newSender(to);
+    }
+    return from.sender().copySeed(recipient, datagram);
+  }
+
+  private Sender newSender(RobotId id) {
+    return new Sender(root.fork(id.name() + "/radio").nextLong());
+  }
+
+  /** So that one rule installed twice can be taken out once. */
+  private static final class Installed {
+    private final LinkRule rule;
+
+    Installed(LinkRule rule) {
+      this.rule = rule;
+    }
+  }
+
+  /** What of a robot's radio outlives a restart: its key, and how many datagrams it has sent. */
+  static final class Sender {
+    private final long key;
+    private long datagrams;
+
+    Sender(long key) {
+      this.key = key;
+    }
+
+    long nextDatagram() {
+      return datagrams++;
+    }
+
+    /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
+    long copySeed(Sender recipient, long datagram) {
+      return key
+          + Long.rotateLeft(recipient.key, 32) * 0xD1342543DE82EF95L
+          + datagram * 0x2545F4914F6CDD1DL;
+    }
+  }
+}

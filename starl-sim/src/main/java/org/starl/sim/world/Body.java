@@ -1,0 +1,268 @@
+package org.starl.sim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.geometry.Angles;
+import org.starl.geometry.Kinematics;
+import org.starl.geometry.Pose;
+import org.starl.motion.Bumps;
+import org.starl.motion.WheelCommand;
+import org.starl.platform.Timer;
+
+/**
+ * A robot's true body in the {@link World}: a disc that drives. Which way it may still drive before
+ * the world has to look again is its <em>budget</em>, see {@link Collider}.
+ */
+public final class Body {
+
+  static final long NEVER = Long.MAX_VALUE;
+
+  private static final double NS_PER_S = 1e9;
+  private static final double LONGEST_NS = 1e18;
+
+  private final World world;
+  private final RobotId id;
+  private final double radiusMm;
+  private final Timer timer;
+  private long timerNs = NEVER;
+  private boolean gone;
+
+  // What it is told to do, within the world's limits.
+  double wantedMmPerS;
+  double wantedRadPerS;
+
+  // What it truly does since anchorNs.
+  private long anchorNs;
+  private double anchorXMm;
+  private double anchorYMm;
+  private double anchorRad;
+  private double cosine;
+  private double sine;
+  private double mmPerS;
+  private double radPerS;
+
+  // Where it is at cachedNs.
+  private long cachedNs;
+  private double xMm;
+  private double yMm;
+  private double headingRad;
+
+  private double budgetMm;
+  private long budgetNs;
+  long dueNs = NEVER;
+
+  final List<Body> touchedBodies = new ArrayList<>(0);
+  final List<Wall> touchedWalls = new ArrayList<>(0);
+  private Bumps bumps = Bumps.NONE;
+  private Runnable bumpReceiver = () -> {};
+
+  // The world's grid threads the bodies of a bucket on these.
+  int cellX;
+  int cellY;
+  @Nullable Body nextInBucket;
+  @Nullable Body previousInBucket;
+
+  Body(World world, RobotId id, Pose pose, double radiusMm, long nowNs) {
+    this.world = world;
+    this.id = id;
+    this.radiusMm = radiusMm;
+    this.timer = world.timer(this::expired);
+    anchorNs = nowNs;
+    anchorXMm = pose.xMm();
+    anchorYMm = pose.yMm();
+    anchorRad = Angles.normalize(pose.headingRad());
+    cosine = StrictMath.cos(anchorRad);
+    sine = StrictMath.sin(anchorRad);
+    cachedNs = nowNs;
+    xMm = anchorXMm;
+    yMm = anchorYMm;
+    headingRad = anchorRad;
+    budgetNs = nowNs;
+  }
+
+  public RobotId id() {
+    return id;
+  }
+
+  public double radiusMm() {
+    return radiusMm;
+  }
+
+  /** The true pose now. */
+  public Pose pose() {
+    moveTo(world.nowNs());
+    return new Pose(xMm, yMm, headingRad);
+  }
+
+  /** True forward speed now: 0 while blocked. */
+  public double linearMmPerS() {
+    return mmPerS;
+  }
+
+  /** True turning speed now. */
+  public double angularRadPerS() {
+    return radPerS;
+  }
+
+  /** Whether it presses against something and therefore does not advance. */
+  public boolean isBlocked() {
+    return wantedMmPerS != 0 && mmPerS == 0;
+  }
+
+  /** What the bump sensors on its front half say now. */
+  public Bumps bumps() {
+    return bumps;
+  }
+
+  /**
+   * Sets the one receiver that is told when {@link #bumps} has changed. It is called in the midst of
+   * a step of the world and must only note it or schedule something.
+   */
+  public void onBump(Runnable receiver) {
+    bumpReceiver = receiver;
+  }
+
+  /**
+   * Drives so from now on, at most as fast as the world's limits allow.
+   *
+   * @throws IllegalStateException if it was removed from the world
+   */
+  public void drive(WheelCommand command) {
+    if (gone) {
+      throw new IllegalStateException(id + " drives, but has left the world");
+    }
+    world.drive(this, command);
+  }
+
+  double xMm() {
+    return xMm;
+  }
+
+  double yMm() {
+    return yMm;
+  }
+
+  double headingRad() {
+    return headingRad;
+  }
+
+  /** Brings {@link #xMm}, {@link #yMm} and {@link #headingRad} to {@code nowNs}. */
+  void moveTo(long nowNs) {
+    if (nowNs == cachedNs) {
+      return;
+    }
+    cachedNs = nowNs;
+    if (mmPerS == 0 && radPerS == 0) {
+      return;
+    }
+    double seconds = (nowNs - anchorNs) / NS_PER_S;
+    double turn = radPerS * seconds;
+    double chordMm = Kinematics.chordMm(mmPerS, turn, seconds);
+    headingRad = Angles.normalize(anchorRad + turn);
+    if (radPerS == 0) {
+      xMm = anchorXMm + chordMm * cosine;
+      yMm = anchorYMm + chordMm * sine;
+    } else if (mmPerS != 0) {
+      double direction = anchorRad + turn / 2;
+      xMm = anchorXMm + chordMm * StrictMath.cos(direction);
+      yMm = anchorYMm + chordMm * StrictMath.sin(direction);
+    }
+  }
+
+  /** Moves so from {@code nowNs} on, to which it was moved. Returns whether that is a change. */
+  boolean setMotion(long nowNs, double newMmPerS, double newRadPerS) {
+    if (newMmPerS == mmPerS && newRadPerS == radPerS) {
+      return false;
+    }
+    spendBudget(nowNs);
+    if (headingRad != anchorRad) {
+      cosine = StrictMath.cos(headingRad);
+      sine = StrictMath.sin(headingRad);
+    }
+    anchorNs = nowNs;
+    anchorXMm = xMm;
+    anchorYMm = yMm;
+    anchorRad = headingRad;
+    mmPerS = newMmPerS;
+    radPerS = newRadPerS;
+    return true;
+  }
+
+  double speedMmPerS() {
+    return Math.abs(mmPerS);
+  }
+
+  /** How far it may still drive, from where it is at {@code nowNs}. */
+  double budgetMm(long nowNs) {
+    spendBudget(nowNs);
+    return budgetMm;
+  }
+
+  void setBudgetMm(long nowNs, double newBudgetMm) {
+    budgetMm = newBudgetMm;
+    budgetNs = nowNs;
+  }
+
+  private void spendBudget(long nowNs) {
+    if (nowNs != budgetNs) {
+      budgetMm = Math.max(0, budgetMm - speedMmPerS() * ((nowNs - budgetNs) / NS_PER_S));
+      budgetNs = nowNs;
+    }
+  }
+
+  /** When its budget is spent if it goes on like this; never in the past. */
+  long spentNs() {
+    double ns = budgetMm / speedMmPerS() * NS_PER_S;
+    return mmPerS == 0 || ns > LONGEST_NS ? NEVER : budgetNs + (long) ns;
+  }
+
+  /**
+   * The world has to look at it at {@code newDueNs}. A timer that is set earlier is left as it is:
+   * commands change often, and setting the timer costs more than an idle expiry now and then.
+   */
+  void setDue(long newDueNs) {
+    dueNs = newDueNs;
+    if (newDueNs < timerNs) {
+      timerNs = newDueNs;
+      timer.set(newDueNs);
+    }
+  }
+
+  private void expired() {
+    timerNs = NEVER;
+    if (dueNs <= world.nowNs()) {
+      world.check(this);
+    } else if (dueNs != NEVER) {
+      setDue(dueNs);
+    }
+  }
+
+  void setBumps(Bumps newBumps) {
+    if (newBumps != bumps) {
+      bumps = newBumps;
+      bumpReceiver.run();
+    }
+  }
+
+  boolean isTouching() {
+    return !touchedBodies.isEmpty() || !touchedWalls.isEmpty();
+  }
+
+  boolean isGone() {
+    return gone;
+  }
+
+  void leave() {
+    gone = true;
+    timer.cancel();
+    dueNs = NEVER;
+    bumpReceiver = () -> {};
+  }
+
+  @Override
+  public String toString() {
+    return id + " at " + xMm + ", " + yMm;
+  }
+}

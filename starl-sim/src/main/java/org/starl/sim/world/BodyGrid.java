@@ -1,0 +1,119 @@
+package org.starl.sim.world;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Finds the bodies near a point: an unbounded grid of square cells, hashed into buckets, the bodies
+ * of a bucket threaded on a list. Putting, moving and taking cost the same whatever the number of
+ * bodies.
+ */
+final class BodyGrid {
+
+  /** Sees one body of a query. */
+  interface Visitor {
+    void visit(Body body);
+  }
+
+  private static final int LEAST_BUCKETS = 64;
+
+  private final double cellMm;
+  private @Nullable Body[] buckets = new Body[LEAST_BUCKETS];
+  private int size;
+
+  BodyGrid(double cellMm) {
+    this.cellMm = cellMm;
+  }
+
+  void put(Body body) {
+    if (size >= buckets.length) {
+      grow();
+    }
+    body.cellX = cell(body.xMm());
+    body.cellY = cell(body.yMm());
+    link(body);
+    size++;
+  }
+
+  void take(Body body) {
+    unlink(body);
+    size--;
+  }
+
+  /** To be called when a body has moved. */
+  void update(Body body) {
+    int cellX = cell(body.xMm());
+    int cellY = cell(body.yMm());
+    if (cellX != body.cellX || cellY != body.cellY) {
+      unlink(body);
+      body.cellX = cellX;
+      body.cellY = cellY;
+      link(body);
+    }
+  }
+
+  /** Visits a superset of the bodies whose centre was put within {@code rangeMm} of a point. */
+  void forEachNear(double xMm, double yMm, double rangeMm, Visitor visitor) {
+    int lastX = cell(xMm + rangeMm);
+    int lastY = cell(yMm + rangeMm);
+    for (int cellX = cell(xMm - rangeMm); cellX <= lastX; cellX++) {
+      for (int cellY = cell(yMm - rangeMm); cellY <= lastY; cellY++) {
+        Body body = buckets[bucket(cellX, cellY)];
+        while (body != null) {
+          // A visitor may not move bodies, so the list stands still.
+          if (body.cellX == cellX && body.cellY == cellY) {
+            visitor.visit(body);
+          }
+          body = body.nextInBucket;
+        }
+      }
+    }
+  }
+
+  private int cell(double mm) {
+    return (int) Math.floor(mm / cellMm);
+  }
+
+  private int bucket(int cellX, int cellY) {
+    int mixed = cellX * 0x9E3779B1 + cellY * 0x85EBCA77;
+    return (mixed ^ (mixed >>> 15)) & (buckets.length - 1);
+  }
+
+  private void link(Body body) {
+    int bucket = bucket(body.cellX, body.cellY);
+    Body first = buckets[bucket];
+    body.nextInBucket = first;
+    body.previousInBucket = null;
+    if (first != null) {
+      first.previousInBucket = body;
+    }
+    buckets[bucket] = body;
+  }
+
+  private void unlink(Body body) {
+    Body next = body.nextInBucket;
+    Body previous = body.previousInBucket;
+    if (previous == null) {
+      buckets[bucket(body.cellX, body.cellY)] = next;
+    } else {
+      previous.nextInBucket = next;
+    }
+    if (next != null) {
+      next.previousInBucket = previous;
+    }
+    body.nextInBucket = null;
+    body.previousInBucket = null;
+  }
+
+  private void grow() {
+    @Nullable Body[] old = buckets;
+    buckets = new Body[old.length * 2];
+    for (Body first : old) {
+      Body body = first;
+      while (body != null) {
+        Body next = body.nextInBucket;
+        link(body);
+        body = next;
+      }
+    }
+  }
+}

@@ -1,0 +1,34 @@
+package org.starl.sim.world;
+
+import org.starl.random.Rng;
+
+/**
+ * How far a fix is off the truth: drawn for each fix on its own (a measurement error, no drift), and
+ * never farther than its bound, so that the bound that the fix states is true.
+ *
+ * <p>The two coordinates, and the heading, are normal with half of the bound as deviation; what lies
+ * beyond the bound is drawn again.
+ *
+ * @param boundMm the measured position lies at most this far from the true one
+ * @param boundRad the measured heading is at most this far from the true one
+ */
+public record PositionNoise(double boundMm, double boundRad) {
+
+  public static final PositionNoise NONE = new PositionNoise(0, 0);
+
+  public PositionNoise {
+    if (!(boundMm >= 0) || !(boundRad >= 0) || boundRad > StrictMath.PI) {
+      throw new IllegalArgumentException(
+          "noise " + boundMm + " mm, " + boundRad + " rad: expected at least 0, at most pi rad");
+    }
+  }
+
+  /** One coordinate, normal with deviation 1/2, in -1..1. */
+  static double drawWithinOne(Rng rng) {
+    double draw;
+    do {
+      draw = rng.nextGaussian() / 2;
+    } while (Math.abs(draw) > 1);
+    return draw;
+  }
+}

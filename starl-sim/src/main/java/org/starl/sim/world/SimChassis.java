@@ -1,0 +1,86 @@
+package org.starl.sim.world;
+
+import org.starl.motion.Bumps;
+import org.starl.motion.WheelCommand;
+import org.starl.platform.Chassis;
+import org.starl.platform.Strand;
+import org.starl.random.Rng;
+
+/** A robot's wheels and bump sensors on its {@link Body}, in one incarnation of its program. */
+public final class SimChassis implements Chassis {
+
+  private final Body body;
+  private final Rng rng;
+  private final double speedError;
+  private WheelCommand command = WheelCommand.STOP;
+  private WheelCommand actual = WheelCommand.STOP;
+  private double linearFactor = 1;
+  private double angularFactor = 1;
+  private Runnable receiver = () -> {};
+
+  /**
+   * @param strand the robot's; bumps are told there
+   * @param rng the chassis's own generator
+   * @param speedError each new command's forward and turning speed are off by a factor drawn evenly
+   *     from 1 - speedError to 1 + speedError, each on its own; 0 for perfect wheels
+   */
+  public SimChassis(Body body, Strand strand, Rng rng, double speedError) {
+    if (!(speedError >= 0 && speedError < 1)) {
+      throw new IllegalArgumentException("speed error " + speedError + ": expected 0 to below 1");
+    }
+    this.body = body;
+    this.rng = rng;
+    this.speedError = speedError;
+    Runnable tell = () -> receiver.run();
+    body.onBump(() -> strand.post(tell));
+  }
+
+  @Override
+  public void drive(WheelCommand newCommand) {
+    if (newCommand.equals(command)) {
+      return;
+    }
+    command = newCommand;
+    actual =
+        speedError == 0
+            ? command
+            : new WheelCommand(
+                command.linearMmPerS() * drawFactor(), command.angularRadPerS() * drawFactor());
+    apply();
+  }
+
+  @Override
+  public Bumps bumps() {
+    return body.bumps();
+  }
+
+  @Override
+  public void onBump(Runnable newReceiver) {
+    receiver = newReceiver;
+  }
+
+  /**
+   * From now on the wheels do only these fractions of what they are told; 0 and 0 are stuck wheels,
+   * 1 and 1 sound ones.
+   */
+  public void impair(double newLinearFactor, double newAngularFactor) {
+    linearFactor = newLinearFactor;
+    angularFactor = newAngularFactor;
+    apply();
+  }
+
+  private void apply() {
+    // An app that is unwound because its robot left may still stop its wheels.
+    if (!body.isGone()) {
+      body.drive(
+          linearFactor == 1 && angularFactor == 1
+              ? actual
+              : new WheelCommand(
+                  actual.linearMmPerS() * linearFactor, actual.angularRadPerS() * angularFactor));
+    }
+  }
+
+  private double drawFactor() {
+    return 1 + speedError * (2 * rng.nextDouble() - 1);
+  }
+}

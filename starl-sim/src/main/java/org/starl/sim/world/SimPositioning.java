@@ -1,0 +1,124 @@
+package org.starl.sim.world;
+
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Angles;
+import org.starl.geometry.Fix;
+import org.starl.geometry.Pose;
+import org.starl.platform.Clock;
+import org.starl.platform.Positioning;
+import org.starl.platform.Timer;
+import org.starl.platform.Timers;
+import org.starl.random.Rng;
+
+/**
+ * Measures where a robot's {@link Body} is, once a period, in one incarnation of its program. The
+ * measuring system stands outside the robot: its period runs on true time, whatever the robot's own
+ * clock does. Fixes come at the times phase + k period of the run, so that a restart shifts none.
+ */
+public final class SimPositioning implements Positioning {
+
+  // A little inside, so that rounding of large coordinates cannot lead beyond the bound.
+  private static final double INSIDE = 1 - 1e-6;
+
+  private final Body body;
+  private final Clock trueClock;
+  private final Clock robotClock;
+  private final Rng rng;
+  private final long periodNs;
+  private final long phaseNs;
+  private final Timer timer;
+  private PositionNoise noise;
+  private boolean isOn = true;
+  private @Nullable Receiver receiver;
+
+  /**
+   * @param trueClock the run's
+   * @param robotClock the robot's, which stamps its fixes
+   * @param strandTimers the robot's strand, in true time
+   * @param rng the robot's generator for positioning
+   * @param phaseNs from 0 to below the period; see {@link #drawnPhaseNs}. With 0 for everyone all
+   *     robots are measured at once
+   */
+  public SimPositioning(
+      Body body,
+      Clock trueClock,
+      Clock robotClock,
+      Timers strandTimers,
+      Rng rng,
+      PositionNoise noise,
+      long periodNs,
+      long phaseNs) {
+    if (periodNs <= 0 || phaseNs < 0 || phaseNs >= periodNs) {
+      throw new IllegalArgumentException(
+          "period " + periodNs + " ns, phase " + phaseNs + " ns: expected 0 <= phase < period");
+    }
+    this.body = body;
+    this.trueClock = trueClock;
+    this.robotClock = robotClock;
+    this.rng = rng;
+    this.noise = noise;
+    this.periodNs = periodNs;
+    this.phaseNs = phaseNs;
+    this.timer = strandTimers.timer(this::measure);
+  }
+
+  /**
+   * A phase for one robot, even over the period: a real system measures its robots one after the
+   * other. It depends on {@code rng}'s seed alone.
+   */
+  public static long drawnPhaseNs(Rng rng, long periodNs) {
+    return rng.fork("phase").nextLong(0, periodNs - 1);
+  }
+
+  @Override
+  public void onFix(Receiver newReceiver) {
+    if (receiver != null) {
+      throw new IllegalStateException(body.id() + "'s positioning has a receiver already");
+    }
+    receiver = newReceiver;
+    timer.set(nextNs(trueClock.nowNs()));
+  }
+
+  /** Whether fixes come; where not, none is made up for later. */
+  public void turn(boolean on) {
+    isOn = on;
+  }
+
+  /** From now on fixes are so far off. */
+  public void setNoise(PositionNoise newNoise) {
+    noise = newNoise;
+  }
+
+  private void measure() {
+    long nowNs = trueClock.nowNs();
+    timer.set(nextNs(nowNs + 1));
+    if (isOn && receiver != null) {
+      receiver.fixed(
+          new Fix(measured(body.pose()), robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
+    }
+  }
+
+  private Pose measured(Pose truth) {
+    double offX = 0;
+    double offY = 0;
+    if (noise.boundMm() > 0) {
+      do {
+        offX = PositionNoise.drawWithinOne(rng);
+        offY = PositionNoise.drawWithinOne(rng);
+      } while (offX * offX + offY * offY > INSIDE);
+    }
+    double offRad = noise.boundRad() > 0 ? INSIDE * PositionNoise.drawWithinOne(rng) : 0;
+    return new Pose(
+        truth.xMm() + noise.boundMm() * offX,
+        truth.yMm() + noise.boundMm() * offY,
+        offRad == 0
+            ? truth.headingRad()
+            : Angles.normalize(truth.headingRad() + noise.boundRad() * offRad));
+  }
+
+  /** The first time of a fix that is not before {@code fromNs}. */
+  private long nextNs(long fromNs) {
+    long periods = Math.max(0, Math.ceilDiv(fromNs - phaseNs, periodNs));
+    return phaseNs + periods * periodNs;
+  }
+}

@@ -1,0 +1,117 @@
+package org.starl.sim.world;
+
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Clock;
+import org.starl.platform.Stable;
+import org.starl.platform.Timer;
+import org.starl.platform.Timers;
+
+/**
+ * A robot's stable storage in memory. It outlives the robot's program: {@link #restart} hands it to
+ * the next incarnation with what had been flushed, and nothing else.
+ */
+public final class SimStable implements Stable {
+
+  private final Clock clock;
+  private final Map<String, byte[]> flushed = new TreeMap<>();
+  private final Map<String, byte[]> written = new TreeMap<>();
+  private final Deque<Write> pending = new ArrayDeque<>();
+  private long flushDelayNs;
+  private long lastDueNs;
+  private @Nullable Timer timer;
+
+  /**
+   * @param clock the run's true time
+   * @param flushDelayNs how long a write takes to be safe; at 0 it is so in the strand's next piece
+   */
+  public SimStable(Clock clock, long flushDelayNs) {
+    this.clock = clock;
+    setFlushDelay(flushDelayNs);
+  }
+
+  /** Serves a new incarnation from now on; what was not flushed is lost. */
+  public void restart(Timers strandTimers) {
+    if (timer != null) {
+      timer.cancel();
+    }
+    pending.clear();
+    written.clear();
+    written.putAll(flushed);
+    timer = strandTimers.timer(this::flush);
+  }
+
+  /** How long later writes take; they still come after earlier ones. */
+  public void setFlushDelay(long newFlushDelayNs) {
+    if (newFlushDelayNs < 0) {
+      throw new IllegalArgumentException("delay " + newFlushDelayNs + " ns: expected at least 0");
+    }
+    flushDelayNs = newFlushDelayNs;
+  }
+
+  @Override
+  public byte @Nullable [] get(String key) {
+    byte[] value = written.get(key);
+    return value == null ? null : value.clone();
+  }
+
+  @Override
+  public void put(String key, byte[] value, Runnable onFlushed) {
+    byte[] copy = value.clone();
+    written.put(key, copy);
+    enqueue(new Write(key, copy, onFlushed, dueNs()));
+  }
+
+  @Override
+  public void remove(String key) {
+    written.remove(key);
+    enqueue(new Write(key, null, () -> {}, dueNs()));
+  }
+
+  private long dueNs() {
+    lastDueNs = Math.max(lastDueNs, clock.nowNs() + flushDelayNs);
+    return lastDueNs;
+  }
+
+  private void enqueue(Write write) {
+    if (timer == null) {
+      throw new IllegalStateException("stable storage is used before restart gave it a strand");
+    }
+    pending.add(write);
+    if (pending.size() == 1) {
+      timer.set(write.dueNs);
+    }
+  }
+
+  // One write a piece: what a callback writes is not flushed in the same piece.
+  private void flush() {
+    Write write = pending.remove();
+    if (write.value == null) {
+      flushed.remove(write.key);
+    } else {
+      flushed.put(write.key, write.value);
+    }
+    Write next = pending.peek();
+    if (next != null && timer != null) {
+      timer.set(next.dueNs);
+    }
+    write.onFlushed.run();
+  }
+
+  private static final class Write {
+    private final String key;
+    private final byte @Nullable [] value;
+    private final Runnable onFlushed;
+    private final long dueNs;
+
+    Write(String key, byte @Nullable [] value, Runnable onFlushed, long dueNs) {
+      this.key = key;
+      this.value = value;
+      this.onFlushed = onFlushed;
+      this.dueNs = dueNs;
+    }
+  }
+}

@@ -1,0 +1,22 @@
+package org.starl.sim.world;
+
+import java.util.OptionalDouble;
+import org.starl.geometry.Angles;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Pose;
+
+/**
+ * A line {@code WAY} or {@code SENSE} of a waypoint file.
+ *
+ * @param angle the angle column as it stands: degrees in most files, the number of a robot or a
+ *     24-bit colour in some
+ * @param radiusMm how close is close enough, where the file says so
+ */
+public record Waypoint(String name, double xMm, double yMm, double angle, OptionalDouble radiusMm) {
+
+  /** The waypoint as a pose, for files whose angle column is in degrees. */
+  public ItemPosition position() {
+    double headingRad = Angles.normalize(Angles.fromDegrees(angle));
+    return new ItemPosition(name, new Pose(xMm, yMm, headingRad));
+  }
+}

@@ -1,0 +1,213 @@
+package org.starl.sim.world;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.starl.RobotId;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.motion.WheelCommand;
+import org.starl.platform.Clock;
+import org.starl.platform.Timer;
+import org.starl.platform.Timers;
+import org.starl.platform.TraceSink;
+import org.starl.trace.TraceEvent;
+
+/**
+ * The floor of one run: walls, and the bodies of all robots. Its time is the run's true time. Used
+ * by one kernel at a time; its timers are the kernel's own, no robot's.
+ */
+public final class World {
+
+  /** Two bodies, or a body and a wall, touch from this gap on; they never overlap. */
+  public static final double TOUCH_MM = 1;
+
+  /** What has touched does so until the gap is wider than this, as a bumper has some play. */
+  public static final double CLEAR_MM = 2;
+
+  private final Clock clock;
+  private final Timers timers;
+  private final TraceSink trace;
+  private final WorldLimits limits;
+  private final Obstacles obstacles;
+  private final WallGrid walls;
+  private final BodyGrid grid = new BodyGrid(Collider.CELL_MM);
+  private final Collider collider;
+  private final List<Body> bodies = new ArrayList<>();
+  private final Timer wallTimer;
+  private double greatestRadiusMm;
+
+  public World(
+      Clock clock, Timers timers, TraceSink trace, WorldLimits limits, Obstacles obstacles) {
+    this.clock = clock;
+    this.timers = timers;
+    this.trace = trace;
+    this.limits = limits;
+    this.obstacles = obstacles;
+    this.walls = new WallGrid(obstacles);
+    this.collider = new Collider(this, grid, walls);
+    this.wallTimer = timers.timer(this::wallVanished);
+    watchWalls();
+  }
+
+  /** Everything that stands in the way from the start, hidden or not. */
+  public Obstacles obstacles() {
+    return obstacles;
+  }
+
+  /** All bodies, in the order in which they came. */
+  public List<Body> bodies() {
+    return List.copyOf(bodies);
+  }
+
+  /** Whether a disc would stand there without overlapping a body or a wall. */
+  public boolean isFree(Pose pose, double radiusMm) {
+    return whatIsAt(pose, radiusMm).isEmpty();
+  }
+
+  /**
+   * Puts a robot's body on the floor; it stands still.
+   *
+   * @throws IllegalArgumentException if the place is not free, naming what is there, or the radius
+   *     is not above 0
+   */
+  public Body add(RobotId id, Pose pose, double radiusMm) {
+    if (!(radiusMm > 0)) {
+      throw new IllegalArgumentException(id + " with radius " + radiusMm + " mm: expected above 0");
+    }
+    String inTheWay = whatIsAt(pose, radiusMm);
+    if (limits.collisions() && !inTheWay.isEmpty()) {
+      throw new IllegalArgumentException(
+          id + " with radius " + radiusMm + " mm at " + pose + " would overlap " + inTheWay);
+    }
+    greatestRadiusMm = Math.max(greatestRadiusMm, radiusMm);
+    Body body = new Body(this, id, pose, radiusMm, nowNs());
+    bodies.add(body);
+    grid.put(body);
+    if (trace.isOn()) {
+      trace.record(new TraceEvent.Joined(nowNs(), id, body.pose(), radiusMm));
+    }
+    check(body);
+    return body;
+  }
+
+  /** Takes a body off the floor; it must not be driven any more. No effect if it is gone. */
+  public void remove(Body body) {
+    if (!bodies.remove(body)) {
+      return;
+    }
+    grid.take(body);
+    body.leave();
+    collider.forget(body);
+    if (trace.isOn()) {
+      trace.record(new TraceEvent.Left(nowNs(), body.id()));
+    }
+  }
+
+  /** Names each body whose centre is within {@code rangeMm} of {@code center} now. */
+  public void forEachWithin(Point center, double rangeMm, Consumer<Body> visitor) {
+    long nowNs = nowNs();
+    double staleMm = Collider.REACH_MM;
+    grid.forEachNear(
+        center.xMm(),
+        center.yMm(),
+        rangeMm + staleMm,
+        body -> {
+          body.moveTo(nowNs);
+          double dx = body.xMm() - center.xMm();
+          double dy = body.yMm() - center.yMm();
+          if (dx * dx + dy * dy <= rangeMm * rangeMm) {
+            visitor.accept(body);
+          }
+        });
+  }
+
+  long nowNs() {
+    return clock.nowNs();
+  }
+
+  Timer timer(Runnable action) {
+    return timers.timer(action);
+  }
+
+  boolean hasCollisions() {
+    return limits.collisions();
+  }
+
+  double greatestRadiusMm() {
+    return greatestRadiusMm;
+  }
+
+  void drive(Body body, WheelCommand command) {
+    double mmPerS = limits.mmPerS(command.linearMmPerS());
+    double radPerS = limits.radPerS(command.angularRadPerS());
+    if (mmPerS == body.wantedMmPerS && radPerS == body.wantedRadPerS) {
+      return;
+    }
+    body.wantedMmPerS = mmPerS;
+    body.wantedRadPerS = radPerS;
+    if (body.isTouching()) {
+      check(body);
+    } else {
+      // Its budget is good for any direction.
+      body.moveTo(nowNs());
+      move(body, mmPerS, radPerS);
+      body.setDue(body.spentNs());
+    }
+  }
+
+  void check(Body body) {
+    collider.check(body);
+  }
+
+  /** Moves so from now on. */
+  void move(Body body, double mmPerS, double radPerS) {
+    if (body.setMotion(nowNs(), mmPerS, radPerS) && trace.isOn()) {
+      trace.record(new TraceEvent.Moved(nowNs(), body.id(), body.pose(), mmPerS, radPerS));
+    }
+  }
+
+  private String whatIsAt(Pose pose, double radiusMm) {
+    long nowNs = nowNs();
+    if (walls.isInside(pose.at(), nowNs)) {
+      return "a solid obstacle";
+    }
+    String[] found = {""};
+    walls.forEachNear(
+        pose.xMm(),
+        pose.yMm(),
+        radiusMm,
+        nowNs,
+        wall -> {
+          if (wall.distanceMm(pose.xMm(), pose.yMm()) < radiusMm) {
+            found[0] = "a wall";
+          }
+        });
+    forEachWithin(
+        pose.at(),
+        radiusMm + greatestRadiusMm,
+        body -> {
+          if (pose.distanceMm(new Point(body.xMm(), body.yMm())) < radiusMm + body.radiusMm()) {
+            found[0] = body.id().name();
+          }
+        });
+    return found[0];
+  }
+
+  private void watchWalls() {
+    long nextNs = walls.nextEndNs(nowNs());
+    if (nextNs != Body.NEVER) {
+      wallTimer.set(nextNs);
+    }
+  }
+
+  private void wallVanished() {
+    for (Body body : bodies) {
+      if (!body.touchedWalls.isEmpty()) {
+        body.setDue(nowNs());
+      }
+    }
+    watchWalls();
+  }
+}
