@@ -159,8 +159,7 @@ final class EventQueue {
     } else {
       return false;
     }
-    while (!far.isEmpty()
-        && (events.atNs[far.first()] >>> BUCKET_SHIFT) - openBucket < BUCKETS) {
+    while (!far.isEmpty() && (events.atNs[far.first()] >>> BUCKET_SHIFT) - openBucket < BUCKETS) {
       int slot = far.first();
       far.removeAt(0);
       addToRing(slot);

@@ -184,7 +184,8 @@ public final class Kernel implements Clock, AutoCloseable {
 
   private void begin() {
     if (isRunning || isClosed) {
-      throw new IllegalStateException(isClosed ? "the kernel is closed" : "the kernel runs already");
+      throw new IllegalStateException(
+          isClosed ? "the kernel is closed" : "the kernel runs already");
     }
     if (carrierKind == CarrierKind.VIRTUAL && Thread.currentThread().isVirtual()) {
       throw new IllegalStateException("a kernel with virtual carriers needs a platform thread");

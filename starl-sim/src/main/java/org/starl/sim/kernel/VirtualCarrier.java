@@ -32,14 +32,13 @@ final class VirtualCarrier implements Carrier, Executor {
         newBuilder(this)
             .name(name)
             .inheritInheritableThreadLocals(false)
-            .unstarted(
-                () -> {
-                  try {
-                    app.run();
-                  } finally {
-                    isOver = true;
-                  }
-                });
+            .unstarted(() -> {
+              try {
+                app.run();
+              } finally {
+                isOver = true;
+              }
+            });
   }
 
   static boolean isSupported() {

@@ -27,12 +27,11 @@ class KernelTest {
   void anAppSleepsWhileHandlersRun(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
-      robot.start(
-          () -> {
-            log.add("app " + kernel.nowNs());
-            robot.sleepUntil(100);
-            log.add("app " + kernel.nowNs());
-          });
+      robot.start(() -> {
+        log.add("app " + kernel.nowNs());
+        robot.sleepUntil(100);
+        log.add("app " + kernel.nowNs());
+      });
       robot.schedule(50, () -> log.add("handler " + kernel.nowNs()));
       kernel.schedule(100, () -> log.add("world " + kernel.nowNs()));
       kernel.run(1_000, () -> false);
@@ -47,12 +46,11 @@ class KernelTest {
   void aSleepUntilThePastReturnsAfterAllThatIsDue(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
-      robot.start(
-          () -> {
-            robot.post(() -> log.add("posted"));
-            robot.sleepUntil(-5);
-            log.add("app");
-          });
+      robot.start(() -> {
+        robot.post(() -> log.add("posted"));
+        robot.sleepUntil(-5);
+        log.add("app");
+      });
       kernel.schedule(0, () -> log.add("world"));
       kernel.run(1_000, () -> false);
       assertThat(log).containsExactly("world", "posted", "app");
@@ -65,11 +63,10 @@ class KernelTest {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       int[] received = {0};
-      robot.start(
-          () -> {
-            boolean held = robot.awaitUntil(() -> received[0] == 2, Long.MAX_VALUE);
-            log.add("app " + held + " at " + kernel.nowNs());
-          });
+      robot.start(() -> {
+        boolean held = robot.awaitUntil(() -> received[0] == 2, Long.MAX_VALUE);
+        log.add("app " + held + " at " + kernel.nowNs());
+      });
       for (int at = 10; at <= 30; at += 10) {
         robot.schedule(at, () -> log.add("received " + ++received[0]));
         kernel.schedule(at, () -> log.add("world " + kernel.nowNs()));
@@ -92,12 +89,11 @@ class KernelTest {
   void anAwaitEndsAtItsDeadline(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
-      robot.start(
-          () -> {
-            log.add("met at once " + robot.awaitUntil(() -> true, 0));
-            log.add("met " + robot.awaitUntil(() -> false, 70) + " at " + kernel.nowNs());
-            log.add("met " + robot.awaitUntil(() -> kernel.nowNs() == 90, 90));
-          });
+      robot.start(() -> {
+        log.add("met at once " + robot.awaitUntil(() -> true, 0));
+        log.add("met " + robot.awaitUntil(() -> false, 70) + " at " + kernel.nowNs());
+        log.add("met " + robot.awaitUntil(() -> kernel.nowNs() == 90, 90));
+      });
       kernel.run(1_000, () -> false);
       assertThat(log).containsExactly("met at once true", "met false at 70", "met true");
     }
@@ -141,18 +137,17 @@ class KernelTest {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       Timer timer = robot.timer(() -> log.add("timer"));
-      robot.start(
-          () -> {
-            try {
-              robot.sleepUntil(1_000);
-            } catch (StrandClosed e) {
-              log.add("told");
-              throw e;
-            } finally {
-              log.add("finally at " + kernel.nowNs());
-              robot.post(() -> log.add("posted"));
-            }
-          });
+      robot.start(() -> {
+        try {
+          robot.sleepUntil(1_000);
+        } catch (StrandClosed e) {
+          log.add("told");
+          throw e;
+        } finally {
+          log.add("finally at " + kernel.nowNs());
+          robot.post(() -> log.add("posted"));
+        }
+      });
       robot.schedule(0, () -> timer.set(60));
       robot.schedule(60, () -> log.add("handler"));
       kernel.schedule(50, robot::close);
@@ -174,14 +169,13 @@ class KernelTest {
     Kernel kernel = new Kernel(kind);
     for (int i = 0; i < 3; i++) {
       SimStrand robot = kernel.strand("robot" + i);
-      robot.start(
-          () -> {
-            try {
-              robot.awaitUntil(() -> false, Long.MAX_VALUE);
-            } finally {
-              log.add(robot.name());
-            }
-          });
+      robot.start(() -> {
+        try {
+          robot.awaitUntil(() -> false, Long.MAX_VALUE);
+        } finally {
+          log.add(robot.name());
+        }
+      });
     }
     kernel.run(1_000, () -> false);
     assertThat(log).isEmpty();
@@ -198,13 +192,12 @@ class KernelTest {
   void anAppThatClosesItsOwnStrandEndsAtItsNextWait(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
-      robot.start(
-          () -> {
-            robot.close();
-            log.add("leaving");
-            robot.sleepUntil(10);
-            log.add("never");
-          });
+      robot.start(() -> {
+        robot.close();
+        log.add("leaving");
+        robot.sleepUntil(10);
+        log.add("never");
+      });
       kernel.run(1_000, () -> false);
       assertThat(log).containsExactly("leaving");
     }
@@ -216,20 +209,18 @@ class KernelTest {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand victim = kernel.strand("victim");
       SimStrand killer = kernel.strand("killer");
-      victim.start(
-          () -> {
-            try {
-              victim.sleepUntil(100);
-            } finally {
-              log.add("unwound");
-            }
-          });
-      killer.start(
-          () -> {
-            killer.sleepUntil(50);
-            victim.close();
-            log.add("goes on");
-          });
+      victim.start(() -> {
+        try {
+          victim.sleepUntil(100);
+        } finally {
+          log.add("unwound");
+        }
+      });
+      killer.start(() -> {
+        killer.sleepUntil(50);
+        victim.close();
+        log.add("goes on");
+      });
       kernel.run(1_000, () -> false);
       assertThat(log).containsExactly("goes on", "unwound");
     }
@@ -240,15 +231,14 @@ class KernelTest {
   void aHandlerThatClosesItsStrandEndsTheAwaitingAppAfterwards(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
-      robot.start(
-          () -> {
-            try {
-              robot.awaitUntil(robot::isClosed, Long.MAX_VALUE);
-              log.add("never");
-            } finally {
-              log.add("unwound");
-            }
-          });
+      robot.start(() -> {
+        try {
+          robot.awaitUntil(robot::isClosed, Long.MAX_VALUE);
+          log.add("never");
+        } finally {
+          log.add("unwound");
+        }
+      });
       robot.schedule(
           5,
           () -> {
