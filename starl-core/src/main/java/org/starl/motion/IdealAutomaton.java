@@ -10,8 +10,10 @@ import org.starl.geometry.Pose;
  */
 final class IdealAutomaton implements MotionAutomaton {
 
-  /** A body that is farther off its line at the target than this part of the radius turns again. */
+  // With exact fixes one turn is enough. With noisy ones, another one is worth its period only if
+  // the line misses the target by this part of its radius, and by this angle.
   private static final double MISS = 0.5;
+  private static final double OFF_RAD = 0.1;
 
   private static final double EXACT_MM = 1e-6;
   private static final double EXACT_RAD = 1e-9;
@@ -56,15 +58,12 @@ final class IdealAutomaton implements MotionAutomaton {
       return arrive();
     }
     double offRad = distanceMm == 0 ? 0 : Angles.difference(way.angleRad(), pose.headingRad());
-    if (turnOnly && Math.abs(offRad) <= EXACT_RAD) {
-      return arrive();
+    if (turnOnly) {
+      return turnTowards(offRad);
     }
     double aheadMm = distanceMm * StrictMath.cos(offRad);
-    double asideMm = distanceMm * Math.abs(StrictMath.sin(offRad));
     boolean turns =
-        state == MotionState.STRAIGHT
-            ? aheadMm <= 0 || asideMm > MISS * p.goalRadiusMm()
-            : Math.abs(offRad) > EXACT_RAD;
+        state == MotionState.INIT ? Math.abs(offRad) > EXACT_RAD : isOff(offRad, distanceMm);
     onLastLeg = false;
     if (turns) {
       state = MotionState.TURN;
@@ -74,6 +73,21 @@ final class IdealAutomaton implements MotionAutomaton {
     double speed = Math.min(p.linSpeedMaxMmPerS(), aheadMm / p.periodS());
     onLastLeg = speed < p.linSpeedMaxMmPerS();
     return new WheelCommand(speed, 0);
+  }
+
+  private WheelCommand turnTowards(double offRad) {
+    double enoughRad = state == MotionState.INIT ? EXACT_RAD : p.smallTurnAngleRad();
+    if (Math.abs(offRad) <= enoughRad) {
+      return arrive();
+    }
+    state = MotionState.TURN;
+    return new WheelCommand(0, offRad / p.periodS());
+  }
+
+  private boolean isOff(double offRad, double distanceMm) {
+    boolean isBehind = Math.abs(offRad) >= StrictMath.PI / 2;
+    double asideMm = distanceMm * Math.abs(StrictMath.sin(offRad));
+    return isBehind || (Math.abs(offRad) > OFF_RAD && asideMm > MISS * p.goalRadiusMm());
   }
 
   private WheelCommand arrive() {

@@ -143,7 +143,7 @@ public record MotionParameters(
     private long reactionMs = 0;
     private long maxFixAgeMs = 300;
     private long failFixAgeMs = 2000;
-    private long stuckAfterMs = 3000;
+    private long stuckAfterMs = 5000;
     private long noProgressMs = 20000;
     private long avoidPatienceMs = 300;
     private double contactMarkMm = 1;

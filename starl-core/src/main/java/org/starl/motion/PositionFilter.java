@@ -109,7 +109,9 @@ final class PositionFilter {
             Angles.normalize(headingRad + odometry.turnRad()));
     double errorRad = Math.min(StrictMath.PI, spreadRad + odometry.turnedRad());
     double errorMm =
-        odometry.reaches(beliefNs) ? radiusMm + odometry.pathMm() : Double.POSITIVE_INFINITY;
+        odometry.reaches(beliefNs)
+            ? radiusMm + growthMm(odometry.pathMm(), errorRad)
+            : Double.POSITIVE_INFINITY;
     return new Location.Known(pose, errorMm, errorRad, nowNs, fixNs);
   }
 
@@ -133,9 +135,17 @@ final class PositionFilter {
       yMm += sin * odometry.forwardMm() + cos * odometry.leftMm();
     }
     headingRad = Angles.normalize(headingRad + odometry.turnRad());
-    radiusMm += odometry.pathMm();
     spreadRad = Math.min(StrictMath.PI, spreadRad + odometry.turnedRad());
+    radiusMm += growthMm(odometry.pathMm(), spreadRad);
     beliefNs = atNs;
+  }
+
+  /**
+   * How far a body may be from where a path leads, that is somewhere on this path, turned by at most
+   * {@code offRad}: after the part s of the path L, at most 2 s sin(off/2) + L - s.
+   */
+  private static double growthMm(double pathMm, double offRad) {
+    return pathMm * Math.max(1, 2 * StrictMath.sin(Math.min(StrictMath.PI, offRad) / 2));
   }
 
   /** Intersects the belief with the fix's disc; if they have nothing in common, covers both. */
@@ -188,9 +198,6 @@ final class PositionFilter {
 
     private static final int KNOTS = 64;
 
-    /** How much farther off a body may come that slides along an obstacle. */
-    private static final double SLIDING = 2;
-
     private final long[] atNs = new long[KNOTS];
     private final double[] x = new double[KNOTS];
     private final double[] y = new double[KNOTS];
@@ -199,7 +206,6 @@ final class PositionFilter {
     private final double[] turned = new double[KNOTS];
     private final double[] linear = new double[KNOTS];
     private final double[] angular = new double[KNOTS];
-    private final double[] factor = new double[KNOTS];
     private int newest;
     private int used = 1;
 
@@ -218,7 +224,6 @@ final class PositionFilter {
 
     Odometry() {
       atNs[0] = Long.MIN_VALUE;
-      factor[0] = 1;
     }
 
     void commanded(WheelCommand command, boolean bumped, double reactionS, long nowNs) {
@@ -231,11 +236,10 @@ final class PositionFilter {
       y[next] = atY;
       heading[next] = atHeading;
       path[next] = atPath + lateMm;
-      // A body that touches something may be turned by it.
+      // A body that touches something may slide along it, and be turned by it.
       turned[next] = atTurned + lateRad + (bumped ? StrictMath.PI : 0);
       linear[next] = command.linearMmPerS();
       angular[next] = command.angularRadPerS();
-      factor[next] = bumped ? SLIDING : 1;
       newest = next;
       used = Math.min(KNOTS, used + 1);
     }
@@ -294,7 +298,7 @@ final class PositionFilter {
         atY += chord * StrictMath.sin(atHeading + turn / 2);
       }
       atHeading += turn;
-      atPath += factor[knot] * Math.abs(linear[knot]) * seconds;
+      atPath += Math.abs(linear[knot]) * seconds;
       atTurned += Math.abs(turn);
     }
 
