@@ -1,7 +1,6 @@
 package org.starl.primitives.mutex;
 
 import java.util.ArrayList;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -44,10 +43,10 @@ class MutexProtocol {
     void send(MutexMessage message);
 
     /** A request begins, and {@code known} is whom it needs. */
-    void requested(long num, long ts, SortedSet<String> want, Collection<ProcessId> known);
+    void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known);
 
     /** Whom the current request needs, or would need if it began now, has changed to this. */
-    void known(long num, Collection<ProcessId> known);
+    void known(long num, SortedSet<ProcessId> known);
 
     /** Request {@code num} of {@code to} is granted for the first time. */
     void granted(ProcessId to, long num);

@@ -1,0 +1,343 @@
+package org.starl.primitives.mutex;
+
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.GvhVariable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
+import org.starl.platform.Timer;
+import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexProtocol.Phase;
+
+/**
+ * The mutex of one robot: {@link MutexProtocol} on its gvh. Make it at the start of the app, before
+ * {@code do_register}, so that it answers for every id that this robot ever has. Strand only.
+ *
+ * <p>Each registration gives the robot a new id, and each id is a participant of its own. An older
+ * id requests no more, and grants whatever it is asked; if it still holds something, it goes on
+ * keeping that back, and the robot requests nothing new until it is released.
+ */
+public final class M_Mutex implements MutexPrim {
+
+  private final GlobalVarHolder gvh;
+  private final Membership membership;
+  private final MutexTimes times;
+  private final String source;
+  private final Endpoint<MutexMessage> endpoint;
+  private final Timer timer;
+  private final GvhCell<Boolean> crit;
+  private final GvhCell<Boolean> failed;
+  private final GvhCell<MutexFailure> failure;
+
+  private MutexProtocol current;
+  private @Nullable MutexProtocol lingering;
+  private final Set<ProcessId> retired = new TreeSet<>();
+  private long scheduledNs = Long.MAX_VALUE;
+  private boolean closed;
+
+  /** Among all robots that the deployment knows; see the constructor with a list. */
+  public M_Mutex(GlobalVarHolder gvh, String xid) {
+    this(gvh, xid, gvh.id.participants());
+  }
+
+  /**
+   * Among a fixed group (the paper's {@code Mutex(id, PList)}). A robot whose program has restarted
+   * can take no part: it is another participant, and who it was may still hold something.
+   *
+   * @param participants the same on every robot
+   */
+  public M_Mutex(GlobalVarHolder gvh, String xid, Participants participants) {
+    this(gvh, xid, closedGroup(gvh, participants));
+  }
+
+  /** Among those who are registered. */
+  public M_Mutex(GlobalVarHolder gvh, String xid, Membership membership) {
+    this(gvh, xid, membership, MutexTimes.DEFAULT);
+  }
+
+  /**
+   * Among those who are registered.
+   *
+   * @throws IllegalStateException if this start of the robot's program has had this instance already
+   */
+  public M_Mutex(GlobalVarHolder gvh, String xid, Membership membership, MutexTimes times) {
+    this.gvh = gvh;
+    this.membership = membership;
+    this.times = times;
+    Channel<MutexMessage> channel = new Channel<>(MutexTrace.PRIMITIVE, xid, new MutexCodec());
+    source = channel.name();
+    requireFirst();
+    crit = gvh.variable(source, "crit", false);
+    failed = gvh.variable(source, "failed", false);
+    failure = gvh.variable(source, "failure", MutexFailure.NONE);
+    timer = gvh.plat.timers.timer(this::timerExpired);
+    current = participant(membership.me());
+    follow();
+    endpoint = gvh.comms.open(channel, this::received);
+    membership.onChange(this::membershipChanged);
+  }
+
+  /** The group in which each robot is who it is at its first start. */
+  public static Membership closedGroup(GlobalVarHolder gvh, Participants participants) {
+    SortedSet<ProcessId> ids = new TreeSet<>();
+    for (RobotId robot : participants) {
+      ids.add(new ProcessId(robot, 1));
+    }
+    return Membership.closed(new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(ids));
+  }
+
+  @Override
+  public void do_mutex(Collection<String> sections) {
+    requireOpen();
+    SortedSet<String> want = Sections.copyOf(sections);
+    if (lingering != null) {
+      throw new IllegalStateException(
+          source + ": do_mutex of " + want + " while holding " + lingering.held());
+    }
+    if (current.phase() == Phase.IDLE && !want.isEmpty()) {
+      crit.set(false);
+      failed.set(false);
+      failure.set(MutexFailure.NONE);
+    }
+    current.request(want, gvh.plat.clock.nowNs());
+    schedule();
+  }
+
+  @Override
+  public void do_mutex(Collection<String> sections, Participants plist) {
+    if (!plist.contains(gvh.id.name())) {
+      throw new IllegalArgumentException(
+          source + ": do_mutex among " + plist + ": expected " + gvh.id.name() + " among them");
+    }
+    do_mutex(sections);
+  }
+
+  @Override
+  public boolean od_mutex() {
+    return crit.get();
+  }
+
+  @Override
+  public GvhVariable<Boolean> crit() {
+    return crit;
+  }
+
+  @Override
+  public GvhVariable<Boolean> failed() {
+    return failed;
+  }
+
+  @Override
+  public GvhVariable<MutexFailure> failure() {
+    return failure;
+  }
+
+  @Override
+  public void release(String... sections) {
+    release(Arrays.asList(sections));
+  }
+
+  @Override
+  public void release(Collection<String> sections) {
+    requireOpen();
+    holder().release(Sections.copyOf(sections));
+    if (lingering != null && lingering.phase() == Phase.IDLE) {
+      retired.add(lingering.me());
+      lingering = null;
+    }
+  }
+
+  @Override
+  public void withdraw() {
+    requireOpen();
+    current.withdraw(MutexFailure.WITHDRAWN);
+    schedule();
+  }
+
+  @Override
+  public SortedSet<String> held() {
+    return holder().held();
+  }
+
+  @Override
+  public String source() {
+    return source;
+  }
+
+  @Override
+  public void close() {
+    if (!closed) {
+      withdraw();
+      closed = true;
+      timer.cancel();
+      endpoint.close();
+    }
+  }
+
+  private MutexProtocol holder() {
+    return lingering == null ? current : lingering;
+  }
+
+  private MutexProtocol participant(ProcessId me) {
+    return new MutexProtocol(me, gvh.comms.lamportClock(), times, new Wiring(me));
+  }
+
+  private void membershipChanged() {
+    if (closed) {
+      return;
+    }
+    if (!membership.me().equals(current.me())) {
+      current.withdraw(MutexFailure.REMOVED);
+      if (current.phase() == Phase.IDLE) {
+        retired.add(current.me());
+      } else {
+        lingering = current;
+      }
+      current = participant(membership.me());
+    }
+    follow();
+    schedule();
+  }
+
+  /** Brings the current participant up to what the membership says. */
+  private void follow() {
+    current.learn(membership.view());
+    if (current.mayRequest() && !membership.mayRequest()) {
+      current.withdraw(MutexFailure.REMOVED);
+      if (current.phase() != Phase.IDLE) {
+        throw new IllegalStateException(
+            source + ": unregister while holding " + current.held() + ": release it first");
+      }
+      current.beginLeave();
+    }
+  }
+
+  private void received(RobotId from, MutexMessage message) {
+    if (!message.from().robot().equals(from)) {
+      return; // nobody speaks for another robot
+    }
+    if (message.to().equals(current.me())) {
+      current.receive(message);
+      schedule();
+    } else if (lingering != null && message.to().equals(lingering.me())) {
+      lingering.receive(message);
+    } else if (message instanceof MutexMessage.Req req && retired.contains(req.to())) {
+      // Idle for ever, so it owes consent to everybody, and nothing can make it less.
+      gvh.comms.lamportClock().witness(req.ts());
+      endpoint.send(from, new MutexMessage.Ok(req.to(), req.from(), req.num()));
+    }
+  }
+
+  private void timerExpired() {
+    scheduledNs = Long.MAX_VALUE;
+    current.timer(gvh.plat.clock.nowNs());
+    schedule();
+  }
+
+  private void schedule() {
+    long atNs = current.nextTimerNs();
+    if (atNs == scheduledNs) {
+      return; // so for most answers
+    }
+    scheduledNs = atNs;
+    if (atNs == Long.MAX_VALUE) {
+      timer.cancel();
+    } else {
+      timer.set(atNs);
+    }
+  }
+
+  private void requireOpen() {
+    if (closed) {
+      throw new IllegalStateException(source + " is closed");
+    }
+  }
+
+  // A second one would act under the same id without the memory of the first: that breaks safety.
+  private void requireFirst() {
+    for (GvhVariable<?> variable : gvh.variables()) {
+      if (variable.source().equals(source)) {
+        throw new IllegalStateException(source + ": this robot has had this instance already");
+      }
+    }
+  }
+
+  /** Carries out what one participant wants, and traces it. */
+  private final class Wiring implements MutexProtocol.Effects {
+    private final ProcessId me;
+
+    Wiring(ProcessId me) {
+      this.me = me;
+    }
+
+    @Override
+    public void send(MutexMessage message) {
+      endpoint.send(message.to().robot(), message);
+    }
+
+    @Override
+    public void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.DoMutex(me, num, ts, want, copy(known)));
+      }
+    }
+
+    @Override
+    public void known(long num, SortedSet<ProcessId> known) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.Known(me, num, copy(known)));
+      }
+    }
+
+    @Override
+    public void granted(ProcessId to, long num) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.Grant(me, to, num));
+      }
+    }
+
+    @Override
+    public void entered(long num, SortedSet<String> held) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.OdMutex(me, num, held));
+      }
+      crit.set(true);
+    }
+
+    @Override
+    public void released(long num, SortedSet<String> given, SortedSet<String> left) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.Release(me, num, given, left));
+      }
+      crit.set(!left.isEmpty());
+    }
+
+    @Override
+    public void failed(long num, MutexFailure why) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.Withdraw(me, num, why));
+      }
+      failed.set(true);
+      failure.set(why);
+    }
+
+    private void trace(MutexEvent event) {
+      MutexTrace.write(gvh.trace, source, event);
+    }
+
+    private static SortedSet<ProcessId> copy(SortedSet<ProcessId> ids) {
+      return Collections.unmodifiableSortedSet(new TreeSet<>(ids));
+    }
+  }
+}

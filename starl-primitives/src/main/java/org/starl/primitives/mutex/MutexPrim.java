@@ -1,0 +1,77 @@
+package org.starl.primitives.mutex;
+
+import java.util.Collection;
+import java.util.SortedSet;
+import org.starl.GvhVariable;
+import org.starl.Participants;
+import org.starl.primitives.StarLPrimitive;
+
+/**
+ * Mutual exclusion as an app sees it (paper, section 4.5): access to a set of sections, all at the
+ * same time, given back one by one or together. Strand only.
+ *
+ * <pre>{@code
+ * mux.do_mutex(List.of("A", "C"));
+ * await(() -> mux.crit().get() || mux.failed().get());
+ * if (mux.crit().get()) {
+ *   // use
+ *   mux.release("A", "C");
+ * }
+ * }</pre>
+ */
+public interface MutexPrim extends StarLPrimitive {
+
+  /**
+   * Asks for access to {@code sections}. {@link #crit} becomes true once it is granted, or {@link
+   * #failed} tells that it will not be; both are false meanwhile. Either may be so at once.
+   *
+   * @param sections 1 to 32 names, each 1 to 32 of {@code A-Z a-z 0-9 _ - . :}
+   * @throws IllegalStateException while waiting for, or holding, what was asked for before
+   * @throws IllegalArgumentException if {@code sections} is no such set
+   */
+  void do_mutex(Collection<String> sections);
+
+  /**
+   * The same. Whose consent is needed follows from the views that this robot has learned, which may
+   * be later than the one that {@code plist} was read from; {@code plist} is only checked.
+   *
+   * @throws IllegalArgumentException also if {@code plist} does not name this robot
+   */
+  void do_mutex(Collection<String> sections, Participants plist);
+
+  /** Whether access was granted and something of it is still held; {@code crit().get()}. */
+  boolean od_mutex();
+
+  /** Whether this robot has access to all that it asked for and has not given back. */
+  GvhVariable<Boolean> crit();
+
+  /** Whether the latest request ended without access. */
+  GvhVariable<Boolean> failed();
+
+  /** Why it did. */
+  GvhVariable<MutexFailure> failure();
+
+  /**
+   * Gives back {@code sections}.
+   *
+   * @throws IllegalArgumentException if they are none, or not all held
+   */
+  void release(Collection<String> sections);
+
+  /** The same. */
+  void release(String... sections);
+
+  /** Gives up what it waits for: {@link #failed} becomes true. If it does not wait, nothing. */
+  void withdraw();
+
+  /** What this robot has access to now. */
+  SortedSet<String> held();
+
+  /**
+   * Ends this robot's part. A request is withdrawn; what is held stays held for ever, as by a robot
+   * that crashed: release it before. Nobody who still needs this robot's consent gets it, so
+   * unregister before. An instance cannot be opened again before the robot's program restarts.
+   */
+  @Override
+  void close();
+}

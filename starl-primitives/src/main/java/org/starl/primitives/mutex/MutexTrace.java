@@ -1,0 +1,149 @@
+package org.starl.primitives.mutex;
+
+import java.util.Collection;
+import java.util.Collections;
+import java.util.List;
+import java.util.Optional;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import java.util.function.Function;
+import org.starl.ProcessId;
+import org.starl.Trace;
+import org.starl.trace.TraceEvent;
+
+/**
+ * How a mutex appears in a trace: actions of source {@code mutex/xid}, with these arguments.
+ *
+ * <pre>
+ * do_mutex  who num ts sections known
+ * od_mutex  who num sections
+ * release   who num given left
+ * withdraw  who num why
+ * grant     who to num
+ * known     who num known
+ * </pre>
+ *
+ * Sections and participants are names with single spaces between them, in order.
+ */
+public final class MutexTrace {
+
+  /** The primitive's name in sources. */
+  public static final String PRIMITIVE = "mutex";
+
+  private static final String DO_MUTEX = "do_mutex";
+  private static final String OD_MUTEX = "od_mutex";
+  private static final String RELEASE = "release";
+  private static final String WITHDRAW = "withdraw";
+  private static final String GRANT = "grant";
+  private static final String KNOWN = "known";
+
+  private MutexTrace() {}
+
+  /** The source of instance {@code xid}: {@code mutex/crossing}. */
+  public static String source(String xid) {
+    return PRIMITIVE + "/" + xid;
+  }
+
+  static void write(Trace trace, String source, MutexEvent event) {
+    List<String> args = args(event);
+    trace.action(source, name(event), args.toArray());
+  }
+
+  /**
+   * Reads an event of any mutex; other events are empty.
+   *
+   * @throws IllegalArgumentException if it is a mutex's action, and its arguments are not as above
+   */
+  public static Optional<MutexEvent> read(TraceEvent event) {
+    if (event instanceof TraceEvent.Action action
+        && action.source().startsWith(PRIMITIVE)
+        && action.source().startsWith("/", PRIMITIVE.length())) {
+      return Optional.of(read(action));
+    }
+    return Optional.empty();
+  }
+
+  static String name(MutexEvent event) {
+    return switch (event) {
+      case MutexEvent.DoMutex e -> DO_MUTEX;
+      case MutexEvent.OdMutex e -> OD_MUTEX;
+      case MutexEvent.Release e -> RELEASE;
+      case MutexEvent.Withdraw e -> WITHDRAW;
+      case MutexEvent.Grant e -> GRANT;
+      case MutexEvent.Known e -> KNOWN;
+    };
+  }
+
+  static List<String> args(MutexEvent event) {
+    String who = event.who().toString();
+    return switch (event) {
+      case MutexEvent.DoMutex e ->
+          List.of(who, text(e.num()), text(e.ts()), text(e.want()), text(e.known()));
+      case MutexEvent.OdMutex e -> List.of(who, text(e.num()), text(e.held()));
+      case MutexEvent.Release e -> List.of(who, text(e.num()), text(e.given()), text(e.left()));
+      case MutexEvent.Withdraw e -> List.of(who, text(e.num()), e.why().name());
+      case MutexEvent.Grant e -> List.of(who, e.to().toString(), text(e.num()));
+      case MutexEvent.Known e -> List.of(who, text(e.num()), text(e.known()));
+    };
+  }
+
+  private static MutexEvent read(TraceEvent.Action action) {
+    List<String> args = action.args();
+    try {
+      ProcessId who = ProcessId.parse(args.get(0));
+      return switch (action.name()) {
+        case DO_MUTEX ->
+            new MutexEvent.DoMutex(
+                who, number(args, 1), number(args, 2), sections(args, 3), processes(args, 4));
+        case OD_MUTEX -> new MutexEvent.OdMutex(who, number(args, 1), sections(args, 2));
+        case RELEASE ->
+            new MutexEvent.Release(who, number(args, 1), sections(args, 2), sections(args, 3));
+        case WITHDRAW ->
+            new MutexEvent.Withdraw(who, number(args, 1), MutexFailure.valueOf(args.get(2)));
+        case GRANT -> new MutexEvent.Grant(who, ProcessId.parse(args.get(1)), number(args, 2));
+        case KNOWN -> new MutexEvent.Known(who, number(args, 1), processes(args, 2));
+        default -> throw new IllegalArgumentException("unknown action");
+      };
+    } catch (IllegalArgumentException | IndexOutOfBoundsException e) {
+      throw new IllegalArgumentException(
+          action.source() + " " + action.name() + " " + args + ": no event of a mutex", e);
+    }
+  }
+
+  private static String text(long number) {
+    return Long.toString(number);
+  }
+
+  private static String text(Collection<?> names) {
+    StringBuilder line = new StringBuilder();
+    for (Object name : names) {
+      line.append(line.length() == 0 ? "" : " ").append(name);
+    }
+    return line.toString();
+  }
+
+  private static long number(List<String> args, int at) {
+    return Long.parseLong(args.get(at));
+  }
+
+  private static SortedSet<String> sections(List<String> args, int at) {
+    return Sections.copyOf(names(args.get(at), Function.identity()));
+  }
+
+  private static SortedSet<ProcessId> processes(List<String> args, int at) {
+    return Collections.unmodifiableSortedSet(names(args.get(at), ProcessId::parse));
+  }
+
+  private static <T extends Comparable<T>> TreeSet<T> names(
+      String line, Function<String, T> toName) {
+    TreeSet<T> names = new TreeSet<>();
+    int from = 0;
+    while (from < line.length()) {
+      int space = line.indexOf(' ', from);
+      int end = space < 0 ? line.length() : space;
+      names.add(toName.apply(line.substring(from, end)));
+      from = end + 1;
+    }
+    return names;
+  }
+}

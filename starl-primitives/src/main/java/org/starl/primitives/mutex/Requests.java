@@ -1,0 +1,118 @@
+package org.starl.primitives.mutex;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+
+/** The open requests of one mutex, as its trace tells of them. */
+final class Requests {
+
+  /** The latest request of one participant. Compared by identity. */
+  static final class Request {
+    final ProcessId who;
+    long num;
+    long ts;
+    boolean critical;
+    SortedSet<String> want = Sections.NONE;
+    SortedSet<ProcessId> known = Collections.emptySortedSet();
+    // Open requests that this participant consented to, and who consented to this one.
+    final Set<Request> consentedTo = new LinkedHashSet<>();
+    final Set<Request> consentedBy = new LinkedHashSet<>();
+
+    private Request(ProcessId who) {
+      this.who = who;
+    }
+
+    /** Waits or holds. */
+    boolean isActive() {
+      return !want.isEmpty();
+    }
+
+    boolean isBefore(Request other) {
+      return MutexProtocol.isBefore(ts, who, other.ts, other.who);
+    }
+
+    @Override
+    public String toString() {
+      return who + "'s request " + num + " for " + want + " at " + ts;
+    }
+  }
+
+  private final Map<ProcessId, Request> latest = new TreeMap<>();
+  private final Set<Request> active = new LinkedHashSet<>();
+  private final Map<String, Set<Request>> contenders = new LinkedHashMap<>();
+
+  Request of(ProcessId who) {
+    return latest.computeIfAbsent(who, Request::new);
+  }
+
+  /** All that wait or hold. */
+  Collection<Request> active() {
+    return Collections.unmodifiableSet(active);
+  }
+
+  /** All that wait for {@code section} or hold it. */
+  List<Request> contendersFor(String section) {
+    return new ArrayList<>(contenders.getOrDefault(section, Set.of()));
+  }
+
+  void begin(Request request, MutexEvent.DoMutex event) {
+    wants(request, event.want());
+    request.num = event.num();
+    request.ts = event.ts();
+    request.critical = false;
+    request.known = event.known();
+  }
+
+  void enter(Request request, SortedSet<String> held) {
+    wants(request, held);
+    request.critical = true;
+  }
+
+  /** It gave something back, or, with nothing left, is over. */
+  void shrink(Request request, SortedSet<String> left) {
+    wants(request, left);
+    if (left.isEmpty()) {
+      request.critical = false;
+      for (Request by : request.consentedBy) {
+        by.consentedTo.remove(request);
+      }
+      request.consentedBy.clear();
+    }
+  }
+
+  void consent(Request by, Request to) {
+    to.consentedBy.add(by);
+    by.consentedTo.add(to);
+  }
+
+  private void wants(Request request, SortedSet<String> now) {
+    for (String section : new TreeSet<>(request.want)) {
+      if (!now.contains(section)) {
+        Set<Request> others = contenders.getOrDefault(section, Set.of());
+        others.remove(request);
+        if (others.isEmpty()) {
+          contenders.remove(section);
+        }
+      }
+    }
+    for (String section : now) {
+      contenders.computeIfAbsent(section, name -> new LinkedHashSet<>()).add(request);
+    }
+    request.want = now;
+    if (now.isEmpty()) {
+      active.remove(request);
+    } else {
+      active.add(request);
+    }
+  }
+}
