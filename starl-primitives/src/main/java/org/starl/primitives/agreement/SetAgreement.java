@@ -17,6 +17,10 @@ public final class SetAgreement implements StarLPrimitive {
   /** A proposal is given up after so long, in ms, unless told otherwise. */
   public static final long DEFAULT_DEADLINE_MS = 30_000;
 
+  static final String PROPOSE = "propose";
+  static final String DECIDED = "decided";
+
+  private static final String PRIMITIVE = "agreement";
   private static final long NS_PER_MS = 1_000_000;
   private static final long ONLY_NUMBER = 1;
 
@@ -48,9 +52,9 @@ public final class SetAgreement implements StarLPrimitive {
     this.deadlineMs = deadlineMs;
     Channel<SynodMessage> channel =
         new Channel<>(
-            "agreement", instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
+            PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
     source = channel.name();
-    decided = gvh.variable(source, "decided", Decision.NONE_YET);
+    decided = gvh.variable(source, DECIDED, Decision.NONE_YET);
     failed = gvh.variable(source, "failed", false);
     wire = new SynodWire(gvh, channel);
     protocol = new Protocol(timing);
@@ -66,9 +70,7 @@ public final class SetAgreement implements StarLPrimitive {
    */
   public void propose(byte[] value) {
     Value proposed = Value.of(value);
-    if (gvh.trace.isOn()) {
-      gvh.trace.action(source, "propose", proposed);
-    }
+    gvh.trace.action(source, PROPOSE, proposed);
     wire.call(() -> protocol.propose(proposed, gvh.plat.clock.nowNs()));
   }
 
@@ -94,6 +96,11 @@ public final class SetAgreement implements StarLPrimitive {
   @Override
   public void close() {
     wire.close();
+  }
+
+  /** Whether {@code source} is one of these, as in {@code agreement/colour}. */
+  static boolean isAgreement(String source) {
+    return source.startsWith(PRIMITIVE + "/");
   }
 
   private final class Protocol implements SynodWire.Client, SynodPort {

@@ -31,8 +31,9 @@ public interface RegPrim extends StarLPrimitive {
 
   /**
    * Asks to be out. Call it only when idle in every mutex over this registration, and request
-   * nothing from then on until registered anew; that is the app's duty. If it is given up, {@link
-   * #failed} is told: call it again.
+   * nothing from then on until registered anew; that is the app's duty. {@link #rList} is null at
+   * once. If it is given up, {@link #failed} is told: call it again, or {@link #do_register}, which
+   * leaves the old id behind.
    *
    * @throws IllegalStateException if this robot is not registered
    */

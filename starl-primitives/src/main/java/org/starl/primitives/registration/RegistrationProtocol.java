@@ -198,9 +198,9 @@ class RegistrationProtocol {
   }
 
   RList rList() {
-    return phase == Phase.JOINING || !view.contains(me) || !rListRule.isShown()
-        ? RList.UNKNOWN
-        : new RList.Agreed(view.participants(), view.number());
+    return phase == Phase.IN && rListRule.isShown()
+        ? new RList.Agreed(view.participants(), view.number())
+        : RList.UNKNOWN;
   }
 
   // The protocol.

@@ -1,0 +1,154 @@
+package org.starl.primitives.registration;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.membership.View;
+import org.starl.spec.Monitor;
+import org.starl.spec.Within;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * What every registration of a run owes, as the package's contract has it: {@code Agreement}, {@code
+ * Keeps}, {@code Fresh}, {@code Soundness}, and, where a bound is given, {@code Registered}: who asks
+ * to be in is in within the bound, unless told {@code failed}. Instances are told apart by their
+ * names.
+ */
+public final class RegistrationSpec implements Monitor {
+
+  static final String AGREEMENT = "Agreement";
+  static final String KEEPS = "Keeps";
+  static final String FRESH = "Fresh";
+  static final String SOUNDNESS = "Soundness";
+  static final String REGISTERED = "Registered";
+
+  private final @Nullable Within<Debt> progress;
+  private final Map<String, ViewHistory> histories = new TreeMap<>();
+
+  /** Safety only. */
+  public RegistrationSpec() {
+    progress = null;
+  }
+
+  /**
+   * Safety, and progress within a bound, for runs in which the world behaves.
+   *
+   * @param registeredWithinNs from {@code do_register} until a view lists the robot, in ns
+   */
+  public RegistrationSpec(long registeredWithinNs) {
+    progress = new Within<>(registeredWithinNs);
+  }
+
+  private record Debt(String source, RobotId robot) {}
+
+  @Override
+  public List<String> lemmas() {
+    return progress == null
+        ? List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS)
+        : List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS, REGISTERED);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    expire(event.timeNs(), report);
+    switch (event) {
+      case Action action when RegistrationTrace.isRegistration(action.source()) -> acted(action);
+      case Variable variable when RegistrationTrace.isRegistration(variable.source()) ->
+          changed(variable, report);
+      case Left left -> {
+        for (String source : histories.keySet()) {
+          settle(source, left.robot());
+        }
+      }
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    expire(endNs, report);
+  }
+
+  private void acted(Action action) {
+    switch (action.name()) {
+      case RegistrationTrace.DO_REGISTER -> {
+        history(action.source()).asked(action.robot(), id(action));
+        if (progress != null) {
+          progress.owe(new Debt(action.source(), action.robot()), action.timeNs());
+        }
+      }
+      case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
+          history(action.source()).mayLeave(action.robot(), id(action));
+      default -> {
+        // Not an action of this specification.
+      }
+    }
+  }
+
+  private void changed(Variable variable, Report report) {
+    ViewHistory history = history(variable.source());
+    switch (variable.name()) {
+      case RegistrationTrace.VIEW -> {
+        View view = View.parse(variable.value());
+        history.learned(variable, view, report);
+        // A program begins with no view: whatever the one before it was owed is void.
+        if (view.number() == 0 || view.participants().contains(variable.robot())) {
+          settleIfListed(variable, view);
+        }
+      }
+      case RegistrationTrace.R_LIST -> history.shown(variable, report);
+      case RegistrationTrace.FAILED -> {
+        if (variable.value().equals("true")) {
+          settle(variable.source(), variable.robot());
+        }
+      }
+      default -> {
+        // Not a variable of this specification.
+      }
+    }
+  }
+
+  private void settleIfListed(Variable variable, View view) {
+    ProcessId asked = history(variable.source()).latestAsked(variable.robot());
+    if (view.number() == 0 || (asked != null && view.contains(asked))) {
+      settle(variable.source(), variable.robot());
+    }
+  }
+
+  private void settle(String source, RobotId robot) {
+    if (progress != null) {
+      progress.settle(new Debt(source, robot));
+    }
+  }
+
+  private void expire(long nowNs, Report report) {
+    if (progress != null) {
+      progress.expire(
+          nowNs,
+          (debt, sinceNs, deadlineNs) -> {
+            report.checked(REGISTERED);
+            report.violated(
+                REGISTERED,
+                deadlineNs,
+                List.of(debt.robot()),
+                debt.source() + ": do_register at " + sinceNs + " ns, and in no view since");
+          });
+    }
+  }
+
+  private ViewHistory history(String source) {
+    return histories.computeIfAbsent(source, ViewHistory::new);
+  }
+
+  private static ProcessId id(Action action) {
+    return ProcessId.parse(action.args().get(0));
+  }
+}

@@ -1,0 +1,141 @@
+package org.starl.primitives.agreement;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeMap;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.platform.Radio;
+import org.starl.primitives.agreement.SynodMessage.Accept;
+import org.starl.primitives.agreement.SynodMessage.Accepted;
+import org.starl.primitives.agreement.SynodMessage.Decided;
+import org.starl.primitives.agreement.SynodMessage.Nack;
+import org.starl.primitives.agreement.SynodMessage.Prepare;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.SynodMessage.Query;
+import org.starl.primitives.agreement.SynodMessage.Vote;
+
+class SynodCodecTest {
+
+  private static final SynodCodec.Format ANYTHING =
+      new SynodCodec.Format() {
+        @Override
+        public void checkValue(Value value) {
+          // Any bytes will do here.
+        }
+
+        @Override
+        public void checkWish(Value wish) {
+          // Any bytes will do here.
+        }
+      };
+
+  private final SynodCodec codec = new SynodCodec(ANYTHING);
+
+  @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
+  void everyMessageIsReadAsItWasWritten(@ForAll("messages") SynodMessage message) {
+    WireReader in = new WireReader(bytes(message));
+    assertThat(codec.read(in)).isEqualTo(message);
+    assertThat(in.remaining()).isZero();
+  }
+
+  @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
+  void damagedBytesAreReadAsSomethingOrRefusedAndNothingElse(
+      @ForAll("messages") SynodMessage message, @ForAll long seed) {
+    byte[] damaged = bytes(message);
+    int at = (int) Math.floorMod(seed, (long) damaged.length);
+    damaged[at] ^= (byte) (1 + Math.floorMod(seed >> 8, 255L));
+    readsOrRefuses(damaged);
+    readsOrRefuses(Arrays.copyOf(damaged, at));
+  }
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void anAcceptorsRecordIsReadAsItWasWritten(
+      @ForAll("messages") SynodMessage one, @ForAll("messages") SynodMessage other) {
+    AcceptorRecord record = recordOf(one, other);
+    assertThat(AcceptorRecord.fromBytes(record.toBytes())).isEqualTo(record);
+  }
+
+  @Test
+  void aDamagedRecordIsRefused() {
+    byte[] bytes = recordOf(new Decided(3, Value.EMPTY), new Query(0)).toBytes();
+    assertThatThrownBy(() -> AcceptorRecord.fromBytes(Arrays.copyOf(bytes, bytes.length - 1)))
+        .isInstanceOf(WireFormatException.class);
+    assertThatThrownBy(() -> AcceptorRecord.fromBytes(Arrays.copyOf(bytes, bytes.length + 1)))
+        .isInstanceOf(WireFormatException.class);
+  }
+
+  @Test
+  void theLongestMessageLeavesRoomForADatagramsOwnFields() {
+    Ballot ballot = new Ballot(1, new ProcessId(new RobotId("a".repeat(32)), 1));
+    Value longest = Value.of(new byte[Value.MAX_BYTES]);
+    Promise promise = new Promise(1, ballot, new Vote(ballot, longest), List.of());
+    assertThat(bytes(promise)).hasSizeLessThan(Radio.MAX_BYTES - 250);
+  }
+
+  private void readsOrRefuses(byte[] bytes) {
+    try {
+      assertThat(codec.read(new WireReader(bytes))).isNotNull();
+    } catch (WireFormatException refused) {
+      assertThat(refused).hasMessageMatching(".+");
+    }
+  }
+
+  private byte[] bytes(SynodMessage message) {
+    byte[] buffer = new byte[4 * Radio.MAX_BYTES];
+    WireWriter out = new WireWriter(buffer);
+    codec.write(message, out);
+    return Arrays.copyOf(buffer, out.length());
+  }
+
+  private static AcceptorRecord recordOf(SynodMessage one, SynodMessage other) {
+    TreeMap<Long, AcceptorRecord.Slot> slots = new TreeMap<>();
+    for (SynodMessage message : List.of(one, other)) {
+      if (message instanceof Promise m) {
+        slots.put(m.number(), new AcceptorRecord.Slot(m.ballot(), m.vote()));
+      }
+    }
+    return new AcceptorRecord(one instanceof Decided decided ? decided : null, slots);
+  }
+
+  @Provide
+  Arbitrary<SynodMessage> messages() {
+    Arbitrary<Long> numbers = Arbitraries.longs().greaterOrEqual(1);
+    Arbitrary<Ballot> ballots =
+        Combinators.combine(numbers, Arbitraries.integers().between(0, 99), numbers)
+            .as((round, bot, inc) -> new Ballot(round, new ProcessId(new RobotId("b" + bot), inc)));
+    Arbitrary<Value> values =
+        Arbitraries.bytes()
+            .array(byte[].class)
+            .ofMaxSize(Value.MAX_BYTES)
+            .map(Value::of);
+    Arbitrary<List<Value>> wishes =
+        Arbitraries.bytes().array(byte[].class).ofMaxSize(30).map(Value::of).list().ofMaxSize(10);
+    Arbitrary<@Nullable Vote> votes = Combinators.combine(ballots, values).as(Vote::new);
+    return Arbitraries.oneOf(
+        Combinators.combine(numbers, ballots, values).as(Prepare::new),
+        Combinators.combine(numbers, ballots, votes.injectNull(0.3), wishes)
+            .as((n, b, v, w) -> new Promise(n, b, v, new ArrayList<>(w))),
+        Combinators.combine(numbers, ballots, ballots).as(Nack::new),
+        Combinators.combine(numbers, ballots, values).as(Accept::new),
+        Combinators.combine(numbers, ballots).as(Accepted::new),
+        Combinators.combine(numbers, values).as(Decided::new),
+        numbers.map(Query::new));
+  }
+}

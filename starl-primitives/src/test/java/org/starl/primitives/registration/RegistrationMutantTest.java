@@ -1,0 +1,108 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.starl.ProcessId;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodMessage.Promise;
+import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.View;
+import org.starl.spec.SpecReport;
+
+/** Protocols that are wrong in one place: the harness must see each, or it proves nothing. */
+class RegistrationMutantTest {
+
+  private static final int SEEDS = 1_500;
+
+  /** What is wrong, and which lemma must tell. */
+  enum Mutant {
+    FORGETFUL_ACCEPTOR(RegistrationSpec.AGREEMENT, town -> town.acceptorsForget = true),
+    ANSWER_BEFORE_FLUSH(RegistrationSpec.AGREEMENT, town -> town.flushesLie = true),
+    OWN_VALUE(RegistrationSpec.AGREEMENT, town -> town.tamper = Mutant::withoutVote),
+    REUSED_BALLOT(RegistrationSpec.AGREEMENT, town -> town.ballotsCollide = true),
+    DERIVED_FROM_AN_OLDER_VIEW(
+        RegistrationSpec.KEEPS,
+        town ->
+            town.maker =
+                (self, acceptors, settings, rng, record, port, now) ->
+                    new RegistrationProtocol(
+                        self, acceptors, settings, rng, record, false, port, now) {
+                      private View first = View.NONE;
+
+                      @Override
+                      View proposal(View decided, Change wanted, List<Value> wishes) {
+                        first = first.number() == 0 ? decided : first;
+                        View stale = new View(decided.number(), first.admitted());
+                        return super.proposal(stale, wanted, wishes);
+                      }
+                    }),
+    LIST_LACKS_MEMBER(
+        RegistrationSpec.KEEPS,
+        town ->
+            town.maker =
+                (self, acceptors, settings, rng, record, port, now) ->
+                    new RegistrationProtocol(
+                        self, acceptors, settings, rng, record, false, port, now) {
+                      @Override
+                      View proposal(View decided, Change wanted, List<Value> wishes) {
+                        SortedMap<ProcessId, Long> fewer = new TreeMap<>(decided.admitted());
+                        fewer.remove(fewer.isEmpty() ? me() : fewer.firstKey());
+                        View lacking = new View(decided.number(), fewer);
+                        return super.proposal(lacking, wanted, wishes);
+                      }
+                    }),
+    READMIT(
+        RegistrationSpec.FRESH,
+        town ->
+            town.maker =
+                (self, acceptors, settings, rng, record, port, now) ->
+                    new RegistrationProtocol(
+                        self, acceptors, settings, rng, record, false, port, now) {
+                      private final List<ProcessId> seen = new ArrayList<>();
+
+                      @Override
+                      View proposal(View decided, Change wanted, List<Value> wishes) {
+                        View next = super.proposal(decided, wanted, wishes);
+                        SortedMap<ProcessId, Long> more = new TreeMap<>(next.admitted());
+                        seen.forEach(id -> more.putIfAbsent(id, next.number()));
+                        seen.addAll(decided.ids());
+                        return new View(next.number(), more);
+                      }
+                    });
+
+    private final String lemma;
+    private final Consumer<Town> change;
+
+    Mutant(String lemma, Consumer<Town> change) {
+      this.lemma = lemma;
+      this.change = change;
+    }
+
+    private static SynodMessage withoutVote(SynodMessage message) {
+      return message instanceof Promise m
+          ? new Promise(m.number(), m.ballot(), null, m.wishes())
+          : message;
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void theSpecificationSeesWhatIsWrong(Mutant mutant) {
+    long seeds = 0;
+    SpecReport report;
+    do {
+      seeds++;
+      Life life = new Life(seeds);
+      mutant.change.accept(life.town);
+      report = life.live();
+    } while (report.violations(mutant.lemma) == 0 && seeds < SEEDS);
+    assertThat(report.violations(mutant.lemma)).as("%s, seeds 1..%d", mutant, seeds).isPositive();
+  }
+}

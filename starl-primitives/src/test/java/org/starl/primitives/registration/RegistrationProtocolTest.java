@@ -1,0 +1,174 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.primitives.registration.RegistrationProtocol.Phase;
+import org.starl.spec.SpecReport;
+
+class RegistrationProtocolTest {
+
+  private static final Weather TEN_MS = new Weather(0, 0, 10, 10, 0);
+
+  @Property(tries = 400)
+  void whateverHappensTheSpecificationHoldsAndAfterHealingAllGetWhatTheyWant(@ForAll long seed) {
+    Life life = new Life(seed);
+    SpecReport report = life.live();
+    assertThat(report.holds()).as("seed %d: %s", seed, report).isTrue();
+    assertThat(life.gotWell).as("seed %d: healed, and all got what they want", seed).isTrue();
+  }
+
+  @Test
+  void aJoinThatKnowsTheNumberTakesFourMessageDelays() {
+    Town town = fourUp();
+    long beganMs = town.nowMs();
+    town.robot(0).do_register();
+    assertThat(town.runUntil(() -> isIn(town, 0), 1_000)).isTrue();
+    assertThat(town.nowMs() - beganMs).isEqualTo(40);
+  }
+
+  @Test
+  void aJoinThatMustLearnTheNumberTakesSixMessageDelays() {
+    Town town = new Town(1, 5, 4, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    town.robot(1).do_register();
+    town.runForMs(500);
+    long beganMs = town.nowMs();
+    town.robot(4).do_register();
+    assertThat(town.runUntil(() -> isIn(town, 4), 1_000)).isTrue();
+    assertThat(town.nowMs() - beganMs).isEqualTo(60);
+  }
+
+  @Test
+  void othersHearOfAJoinOneMessageDelayLater() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    town.runForMs(50);
+    assertThat(town.robots.values())
+        .allSatisfy(robot -> assertThat(robot.protocol().view().number()).isEqualTo(1));
+  }
+
+  @Property(tries = 50)
+  void robotsThatJoinAtOnceUnderLossAreInWithinSeconds(@ForAll long seed) {
+    Town town = new Town(seed, 4, 4, new RegistrationSpec());
+    town.weather = Weather.LOSSY;
+    town.startAll();
+    town.robots.values().forEach(robot -> robot.wantsIn = true);
+    town.robots.values().forEach(TownRobot::pursue);
+    assertThat(
+            town.runUntil(
+                () -> town.robots.values().stream().allMatch(TownRobot::isSatisfied), 20_000))
+        .isTrue();
+    assertThat(town.finish().holds()).isTrue();
+  }
+
+  @Test
+  void withoutAMajorityAJoinIsToldThatItFailed() {
+    Town town = new Town(3, 4, 4, new RegistrationSpec());
+    town.settings = town.settings.withDeadlineMs(3_000);
+    town.startAll();
+    town.robot(2).crash();
+    town.robot(3).crash();
+    town.robot(0).do_register();
+    town.runForMs(2_990);
+    assertThat(town.robot(0).protocol().hasFailed()).isFalse();
+    town.runForMs(20);
+    assertThat(town.robot(0).protocol().hasFailed()).isTrue();
+    assertThat(town.robot(0).protocol().phase()).isEqualTo(Phase.OUT);
+  }
+
+  @Test
+  void anAttemptThatWasGivenUpIsTakenOutAgainIfOthersCompleteIt() {
+    Town town = new Town(5, 3, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.settings = town.settings.withDeadlineMs(25);
+    town.startAll();
+    town.robot(0).do_register();
+    ProcessId firstAttempt = town.robot(0).protocol().me();
+    town.runForMs(26);
+    assertThat(town.robot(0).protocol().hasFailed()).isTrue();
+    town.settings = town.settings.withDeadlineMs(10_000);
+    town.robot(1).crash();
+    town.robot(1).start();
+    town.robot(1).do_register();
+    assertThat(town.runUntil(() -> isIn(town, 1), 5_000)).isTrue();
+    assertThat(town.trace).anySatisfy(e -> assertThat(e.toString()).contains("1:" + firstAttempt));
+    town.runForMs(5_000);
+    assertThat(town.robot(1).protocol().view().contains(firstAttempt)).isFalse();
+    assertThat(town.robot(0).protocol().me()).isNotEqualTo(firstAttempt);
+    assertThat(town.finish().holds()).isTrue();
+  }
+
+  @Test
+  void whoUnregistersIsOutAndMayRegisterAnewUnderAnotherId() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    town.runForMs(100);
+    ProcessId first = town.robot(0).protocol().me();
+    town.robot(0).unregister();
+    assertThat(town.robot(0).protocol().isUnregistered()).isFalse();
+    town.runForMs(100);
+    assertThat(town.robot(0).protocol().isUnregistered()).isTrue();
+    assertThat(town.robot(0).protocol().view().admitted()).isEmpty();
+    town.robot(0).do_register();
+    assertThat(town.robot(0).protocol().isUnregistered()).isFalse();
+    town.runForMs(100);
+    assertThat(isIn(town, 0)).isTrue();
+    assertThat(town.robot(0).protocol().me()).isNotEqualTo(first);
+  }
+
+  @Test
+  void theListIsNullWhileANewerOneIsOnItsWayAndNoLongerThanTheBound() {
+    Town town = fourUp();
+    town.robot(0).do_register();
+    town.runForMs(100);
+    assertThat(town.robot(0).protocol().rList().isAgreed()).isTrue();
+    town.robot(1).do_register();
+    town.runForMs(15);
+    assertThat(town.robot(0).protocol().rList().isAgreed()).isFalse();
+    town.robot(1).crash();
+    town.runForMs(town.settings.nullMs());
+    assertThat(town.robot(0).protocol().rList().isAgreed()).isTrue();
+  }
+
+  @Test
+  void aMemberThatMissedAViewAsksForIt() {
+    Town town = new Town(9, 5, 3, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    town.robot(4).do_register();
+    town.runForMs(100);
+    // Robot 4 hears nothing of the next view: longer than it is repeated.
+    town.cutAt = 4;
+    town.robot(3).do_register();
+    town.runForMs(15_000);
+    assertThat(town.robot(4).protocol().view().number()).isEqualTo(1);
+    town.cutAt = 0;
+    town.runForMs(3_000);
+    assertThat(town.robot(4).protocol().view().number()).isEqualTo(2);
+  }
+
+  @Test
+  void callsOutOfOrderAreBugs() {
+    Town town = fourUp();
+    assertThatThrownBy(() -> town.robot(0).unregister()).isInstanceOf(IllegalStateException.class);
+    town.robot(0).do_register();
+    assertThatThrownBy(() -> town.robot(0).do_register()).isInstanceOf(IllegalStateException.class);
+  }
+
+  private static Town fourUp() {
+    Town town = new Town(1, 4, 4, new RegistrationSpec());
+    town.weather = TEN_MS;
+    town.startAll();
+    return town;
+  }
+
+  private static boolean isIn(Town town, int index) {
+    return town.robot(index).protocol().phase() == Phase.IN;
+  }
+}

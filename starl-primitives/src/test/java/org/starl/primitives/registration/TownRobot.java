@@ -1,0 +1,257 @@
+package org.starl.primitives.registration;
+
+import java.util.Arrays;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.registration.RegistrationProtocol.Phase;
+import org.starl.trace.TraceEvent;
+
+/** One robot of a {@link Town}: its disk, which survives, and its program, which may not. */
+final class TownRobot {
+
+  private static final SynodCodec CODEC = new SynodCodec(new ViewFormat());
+  private static final int RELIABLE_TRIES = 15;
+
+  private final Town town;
+  final RobotId name;
+  private byte @Nullable [] disk;
+  private int boot;
+
+  private @Nullable Program program;
+  boolean wantsIn;
+
+  TownRobot(Town town, RobotId name) {
+    this.town = town;
+    this.name = name;
+  }
+
+  boolean isUp() {
+    return program != null;
+  }
+
+  RegistrationProtocol protocol() {
+    return running().protocol;
+  }
+
+  void start() {
+    boot++;
+    byte[] found = town.acceptorsForget ? null : disk;
+    program = new Program(boot, found == null ? null : found.clone());
+    running().settled();
+  }
+
+  void crash() {
+    program = null;
+  }
+
+  void do_register() {
+    running().call(() -> protocol().do_register(town.nowNs()));
+  }
+
+  void unregister() {
+    running().call(() -> protocol().unregister(town.nowNs()));
+  }
+
+  boolean isSatisfied() {
+    Program up = program;
+    if (up == null) {
+      return false;
+    }
+    return wantsIn
+        ? up.protocol.phase() == Phase.IN && up.protocol.rList().isAgreed()
+        : up.protocol.phase() == Phase.OUT;
+  }
+
+  /** Calls what leads to what it wants, if nothing is under way. */
+  void pursue() {
+    Program up = program;
+    if (up == null) {
+      return;
+    }
+    Phase phase = up.protocol.phase();
+    if (wantsIn && (phase == Phase.OUT || phase == Phase.LEFT_HALFWAY)) {
+      do_register();
+    } else if (!wantsIn && (phase == Phase.IN || phase == Phase.LEFT_HALFWAY)) {
+      unregister();
+    }
+  }
+
+  private Program running() {
+    Program up = program;
+    if (up == null) {
+      throw new IllegalStateException(name + " is down");
+    }
+    return up;
+  }
+
+  private static SynodMessage overTheWire(SynodMessage message) {
+    byte[] buffer = new byte[1400];
+    WireWriter out = new WireWriter(buffer);
+    CODEC.write(message, out);
+    WireReader in = new WireReader(Arrays.copyOf(buffer, out.length()));
+    SynodMessage read = CODEC.read(in);
+    if (in.remaining() != 0 || !read.equals(message)) {
+      throw new IllegalStateException(message + " came back as " + read);
+    }
+    return read;
+  }
+
+  private final class Program implements RegistrationPort {
+    private final int itsBoot;
+    private final RegistrationProtocol protocol;
+    private int handedOut;
+    private long timerSetForNs = Long.MAX_VALUE;
+    private long lastFlushNs;
+    private View shownView = View.NONE;
+    private RList shownList = RList.UNKNOWN;
+    private boolean shownFailed;
+
+    Program(int itsBoot, byte @Nullable [] record) {
+      this.itsBoot = itsBoot;
+      trace("view", View.NONE.toString());
+      protocol =
+          town.maker.make(
+              name, town.acceptors, town.settings, town.rng.fork(name + "/" + town.nowNs()),
+              record, this, town.nowNs());
+    }
+
+    boolean isCurrent() {
+      return program == this;
+    }
+
+    void call(Runnable input) {
+      input.run();
+      settled();
+    }
+
+    void settled() {
+      if (shownView.number() != protocol.view().number()) {
+        shownView = protocol.view();
+        trace("view", shownView.toString());
+      }
+      if (!shownList.equals(protocol.rList())) {
+        shownList = protocol.rList();
+        trace("rList", shownList.toString());
+      }
+      if (shownFailed != protocol.hasFailed()) {
+        shownFailed = protocol.hasFailed();
+        trace("failed", String.valueOf(shownFailed));
+      }
+      long wakeAtNs = protocol.wakeAtNs();
+      if (wakeAtNs != timerSetForNs) {
+        timerSetForNs = wakeAtNs;
+        if (wakeAtNs != Long.MAX_VALUE) {
+          town.at(wakeAtNs, () -> timer(wakeAtNs));
+        }
+      }
+    }
+
+    private void timer(long setForNs) {
+      if (isCurrent() && timerSetForNs == setForNs) {
+        timerSetForNs = Long.MAX_VALUE;
+        call(() -> protocol.timer(town.nowNs()));
+      }
+    }
+
+    private void receive(RobotId from, SynodMessage message) {
+      call(() -> protocol.received(from, message, town.nowNs()));
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      SynodMessage read = town.tamper.apply(overTheWire(message));
+      TownRobot receiver = town.robots.get(to);
+      town.transmit(name, to, () -> receiver.arrived(name, read));
+    }
+
+    @Override
+    public void sendReliably(RobotId to, SynodMessage message) {
+      retry(to, overTheWire(message), new boolean[1], RELIABLE_TRIES);
+    }
+
+    private void retry(RobotId to, SynodMessage message, boolean[] done, int tries) {
+      if (done[0] || tries == 0 || !isCurrent()) {
+        return;
+      }
+      TownRobot receiver = town.robots.get(to);
+      town.transmit(
+          name,
+          to,
+          () -> {
+            if (!done[0] && receiver.isUp()) {
+              done[0] = true;
+              receiver.arrived(name, message);
+            }
+          });
+      town.afterMs(500, () -> retry(to, message, done, tries - 1));
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      long flushMs = town.rng.nextLong(0, town.weather.maxFlushMs());
+      lastFlushNs = Math.max(lastFlushNs, town.nowNs() + flushMs * Town.NS_PER_MS);
+      byte[] written = record.clone();
+      town.at(
+          lastFlushNs,
+          () -> {
+            if (isCurrent()) {
+              disk = written;
+            }
+          });
+      town.at(town.flushesLie ? town.nowNs() : lastFlushNs, () -> flushed(version));
+    }
+
+    private void flushed(long version) {
+      if (isCurrent()) {
+        call(() -> protocol.flushed(version, town.nowNs()));
+      }
+    }
+
+    @Override
+    public ProcessId freshProcess() {
+      handedOut++;
+      if (town.ballotsCollide && handedOut == 1) {
+        return new ProcessId(new RobotId("everybody"), 1);
+      }
+      return new ProcessId(name, ((long) itsBoot << 32) + handedOut);
+    }
+
+    @Override
+    public void asksFor(ProcessId id) {
+      action("do_register", id);
+    }
+
+    @Override
+    public void unregisters(ProcessId id) {
+      action("unregister", id);
+    }
+
+    @Override
+    public void givesUp(ProcessId id) {
+      action("give_up", id);
+    }
+
+    private void action(String verb, ProcessId id) {
+      List<String> args = List.of(id.toString());
+      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, verb, args));
+    }
+
+    private void trace(String variable, String value) {
+      town.record(new TraceEvent.Variable(town.nowNs(), name, Town.SOURCE, variable, value));
+    }
+  }
+
+  private void arrived(RobotId from, SynodMessage message) {
+    Program up = program;
+    if (up != null) {
+      up.receive(from, message);
+    }
+  }
+}

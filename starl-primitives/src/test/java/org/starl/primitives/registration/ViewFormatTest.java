@@ -1,0 +1,104 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.View;
+
+class ViewFormatTest {
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void aViewIsReadAsItWasWritten(@ForAll("views") View view) {
+    assertThat(ViewFormat.fits(view)).isTrue();
+    assertThat(ViewFormat.read(view.number(), ViewFormat.toValue(view))).isEqualTo(view);
+  }
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void aViewIsParsedFromItsText(@ForAll("views") View view) {
+    assertThat(View.parse(view.toString())).isEqualTo(view);
+  }
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void aChangeIsReadAsItWasWritten(@ForAll("views") View view, @ForAll boolean joins) {
+    List<ProcessId> ids = view.ids();
+    Change change =
+        joins && !ids.isEmpty()
+            ? new Change(ids.get(0), ids.subList(1, ids.size()))
+            : new Change(null, ids);
+    assertThat(Change.fromValue(change.toValue())).isEqualTo(change);
+  }
+
+  @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
+  void damagedBytesAreReadAsSomethingOrRefusedAndNothingElse(
+      @ForAll("views") View view, @ForAll int at, @ForAll byte with) {
+    byte[] bytes = ViewFormat.toValue(view).bytes();
+    bytes[Math.floorMod(at, bytes.length)] = with;
+    for (Value damaged : List.of(Value.of(bytes), Value.of(Arrays.copyOf(bytes, bytes.length - 1)))) {
+      try {
+        assertThat(ViewFormat.read(view.number(), damaged).number()).isEqualTo(view.number());
+      } catch (WireFormatException refused) {
+        assertThat(refused).hasMessageMatching(".+");
+      }
+      try {
+        assertThat(Change.fromValue(damaged).leave()).isNotNull();
+      } catch (WireFormatException refused) {
+        assertThat(refused).hasMessageMatching(".+");
+      }
+    }
+  }
+
+  @Test
+  void aViewThatListsAnIdOfALaterViewIsRefused() {
+    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+    admitted.put(new ProcessId(new RobotId("bot1"), 1), 5L);
+    Value value = ViewFormat.toValue(new View(5, admitted));
+    assertThatThrownBy(() -> ViewFormat.read(4, value)).isInstanceOf(WireFormatException.class);
+  }
+
+  @Test
+  void fortyRobotsFitAndAHundredDoNot() {
+    assertThat(ViewFormat.fits(viewOf(40))).isTrue();
+    assertThat(ViewFormat.fits(viewOf(100))).isFalse();
+  }
+
+  private static View viewOf(int robots) {
+    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+    for (int i = 0; i < robots; i++) {
+      admitted.put(new ProcessId(new RobotId("bot" + i), (1L << 32) + 1), 1L);
+    }
+    return new View(1, admitted);
+  }
+
+  @Provide
+  Arbitrary<View> views() {
+    Arbitrary<ProcessId> ids =
+        Combinators.combine(
+                Arbitraries.integers().between(0, 30), Arbitraries.longs().greaterOrEqual(1))
+            .as((bot, inc) -> new ProcessId(new RobotId("bot" + bot), inc));
+    return Combinators.combine(
+            Arbitraries.longs().between(1, 1_000_000),
+            Arbitraries.maps(ids, Arbitraries.longs().between(1, 1_000_000)).ofMaxSize(20))
+        .as(
+            (number, entries) -> {
+              SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+              entries.forEach((id, by) -> admitted.put(id, Math.min(by, number)));
+              return new View(number, admitted);
+            });
+  }
+}
