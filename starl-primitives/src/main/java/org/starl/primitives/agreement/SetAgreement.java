@@ -51,8 +51,7 @@ public final class SetAgreement implements StarLPrimitive {
     this.acceptors = acceptors;
     this.deadlineMs = deadlineMs;
     Channel<SynodMessage> channel =
-        new Channel<>(
-            PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
+        new Channel<>(PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
     source = channel.name();
     decided = gvh.variable(source, DECIDED, Decision.NONE_YET);
     failed = gvh.variable(source, "failed", false);

@@ -81,8 +81,7 @@ class RegistrationProtocol {
     this.port = port;
     this.rListRule = new RListRule(settings.nullMs() * NS_PER_MS);
     this.me = port.freshProcess();
-    this.synod =
-        new Synod(self, acceptors, me, settings.timing(), rng, record, new SynodEffects());
+    this.synod = new Synod(self, acceptors, me, settings.timing(), rng, record, new SynodEffects());
     start(isFirstStart);
   }
 

@@ -79,7 +79,8 @@ final class ViewHistory {
     }
     report.checked(RegistrationSpec.AGREEMENT);
     View view = views.get(Long.parseLong(text.substring(0, colon)));
-    if (view == null || !new RList.Agreed(view.participants(), view.number()).toString().equals(text)) {
+    if (view == null
+        || !new RList.Agreed(view.participants(), view.number()).toString().equals(text)) {
       violated(RegistrationSpec.AGREEMENT, event, report, "rList " + text + ", but view " + view);
     }
   }
@@ -89,14 +90,20 @@ final class ViewHistory {
     for (ProcessId id : before.ids()) {
       if (!after.contains(id) && !mayLeave.contains(id)) {
         violated(
-            RegistrationSpec.KEEPS, event, report, after + " lacks " + id + ", listed in " + before);
+            RegistrationSpec.KEEPS,
+            event,
+            report,
+            after + " lacks " + id + ", listed in " + before);
       }
     }
     report.checked(RegistrationSpec.FRESH);
     for (ProcessId id : after.ids()) {
       if (after.admittedBy(id) <= before.number() && !before.contains(id)) {
         violated(
-            RegistrationSpec.FRESH, event, report, after + " has " + id + " again, after " + before);
+            RegistrationSpec.FRESH,
+            event,
+            report,
+            after + " has " + id + " again, after " + before);
       }
     }
   }
@@ -112,7 +119,10 @@ final class ViewHistory {
       long by = admittedBy.computeIfAbsent(id, view::admittedBy);
       if (by != view.admittedBy(id)) {
         violated(
-            RegistrationSpec.FRESH, event, report, view + ": view " + by + " let in " + id + " before");
+            RegistrationSpec.FRESH,
+            event,
+            report,
+            view + ": view " + by + " let in " + id + " before");
       }
     }
   }

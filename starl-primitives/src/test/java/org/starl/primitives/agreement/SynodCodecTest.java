@@ -121,10 +121,7 @@ class SynodCodecTest {
         Combinators.combine(numbers, Arbitraries.integers().between(0, 99), numbers)
             .as((round, bot, inc) -> new Ballot(round, new ProcessId(new RobotId("b" + bot), inc)));
     Arbitrary<Value> values =
-        Arbitraries.bytes()
-            .array(byte[].class)
-            .ofMaxSize(Value.MAX_BYTES)
-            .map(Value::of);
+        Arbitraries.bytes().array(byte[].class).ofMaxSize(Value.MAX_BYTES).map(Value::of);
     Arbitrary<List<Value>> wishes =
         Arbitraries.bytes().array(byte[].class).ofMaxSize(30).map(Value::of).list().ofMaxSize(10);
     Arbitrary<@Nullable Vote> votes = Combinators.combine(ballots, values).as(Vote::new);

@@ -45,8 +45,9 @@ final class Town {
 
   Weather weather = Weather.FAIR;
   RegistrationSettings settings = RegistrationSettings.DEFAULT;
-  Maker maker = (self, who, set, r, rec, port, now) ->
-      new RegistrationProtocol(self, who, set, r, rec, false, port, now);
+  Maker maker =
+      (self, who, set, r, rec, port, now) ->
+          new RegistrationProtocol(self, who, set, r, rec, false, port, now);
 
   /** What becomes of a message on its way. */
   UnaryOperator<SynodMessage> tamper = UnaryOperator.identity();

@@ -118,8 +118,13 @@ final class TownRobot {
       trace("view", View.NONE.toString());
       protocol =
           town.maker.make(
-              name, town.acceptors, town.settings, town.rng.fork(name + "/" + town.nowNs()),
-              record, this, town.nowNs());
+              name,
+              town.acceptors,
+              town.settings,
+              town.rng.fork(name + "/" + town.nowNs()),
+              record,
+              this,
+              town.nowNs());
     }
 
     boolean isCurrent() {

@@ -49,7 +49,8 @@ class ViewFormatTest {
       @ForAll("views") View view, @ForAll int at, @ForAll byte with) {
     byte[] bytes = ViewFormat.toValue(view).bytes();
     bytes[Math.floorMod(at, bytes.length)] = with;
-    for (Value damaged : List.of(Value.of(bytes), Value.of(Arrays.copyOf(bytes, bytes.length - 1)))) {
+    for (Value damaged :
+        List.of(Value.of(bytes), Value.of(Arrays.copyOf(bytes, bytes.length - 1)))) {
       try {
         assertThat(ViewFormat.read(view.number(), damaged).number()).isEqualTo(view.number());
       } catch (WireFormatException refused) {
@@ -94,11 +95,10 @@ class ViewFormatTest {
     return Combinators.combine(
             Arbitraries.longs().between(1, 1_000_000),
             Arbitraries.maps(ids, Arbitraries.longs().between(1, 1_000_000)).ofMaxSize(20))
-        .as(
-            (number, entries) -> {
-              SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-              entries.forEach((id, by) -> admitted.put(id, Math.min(by, number)));
-              return new View(number, admitted);
-            });
+        .as((number, entries) -> {
+          SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+          entries.forEach((id, by) -> admitted.put(id, Math.min(by, number)));
+          return new View(number, admitted);
+        });
   }
 }

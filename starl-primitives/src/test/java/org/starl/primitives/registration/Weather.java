@@ -9,8 +9,7 @@ package org.starl.primitives.registration;
  * @param maxDelayMs longest delay
  * @param maxFlushMs longest time that a write takes to become stable
  */
-record Weather(
-    double loss, double duplicate, long minDelayMs, long maxDelayMs, long maxFlushMs) {
+record Weather(double loss, double duplicate, long minDelayMs, long maxDelayMs, long maxFlushMs) {
 
   static final Weather FAIR = new Weather(0, 0, 10, 20, 0);
   static final Weather LOSSY = new Weather(0.3, 0, 10, 200, 0);
