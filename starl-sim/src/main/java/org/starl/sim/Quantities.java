@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 public final class Quantities {
 
   private static final Pattern NUMBER_AND_UNIT =
-      Pattern.compile("([+-]?[0-9]{1,18}(?:\\.[0-9]{1,18})?)\\s*([a-z]*)");
+      Pattern.compile("([+-]?[0-9]{1,19}(?:\\.[0-9]{1,18})?)\\s*([a-z]*)");
 
   private static final Map<String, BigDecimal> NS_PER_UNIT = new LinkedHashMap<>();
   private static final Map<String, BigDecimal> MM_PER_UNIT = new LinkedHashMap<>();
@@ -155,7 +155,7 @@ public final class Quantities {
   /** A whole number from {@code min} to {@code max}. */
   public static long whole(String text, long min, long max) {
     String bound =
-        max == Long.MAX_VALUE
+        max >= Integer.MAX_VALUE
             ? (min == Long.MIN_VALUE ? "" : " of at least " + min)
             : " from " + min + " to " + max;
     String expected = "a whole number" + bound;

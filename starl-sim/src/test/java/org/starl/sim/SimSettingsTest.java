@@ -1,0 +1,128 @@
+package org.starl.sim;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.HashSet;
+import java.util.Map;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.starl.sim.net.Latency;
+
+final class SimSettingsTest {
+
+  @Test
+  void defaultsAreThoseOfTheFirstStarL() {
+    SimSettings settings = SimSettings.defaults();
+    assertThat(settings.robots()).isEqualTo(4);
+    assertThat(settings.goalRobots()).isEqualTo(4);
+    assertThat(settings.robotRadiusMm()).isEqualTo(165);
+    assertThat(settings.positionPeriodNs()).isEqualTo(75_000_000);
+    assertThat(settings.messageDelay()).hasToString("uniform(10ms,20ms)");
+    assertThat(settings.messageLoss().probability()).isZero();
+    assertThat(settings.endNs()).isEqualTo(Long.MAX_VALUE);
+    assertThat(settings.get(Setting.FLOOR_WIDTH)).isEqualTo(5000);
+  }
+
+  @Test
+  void everySettingReadsBackWhatItWrites() {
+    SimSettings settings =
+        SimSettings.builder()
+            .set("seed", "-7")
+            .set("messageDelay", "normal(100ms,20ms)")
+            .set("messageLoss", "0.25")
+            .set("positionNoise", "2cm")
+            .set("headingNoise", "3deg")
+            .set("maxSpeed", "0.3m/s")
+            .set("duration", "90s")
+            .set("obstacleFile", "maze/obstacles.wpt")
+            .set("idealMotion", "true")
+            .build();
+    SimSettings.Builder copy = SimSettings.builder();
+    settings.asText().forEach(copy::set);
+    assertThat(copy.build()).isEqualTo(settings);
+    assertThat(settings.asText())
+        .containsEntry("seed", "-7")
+        .containsEntry("behaviourSeed", "derived")
+        .containsEntry("messageDelay", "normal(100ms,20ms)")
+        .containsEntry("positionNoise", "20mm")
+        .containsEntry("maxSpeed", "300mm/s")
+        .containsEntry("duration", "90s");
+  }
+
+  @Test
+  void keysAreUniqueAndExplained() {
+    Set<String> keys = new HashSet<>();
+    for (Setting<?> setting : Setting.all()) {
+      assertThat(keys.add(setting.key())).as(setting.key()).isTrue();
+      assertThat(setting.meaning()).isNotBlank();
+      SimSettings.builder().set(setting.key(), setting.defaultText());
+    }
+    assertThat(SimSettings.defaults().asText().keySet()).isEqualTo(keys);
+  }
+
+  @Test
+  void aMistypedKeyNamesThoseThatLookLikeIt() {
+    assertThatThrownBy(() -> SimSettings.builder().set("mesageLoss", "0"))
+        .isInstanceOf(BadInput.class)
+        .hasMessage("no setting is called 'mesageLoss'; did you mean messageLoss?");
+    assertThatThrownBy(() -> SimSettings.builder().set("robot", "0"))
+        .hasMessageContaining("did you mean robots");
+    assertThatThrownBy(() -> SimSettings.builder().set("xyzzy", "0"))
+        .hasMessageContaining("expected one of robots, ");
+  }
+
+  @Test
+  void aBadValueNamesKeyValueAndWhatWasExpected() {
+    assertBad("robots", "many", "robots='many': expected a whole number of at least 0");
+    assertBad("robots", "-1", "robots='-1': expected a whole number of at least 0");
+    assertBad("positionPeriod", "0ms", "positionPeriod=0ms: expected a duration above 0");
+    assertBad("robotRadius", "0", "robotRadius=0mm: expected a distance above 0");
+    assertBad("idealMotion", "maybe", "idealMotion='maybe': expected true or false");
+    assertBad("robotName", "7up", "robotName=7up: expected a letter, then up to 23 of");
+    assertBad("messageDelay", "banana(1)", "messageDelay='banana(1)': expected a delay, 100ms");
+    assertBad("duration", "60", "duration='60': expected a duration with a unit");
+  }
+
+  private static void assertBad(String key, String value, String message) {
+    assertThatThrownBy(() -> SimSettings.builder().set(key, value))
+        .isInstanceOf(BadInput.class)
+        .hasMessageStartingWith(message)
+        .hasMessageNotContaining("\n");
+  }
+
+  @Test
+  void typedValuesAreCheckedAsWell() {
+    assertThatThrownBy(() -> SimSettings.builder().messageLoss(1.5))
+        .isInstanceOf(BadInput.class)
+        .hasMessage("messageLoss=1.5: expected a number from 0 to 1");
+    assertThatThrownBy(() -> SimSettings.builder().duration(Duration.ofSeconds(-1)))
+        .isInstanceOf(BadInput.class);
+  }
+
+  @Test
+  void kindsOfRobotsMustFitTheirNumber() {
+    assertThatThrownBy(() ->
+            SimSettings.builder()
+                .robots(3)
+                .set(Setting.DISCOVERY_ROBOTS, 2)
+                .set(Setting.RANDOM_ROBOTS, 2)
+                .build())
+        .isInstanceOf(BadInput.class)
+        .hasMessage(
+            "discoveryRobots=2 and randomRobots=2: expected no more than robots=3 together");
+  }
+
+  @Test
+  void aBuilderStartsFromOtherSettings() {
+    SimSettings settings = SimSettings.builder().robots(9).build();
+    SimSettings changed =
+        settings.toBuilder().messageDelay(new Latency.Constant(1_000_000)).build();
+    assertThat(changed.robots()).isEqualTo(9);
+    assertThat(changed).isNotEqualTo(settings);
+    assertThat(settings.messageDelay()).hasToString("uniform(10ms,20ms)");
+    Map<String, String> text = changed.asText();
+    assertThat(text).containsEntry("messageDelay", "1ms");
+  }
+}

@@ -1,0 +1,285 @@
+package org.starl.sim.net;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.platform.Radio;
+import org.starl.random.Rng;
+import org.starl.sim.world.TestTime;
+import org.starl.sim.world.TestTrace;
+import org.starl.trace.TraceEvent;
+
+final class SimNetworkTest {
+
+  private static final long MS = 1_000_000;
+
+  /** Some robots on the air, and what each has received: {@code time text}. */
+  private static final class Air {
+    final TestTime time = new TestTime();
+    final TestTrace trace = new TestTrace();
+    final SimNetwork network = new SimNetwork(time, trace, new Rng(7));
+    final Map<String, Radio> radios = new LinkedHashMap<>();
+    final Map<String, List<String>> received = new LinkedHashMap<>();
+
+    Air(int robots) {
+      for (int i = 0; i < robots; i++) {
+        attach("bot" + i);
+      }
+    }
+
+    void attach(String name) {
+      Radio radio = network.attach(new RobotId(name), time::schedule);
+      List<String> log = received.computeIfAbsent(name, any -> new ArrayList<>());
+      radio.onReceive((buffer, length) -> log.add(time.nowNs() + " " + text(buffer, length)));
+      radios.put(name, radio);
+    }
+
+    void send(String from, String to, String text) {
+      byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+      radio(from).send(new RobotId(to), bytes, bytes.length);
+      // The buffer is the sender's again.
+      java.util.Arrays.fill(bytes, (byte) '!');
+    }
+
+    void broadcast(String from, String text) {
+      byte[] bytes = text.getBytes(StandardCharsets.UTF_8);
+      radio(from).broadcast(bytes, bytes.length);
+      java.util.Arrays.fill(bytes, (byte) '!');
+    }
+
+    Radio radio(String name) {
+      Radio radio = radios.get(name);
+      if (radio == null) {
+        throw new IllegalArgumentException(name);
+      }
+      return radio;
+    }
+
+    List<String> log(String name) {
+      return received.getOrDefault(name, List.of());
+    }
+
+    private static String text(byte[] buffer, int length) {
+      return new String(buffer, 0, length, StandardCharsets.UTF_8);
+    }
+  }
+
+  @Test
+  void aDatagramArrivesAfterTheDelayNotInsideSend() {
+    Air air = new Air(2);
+    air.send("bot0", "bot1", "now");
+    assertThat(air.log("bot1")).isEmpty();
+    air.time.runFor(0);
+    air.network.base(new Latency.Constant(5 * MS), Loss.NONE);
+    air.send("bot0", "bot1", "later");
+    air.time.runFor(1);
+    assertThat(air.log("bot1")).containsExactly("0 now", 5 * MS + " later");
+  }
+
+  @Test
+  void aBroadcastReachesEveryoneElse() {
+    Air air = new Air(4);
+    air.broadcast("bot2", "hello");
+    air.time.runFor(1);
+    assertThat(air.log("bot0")).containsExactly("0 hello");
+    assertThat(air.log("bot1")).containsExactly("0 hello");
+    assertThat(air.log("bot2")).isEmpty();
+    assertThat(air.log("bot3")).containsExactly("0 hello");
+    assertThat(air.network.statistics()).isEqualTo(new NetStatistics(1, 5, 3, 0));
+  }
+
+  @Test
+  void lossStrikesEachRecipientOnItsOwn() {
+    Air air = new Air(3);
+    air.network.base(new Latency.Constant(0), new Loss(0.5));
+    for (int i = 0; i < 2000; i++) {
+      air.broadcast("bot0", String.valueOf(i));
+    }
+    air.time.runFor(1);
+    assertThat(air.log("bot1")).hasSizeBetween(900, 1100);
+    assertThat(air.log("bot2")).hasSizeBetween(900, 1100);
+    List<String> both = new ArrayList<>(air.log("bot1"));
+    both.retainAll(air.log("bot2"));
+    assertThat(both).hasSizeBetween(400, 600);
+    assertThat(air.trace.of(TraceEvent.Dropped.class))
+        .hasSize((int) air.network.statistics().lost())
+        .allSatisfy(dropped -> assertThat(dropped.why()).isEqualTo("loss"));
+  }
+
+  @Test
+  void oneMoreRobotShiftsNobodysDraws() {
+    Air few = new Air(3);
+    Air many = new Air(5);
+    for (Air air : List.of(few, many)) {
+      air.network.base(Latency.parse("uniform(10ms,200ms)"), new Loss(0.3));
+      for (int i = 0; i < 100; i++) {
+        air.broadcast("bot0", "a" + i);
+        air.send("bot1", "bot2", "b" + i);
+        if (air == many) {
+          air.broadcast("bot4", "noise");
+        }
+        air.time.runFor(0.05);
+      }
+      air.time.runFor(1);
+    }
+    List<String> withoutNoise = new ArrayList<>(many.log("bot2"));
+    withoutNoise.removeIf(line -> line.endsWith("noise"));
+    assertThat(withoutNoise).isEqualTo(few.log("bot2")).hasSizeGreaterThan(50);
+  }
+
+  @Test
+  void unequalSeedsGiveUnequalDelays() {
+    List<List<String>> logs = new ArrayList<>();
+    for (long seed = 0; seed < 2; seed++) {
+      TestTime time = new TestTime();
+      SimNetwork network = new SimNetwork(time, new TestTrace(), new Rng(seed));
+      network.base(Latency.parse("uniform(0ms,1s)"), Loss.NONE);
+      List<String> log = new ArrayList<>();
+      Radio sender = network.attach(new RobotId("a"), time::schedule);
+      Radio receiver = network.attach(new RobotId("b"), time::schedule);
+      receiver.onReceive((buffer, length) -> log.add(String.valueOf(time.nowNs())));
+      sender.broadcast(new byte[1], 1);
+      time.runFor(2);
+      logs.add(log);
+    }
+    assertThat(logs.get(0)).isNotEqualTo(logs.get(1));
+  }
+
+  @Test
+  void theFirstRuleThatAnswersDecidesUntilItsHandleTakesItOut() {
+    Air air = new Air(2);
+    LinkRule.Handle late = air.network.install(copy -> Verdict.deliverAfter(30 * MS));
+    LinkRule.Handle cut = air.network.install(copy -> Verdict.drop("partition"));
+    air.network.install(copy -> Verdict.PASS);
+    air.send("bot0", "bot1", "cut");
+    cut.uninstall();
+    cut.uninstall();
+    air.send("bot0", "bot1", "late");
+    late.uninstall();
+    air.send("bot0", "bot1", "plain");
+    air.time.runFor(1);
+    assertThat(air.log("bot1")).containsExactly("0 plain", 30 * MS + " late");
+    assertThat(air.trace.of(TraceEvent.Dropped.class))
+        .containsExactly(new TraceEvent.Dropped(0, new RobotId("bot1"), "bot0", "partition"));
+  }
+
+  @Test
+  void aRuleThatDrawsAndPassesChangesNoBaseDelay() {
+    Air plain = new Air(2);
+    Air ruled = new Air(2);
+    ruled.network.install(copy -> copy.rng().nextBoolean(0) ? Verdict.drop("never") : Verdict.PASS);
+    for (Air air : List.of(plain, ruled)) {
+      air.network.base(Latency.parse("exponential(50ms)"), new Loss(0.2));
+      for (int i = 0; i < 50; i++) {
+        air.send("bot0", "bot1", "m" + i);
+      }
+      air.time.runFor(10);
+    }
+    assertThat(ruled.log("bot1")).isEqualTo(plain.log("bot1"));
+  }
+
+  @Test
+  void aRuleCanDuplicate() {
+    Air air = new Air(2);
+    air.network.install(copy -> Verdict.duplicate(MS, 3 * MS));
+    air.send("bot0", "bot1", "twice");
+    air.time.runFor(1);
+    assertThat(air.log("bot1")).containsExactly(MS + " twice", 3 * MS + " twice");
+    assertThatThrownBy(() -> Verdict.deliverAfter(-1)).isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Test
+  void whoLeavesReceivesAndSendsNothingMore() {
+    Air air = new Air(3);
+    air.network.base(new Latency.Constant(10 * MS), Loss.NONE);
+    air.broadcast("bot0", "first");
+    Radio old = air.radio("bot1");
+    air.network.detach(new RobotId("bot1"));
+    old.broadcast(new byte[] {'x'}, 1);
+    air.time.runFor(1);
+    air.broadcast("bot0", "second");
+    air.send("bot0", "bot1", "third");
+    air.attach("bot1");
+    air.broadcast("bot0", "fourth");
+    air.time.runFor(1);
+    assertThat(air.log("bot1")).containsExactly(1010 * MS + " fourth");
+    assertThat(air.log("bot2")).hasSize(3).noneMatch(line -> line.endsWith("x"));
+    assertThat(air.trace.of(TraceEvent.Dropped.class))
+        .extracting(TraceEvent.Dropped::why)
+        .containsExactly("gone", "no-such-robot");
+  }
+
+  @Test
+  void whoHasNoReceiverLosesWhatArrives() {
+    Air air = new Air(1);
+    Radio deaf = air.network.attach(new RobotId("deaf"), air.time::schedule);
+    air.broadcast("bot0", "hello");
+    air.time.runFor(1);
+    assertThat(air.network.statistics().lost()).isOne();
+    deaf.onReceive((buffer, length) -> {});
+    assertThatThrownBy(() -> deaf.onReceive((buffer, length) -> {}))
+        .isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> air.attach("bot0")).isInstanceOf(IllegalStateException.class);
+  }
+
+  @Test
+  void anExplorerCanMakeEveryChoice() {
+    Air air = new Air(2);
+    air.network.base(Latency.parse("uniform(0ms,10ms)"), new Loss(0.5));
+    List<Long> asked = new ArrayList<>();
+    air.network.choice((copy, latency, loss) -> {
+      asked.add(copy.datagram());
+      return copy.datagram() % 2 == 0 ? LinkChoice.LOST : 77;
+    });
+    air.send("bot0", "bot1", "a");
+    air.send("bot0", "bot1", "b");
+    air.time.runFor(1);
+    assertThat(asked).containsExactly(0L, 1L);
+    assertThat(air.log("bot1")).containsExactly("77 b");
+  }
+
+  @Test
+  void theSeededChoiceIsWhatTheNetworkDoesByItself() {
+    Air byItself = new Air(2);
+    Air byChoice = new Air(2);
+    byChoice.network.choice(LinkChoice.seeded());
+    for (Air air : List.of(byItself, byChoice)) {
+      air.network.base(Latency.parse("normal(50ms,30ms)"), new Loss(0.4));
+      for (int i = 0; i < 50; i++) {
+        air.send("bot0", "bot1", "m" + i);
+      }
+      air.time.runFor(10);
+    }
+    assertThat(byChoice.log("bot1")).isEqualTo(byItself.log("bot1")).isNotEmpty();
+  }
+
+  @Test
+  void anAudienceLimitsWhoHearsBroadcasts() {
+    Air air = new Air(4);
+    air.network.audience((sender, hearer) -> {
+      hearer.accept(sender);
+      hearer.accept(new RobotId("bot3"));
+    });
+    air.broadcast("bot0", "near");
+    air.time.runFor(1);
+    assertThat(air.log("bot3")).containsExactly("0 near");
+    assertThat(air.network.statistics().delivered()).isOne();
+  }
+
+  @Test
+  void aDatagramThatIsTooLongIsABug() {
+    Air air = new Air(1);
+    byte[] buffer = new byte[Radio.MAX_BYTES + 1];
+    assertThatThrownBy(() -> air.radio("bot0").broadcast(buffer, buffer.length))
+        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> air.radio("bot0").broadcast(new byte[3], 4))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+}
