@@ -1,0 +1,61 @@
+package org.starl.primitives.geocast;
+
+import org.starl.GlobalVarHolder;
+import org.starl.GvhVariable;
+import org.starl.comms.Codec;
+import org.starl.geometry.Everywhere;
+import org.starl.primitives.StarLPrimitive;
+
+/**
+ * Messages to all other robots (paper, section 4.2: {@code BCast}): a geocast whose area is the
+ * whole network. A robot needs no position to deliver. Strand only.
+ *
+ * @param <T> the messages
+ */
+public final class Broadcast<T> implements StarLPrimitive {
+
+  private final GeocastWire<T> wire;
+
+  /**
+   * @param xid the instance: robots with equal ones hear each other, and no {@link Geocast}
+   * @param codec copy with tags must fit a datagram
+   * @param handler takes what others send
+   */
+  public Broadcast(GlobalVarHolder gvh, String xid, Codec<T> codec, GeocastHandler<T> handler) {
+    this(gvh, xid, codec, handler, GeocastSettings.DEFAULT);
+  }
+
+  public Broadcast(
+      GlobalVarHolder gvh,
+      String xid,
+      Codec<T> codec,
+      GeocastHandler<T> handler,
+      GeocastSettings settings) {
+    wire = new GeocastWire<>(gvh, GeocastTrace.BROADCAST, xid, codec, handler, settings);
+  }
+
+  /**
+   * Starts to send {@code message} to all other robots, and goes on for {@code dMs} milliseconds.
+   *
+   * @param dMs the paper's d, above 0
+   * @throws IllegalArgumentException if a copy does not fit a datagram
+   */
+  public GeocastReceipt BCast(T message, long dMs) {
+    return wire.start(GeocastTrace.B_CAST, message, new Everywhere(), dMs);
+  }
+
+  /** Whether this robot has started a broadcast, and none of its broadcasts is under way. */
+  public GvhVariable<Boolean> Gcastflag() {
+    return wire.gcastflag();
+  }
+
+  @Override
+  public String source() {
+    return wire.source();
+  }
+
+  @Override
+  public void close() {
+    wire.close();
+  }
+}

@@ -1,0 +1,9 @@
+package org.starl.primitives.geocast;
+
+import org.starl.RobotId;
+
+/** Takes delivered messages, each once, on the strand. */
+@FunctionalInterface
+public interface GeocastHandler<T> {
+  void delivered(RobotId origin, T message);
+}

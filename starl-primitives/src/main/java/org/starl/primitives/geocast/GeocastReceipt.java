@@ -1,0 +1,40 @@
+package org.starl.primitives.geocast;
+
+import java.util.Collections;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.RobotId;
+
+/** What the origin knows of one of its geocasts. Strand only. */
+public final class GeocastReceipt {
+
+  private final GeocastId id;
+  private final SortedSet<RobotId> acknowledgedBy = new TreeSet<>();
+  private boolean complete;
+
+  GeocastReceipt(GeocastId id) {
+    this.id = id;
+  }
+
+  public GeocastId id() {
+    return id;
+  }
+
+  /** Whether the interval is over, or the whole deployment has acknowledged before. */
+  public boolean isComplete() {
+    return complete;
+  }
+
+  /** Robots that have delivered for certain, in order; others may have. */
+  public SortedSet<RobotId> acknowledgedBy() {
+    return Collections.unmodifiableSortedSet(acknowledgedBy);
+  }
+
+  void acknowledged(RobotId robot) {
+    acknowledgedBy.add(robot);
+  }
+
+  void complete() {
+    complete = true;
+  }
+}

@@ -1,0 +1,253 @@
+package org.starl.primitives.geocast;
+
+import java.util.Iterator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.primitives.geocast.CastRecord.Copy;
+import org.starl.spec.Bodies;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Sent;
+
+/**
+ * What every geocast and broadcast of a run owes (paper, section 4.2): {@code exclusion}, {@code
+ * deadline}, {@code once} and {@code inclusion}, as the package's contract has them, judged by the
+ * true bodies. Exclusion and inclusion speak of the whole interval, so they are checked at its end;
+ * of an interval that outlasts the run nothing is asked.
+ *
+ * <p>Inclusion is owed by robots that a copy has reached in time (or by all, if the origin never
+ * sent one): whether copies arrive is the network's.
+ */
+public final class GeocastSpec implements Monitor {
+
+  static final String EXCLUSION = "exclusion";
+  static final String INCLUSION = "inclusion";
+  static final String DEADLINE = "deadline";
+  static final String ONCE = "once";
+
+  private static final String EVERYONE = "*";
+
+  private final double positionErrorMm;
+  private final double deepMm;
+  private final long clockSkewNs;
+  private final Bodies bodies = new Bodies();
+  private final Map<RobotId, Double> speeds = new TreeMap<>();
+
+  /** For each instance, those who take part. */
+  private final Map<String, TreeSet<RobotId>> members = new TreeMap<>();
+
+  /** Geocasts whose interval is not over, by source and id, in the order of their starts. */
+  private final Map<String, CastRecord> active = new LinkedHashMap<>();
+
+  /** What each robot's next datagram to everyone is a copy of. */
+  private final Map<RobotId, CastRecord> announced = new TreeMap<>();
+
+  private long firstDeadlineNs = Long.MAX_VALUE;
+
+  /** For a world without clock skew, and with position errors below 50 mm. */
+  public GeocastSpec() {
+    this(50, 0);
+  }
+
+  /**
+   * @param positionErrorMm inclusion is owed as long as robots know their places so well, and not to
+   *     those nearer to the border than twice this: their believed place, so far off, must still be
+   *     inside for certain
+   * @param clockSkewNs no two clocks differ by more
+   */
+  public GeocastSpec(double positionErrorMm, long clockSkewNs) {
+    this.positionErrorMm = positionErrorMm;
+    this.deepMm = 2 * positionErrorMm;
+    this.clockSkewNs = clockSkewNs;
+  }
+
+  @Override
+  public List<String> lemmas() {
+    return List.of(EXCLUSION, INCLUSION, DEADLINE, ONCE);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    judgeWhatIsOver(event.timeNs(), report);
+    switch (event) {
+      case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
+      case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
+      case Delivered delivered when GeocastTrace.isGeocast(delivered.channel()) ->
+          reached(delivered);
+      case Moved moved -> {
+        follow(moved.robot(), moved.timeNs());
+        speeds.put(moved.robot(), Math.abs(moved.linearMmPerS()));
+        bodies.observe(moved);
+      }
+      case Joined joined -> {
+        speeds.remove(joined.robot());
+        bodies.observe(joined);
+        active.values().forEach(cast -> cast.watch(joined.robot(), deepMm, joined.timeNs()));
+      }
+      case Left left -> {
+        follow(left.robot(), left.timeNs());
+        active.values().forEach(cast -> cast.left(left.robot()));
+        bodies.observe(left);
+      }
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    // An interval that ends with the run is over as well.
+    judgeWhatIsOver(endNs + 1, report);
+  }
+
+  private void acted(Action action, Report report) {
+    CastRecord cast = action.args().isEmpty() ? null : active.get(key(action));
+    switch (action.name()) {
+      case GeocastTrace.OPEN -> opened(action);
+      case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> started(action);
+      case GeocastTrace.DELIVER -> delivered(action, cast, report);
+      case GeocastTrace.COPY -> {
+        if (cast == null) {
+          announced.remove(action.robot());
+        } else {
+          announced.put(action.robot(), cast);
+        }
+      }
+      case GeocastTrace.DISMISS -> {
+        if (cast != null && isBeyondAssumptions(action.args())) {
+          cast.excuse(action.robot());
+        }
+      }
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  /** A robot that takes part anew has restarted: it knows nothing of what it delivered before. */
+  private void opened(Action action) {
+    if (!membersOf(action.source()).add(action.robot())) {
+      for (CastRecord cast : active.values()) {
+        if (cast.source.equals(action.source())) {
+          cast.restarted(action.robot());
+        }
+      }
+    }
+  }
+
+  private void started(Action action) {
+    long startNs = action.timeNs();
+    long deadlineNs = startNs + Long.parseLong(action.args().get(2));
+    CastRecord cast =
+        new CastRecord(
+            action.source(),
+            action.args().get(0),
+            RegionText.parse(action.args().get(1)),
+            startNs,
+            deadlineNs);
+    cast.owed.addAll(membersOf(action.source()));
+    cast.owed.remove(action.robot());
+    for (RobotId robot : bodies.robots()) {
+      cast.watch(robot, deepMm, startNs);
+    }
+    active.put(key(action), cast);
+    firstDeadlineNs = Math.min(firstDeadlineNs, deadlineNs);
+  }
+
+  private void delivered(Action action, @Nullable CastRecord cast, Report report) {
+    RobotId robot = action.robot();
+    report.checked(DEADLINE);
+    if (cast == null) {
+      String detail = "delivers " + action.args().get(0) + ", whose interval is over";
+      report.violated(DEADLINE, action.timeNs(), List.of(robot), detail);
+      return;
+    }
+    report.checked(ONCE);
+    if (!cast.holders.add(robot)) {
+      String detail = "delivers " + cast.id + " again";
+      report.violated(ONCE, action.timeNs(), List.of(robot), detail);
+    }
+    cast.deliveredNs.putIfAbsent(robot, action.timeNs());
+  }
+
+  private void sent(Sent sent) {
+    CastRecord cast = announced.get(sent.robot());
+    if (cast != null && sent.to().equals(EVERYONE) && sent.channel().equals(cast.source)) {
+      announced.remove(sent.robot());
+      cast.copies.add(new Copy(sent.robot(), sent.seq()));
+    }
+  }
+
+  private void reached(Delivered delivered) {
+    Copy copy = new Copy(delivered.from(), delivered.seq());
+    for (CastRecord cast : active.values()) {
+      boolean inTime = delivered.timeNs() <= cast.deadlineNs - 2 * clockSkewNs;
+      if (inTime && cast.source.equals(delivered.channel()) && cast.copies.contains(copy)) {
+        cast.reached.add(delivered.robot());
+      }
+    }
+  }
+
+  private void follow(RobotId robot, long nowNs) {
+    for (CastRecord cast : active.values()) {
+      cast.follow(robot, bodies, speeds, nowNs);
+    }
+  }
+
+  private void judgeWhatIsOver(long nowNs, Report report) {
+    if (nowNs <= firstDeadlineNs) {
+      return;
+    }
+    firstDeadlineNs = Long.MAX_VALUE;
+    Iterator<CastRecord> oldestFirst = active.values().iterator();
+    while (oldestFirst.hasNext()) {
+      CastRecord cast = oldestFirst.next();
+      if (nowNs > cast.deadlineNs) {
+        bodies.robots().forEach(robot -> cast.follow(robot, bodies, speeds, nowNs));
+        judge(cast, report);
+        oldestFirst.remove();
+      } else {
+        firstDeadlineNs = Math.min(firstDeadlineNs, cast.deadlineNs);
+      }
+    }
+  }
+
+  private static void judge(CastRecord cast, Report report) {
+    cast.deliveredNs.keySet().forEach(robot -> report.checked(EXCLUSION));
+    for (RobotId robot : cast.intruders()) {
+      String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
+      report.violated(EXCLUSION, cast.deliveredAtNs(robot), List.of(robot), detail);
+    }
+    for (RobotId robot : cast.debtors()) {
+      report.checked(INCLUSION);
+      if (!cast.deliveredNs.containsKey(robot)) {
+        String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);
+        report.violated(INCLUSION, cast.deadlineNs, List.of(robot), detail);
+      }
+    }
+  }
+
+  private boolean isBeyondAssumptions(List<String> dismissal) {
+    return dismissal.get(1).equals(GeocastTrace.EARLY)
+        || Double.parseDouble(dismissal.get(2)) > positionErrorMm;
+  }
+
+  private TreeSet<RobotId> membersOf(String source) {
+    return members.computeIfAbsent(source, name -> new TreeSet<>());
+  }
+
+  private static String key(Action action) {
+    return action.source() + " " + action.args().get(0);
+  }
+}

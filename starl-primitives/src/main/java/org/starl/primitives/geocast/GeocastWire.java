@@ -1,0 +1,148 @@
+package org.starl.primitives.geocast;
+
+import java.util.Locale;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.GvhVariable;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Codec;
+import org.starl.comms.Endpoint;
+import org.starl.geometry.Everywhere;
+import org.starl.geometry.Region;
+import org.starl.motion.Location;
+import org.starl.platform.Timer;
+
+/** Ties a {@link GeocastProtocol} to its robot: channel, timer, place, trace. Strand only. */
+final class GeocastWire<T> {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final GlobalVarHolder gvh;
+  private final String source;
+  private final GeocastHandler<T> handler;
+  private final GeocastProtocol<T> protocol;
+  private final Endpoint<GeocastMessage<T>> endpoint;
+  private final Timer timer;
+  private final GvhCell<Boolean> gcastflag;
+  private long setForNs = Long.MAX_VALUE;
+  private boolean closed;
+
+  GeocastWire(
+      GlobalVarHolder gvh,
+      String primitive,
+      String xid,
+      Codec<T> codec,
+      GeocastHandler<T> handler,
+      GeocastSettings settings) {
+    this.gvh = gvh;
+    this.handler = handler;
+    ProcessId me = gvh.id.freshProcess();
+    Channel<GeocastMessage<T>> channel = new Channel<>(primitive, xid, new GeocastCodec<>(codec));
+    source = channel.name();
+    protocol = new GeocastProtocol<>(me, gvh.id.participants(), settings, new Port());
+    gcastflag = gvh.variable(source, GeocastTrace.GCASTFLAG, false);
+    timer = gvh.plat.timers.timer(this::expired);
+    endpoint = gvh.comms.open(channel, this::received);
+    gvh.trace.action(source, GeocastTrace.OPEN, me);
+  }
+
+  /**
+   * @param action what the trace calls it
+   */
+  GeocastReceipt start(String action, T message, Region area, long dMs) {
+    if (closed) {
+      throw new IllegalStateException(source + ": a call after close()");
+    }
+    if (dMs <= 0) {
+      throw new IllegalArgumentException("d of " + dMs + " ms: expected above 0");
+    }
+    long dNs = Math.multiplyExact(dMs, NS_PER_MS);
+    if (gvh.trace.isOn()) {
+      gvh.trace.action(source, action, protocol.nextId(), RegionText.format(area), dNs);
+    }
+    GeocastReceipt receipt = protocol.do_geocast(message, area, dNs, gvh.plat.clock.nowNs());
+    settled();
+    return receipt;
+  }
+
+  GvhVariable<Boolean> gcastflag() {
+    return gcastflag;
+  }
+
+  String source() {
+    return source;
+  }
+
+  void close() {
+    closed = true;
+    timer.cancel();
+    endpoint.close();
+  }
+
+  private void received(RobotId from, GeocastMessage<T> message) {
+    protocol.received(from, message, gvh.plat.clock.nowNs());
+    settled();
+  }
+
+  private void expired() {
+    setForNs = Long.MAX_VALUE;
+    protocol.timer(gvh.plat.clock.nowNs());
+    settled();
+  }
+
+  private void settled() {
+    gcastflag.set(protocol.isComplete());
+    long wakeAtNs = protocol.wakeAtNs();
+    if (closed || wakeAtNs == setForNs) {
+      return;
+    }
+    setForNs = wakeAtNs;
+    if (wakeAtNs == Long.MAX_VALUE) {
+      timer.cancel();
+    } else {
+      timer.set(wakeAtNs);
+    }
+  }
+
+  private final class Port implements GeocastPort<T> {
+    @Override
+    public void broadcast(GeocastMessage.Copy<T> copy) {
+      gvh.trace.action(source, GeocastTrace.COPY, copy.id());
+      endpoint.broadcast(copy);
+    }
+
+    @Override
+    public void acknowledge(RobotId to, GeocastMessage.Ack<T> ack) {
+      if (!closed) {
+        endpoint.send(to, ack);
+      }
+    }
+
+    @Override
+    public double surelyInsideMm(Region area) {
+      if (area instanceof Everywhere) {
+        return Double.POSITIVE_INFINITY;
+      }
+      return switch (gvh.gps.location()) {
+        case Location.Unknown unknown -> Double.NEGATIVE_INFINITY;
+        case Location.Known known -> area.depthMm(known.pose().at()) - known.errorMm();
+      };
+    }
+
+    @Override
+    public void deliver(GeocastId id, T message) {
+      gvh.trace.action(source, GeocastTrace.DELIVER, id);
+      handler.delivered(id.origin().robot(), message);
+    }
+
+    @Override
+    public void dismissed(GeocastId id, Dismissal why) {
+      if (gvh.trace.isOn()) {
+        String reason = why.name().toLowerCase(Locale.ROOT);
+        gvh.trace.action(source, GeocastTrace.DISMISS, id, reason, gvh.gps.errorMm());
+      }
+    }
+  }
+}

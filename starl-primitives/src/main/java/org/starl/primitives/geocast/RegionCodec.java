@@ -1,0 +1,115 @@
+package org.starl.primitives.geocast;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.comms.Codec;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Everywhere;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+import org.starl.geometry.Union;
+
+/**
+ * Regions on the wire: a tag of one byte, then coordinates in mm as doubles; polygons and unions
+ * have the number of their vertices or parts first, in two bytes. A datagram holds a polygon of
+ * about 80 vertices.
+ */
+public final class RegionCodec implements Codec<Region> {
+
+  private static final int NOWHERE = 0;
+  private static final int EVERYWHERE = 1;
+  private static final int CIRCLE = 2;
+  private static final int RECTANGLE = 3;
+  private static final int POLYGON = 4;
+  private static final int UNION = 5;
+
+  @Override
+  public void write(Region region, WireWriter out) {
+    switch (region) {
+      case Nowhere nowhere -> out.u8(NOWHERE);
+      case Everywhere everywhere -> out.u8(EVERYWHERE);
+      case Circle circle -> {
+        out.u8(CIRCLE);
+        point(circle.center(), out);
+        out.f64(circle.radiusMm());
+      }
+      case Rectangle rectangle -> {
+        out.u8(RECTANGLE);
+        out.f64(rectangle.xMinMm());
+        out.f64(rectangle.yMinMm());
+        out.f64(rectangle.xMaxMm());
+        out.f64(rectangle.yMaxMm());
+      }
+      case Polygon polygon -> {
+        out.u8(POLYGON);
+        out.u16(polygon.vertices().size());
+        for (Point vertex : polygon.vertices()) {
+          point(vertex, out);
+        }
+      }
+      case Union union -> {
+        out.u8(UNION);
+        out.u16(union.parts().size());
+        for (Region part : union.parts()) {
+          write(part, out);
+        }
+      }
+    }
+  }
+
+  @Override
+  public Region read(WireReader in) {
+    try {
+      return readAny(in);
+    } catch (IllegalArgumentException e) {
+      throw new WireFormatException("region: " + e.getMessage());
+    }
+  }
+
+  // A union's part takes a byte at least, so the length of a datagram bounds the recursion.
+  private static Region readAny(WireReader in) {
+    int tag = in.u8();
+    return switch (tag) {
+      case NOWHERE -> new Nowhere();
+      case EVERYWHERE -> new Everywhere();
+      case CIRCLE -> new Circle(point(in), in.f64());
+      case RECTANGLE -> new Rectangle(in.f64(), in.f64(), in.f64(), in.f64());
+      case POLYGON -> new Polygon(points(in));
+      case UNION -> new Union(parts(in));
+      default -> throw new WireFormatException("region of kind " + tag);
+    };
+  }
+
+  private static List<Point> points(WireReader in) {
+    int n = in.u16();
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i < n; i++) {
+      points.add(point(in));
+    }
+    return points;
+  }
+
+  private static List<Region> parts(WireReader in) {
+    int n = in.u16();
+    List<Region> parts = new ArrayList<>();
+    for (int i = 0; i < n; i++) {
+      parts.add(readAny(in));
+    }
+    return parts;
+  }
+
+  private static void point(Point point, WireWriter out) {
+    out.f64(point.xMm());
+    out.f64(point.yMm());
+  }
+
+  private static Point point(WireReader in) {
+    return new Point(in.f64(), in.f64());
+  }
+}

@@ -1,0 +1,253 @@
+package org.starl.primitives.geocast;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.PriorityQueue;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.geometry.Everywhere;
+import org.starl.geometry.Kinematics;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Region;
+import org.starl.random.Rng;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+
+/**
+ * Robots on a floor that geocast to each other through a network that loses, delays, doubles and
+ * reorders, with positions and clocks that are wrong within their bounds. What they do is a trace
+ * that a {@link GeocastSpec} watches.
+ */
+final class GeocastWorld {
+
+  static final long MS = 1_000_000;
+
+  /** Ways to be wrong, which the specification must notice. */
+  enum Mutant {
+    NONE,
+    IGNORES_AREA,
+    IGNORES_DEADLINE,
+    DELIVERS_TWICE,
+    NEVER_DELIVERS
+  }
+
+  private record Event(long timeNs, long order, Runnable action) {}
+
+  private final PriorityQueue<Event> events =
+      new PriorityQueue<>(Comparator.comparingLong(Event::timeNs).thenComparingLong(Event::order));
+  private final Rng rng;
+  private final Mutant mutant;
+  private final double errorMm;
+  private final long skewNs;
+  private final Map<RobotId, Robot> robots = new LinkedHashMap<>();
+  private final Monitors monitors;
+  private long nowNs;
+  private long order;
+  private double loss;
+  private double duplication;
+  private long maxDelayNs = 10 * MS;
+
+  GeocastWorld(long seed, int robotCount, double errorMm, long skewNs, Mutant mutant) {
+    this.rng = new Rng(seed);
+    this.mutant = mutant;
+    this.errorMm = errorMm;
+    this.skewNs = skewNs;
+    this.monitors = new Monitors(List.of(new GeocastSpec(errorMm, skewNs)));
+    List<RobotId> ids = new ArrayList<>();
+    for (int i = 0; i < robotCount; i++) {
+      ids.add(new RobotId("bot" + i));
+    }
+    GeocastSettings settings = new GeocastSettings(100, 1_000, skewNs, false);
+    for (RobotId id : ids) {
+      robots.put(id, new Robot(id, Participants.of(ids), settings));
+    }
+  }
+
+  void network(double lossProbability, double duplicationProbability, long worstDelayNs) {
+    loss = lossProbability;
+    duplication = duplicationProbability;
+    maxDelayNs = worstDelayNs;
+  }
+
+  Robot robot(int i) {
+    return new ArrayList<>(robots.values()).get(i);
+  }
+
+  void at(long timeNs, Runnable action) {
+    events.add(new Event(timeNs, order++, action));
+  }
+
+  SpecReport runUntil(long endNs) {
+    while (!events.isEmpty() && events.element().timeNs() <= endNs) {
+      Event next = events.remove();
+      nowNs = next.timeNs();
+      next.action().run();
+    }
+    monitors.finish(endNs);
+    return monitors.report();
+  }
+
+  private void record(TraceEvent event) {
+    monitors.observe(event);
+  }
+
+  final class Robot {
+    final List<String> delivered = new ArrayList<>();
+    int copiesSent;
+
+    private final RobotId id;
+    private final long clockErrorNs = skewNs == 0 ? 0 : rng.nextLong(0, skewNs);
+    private final GeocastProtocol<String> protocol;
+    private Pose from = new Pose(0, 0, 0);
+    private double linearMmPerS;
+    private double angularRadPerS;
+    private long sinceNs;
+    private long seq;
+
+    private Robot(RobotId id, Participants deployment, GeocastSettings settings) {
+      this.id = id;
+      ProcessId me = new ProcessId(id, 1);
+      protocol = new GeocastProtocol<>(me, deployment, settings, new Port());
+      action(GeocastTrace.OPEN, me);
+    }
+
+    void join(double xMm, double yMm) {
+      from = new Pose(xMm, yMm, 0);
+      record(new TraceEvent.Joined(nowNs, id, from, 165));
+    }
+
+    void drive(double headingRad, double linear, double angular) {
+      Point at = truePoint();
+      from = Pose.of(at, headingRad);
+      sinceNs = nowNs;
+      linearMmPerS = linear;
+      angularRadPerS = angular;
+      record(new TraceEvent.Moved(nowNs, id, from, linear, angular));
+    }
+
+    Point truePoint() {
+      double seconds = (nowNs - sinceNs) / 1e9;
+      return Kinematics.after(from, linearMmPerS, angularRadPerS, seconds).at();
+    }
+
+    GeocastReceipt geocast(String message, Region area, long dNs) {
+      action(GeocastTrace.DO_GEOCAST, protocol.nextId(), RegionText.format(area), dNs);
+      GeocastReceipt receipt = protocol.do_geocast(message, area, dNs, clockNs());
+      rearm();
+      return receipt;
+    }
+
+    boolean isComplete() {
+      return protocol.isComplete();
+    }
+
+    private long clockNs() {
+      return nowNs + clockErrorNs;
+    }
+
+    private void action(String name, Object... args) {
+      List<String> texts = new ArrayList<>();
+      for (Object arg : args) {
+        texts.add(String.valueOf(arg));
+      }
+      record(new TraceEvent.Action(nowNs, id, SOURCE, name, texts));
+    }
+
+    private void rearm() {
+      long wakeAtNs = protocol.wakeAtNs();
+      if (wakeAtNs != Long.MAX_VALUE) {
+        at(
+            Math.max(nowNs, wakeAtNs - clockErrorNs),
+            () -> {
+              if (clockNs() >= protocol.wakeAtNs()) {
+                protocol.timer(clockNs());
+                rearm();
+              }
+            });
+      }
+    }
+
+    private void send(Robot to, GeocastMessage<String> message, long seqOfCopy) {
+      int copies = rng.nextBoolean(duplication) ? 2 : 1;
+      for (int i = 0; i < copies; i++) {
+        if (!rng.nextBoolean(loss)) {
+          long delayNs = rng.nextLong(1, maxDelayNs);
+          at(nowNs + delayNs, () -> to.received(id, message, seqOfCopy));
+        }
+      }
+    }
+
+    private void received(RobotId sender, GeocastMessage<String> message, long seqOfCopy) {
+      record(new TraceEvent.Delivered(nowNs, id, sender, SOURCE, seqOfCopy, message.toString()));
+      GeocastMessage<String> seen = message;
+      if (mutant == Mutant.IGNORES_DEADLINE
+          && message instanceof GeocastMessage.Copy<String> copy) {
+        seen =
+            new GeocastMessage.Copy<>(
+                copy.id(), copy.area(), copy.startNs(), Long.MAX_VALUE, copy.message());
+      }
+      protocol.received(sender, seen, clockNs());
+      rearm();
+    }
+
+    private final class Port implements GeocastPort<String> {
+      @Override
+      public void broadcast(GeocastMessage.Copy<String> copy) {
+        copiesSent++;
+        action(GeocastTrace.COPY, copy.id());
+        seq++;
+        record(new TraceEvent.Sent(nowNs, id, "*", SOURCE, seq, 1, copy.toString()));
+        for (Robot other : robots.values()) {
+          if (other != Robot.this) {
+            send(other, copy, seq);
+          }
+        }
+      }
+
+      @Override
+      public void acknowledge(RobotId to, GeocastMessage.Ack<String> ack) {
+        seq++;
+        record(new TraceEvent.Sent(nowNs, id, to.name(), SOURCE, seq, 1, ack.toString()));
+        send(java.util.Objects.requireNonNull(robots.get(to)), ack, seq);
+      }
+
+      @Override
+      public double surelyInsideMm(Region area) {
+        if (area instanceof Everywhere) {
+          return Double.POSITIVE_INFINITY;
+        }
+        double angle = 2 * StrictMath.PI * rng.nextDouble();
+        double off = errorMm * rng.nextDouble();
+        Point error = new Point(off * StrictMath.cos(angle), off * StrictMath.sin(angle));
+        double inside = area.depthMm(truePoint().plus(error)) - errorMm;
+        return mutant == Mutant.IGNORES_AREA ? 1 : inside;
+      }
+
+      @Override
+      public void deliver(GeocastId geocast, String message) {
+        if (mutant == Mutant.NEVER_DELIVERS) {
+          return;
+        }
+        action(GeocastTrace.DELIVER, geocast);
+        delivered.add(message);
+        if (mutant == Mutant.DELIVERS_TWICE) {
+          action(GeocastTrace.DELIVER, geocast);
+        }
+      }
+
+      @Override
+      public void dismissed(GeocastId geocast, Dismissal why) {
+        String reason = why.name().toLowerCase(java.util.Locale.ROOT);
+        action(GeocastTrace.DISMISS, geocast, reason, errorMm);
+      }
+    }
+  }
+
+  private static final String SOURCE = "geocast/test";
+}

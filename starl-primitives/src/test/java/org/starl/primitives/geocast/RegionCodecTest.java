@@ -1,0 +1,123 @@
+package org.starl.primitives.geocast;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.List;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Everywhere;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+import org.starl.geometry.Union;
+
+class RegionCodecTest {
+
+  private final RegionCodec codec = new RegionCodec();
+
+  @Provide
+  Arbitrary<Region> regions() {
+    Arbitrary<Double> number = Arbitraries.doubles().between(-1e7, 1e7);
+    Arbitrary<Double> size = Arbitraries.doubles().between(0.5, 1e5);
+    Arbitrary<Point> point = Combinators.combine(number, number).as(Point::new);
+    Arbitrary<Region> simple =
+        Arbitraries.oneOf(
+            Arbitraries.of(new Nowhere(), new Everywhere()),
+            Combinators.combine(point, size).as(Circle::new),
+            Combinators.combine(point, size, size).as(Rectangle::around),
+            Combinators.combine(point, size, size)
+                .as((p, w, h) -> Polygon.of(p, p.plus(new Point(w, 0)), p.plus(new Point(0, h)))));
+    Arbitrary<Region> unions = simple.list().ofMinSize(1).ofMaxSize(4).map(Union::new);
+    Arbitrary<Region> nested =
+        Combinators.combine(unions, simple).as((union, other) -> Union.of(union, other));
+    return Arbitraries.oneOf(simple, unions, nested);
+  }
+
+  @Property
+  void aRegionIsReadAsItWasWritten(@ForAll("regions") Region region) {
+    WireReader reader = new WireReader(bytes(region));
+    assertThat(codec.read(reader)).isEqualTo(region);
+    assertThat(reader.remaining()).isZero();
+  }
+
+  @Property
+  void theTraceTellsARegionToTheLastBit(@ForAll("regions") Region region) {
+    assertThat(RegionText.parse(RegionText.format(region))).isEqualTo(region);
+  }
+
+  @Property
+  void otherBytesAreRefusedAsSuch(@ForAll byte[] bytes) {
+    WireReader reader = new WireReader(bytes);
+    try {
+      assertThat(codec.read(reader)).isNotNull();
+    } catch (WireFormatException e) {
+      assertThat(e.getMessage()).isNotBlank();
+    }
+  }
+
+  @Property
+  void aRegionThatIsCutShortIsRefused(@ForAll("regions") Region region) {
+    byte[] bytes = bytes(region);
+    for (int length = 0; length < bytes.length; length++) {
+      WireReader reader = new WireReader(Arrays.copyOf(bytes, length));
+      assertThatThrownBy(() -> codec.read(reader)).isInstanceOf(WireFormatException.class);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {"", "square(1 2)", "circle(1 2)", "nowhere)", "circle(1 2 x)", "union(nowhere"})
+  void otherTextIsNoRegion(String text) {
+    assertThatThrownBy(() -> RegionText.parse(text)).isInstanceOf(IllegalArgumentException.class);
+  }
+
+  @Property
+  void messagesAreReadAsTheyWereWritten(@ForAll("regions") Region region, @ForAll boolean ack) {
+    GeocastId id =
+        new GeocastId(new org.starl.ProcessId(new org.starl.RobotId("bot7"), 1L << 32), 9);
+    GeocastMessage<List<Byte>> message =
+        ack
+            ? new GeocastMessage.Ack<>(id)
+            : new GeocastMessage.Copy<>(id, region, 5, 6, List.of((byte) 3));
+    GeocastCodec<List<Byte>> messages = new GeocastCodec<>(new OneByte());
+    byte[] buffer = new byte[1_400];
+    WireWriter writer = new WireWriter(buffer);
+    messages.write(message, writer);
+    WireReader reader = new WireReader(Arrays.copyOf(buffer, writer.length()));
+    assertThat(messages.read(reader)).isEqualTo(message);
+    assertThat(reader.remaining()).isZero();
+  }
+
+  private static final class OneByte implements org.starl.comms.Codec<List<Byte>> {
+    @Override
+    public void write(List<Byte> message, WireWriter out) {
+      out.u8(message.get(0));
+    }
+
+    @Override
+    public List<Byte> read(WireReader in) {
+      return List.of((byte) in.u8());
+    }
+  }
+
+  private byte[] bytes(Region region) {
+    byte[] buffer = new byte[1_400];
+    WireWriter writer = new WireWriter(buffer);
+    codec.write(region, writer);
+    return Arrays.copyOf(buffer, writer.length());
+  }
+}
