@@ -4,9 +4,9 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import java.util.OptionalLong;
 import java.util.function.Function;
 import org.starl.RobotId;
+import org.starl.motion.MotionParameters;
 import org.starl.sim.net.Latency;
 
 /**
@@ -26,14 +26,8 @@ public final class Setting<T> {
       whole("discoveryRobots", 0, 0, "how many of them explore by bumping");
   public static final Setting<Integer> RANDOM_ROBOTS =
       whole("randomRobots", 0, 0, "how many of them wander and get in the way");
-  public static final Setting<OptionalLong> SEED =
-      seed("seed", "random", "the run's seed; random draws one, which is told");
-  public static final Setting<OptionalLong> BEHAVIOUR_SEED =
-      seed("behaviourSeed", "derived", "the seed of robots' own draws; derived takes the run's");
   public static final Setting<Duration> DURATION =
       duration("duration", 0, "simulated time after which the run ends; 0ms for no limit");
-  public static final Setting<Duration> WALL_TIMEOUT =
-      duration("wallTimeout", 0, "real time after which the run is given up; 0ms for no limit");
   public static final Setting<Double> SPEED =
       number("speed", 5, "simulated seconds per real second in the viewer; 0 for no limit");
 
@@ -106,10 +100,6 @@ public final class Setting<T> {
           "an angle from 0 to 180deg");
   public static final Setting<Boolean> POSITION_IN_PHASE =
       yesOrNo("positionInPhase", false, "all robots get their fixes at the same instants");
-  public static final Setting<Duration> CLOCK_OFFSET =
-      duration("clockOffset", 0, "robots' clocks start at most this far from true time");
-  public static final Setting<Double> CLOCK_SKEW =
-      probability("clockSkew", "robots' clocks run at most this fraction too fast or too slow");
   public static final Setting<Duration> STABLE_DELAY =
       duration("stableDelay", 0, "time until a write to stable storage survives a crash");
 
@@ -128,10 +118,11 @@ public final class Setting<T> {
       probability("messageLoss", "probability that a datagram is lost, per recipient");
 
   // What robots learn of hidden obstacles.
-  public static final Setting<Double> DETECTION_GRID =
-      distance("detectionGrid", 1, "a robot's map rounds what it bumps into to this grid");
-  public static final Setting<Integer> DETECTION_RADIUS =
-      whole("detectionRadius", 1, 0, "a bump marks this many grid cells around it");
+  public static final Setting<Double> CONTACT_MARK =
+      distance(
+          "contactMark",
+          MotionParameters.DEFAULT.contactMarkMm(),
+          "side of the square that a bump leaves on a robot's map");
 
   // What is written and shown.
   public static final Setting<String> TRACE_FILE =
@@ -312,21 +303,6 @@ public final class Setting<T> {
   private static Setting<String> text(String key, String initial, String meaning) {
     return new Setting<>(
         key, String.class, initial, meaning, String::strip, text -> text, value -> true, "a text");
-  }
-
-  private static Setting<OptionalLong> seed(String key, String none, String meaning) {
-    return new Setting<>(
-        key,
-        OptionalLong.class,
-        OptionalLong.empty(),
-        meaning,
-        text ->
-            text.strip().equals(none)
-                ? OptionalLong.empty()
-                : OptionalLong.of(Quantities.whole(text, Long.MIN_VALUE, Long.MAX_VALUE)),
-        value -> value.isPresent() ? String.valueOf(value.getAsLong()) : none,
-        value -> true,
-        "a whole number or " + none);
   }
 
   private static boolean isAmount(double value) {

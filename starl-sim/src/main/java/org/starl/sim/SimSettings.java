@@ -6,6 +6,9 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.starl.motion.MotionParameters;
+import org.starl.motion.MotionStyle;
+import org.starl.motion.RobotType;
 import org.starl.sim.net.Latency;
 import org.starl.sim.net.Loss;
 import org.starl.sim.world.PositionNoise;
@@ -17,6 +20,7 @@ import org.starl.sim.world.WorldLimits;
  */
 public final class SimSettings {
 
+  private static final double IDEAL_RAD_PER_S = 1000;
   private static final double WHEEL_TRACK_MM = 258;
 
   private final Map<Setting<?>, Object> values;
@@ -92,11 +96,44 @@ public final class SimSettings {
     return new PositionNoise(get(Setting.POSITION_NOISE), get(Setting.HEADING_NOISE));
   }
 
-  /** Speeds at most {@code maxSpeed} a wheel, for wheels as far apart as the Create's. */
+  /**
+   * Speeds at most {@code maxSpeed} a wheel, for wheels as far apart as the Create's; ideal bodies
+   * turn as fast as they are told.
+   */
   public WorldLimits worldLimits() {
     double maxMmPerS = get(Setting.MAX_SPEED);
-    boolean collisions = !get(Setting.IDEAL_MOTION);
-    return new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, collisions);
+    return get(Setting.IDEAL_MOTION)
+        ? new WorldLimits(maxMmPerS, IDEAL_RAD_PER_S, false)
+        : new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, true);
+  }
+
+  /** How robot number {@code index} of these moves, unless its app says otherwise. */
+  public MotionParameters motionParameters(int index) {
+    return MotionParameters.builder()
+        .style(get(Setting.IDEAL_MOTION) ? MotionStyle.IDEAL : MotionStyle.UNICYCLE)
+        .robotRadiusMm(robotRadiusMm())
+        .contactMarkMm(get(Setting.CONTACT_MARK))
+        .robotType(robotType(index))
+        .build();
+  }
+
+  private RobotType robotType(int index) {
+    if (index < goalRobots()) {
+      return RobotType.GOAL;
+    }
+    return index < goalRobots() + get(Setting.DISCOVERY_ROBOTS)
+        ? RobotType.DISCOVERY
+        : RobotType.RANDOM_MOVER;
+  }
+
+  /** Robots are called so, with their number behind. */
+  public String robotName() {
+    return get(Setting.ROBOT_NAME);
+  }
+
+  /** Time until a write to stable storage survives a crash. */
+  public long stableDelayNs() {
+    return get(Setting.STABLE_DELAY).toNanos();
   }
 
   /** Wheels' error; none with ideal motion. */

@@ -1,15 +1,19 @@
 package org.starl.sim.world;
 
+import org.jspecify.annotations.Nullable;
 import org.starl.motion.Bumps;
 import org.starl.motion.WheelCommand;
 import org.starl.platform.Chassis;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
 
-/** A robot's wheels and bump sensors on its {@link Body}, in one incarnation of its program. */
+/**
+ * A robot's wheels and bump sensors, in one incarnation of its program, on its {@link Body} while
+ * that is on the floor. Off the floor wheels turn in the air, and nothing bumps.
+ */
 public final class SimChassis implements Chassis {
 
-  private final Body body;
+  private final Runnable tell;
   private final Rng rng;
   private final double speedError;
   private WheelCommand command = WheelCommand.STOP;
@@ -17,6 +21,7 @@ public final class SimChassis implements Chassis {
   private double linearFactor = 1;
   private double angularFactor = 1;
   private Runnable receiver = () -> {};
+  private @Nullable Body body;
 
   /**
    * @param strand the robot's; bumps are told there
@@ -24,15 +29,26 @@ public final class SimChassis implements Chassis {
    * @param speedError each new command's forward and turning speed are off by a factor drawn evenly
    *     from 1 - speedError to 1 + speedError, each on its own; 0 for perfect wheels
    */
-  public SimChassis(Body body, Strand strand, Rng rng, double speedError) {
+  public SimChassis(Strand strand, Rng rng, double speedError) {
     if (!(speedError >= 0 && speedError < 1)) {
       throw new IllegalArgumentException("speed error " + speedError + ": expected 0 to below 1");
     }
-    this.body = body;
     this.rng = rng;
     this.speedError = speedError;
-    Runnable tell = () -> receiver.run();
-    body.onBump(() -> strand.post(tell));
+    Runnable toReceiver = () -> receiver.run();
+    tell = () -> strand.post(toReceiver);
+  }
+
+  /** The body is on the floor: it does what the wheels were told last. */
+  public void mount(Body newBody) {
+    body = newBody;
+    newBody.onBump(tell);
+    apply();
+  }
+
+  /** The body is to leave the floor. */
+  public void unmount() {
+    body = null;
   }
 
   @Override
@@ -51,7 +67,7 @@ public final class SimChassis implements Chassis {
 
   @Override
   public Bumps bumps() {
-    return body.bumps();
+    return body == null ? Bumps.NONE : body.bumps();
   }
 
   @Override
@@ -70,8 +86,7 @@ public final class SimChassis implements Chassis {
   }
 
   private void apply() {
-    // An app that is unwound because its robot left may still stop its wheels.
-    if (!body.isGone()) {
+    if (body != null) {
       body.drive(
           linearFactor == 1 && angularFactor == 1
               ? actual

@@ -11,7 +11,8 @@ import org.starl.platform.Timers;
 import org.starl.random.Rng;
 
 /**
- * Measures where a robot's {@link Body} is, once a period, in one incarnation of its program. The
+ * Measures where a robot's {@link Body} is, once a period, in one incarnation of its program, while
+ * the body is on the floor. The
  * measuring system stands outside the robot: its period runs on true time, whatever the robot's own
  * clock does. Fixes come at the times phase + k period of the run, so that a restart shifts none.
  */
@@ -20,7 +21,6 @@ public final class SimPositioning implements Positioning {
   // A little inside, so that rounding of large coordinates cannot lead beyond the bound.
   private static final double INSIDE = 1 - 1e-6;
 
-  private final Body body;
   private final Clock trueClock;
   private final Clock robotClock;
   private final Rng rng;
@@ -30,6 +30,7 @@ public final class SimPositioning implements Positioning {
   private PositionNoise noise;
   private boolean isOn = true;
   private @Nullable Receiver receiver;
+  private @Nullable Body body;
 
   /**
    * @param trueClock the run's
@@ -40,7 +41,6 @@ public final class SimPositioning implements Positioning {
    *     robots are measured at once
    */
   public SimPositioning(
-      Body body,
       Clock trueClock,
       Clock robotClock,
       Timers strandTimers,
@@ -52,7 +52,6 @@ public final class SimPositioning implements Positioning {
       throw new IllegalArgumentException(
           "period " + periodNs + " ns, phase " + phaseNs + " ns: expected 0 <= phase < period");
     }
-    this.body = body;
     this.trueClock = trueClock;
     this.robotClock = robotClock;
     this.rng = rng;
@@ -73,10 +72,28 @@ public final class SimPositioning implements Positioning {
   @Override
   public void onFix(Receiver newReceiver) {
     if (receiver != null) {
-      throw new IllegalStateException(body.id() + "'s positioning has a receiver already");
+      throw new IllegalStateException("positioning has a receiver already");
     }
     receiver = newReceiver;
-    timer.set(nextNs(trueClock.nowNs()));
+    begin();
+  }
+
+  /** The body is on the floor, to be measured. */
+  public void mount(Body newBody) {
+    body = newBody;
+    begin();
+  }
+
+  /** The body is to leave the floor: no more fixes. */
+  public void unmount() {
+    body = null;
+    timer.cancel();
+  }
+
+  private void begin() {
+    if (receiver != null && body != null) {
+      timer.set(nextNs(trueClock.nowNs()));
+    }
   }
 
   /** Whether fixes come; where not, none is made up for later. */
@@ -92,7 +109,7 @@ public final class SimPositioning implements Positioning {
   private void measure() {
     long nowNs = trueClock.nowNs();
     timer.set(nextNs(nowNs + 1));
-    if (isOn && receiver != null) {
+    if (isOn && receiver != null && body != null) {
       receiver.fixed(
           new Fix(measured(body.pose()), robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
     }

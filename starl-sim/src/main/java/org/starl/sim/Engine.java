@@ -1,0 +1,235 @@
+package org.starl.sim;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.Participants;
+import org.starl.RobotId;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+import org.starl.sim.kernel.Kernel;
+import org.starl.sim.kernel.RobotError;
+import org.starl.sim.net.SimNetwork;
+import org.starl.sim.world.World;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceHeader;
+
+/** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
+final class Engine implements SimControl, AutoCloseable {
+
+  private final Simulation.Builder plan;
+  private final Rng scenarioRng;
+  private final Rng behaviourRng;
+  private final long behaviourSeed;
+  private final Kernel kernel;
+  private final Watchers watchers;
+  private final World world;
+  private final SimNetwork network;
+  private final Participants deployment;
+  private final Obstacles knownObstacles;
+  private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
+  private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
+  private int running;
+  private int brought;
+
+  Engine(Simulation.Builder plan) {
+    this.plan = plan;
+    scenarioRng = new Rng(plan.seed);
+    behaviourSeed =
+        plan.behaviourSeed != null ? plan.behaviourSeed : scenarioRng.fork("behaviour").nextLong();
+    behaviourRng = new Rng(behaviourSeed);
+    kernel = new Kernel(plan.carriers);
+    watchers = new Watchers(plan);
+    world = new World(kernel, kernel::timer, watchers, plan.settings.worldLimits(), plan.obstacles);
+    network = new SimNetwork(kernel, watchers, behaviourRng.fork("network"));
+    network.base(plan.settings.messageDelay(), plan.settings.messageLoss());
+    for (int i = plan.linkRules.size() - 1; i >= 0; i--) {
+      network.install(plan.linkRules.get(i));
+    }
+    List<RobotId> ids = new ArrayList<>();
+    plan.robots.forEach(robot -> ids.add(robot.id()));
+    deployment = Participants.of(ids);
+    if (deployment.size() != ids.size()) {
+      throw new BadInput("two robots of one name among " + ids);
+    }
+    knownObstacles = plan.obstacles.known();
+  }
+
+  SimResult run() {
+    watchers.started(header());
+    try {
+      plan.robots.forEach(this::join);
+      if (plan.director != null) {
+        plan.director.direct(this);
+      }
+      kernel.run(plan.settings.endNs(), () -> running == 0);
+    } catch (RobotError e) {
+      throw new SimulationFailed(plan.name + ", seed " + plan.seed + ": " + e.getMessage(), e);
+    }
+    SpecReport spec = watchers.endSpecifications(kernel.nowNs());
+    SimResult result =
+        new SimResult(
+            plan.seed,
+            behaviourSeed,
+            kernel.nowNs(),
+            kernel.events(),
+            results,
+            unfinished(),
+            network.statistics(),
+            spec);
+    watchers.finished(result);
+    return result;
+  }
+
+  private TraceHeader header() {
+    Map<String, String> all = new LinkedHashMap<>(plan.parameters());
+    all.putAll(plan.settings.asText());
+    return new TraceHeader(
+        Version.STARL, plan.name, plan.seed, behaviourSeed, all, deployment.asList());
+  }
+
+  private List<RobotId> unfinished() {
+    List<RobotId> unfinished = new ArrayList<>();
+    robots.forEach((id, robot) -> {
+      if (!robot.isFinished()) {
+        unfinished.add(id);
+      }
+    });
+    return unfinished;
+  }
+
+  @Override
+  public void close() {
+    kernel.close();
+  }
+
+  @Override
+  public long nowNs() {
+    return kernel.nowNs();
+  }
+
+  @Override
+  public void at(long atNs, Runnable action) {
+    kernel.schedule(Math.max(atNs, kernel.nowNs()), action);
+  }
+
+  @Override
+  public Rng scenarioRng(String name) {
+    return scenarioRng.fork(name);
+  }
+
+  @Override
+  public void join(RobotSpec spec) {
+    if (robots.containsKey(spec.id())) {
+      throw new BadInput("robot " + spec.id() + " is there already");
+    }
+    SimRobot robot = new SimRobot(spec, this, brought);
+    brought++;
+    robots.put(spec.id(), robot);
+    running++;
+    if (spec.onFloor() && !putOnFloor(spec.id())) {
+      throw new BadInput("robot " + spec.id() + ": its start " + spec.start() + " is not free");
+    }
+    robot.start();
+  }
+
+  @Override
+  public void leave(RobotId id) {
+    SimRobot robot = robot(id);
+    takeOffFloor(id);
+    network.detach(id);
+    robot.end();
+    robots.remove(id);
+    if (!robot.isFinished()) {
+      running--;
+    }
+  }
+
+  /** Called on the strand of {@code robot} when its app has come to its end. */
+  void appEnded(RobotId id, List<Object> result) {
+    results.put(id, result);
+    running--;
+  }
+
+  @Override
+  public boolean putOnFloor(RobotId id) {
+    SimRobot robot = robot(id);
+    if (robot.isOnFloor()) {
+      throw new IllegalStateException(id + " is on the floor already");
+    }
+    Pose start = robot.spec().start();
+    double radiusMm = plan.settings.robotRadiusMm();
+    if (plan.settings.worldLimits().collisions() && !world.isFree(start, radiusMm)) {
+      return false;
+    }
+    robot.putOnFloor(world.add(id, start, radiusMm));
+    return true;
+  }
+
+  @Override
+  public void takeOffFloor(RobotId id) {
+    robot(id).takeOffFloor(world);
+  }
+
+  @Override
+  public boolean isOnFloor(RobotId id) {
+    return robot(id).isOnFloor();
+  }
+
+  @Override
+  public Pose truePose(RobotId id) {
+    return robot(id).body().pose();
+  }
+
+  @Override
+  public boolean isStanding(RobotId id) {
+    return robot(id).body().linearMmPerS() == 0;
+  }
+
+  @Override
+  public boolean isFinished(RobotId id) {
+    return robot(id).isFinished();
+  }
+
+  @Override
+  public SimNetwork network() {
+    return network;
+  }
+
+  Kernel kernel() {
+    return kernel;
+  }
+
+  SimSettings settings() {
+    return plan.settings;
+  }
+
+  Watchers watchers() {
+    return watchers;
+  }
+
+  Participants deployment() {
+    return deployment;
+  }
+
+  Obstacles knownObstacles() {
+    return knownObstacles;
+  }
+
+  /** The generator of everything that {@code robot} draws or that is drawn for it. */
+  Rng behaviourRng(RobotId robot) {
+    return behaviourRng.fork(robot.name());
+  }
+
+  private SimRobot robot(RobotId id) {
+    SimRobot robot = robots.get(id);
+    if (robot == null) {
+      throw new IllegalArgumentException("there is no robot " + id);
+    }
+    return robot;
+  }
+}

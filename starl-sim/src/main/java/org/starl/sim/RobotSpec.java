@@ -1,0 +1,20 @@
+package org.starl.sim;
+
+import java.util.function.Function;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+
+/**
+ * One robot of a simulation.
+ *
+ * @param start where its body stands when it is put on the floor
+ * @param onFloor whether its body is on the floor from the start; where not, a {@link Director}
+ *     puts it there, and until then the robot has no position fix
+ */
+public record RobotSpec(
+    RobotId id,
+    Pose start,
+    boolean onFloor,
+    Function<GlobalVarHolder, ? extends LogicThread> app) {}

@@ -1,0 +1,48 @@
+package org.starl.sim;
+
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+import org.starl.sim.net.SimNetwork;
+
+/** A {@link Director}'s hands. Times in ns from the start of the run. */
+public interface SimControl {
+
+  long nowNs();
+
+  /** Runs {@code action} at {@code atNs}, or now, later in order, if that is past. */
+  void at(long atNs, Runnable action);
+
+  /** A generator of the scenario's seed for {@code name}. */
+  Rng scenarioRng(String name);
+
+  /** Brings a robot up in mid-run. */
+  void join(RobotSpec robot);
+
+  /** Ends a robot's program at once and takes its body away: it says nothing more. */
+  void leave(RobotId robot);
+
+  /**
+   * Puts a robot's body on the floor at its start, if nothing is in its way there.
+   *
+   * @return whether it stands there now
+   */
+  boolean putOnFloor(RobotId robot);
+
+  /** Takes a robot's body off the floor; its program goes on. */
+  void takeOffFloor(RobotId robot);
+
+  boolean isOnFloor(RobotId robot);
+
+  /** Where the body truly is now; it must be on the floor. */
+  Pose truePose(RobotId robot);
+
+  /** Whether the body stands still now; it must be on the floor. */
+  boolean isStanding(RobotId robot);
+
+  /** Whether the robot's app has come to its end. */
+  boolean isFinished(RobotId robot);
+
+  /** The radio, for rules that come and go. */
+  SimNetwork network();
+}

@@ -1,0 +1,25 @@
+package org.starl.sim;
+
+import org.starl.RobotId;
+import org.starl.platform.LogSink.Level;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+
+/**
+ * A guest at a run: viewers, recorders, exporters, stories, trace files. It sees everything, in
+ * order, and changes nothing.
+ */
+public interface SimObserver {
+
+  /** Before the first event. */
+  default void started(TraceHeader header) {}
+
+  /** Each event, in order. */
+  default void observed(TraceEvent event) {}
+
+  /** Each log line of a robot. */
+  default void logged(long timeNs, RobotId robot, Level level, String tag, String line) {}
+
+  /** After the last event; not called if an error ended the run. */
+  default void finished(SimResult result) {}
+}

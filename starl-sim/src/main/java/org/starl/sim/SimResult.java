@@ -1,0 +1,34 @@
+package org.starl.sim;
+
+import java.util.List;
+import java.util.SortedMap;
+import org.starl.RobotId;
+import org.starl.sim.net.NetStatistics;
+import org.starl.spec.SpecReport;
+
+/**
+ * What came of a run.
+ *
+ * @param seed of the scenario
+ * @param behaviourSeed of everything else
+ * @param endNs virtual time of the end
+ * @param events that the kernel processed
+ * @param results of the apps that came to their end
+ * @param unfinished robots whose apps did not
+ * @param spec what the monitors found
+ */
+public record SimResult(
+    long seed,
+    long behaviourSeed,
+    long endNs,
+    long events,
+    SortedMap<RobotId, List<Object>> results,
+    List<RobotId> unfinished,
+    NetStatistics network,
+    SpecReport spec) {
+
+  /** Whether every app came to its end within the time limit. */
+  public boolean isFinished() {
+    return unfinished.isEmpty();
+  }
+}

@@ -1,0 +1,179 @@
+package org.starl.sim;
+
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotId;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.net.LinkRule;
+import org.starl.sim.world.WaypointFiles;
+import org.starl.spec.Monitor;
+
+/**
+ * A simulation: robots, a world, and a seed that decides everything. Built once, run once.
+ *
+ * <pre>{@code
+ * SimResult result = Simulation.builder().robots(4, Hello::new).seed(42).build().run();
+ * }</pre>
+ *
+ * <p>Equal builders give equal runs, event by event, on every JVM. A simulation runs on the calling
+ * thread; several may run at once on several threads, and share nothing.
+ */
+public final class Simulation {
+
+  private final Builder plan;
+
+  private Simulation(Builder plan) {
+    this.plan = plan;
+  }
+
+  public static Builder builder() {
+    return new Builder();
+  }
+
+  /**
+   * Runs until every app has ended, or until the settings' time limit.
+   *
+   * @throws SimulationFailed if an app, a handler or the simulator itself threw
+   */
+  public SimResult run() {
+    try (Engine engine = new Engine(plan)) {
+      return engine.run();
+    }
+  }
+
+  /** Says what a simulation consists of. */
+  public static final class Builder {
+
+    String name = "app";
+    SimSettings settings = SimSettings.defaults();
+    long seed;
+    @Nullable Long behaviourSeed;
+    CarrierKind carriers = CarrierKind.best();
+    Obstacles obstacles = Obstacles.NONE;
+    @Nullable Director director;
+    final List<RobotSpec> robots = new ArrayList<>();
+    final List<LinkRule> linkRules = new ArrayList<>();
+    final List<SimObserver> observers = new ArrayList<>();
+    final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
+    private final SortedMap<String, String> parameters = new TreeMap<>();
+    private @Nullable Function<GlobalVarHolder, ? extends LogicThread> placedApp;
+    private int placed;
+
+    private Builder() {}
+
+    /** The app's or scenario's name, for trace headers and messages. */
+    public Builder name(String newName) {
+      name = newName;
+      return this;
+    }
+
+    /** Adds {@code count} robots {@code bot0}, {@code bot1}, ... at free places drawn by seed. */
+    public Builder robots(int count, Function<GlobalVarHolder, ? extends LogicThread> app) {
+      if (count < 0) {
+        throw new BadInput("robots: " + count + ": expected 0 or more");
+      }
+      placed = count;
+      placedApp = app;
+      return this;
+    }
+
+    public Builder robot(RobotSpec robot) {
+      robots.add(robot);
+      return this;
+    }
+
+    public Builder settings(SimSettings newSettings) {
+      settings = newSettings;
+      return this;
+    }
+
+    /** Decides the scenario: places, routes, arrivals; and behaviour unless that has its own. */
+    public Builder seed(long newSeed) {
+      seed = newSeed;
+      return this;
+    }
+
+    /** Decides everything else: delays, losses, noise, the robots' own draws. */
+    public Builder behaviourSeed(long newSeed) {
+      behaviourSeed = newSeed;
+      return this;
+    }
+
+    public Builder carriers(CarrierKind kind) {
+      carriers = kind;
+      return this;
+    }
+
+    public Builder obstacles(Obstacles newObstacles) {
+      obstacles = newObstacles;
+      return this;
+    }
+
+    public Builder director(Director newDirector) {
+      director = newDirector;
+      return this;
+    }
+
+    /** A rule for every datagram, before the settings' delay and loss; earlier rules go first. */
+    public Builder linkRule(LinkRule rule) {
+      linkRules.add(rule);
+      return this;
+    }
+
+    public Builder observer(SimObserver observer) {
+      observers.add(observer);
+      return this;
+    }
+
+    /** A specification to check throughout the run. A supplier, since each run needs its own. */
+    public Builder monitor(Supplier<? extends Monitor> monitor) {
+      monitors.add(monitor);
+      return this;
+    }
+
+    /** A parameter of the scenario, for the trace's header: what a replay must set. */
+    public Builder parameter(String key, String value) {
+      parameters.put(key, value);
+      return this;
+    }
+
+    /**
+     * The simulation; the builder is used up.
+     *
+     * @throws BadInput if the settings' files cannot be read or the robots find no room
+     */
+    public Simulation build() {
+      String obstacleFile = settings.get(Setting.OBSTACLE_FILE);
+      if (!obstacleFile.isEmpty()) {
+        for (Obstacle obstacle : WaypointFiles.read(Path.of(obstacleFile)).obstacles().all()) {
+          obstacles = obstacles.plus(obstacle);
+        }
+      }
+      if (placedApp != null) {
+        List<Pose> starts = Starts.of(settings, placed, obstacles, new Rng(seed));
+        for (int i = 0; i < placed; i++) {
+          RobotId id = new RobotId(settings.robotName() + i);
+          robots.add(new RobotSpec(id, starts.get(i), true, placedApp));
+        }
+        placedApp = null;
+      }
+      return new Simulation(this);
+    }
+
+    SortedMap<String, String> parameters() {
+      return parameters;
+    }
+  }
+}

@@ -1,0 +1,63 @@
+package org.starl.sim;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Supplier;
+import org.starl.RobotId;
+import org.starl.platform.LogSink;
+import org.starl.platform.TraceSink;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+
+/** Everybody who watches a run: the monitors first, then the observers, in the order given. */
+final class Watchers implements TraceSink {
+
+  private final Monitors monitors;
+  private final List<SimObserver> observers;
+  private final boolean isOn;
+
+  Watchers(Simulation.Builder plan) {
+    List<Monitor> made = new ArrayList<>();
+    for (Supplier<? extends Monitor> monitor : plan.monitors) {
+      made.add(monitor.get());
+    }
+    monitors = new Monitors(made);
+    observers = List.copyOf(plan.observers);
+    isOn = !made.isEmpty() || !observers.isEmpty();
+  }
+
+  @Override
+  public boolean isOn() {
+    return isOn;
+  }
+
+  @Override
+  public void record(TraceEvent event) {
+    monitors.observe(event);
+    for (int i = 0; i < observers.size(); i++) {
+      observers.get(i).observed(event);
+    }
+  }
+
+  void started(TraceHeader header) {
+    observers.forEach(observer -> observer.started(header));
+  }
+
+  SpecReport endSpecifications(long endNs) {
+    monitors.finish(endNs);
+    return monitors.report();
+  }
+
+  void finished(SimResult result) {
+    observers.forEach(observer -> observer.finished(result));
+  }
+
+  /** Where {@code robot}'s log lines go. */
+  LogSink logOf(RobotId robot) {
+    return (timeNs, level, tag, line) ->
+        observers.forEach(observer -> observer.logged(timeNs, robot, level, tag, line));
+  }
+}

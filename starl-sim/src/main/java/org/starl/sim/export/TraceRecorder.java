@@ -1,0 +1,61 @@
+package org.starl.sim.export;
+
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceWriter;
+
+/** Writes a run's trace. Close it after the run, whatever came of that. */
+public final class TraceRecorder implements SimObserver, Closeable {
+
+  private final OutputStream out;
+  private @Nullable TraceWriter writer;
+
+  /**
+   * @param out closed by {@link #close}
+   */
+  public TraceRecorder(OutputStream out) {
+    this.out = out;
+  }
+
+  @Override
+  public void started(TraceHeader header) {
+    writer = new TraceWriter(out, header);
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    begun().record(event);
+  }
+
+  @Override
+  public void finished(SimResult result) {
+    begun().end(result.endNs());
+  }
+
+  /**
+   * Writes the rest.
+   *
+   * @throws IOException if this or anything before could not be written
+   */
+  @Override
+  public void close() throws IOException {
+    if (writer == null) {
+      out.close();
+    } else {
+      writer.close();
+    }
+  }
+
+  private TraceWriter begun() {
+    if (writer == null) {
+      throw new IllegalStateException("an event before the start");
+    }
+    return writer;
+  }
+}
