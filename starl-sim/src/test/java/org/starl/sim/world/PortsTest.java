@@ -35,7 +35,8 @@ final class PortsTest {
 
   private List<Fix> fixes(Body body, long seed, PositionNoise noise, double seconds) {
     SimPositioning positioning =
-        new SimPositioning(body, time, time, time, new Rng(seed), noise, 75 * MS, 0);
+        new SimPositioning(time, time, time, new Rng(seed), noise, 75 * MS, 0);
+    positioning.mount(body);
     List<Fix> fixes = new ArrayList<>();
     positioning.onFix(fixes::add);
     time.runFor(seconds);
@@ -100,8 +101,8 @@ final class PortsTest {
   void positioningCanFallSilentAndComeBackInStep() {
     Body body = bot(0, 0);
     SimPositioning positioning =
-        new SimPositioning(
-            body, time, time, time, new Rng(1), PositionNoise.NONE, 75 * MS, 10 * MS);
+        new SimPositioning(time, time, time, new Rng(1), PositionNoise.NONE, 75 * MS, 10 * MS);
+    positioning.mount(body);
     List<Long> times = new ArrayList<>();
     positioning.onFix(fix -> times.add(fix.timeNs()));
     time.runUntil(100 * MS);
@@ -120,7 +121,8 @@ final class PortsTest {
       SimStrand strand = kernel.strand("bot0");
       Body body = floor.add(new RobotId("bot0"), new Pose(0, 0, 0), 165);
       floor.add(new RobotId("bot1"), new Pose(1000, 0, 0), 165);
-      SimChassis chassis = new SimChassis(body, strand, new Rng(1), 0);
+      SimChassis chassis = new SimChassis(strand, new Rng(1), 0);
+      chassis.mount(body);
       List<Bumps> seen = new ArrayList<>();
       chassis.onBump(() -> {
         assertThat(strand.isCurrent()).isTrue();
@@ -138,7 +140,8 @@ final class PortsTest {
     List<Double> speeds = new ArrayList<>();
     for (int i = 0; i < 2; i++) {
       Body body = bot(i, 10_000 * i);
-      SimChassis chassis = new SimChassis(body, new DirectStrand(), new Rng(9), 0.1);
+      SimChassis chassis = new SimChassis(new DirectStrand(), new Rng(9), 0.1);
+      chassis.mount(body);
       chassis.drive(new WheelCommand(200, 1));
       chassis.drive(new WheelCommand(200, 1));
       speeds.add(body.linearMmPerS());
@@ -151,7 +154,8 @@ final class PortsTest {
   @Test
   void stuckWheelsStandAndSoundOnesGoOn() {
     Body body = bot(0, 0);
-    SimChassis chassis = new SimChassis(body, new DirectStrand(), new Rng(9), 0);
+    SimChassis chassis = new SimChassis(new DirectStrand(), new Rng(9), 0);
+    chassis.mount(body);
     chassis.drive(new WheelCommand(200, 0));
     time.runFor(1);
     chassis.impair(0, 0);
@@ -160,6 +164,7 @@ final class PortsTest {
     chassis.impair(1, 1);
     time.runFor(1);
     assertThat(body.pose().xMm()).isEqualTo(400);
+    chassis.unmount();
     world.remove(body);
     chassis.drive(WheelCommand.STOP);
   }
