@@ -1,0 +1,14 @@
+/**
+ * Checks that take more than one run: {@code Determinism} runs the same twice, on
+ * both kinds of carriers, and finds the first event that differs; {@link
+ * org.starl.sim.check.Campaign} runs many seeds on all cores.
+ *
+ * <p>The one place of the simulator besides its carriers that uses threads: one simulation on each,
+ * nothing shared.
+ *
+ * <p>May import: core, {@code org.starl.sim}, its {@code export} and {@code kernel}.
+ */
+@NullMarked
+package org.starl.sim.check;
+
+import org.jspecify.annotations.NullMarked;

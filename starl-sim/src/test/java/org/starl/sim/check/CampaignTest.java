@@ -1,0 +1,183 @@
+package org.starl.sim.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentSkipListSet;
+import java.util.concurrent.CountDownLatch;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.LongRange;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.sim.check.RunOutcome.Verdict;
+
+class CampaignTest {
+
+  private static final Campaign.Progress SILENT = (finished, planned, bad) -> {};
+
+  private static RunOutcome outcome(long seed, long badEvery) {
+    TreeMap<String, Double> figures = new TreeMap<>(Map.of("seed", (double) seed));
+    return seed % badEvery == 0
+        ? new RunOutcome(Verdict.VIOLATED, "seed " + seed, figures)
+        : RunOutcome.good(figures);
+  }
+
+  @Property(tries = 50)
+  void theResultIsTheSameOnAnyNumberOfThreads(
+      @ForAll @IntRange(min = 1, max = 8) int workers,
+      @ForAll @LongRange(min = -50, max = 50) long first,
+      @ForAll @IntRange(max = 200) int more,
+      @ForAll boolean stopAtBad)
+      throws InterruptedException {
+    long last = first + more;
+    CampaignResult alone =
+        new Campaign(first, last, 1, stopAtBad).run(seed -> outcome(seed, 17), SILENT);
+    CampaignResult many =
+        new Campaign(first, last, workers, stopAtBad).run(seed -> outcome(seed, 17), SILENT);
+    assertThat(many).isEqualTo(alone);
+    assertThat(many.runs()).isSortedAccordingTo((a, b) -> Long.compare(a.seed(), b.seed()));
+  }
+
+  @Test
+  void itGoesOnAfterABadRunUnlessToldToStop() throws InterruptedException {
+    CampaignResult all = new Campaign(1, 100, 3, false).run(seed -> outcome(seed, 10), SILENT);
+    assertThat(all.runs()).hasSize(100);
+    assertThat(all.count(Verdict.VIOLATED)).isEqualTo(10);
+    assertThat(all.count(Verdict.GOOD)).isEqualTo(90);
+    CampaignResult some = new Campaign(1, 100, 3, true).run(seed -> outcome(seed, 10), SILENT);
+    assertThat(some.runs()).hasSize(10);
+    assertThat(some.firstBad())
+        .isEqualTo(new CampaignResult.Run(10, outcome(10, 10)))
+        .isEqualTo(all.firstBad());
+  }
+
+  @Test
+  void theFirstBadSeedCountsEvenIfALaterOneIsFoundBeforeIt() throws InterruptedException {
+    CountDownLatch laterIsBad = new CountDownLatch(1);
+    CampaignResult result =
+        new Campaign(1, 1_000, 2, true)
+            .run(
+                seed -> {
+                  if (seed == 1) {
+                    awaitQuietly(laterIsBad);
+                    return outcome(1, 1);
+                  }
+                  laterIsBad.countDown();
+                  return outcome(seed, 1);
+                },
+                SILENT);
+    assertThat(result.runs()).extracting(CampaignResult.Run::seed).containsExactly(1L);
+  }
+
+  @Test
+  void eachThreadRunsOneAtATime() throws InterruptedException {
+    Set<String> busy = new ConcurrentSkipListSet<>();
+    List<String> overlaps = Collections.synchronizedList(new ArrayList<>());
+    new Campaign(1, 200, 4, false)
+        .run(
+            seed -> {
+              String thread = Thread.currentThread().getName();
+              if (!busy.add(thread)) {
+                overlaps.add(thread);
+              }
+              busy.remove(thread);
+              return outcome(seed, 7);
+            },
+            SILENT);
+    assertThat(overlaps).isEmpty();
+  }
+
+  @Test
+  void whatARunThrowsIsAFailedRun() throws InterruptedException {
+    CampaignResult result =
+        new Campaign(1, 3, 2, false)
+            .run(
+                seed -> {
+                  if (seed == 2) {
+                    throw new IllegalStateException("robot bot0 broke\nat length");
+                  }
+                  return outcome(seed, 10);
+                },
+                SILENT);
+    CampaignResult.Run bad = Objects.requireNonNull(result.firstBad());
+    assertThat(bad.seed()).isEqualTo(2);
+    assertThat(bad.outcome().verdict()).isEqualTo(Verdict.FAILED);
+    assertThat(bad.outcome().detail()).isEqualTo("robot bot0 broke");
+  }
+
+  @Test
+  void anErrorThatIsNoExceptionEndsTheCampaign() {
+    StackOverflowError error = new StackOverflowError("too deep");
+    assertThatThrownBy(() ->
+            new Campaign(1, 1_000, 2, false)
+                .run(
+                    seed -> {
+                      throw error;
+                    },
+                    SILENT))
+        .isSameAs(error);
+  }
+
+  @Test
+  void progressIsToldOnTheCallingThreadAfterEachRun() throws InterruptedException {
+    List<Long> finished = new ArrayList<>();
+    List<Thread> threads = new ArrayList<>();
+    List<Long> bads = new ArrayList<>();
+    new Campaign(1, 20, 3, false)
+        .run(
+            seed -> outcome(seed, 10),
+            (done, planned, bad) -> {
+              assertThat(planned).isEqualTo(20);
+              finished.add(done);
+              bads.add(bad);
+              threads.add(Thread.currentThread());
+            });
+    assertThat(finished).hasSize(20).isSorted().last().isEqualTo(20L);
+    assertThat(bads).isSorted().last().isEqualTo(2L);
+    assertThat(threads).containsOnly(Thread.currentThread());
+  }
+
+  @ParameterizedTest
+  @CsvSource({"0, 1", "1, 1", "50, 50", "50.1, 51", "95, 95", "99.5, 100", "100, 100"})
+  void percentilesAreSamples(double percent, double expected) throws InterruptedException {
+    CampaignResult result = new Campaign(1, 100, 2, false).run(seed -> outcome(seed, 3), SILENT);
+    assertThat(result.figures()).containsExactly("seed");
+    assertThat(result.samples("seed")).isEqualTo(100);
+    assertThat(result.percentile("seed", percent)).isEqualTo(expected);
+  }
+
+  @Test
+  void thereIsNoPercentileOfNothing() {
+    CampaignResult nothing = new CampaignResult(List.of());
+    assertThatThrownBy(() -> nothing.percentile("x", 50)).hasMessageContaining("0 samples of 'x'");
+  }
+
+  @Test
+  void seedsAreARange() throws InterruptedException {
+    assertThatThrownBy(() -> new Campaign(2, 1)).hasMessageContaining("2..1");
+    assertThatThrownBy(() -> new Campaign(Long.MIN_VALUE, Long.MAX_VALUE))
+        .isInstanceOf(IllegalArgumentException.class);
+    long max = Long.MAX_VALUE;
+    assertThat(new Campaign(max - 1, max, 2, true).run(s -> outcome(s, 2), SILENT).runs())
+        .extracting(CampaignResult.Run::seed)
+        .containsExactly(max - 1);
+  }
+
+  private static void awaitQuietly(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+}
