@@ -1,0 +1,42 @@
+// What every module shares. Each module applies its own plugins; this only sets them.
+allprojects {
+    group = "org.starl"
+    version = "0.1.0-SNAPSHOT"
+}
+
+// The JDK that Gradle runs on compiles and tests, if it is new enough; else the release at JAVA_HOME, or
+// the one the build is tested with, from wherever Gradle finds it.
+val javaHomeRelease = providers.environmentVariable("JAVA_HOME")
+    .map { home -> file("$home/release").readText().substringAfter("JAVA_VERSION=\"").takeWhile { it.isDigit() }.toInt() }
+    .filter { it >= 21 }
+val gradleIsOnOlderJava = !JavaVersion.current().isCompatibleWith(JavaVersion.VERSION_21)
+
+subprojects {
+    plugins.withId("java") {
+        if (gradleIsOnOlderJava) {
+            extensions.configure<JavaPluginExtension> {
+                toolchain.languageVersion.set(JavaLanguageVersion.of(javaHomeRelease.getOrElse(25)))
+            }
+        }
+    }
+
+    tasks.withType<JavaCompile>().configureEach {
+        options.encoding = "UTF-8"
+        options.release.set(21)
+        options.compilerArgs.addAll(listOf("-Xlint:all,-processing", "-Werror"))
+    }
+
+    tasks.withType<AbstractArchiveTask>().configureEach {
+        isPreserveFileTimestamps = false
+        isReproducibleFileOrder = true
+    }
+
+    tasks.withType<Test>().configureEach {
+        useJUnitPlatform()
+        // The simulator's carriers need java.lang; libraries under test may load agents.
+        jvmArgs("--add-opens", "java.base/java.lang=ALL-UNNAMED", "-XX:+EnableDynamicAgentLoading")
+        systemProperty("java.awt.headless", "true")
+        systemProperty("jqwik.database", layout.buildDirectory.file("jqwik-database").get().asFile.path)
+        systemProperty("jqwik.reporting.onlyfailures", "true")
+    }
+}

@@ -1,0 +1,16 @@
+plugins {
+    `java-library`
+}
+
+description = "Platform layer, real: clock, UDP, robots; plain JVM"
+
+dependencies {
+    api(project(":starl-core"))
+    testImplementation(project(":starl-primitives"))
+    testImplementation(project(":starl-sim"))
+    api(libs.jspecify)
+    testImplementation(libs.junit.jupiter)
+    testImplementation(libs.assertj.core)
+    testImplementation(libs.jqwik)
+    testRuntimeOnly(libs.junit.platform.launcher)
+}
