@@ -92,7 +92,7 @@ class KernelLeakTest {
     Object held = new Object();
     SimStrand robot = kernel.strand("robot0");
     robot.start(() -> robot.sleepUntil(held.toString().length()));
-    kernel.run(10, () -> false);
+    kernel.run(1_000, () -> false);
     return new WeakReference<>(held);
   }
 }

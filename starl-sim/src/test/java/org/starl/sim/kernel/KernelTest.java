@@ -49,11 +49,11 @@ class KernelTest {
       robot.start(() -> {
         robot.post(() -> log.add("posted"));
         robot.sleepUntil(-5);
-        log.add("app");
+        log.add("app " + kernel.nowNs());
       });
       kernel.schedule(0, () -> log.add("world"));
       kernel.run(1_000, () -> false);
-      assertThat(log).containsExactly("world", "posted", "app");
+      assertThat(log).containsExactly("world", "posted", "app 0");
     }
   }
 
