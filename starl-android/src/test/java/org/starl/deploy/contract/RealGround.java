@@ -1,0 +1,63 @@
+package org.starl.deploy.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.starl.deploy.realtime.RealClock;
+import org.starl.deploy.realtime.RealStrand;
+import org.starl.platform.Clock;
+import org.starl.platform.Timers;
+
+/** A real strand in real time. */
+public final class RealGround implements Ground {
+
+  private final List<Throwable> errors = new CopyOnWriteArrayList<>();
+  private final Clock clock = new RealClock();
+  private final RealStrand strand;
+
+  public RealGround(String name) {
+    strand = new RealStrand(name, clock, errors::add);
+  }
+
+  @Override
+  public Clock clock() {
+    return clock;
+  }
+
+  @Override
+  public RealStrand strand() {
+    return strand;
+  }
+
+  @Override
+  public Timers timers() {
+    return strand;
+  }
+
+  @Override
+  public void closeStrand() {
+    strand.close();
+  }
+
+  @Override
+  public void runUntil(CountDownLatch done) {
+    try {
+      assertThat(done.await(60, TimeUnit.SECONDS)).as("done, or " + errors).isTrue();
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("interrupted", e);
+    }
+  }
+
+  @Override
+  public List<Throwable> errors() {
+    return errors;
+  }
+
+  @Override
+  public void close() {
+    strand.close();
+  }
+}
