@@ -177,7 +177,8 @@ public final class SetAgreement implements StarLPrimitive {
     public void chosen(long number, Value value) {
       for (RobotId acceptor : acceptors) {
         if (!acceptor.equals(gvh.id.name())) {
-          wire.sendReliably(acceptor, new SynodMessage.Decided(number, value));
+          SynodMessage news = new SynodMessage.Decided(number, value);
+          wire.sendReliably(acceptor, news, () -> {});
         }
       }
     }

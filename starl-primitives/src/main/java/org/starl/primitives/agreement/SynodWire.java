@@ -73,8 +73,9 @@ public final class SynodWire {
     endpoint.send(to, message);
   }
 
-  public void sendReliably(RobotId to, SynodMessage message) {
-    endpoint.sendReliably(to, message);
+  /** Runs {@code settled} as an input once the message is delivered or given up. */
+  public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
+    endpoint.sendReliably(to, message).whenSettled(() -> input(settled));
   }
 
   public void persist(long version, byte[] record) {
@@ -88,19 +89,23 @@ public final class SynodWire {
     endpoint.close();
   }
 
+  private void input(Runnable action) {
+    if (!closed) {
+      call(action);
+    }
+  }
+
   private void received(RobotId from, SynodMessage message) {
-    call(() -> client().received(from, message, gvh.plat.clock.nowNs()));
+    input(() -> client().received(from, message, gvh.plat.clock.nowNs()));
   }
 
   private void flushed(long version) {
-    if (!closed) {
-      call(() -> client().flushed(version, gvh.plat.clock.nowNs()));
-    }
+    input(() -> client().flushed(version, gvh.plat.clock.nowNs()));
   }
 
   private void expired() {
     setForNs = Long.MAX_VALUE;
-    call(() -> client().timer(gvh.plat.clock.nowNs()));
+    input(() -> client().timer(gvh.plat.clock.nowNs()));
   }
 
   private Client client() {

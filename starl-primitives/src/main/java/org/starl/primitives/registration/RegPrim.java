@@ -39,6 +39,10 @@ public interface RegPrim extends StarLPrimitive {
    */
   void unregister();
 
-  /** Whether the latest {@link #unregister} has come to its end: the latest list lacks this robot. */
+  /**
+   * Whether the latest {@link #unregister} has come to its end: the latest list lacks this robot, and
+   * those concerned have been told as far as they can be reached. A robot that goes away before may
+   * leave others waiting for it for some seconds.
+   */
   boolean isUnregistered();
 }

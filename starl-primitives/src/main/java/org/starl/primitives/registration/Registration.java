@@ -191,8 +191,8 @@ public final class Registration implements RegPrim, Membership {
     }
 
     @Override
-    public void sendReliably(RobotId to, SynodMessage message) {
-      wire.sendReliably(to, message);
+    public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
+      wire.sendReliably(to, message, settled);
     }
 
     @Override

@@ -10,8 +10,8 @@ interface RegistrationPort {
   /** Sends, best effort; to this robot itself as well. */
   void send(RobotId to, SynodMessage message);
 
-  /** Sends until acknowledged or in vain for long. */
-  void sendReliably(RobotId to, SynodMessage message);
+  /** Sends until acknowledged or in vain for long, and then runs {@code settled} as an input. */
+  void sendReliably(RobotId to, SynodMessage message, Runnable settled);
 
   /** As {@link org.starl.primitives.agreement.SynodPort#persist}. */
   void persist(long version, byte[] record);

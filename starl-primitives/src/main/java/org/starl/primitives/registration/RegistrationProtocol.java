@@ -26,6 +26,9 @@ class RegistrationProtocol {
 
   private static final long NS_PER_MS = 1_000_000;
 
+  /** Who leaves stays at most so long for others' sake. */
+  private static final long NEWS_MS = 5_000;
+
   /** Where this robot's id stands. */
   enum Phase {
     OUT,
@@ -41,7 +44,8 @@ class RegistrationProtocol {
   private final RegistrationSettings settings;
   private final RegistrationPort port;
   private final Synod synod;
-  private final RListRule rListRule;
+  private final Suspense suspense;
+  private final News news = new News(NEWS_MS * NS_PER_MS);
 
   private Phase phase = Phase.OUT;
   private ProcessId me;
@@ -79,7 +83,7 @@ class RegistrationProtocol {
     this.acceptors = acceptors.asList();
     this.settings = settings;
     this.port = port;
-    this.rListRule = new RListRule(settings.nullMs() * NS_PER_MS);
+    this.suspense = new Suspense(settings.nullMs() * NS_PER_MS, rng.fork("suspense"));
     this.me = port.freshProcess();
     this.synod = new Synod(self, acceptors, me, settings.timing(), rng, record, new SynodEffects());
     start(isFirstStart);
@@ -159,8 +163,13 @@ class RegistrationProtocol {
     if (now >= deadlineNs) {
       giveUp();
     }
-    if (rListRule.timer(now)) {
-      synod.queryAll();
+    news.timer(now);
+    switch (suspense.timer(now)) {
+      case ASK -> synod.queryAll();
+      case COMPLETE -> complete();
+      case NOTHING -> {
+        // Not due.
+      }
     }
     if (now >= queryAtNs) {
       synod.query(acceptors.get(nextQueried % acceptors.size()));
@@ -170,8 +179,9 @@ class RegistrationProtocol {
   }
 
   long wakeAtNs() {
-    return Math.min(
-        Math.min(synod.wakeAtNs(), deadlineNs), Math.min(queryAtNs, rListRule.wakeAtNs()));
+    long ownNs = Math.min(deadlineNs, queryAtNs);
+    long othersNs = Math.min(suspense.wakeAtNs(), news.wakeAtNs());
+    return Math.min(synod.wakeAtNs(), Math.min(ownNs, othersNs));
   }
 
   // What is known.
@@ -193,11 +203,11 @@ class RegistrationProtocol {
   }
 
   boolean isUnregistered() {
-    return unregistered;
+    return unregistered && news.isOut();
   }
 
   RList rList() {
-    return phase == Phase.IN && rListRule.isShown()
+    return phase == Phase.IN && suspense.isListShown()
         ? new RList.Agreed(view.participants(), view.number())
         : RList.UNKNOWN;
   }
@@ -219,12 +229,24 @@ class RegistrationProtocol {
       }
       askedIn = base.number() + 1;
     }
-    rListRule.rumour(base.number() + 1, nowNs);
+    suspense.rumour(base.number() + 1, nowNs);
     synod.propose(
         base.number() + 1,
         wanted.toValue(),
         wishes -> ViewFormat.toValue(proposal(base, wanted, wishes)),
         nowNs);
+  }
+
+  /**
+   * Works for the decision of a number that somebody else proposed and that never came: its proposer
+   * may have gone after it was decided. Where nothing was decided, the next view is as this one.
+   */
+  private void complete() {
+    if (phase == Phase.IN && !synod.isProposing()) {
+      View same = new View(view.number() + 1, view.admitted());
+      synod.propose(
+          same.number(), Change.NONE.toValue(), wishes -> ViewFormat.toValue(same), nowNs);
+    }
   }
 
   /** The next view: always derived from the decided one. */
@@ -267,7 +289,7 @@ class RegistrationProtocol {
     } else if ((phase == Phase.IN || phase == Phase.LEFT_HALFWAY) && !listed) {
       settle(Phase.OUT);
     }
-    rListRule.learned(learned.number(), nowNs);
+    suspense.learned(learned.number(), nowNs);
     change();
   }
 
@@ -316,8 +338,10 @@ class RegistrationProtocol {
       concerned.addAll(view.participants().asList());
       concerned.addAll(ViewFormat.read(number, value).participants().asList());
       concerned.remove(self);
+      news.begin(number, concerned.size(), nowNs);
       for (RobotId robot : concerned) {
-        port.sendReliably(robot, new SynodMessage.Decided(number, value));
+        SynodMessage decided = new SynodMessage.Decided(number, value);
+        port.sendReliably(robot, decided, () -> news.settled(number));
       }
     }
 
@@ -328,7 +352,7 @@ class RegistrationProtocol {
 
     @Override
     public void rumour(long number) {
-      rListRule.rumour(number, nowNs);
+      suspense.rumour(number, nowNs);
     }
   }
 }

@@ -31,8 +31,11 @@
  * of it δ later; it costs 6A + |view| messages for A acceptors. k changes at once take about (4k +
  * 2)δ at worst; wishes ride on prepare messages, so that one view usually serves several. A call that
  * meets its deadline is told {@code failed}. A view is spread by reliable messages; who misses it all
- * the same asks the acceptors: registered robots one of them every few seconds, and everybody when a
- * rumour of a newer view is not followed by the view.
+ * the same asks the acceptors: registered robots one of them every few seconds, and all of them when
+ * a rumour of a newer view is not followed by the view. If that is in vain as well, its proposer may
+ * have gone after the decision: then registered robots complete that view themselves. So who leaves
+ * and is gone before anybody knows is forgotten within seconds, as long as a majority of acceptors is
+ * in reach.
  *
  * <p>(c) <b>Assumptions.</b> Those of {@link org.starl.primitives.agreement}. Acceptors are by default
  * all robots of the deployment, each of which must construct the registration to serve, whether it

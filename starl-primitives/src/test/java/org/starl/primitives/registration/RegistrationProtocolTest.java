@@ -112,7 +112,7 @@ class RegistrationProtocolTest {
     ProcessId first = town.robot(0).protocol().me();
     town.robot(0).unregister();
     assertThat(town.robot(0).protocol().isUnregistered()).isFalse();
-    town.runForMs(100);
+    town.runForMs(600);
     assertThat(town.robot(0).protocol().isUnregistered()).isTrue();
     assertThat(town.robot(0).protocol().view().admitted()).isEmpty();
     town.robot(0).do_register();
@@ -151,6 +151,29 @@ class RegistrationProtocolTest {
     town.cutAt = 0;
     town.runForMs(3_000);
     assertThat(town.robot(4).protocol().view().number()).isEqualTo(2);
+  }
+
+  @Property(tries = 50)
+  void whoLeavesAndIsGoneBeforeAnybodyKnowsIsForgottenAllTheSame(@ForAll long seed) {
+    Town town = new Town(seed, 5, 5, new RegistrationSpec());
+    town.startAll();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(3_000);
+    ProcessId gone = town.robot(0).protocol().me();
+    town.newsIsLost = true;
+    town.robot(0).unregister();
+    assertThat(town.runUntil(() -> town.robot(0).protocol().phase() == Phase.OUT, 5_000)).isTrue();
+    town.robot(0).crash();
+    for (int i = 1; i < 5; i++) {
+      assertThat(town.robot(i).protocol().view().contains(gone)).isTrue();
+    }
+    town.newsIsLost = false;
+    town.weather = Weather.LOSSY;
+    town.runForMs(12_000);
+    for (int i = 1; i < 5; i++) {
+      assertThat(town.robot(i).protocol().view().contains(gone)).isFalse();
+    }
+    assertThat(town.finish().holds()).isTrue();
   }
 
   @Test

@@ -57,6 +57,9 @@ final class Town {
   /** Whether writes are said to be stable before they are. */
   boolean flushesLie;
 
+  /** Whether nothing that is sent reliably is sent at all, as by one who goes away at once. */
+  boolean newsIsLost;
+
   /** Whether all robots number their ballots alike. */
   boolean ballotsCollide;
 

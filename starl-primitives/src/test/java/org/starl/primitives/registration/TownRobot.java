@@ -177,12 +177,19 @@ final class TownRobot {
     }
 
     @Override
-    public void sendReliably(RobotId to, SynodMessage message) {
-      retry(to, overTheWire(message), new boolean[1], RELIABLE_TRIES);
+    public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
+      if (!town.newsIsLost) {
+        retry(to, overTheWire(message), new boolean[1], RELIABLE_TRIES, settled);
+      }
     }
 
-    private void retry(RobotId to, SynodMessage message, boolean[] done, int tries) {
-      if (done[0] || tries == 0 || !isCurrent()) {
+    private void retry(
+        RobotId to, SynodMessage message, boolean[] done, int tries, Runnable settled) {
+      if (!isCurrent()) {
+        return;
+      }
+      if (done[0] || tries == 0) {
+        call(settled);
         return;
       }
       TownRobot receiver = town.robots.get(to);
@@ -195,7 +202,7 @@ final class TownRobot {
               receiver.arrived(name, message);
             }
           });
-      town.afterMs(500, () -> retry(to, message, done, tries - 1));
+      town.afterMs(500, () -> retry(to, message, done, tries - 1, settled));
     }
 
     @Override

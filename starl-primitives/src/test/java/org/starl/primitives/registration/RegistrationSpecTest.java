@@ -1,0 +1,129 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+class RegistrationSpecTest {
+
+  private static final String HERE = "registration/here";
+
+  private final Monitors monitors = new Monitors(List.of(new RegistrationSpec(1_000)));
+
+  @Test
+  void joinsAndALeaveThatWasAskedForHold() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "b#1");
+    sees(10, "a", "1:a#1@1");
+    sees(20, "b", "2:a#1@1,b#1@2");
+    shows(20, "b", "2:[a, b]");
+    acts(30, "a", "unregister", "a#1");
+    sees(40, "b", "3:b#1@2");
+    sees(41, "a", "3:b#1@2");
+    assertThat(report(50).holds()).isTrue();
+  }
+
+  @Test
+  void equalNumbersWithUnequalListsViolateAgreement() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "b#1");
+    sees(10, "a", "1:a#1@1");
+    sees(10, "b", "1:b#1@1");
+    assertThat(report(50).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
+  }
+
+  @Test
+  void aListShownThatIsNotItsViewViolatesAgreement() {
+    acts(0, "a", "do_register", "a#1");
+    sees(10, "a", "1:a#1@1");
+    shows(10, "a", "1:[a, b]");
+    assertThat(report(50).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
+  }
+
+  @Test
+  void aMemberLostViolatesKeepsEvenIfTheViewsAreSeenInReverse() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "b#1");
+    sees(10, "b", "3:b#1@3");
+    sees(20, "a", "1:a#1@1");
+    assertThat(report(50).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+  }
+
+  @Test
+  void anotherRobotsWordDoesNotLetAMemberGo() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "b#1");
+    sees(10, "a", "1:a#1@1");
+    acts(15, "b", "unregister", "a#1");
+    sees(20, "b", "2:b#1@2");
+    assertThat(report(50).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+  }
+
+  @Test
+  void anIdThatComesBackViolatesFresh() {
+    acts(0, "a", "do_register", "a#1");
+    sees(10, "a", "1:a#1@1");
+    acts(20, "a", "unregister", "a#1");
+    sees(30, "a", "2:");
+    sees(40, "a", "3:a#1@3");
+    assertThat(report(50).violations(RegistrationSpec.FRESH)).isPositive();
+  }
+
+  @Test
+  void anIdThatNeverAskedViolatesSoundness() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "a#2");
+    sees(10, "a", "1:a#1@1,a#2@1");
+    assertThat(report(50).violations(RegistrationSpec.SOUNDNESS)).isEqualTo(1);
+  }
+
+  @Test
+  void whoIsNotInWithinTheBoundViolatesRegistered() {
+    acts(0, "a", "do_register", "a#1");
+    acts(500, "a", "do_register", "a#2");
+    sees(900, "a", "1:a#1@1");
+    assertThat(report(1_001).violations(RegistrationSpec.REGISTERED)).isEqualTo(1);
+  }
+
+  @Test
+  void whoIsInOrToldThatItFailedIsOwedNothing() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "b#1");
+    acts(0, "c", "do_register", "c#1");
+    sees(900, "a", "1:a#1@1");
+    monitors.observe(new Variable(950, new RobotId("b"), HERE, "failed", "true"));
+    sees(960, "c", "0:");
+    assertThat(report(5_000).holds()).isTrue();
+  }
+
+  @Test
+  void anotherInstanceIsAnotherMatter() {
+    acts(0, "a", "do_register", "a#1");
+    sees(10, "a", "1:a#1@1");
+    monitors.observe(new Variable(20, new RobotId("b"), "registration/there", "view", "1:"));
+    assertThat(report(50).holds()).isTrue();
+  }
+
+  private void acts(long atNs, String robot, String verb, String id) {
+    monitors.observe(new Action(atNs, new RobotId(robot), HERE, verb, List.of(id)));
+  }
+
+  private void sees(long atNs, String robot, String view) {
+    monitors.observe(new Variable(atNs, new RobotId(robot), HERE, "view", view));
+  }
+
+  private void shows(long atNs, String robot, String list) {
+    monitors.observe(new Variable(atNs, new RobotId(robot), HERE, "rList", list));
+  }
+
+  private SpecReport report(long endNs) {
+    monitors.finish(endNs);
+    return monitors.report();
+  }
+}
