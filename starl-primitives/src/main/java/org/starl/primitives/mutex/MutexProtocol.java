@@ -116,6 +116,11 @@ class MutexProtocol {
     return phase;
   }
 
+  /** The logical time of its newest request. */
+  long ts() {
+    return ts;
+  }
+
   /** What it has access to. */
   SortedSet<String> held() {
     return phase == Phase.CRITICAL ? want : Sections.NONE;

@@ -1,0 +1,58 @@
+package org.starl.primitives.mutex;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+import org.starl.ProcessId;
+import org.starl.primitives.membership.View;
+
+/** The model's invariants, read off the participants' states. Independent of the monitors. */
+final class MutexOracle {
+
+  private MutexOracle() {}
+
+  /**
+   * A violation of an invariant whose name begins with {@code lemma}, if there is one.
+   *
+   * @param last the view that was decided last, whoever has learned it
+   */
+  static Optional<String> violation(String lemma, List<MutexNode> nodes, View last) {
+    List<MutexNode> active = nodes.stream().filter(MutexNode::isActive).toList();
+    List<Set<ProcessId>> known = new ArrayList<>();
+    active.forEach(node -> known.add(node.protocol.known()));
+    List<String> found = new ArrayList<>();
+    for (MutexNode i : nodes) {
+      for (MutexNode j : nodes) {
+        if (i != j && Sections.meet(i.protocol.held(), j.protocol.held())) {
+          found.add("Exclusive: " + i.protocol + " and " + j.protocol);
+        }
+      }
+    }
+    for (int a = 0; a < active.size(); a++) {
+      for (int b = 0; b < active.size(); b++) {
+        MutexNode i = active.get(a);
+        MutexNode j = active.get(b);
+        if (a != b && breaksPromise(i, j)) {
+          found.add("Promise: " + j.protocol + " to " + i.protocol);
+        }
+        if (a < b
+            && last.contains(i.id)
+            && last.contains(j.id)
+            && !known.get(a).contains(j.id)
+            && !known.get(b).contains(i.id)) {
+          found.add("Connected: " + i.protocol + " and " + j.protocol);
+        }
+      }
+    }
+    return found.stream().filter(violation -> violation.startsWith(lemma)).findFirst();
+  }
+
+  private static boolean breaksPromise(MutexNode i, MutexNode j) {
+    Long consented = j.consentedTo.get(i.id);
+    return consented != null
+        && consented == i.num
+        && Sections.meet(i.want, j.want)
+        && !MutexProtocol.isBefore(i.ts, i.id, j.ts, j.id);
+  }
+}

@@ -1,0 +1,104 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.comms.LamportClock;
+import org.starl.primitives.mutex.MutexWorld.ViewFault;
+import org.starl.spec.SpecReport;
+
+/** Progress: after whatever happened, and within the bounds where their assumptions hold. */
+class MutexProgressTest {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  @Test
+  void onceTheNetworkBehavesEverybodyIsServed() {
+    MutexWorld.Shape shape = new MutexWorld.Shape(3, 3, 3, 0, 0, ViewFault.NONE);
+    for (long seed = 0; seed < 300; seed++) {
+      MutexWorld world = new MutexWorld(shape, MutexProtocol::new, seed);
+      assertThat(world.run(300)).as("seed %d", seed).isEmpty();
+      long failures = world.failures;
+      // Six one after another: each asks again after up to 4 rounds, hears 1 later, holds up to 3.
+      assertThat(world.heal(6 * 10)).as("rounds to serve all, seed %d", seed).isNotNegative();
+      assertThat(world.failures).as("failures, seed %d", seed).isEqualTo(failures);
+    }
+  }
+
+  @Test
+  void everybodyIsServedWithinTheBoundsOfTheContract() {
+    long served = 0;
+    for (long seed = 0; seed < 100; seed++) {
+      int members = 2 + (int) (seed % 5);
+      int sections = 1 + (int) (seed % 4);
+      MutexTimedWorld world = world(members, sections, 1, MutexProtocol::new, seed);
+      SpecReport report = world.run(20_000);
+      assertThat(report.violations()).as("seed %d", seed).isEmpty();
+      assertThat(world.entries.values()).as("entries of each, seed %d", seed).allMatch(n -> n > 5);
+      served += report.checks(MutexProgress.SERVED);
+    }
+    assertThat(served).isGreaterThan(5_000);
+  }
+
+  @Test
+  void nothingIsOwedToThoseBehindAHolderThatStaysTooLong() {
+    for (long seed = 0; seed < 20; seed++) {
+      MutexTimedWorld world = world(4, 1, 20, MutexProtocol::new, seed);
+      SpecReport report = world.run(60_000);
+      assertThat(report.violations()).as("seed %d", seed).isEmpty();
+      assertThat(world.longestWaitNs).isGreaterThan(bounds(4).d2Ns());
+    }
+  }
+
+  @Test
+  void whoMakesDisjointRequestsWaitIsFound() {
+    SpecReport report = world(4, 4, 1, OneLock::new, 1).run(20_000);
+    assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isPositive();
+    assertThat(report.violations(MutexSpec.EXCLUSIVE)).isZero();
+  }
+
+  @Test
+  void whoForgetsTheRequestsThatItKeptBackIsFound() {
+    SpecReport report = world(4, 1, 1, Forgetful::new, 1).run(20_000);
+    assertThat(report.violations(MutexProgress.SERVED)).isPositive();
+  }
+
+  private static MutexTimedWorld world(
+      int members, int sections, int holdFactor, MutexNode.Kind kind, long seed) {
+    MutexTimedWorld.Shape shape = new MutexTimedWorld.Shape(members, sections, 100, 20, holdFactor);
+    return new MutexTimedWorld(shape, bounds(members), kind, seed);
+  }
+
+  private static MutexBounds bounds(int members) {
+    return MutexBounds.of(members, 100 * NS_PER_MS, 20 * NS_PER_MS);
+  }
+
+  /** One lock for all sections: safe, and against the contract's (c). */
+  private static class OneLock extends MutexProtocol {
+    OneLock(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
+      super(me, clock, times, effects);
+    }
+
+    @Override
+    boolean keepsBack(MutexMessage.Req req) {
+      return phase() == Phase.CRITICAL
+          || (phase() == Phase.TRYING && isBefore(ts(), me(), req.ts(), req.from()));
+    }
+  }
+
+  /** Never answers later what it kept back once. */
+  private static class Forgetful extends MutexProtocol {
+    private boolean hasKeptBack;
+
+    Forgetful(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
+      super(me, clock, times, effects);
+    }
+
+    @Override
+    boolean keepsBack(MutexMessage.Req req) {
+      hasKeptBack |= super.keepsBack(req);
+      return hasKeptBack;
+    }
+  }
+}
