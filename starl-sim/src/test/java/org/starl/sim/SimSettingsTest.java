@@ -29,7 +29,6 @@ final class SimSettingsTest {
   void everySettingReadsBackWhatItWrites() {
     SimSettings settings =
         SimSettings.builder()
-            .set("seed", "-7")
             .set("messageDelay", "normal(100ms,20ms)")
             .set("messageLoss", "0.25")
             .set("positionNoise", "2cm")
@@ -43,7 +42,6 @@ final class SimSettingsTest {
     settings.asText().forEach(copy::set);
     assertThat(copy.build()).isEqualTo(settings);
     assertThat(settings.asText())
-        .containsEntry("seed", "-7")
         .containsEntry("behaviourSeed", "derived")
         .containsEntry("messageDelay", "normal(100ms,20ms)")
         .containsEntry("positionNoise", "20mm")

@@ -1,0 +1,27 @@
+package org.starl.apps;
+
+import java.util.List;
+import org.starl.sim.SimSettings;
+
+/** An app with its scenarios, as the command line knows it. */
+public interface Demo {
+
+  /** As in {@code starl run NAME}. */
+  String name();
+
+  /** One line. */
+  String summary();
+
+  /** What {@code --set} may change besides the simulator's settings. */
+  List<Parameter> parameters();
+
+  /** The simulator's settings where the user says nothing else. */
+  SimSettings.Builder defaultSettings(Request request);
+
+  /**
+   * The simulation of {@code request}: equal requests give equal simulations.
+   *
+   * @throws org.starl.sim.BadInput if a value cannot be used; the message names it
+   */
+  Plan plan(Request request, SimSettings settings);
+}

@@ -1,0 +1,14 @@
+package org.starl.apps;
+
+import java.util.List;
+import org.starl.sim.SimObserver;
+
+/** Observes a run and tells it in a few lines afterwards. */
+public interface Story extends SimObserver {
+
+  /** Who did what and when, for people. */
+  List<String> lines();
+
+  /** The run in numbers. */
+  Measures measures();
+}

@@ -1,0 +1,45 @@
+package org.starl.apps.hello;
+
+import java.util.List;
+import org.starl.apps.Demo;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.hello.logic.Hello;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+
+/** {@code starl run hello}. */
+public final class HelloDemo implements Demo {
+
+  @Override
+  public String name() {
+    return "hello";
+  }
+
+  @Override
+  public String summary() {
+    return "each robot drives one metre: the smallest app";
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of();
+  }
+
+  @Override
+  public SimSettings.Builder defaultSettings(Request request) {
+    return SimSettings.builder();
+  }
+
+  @Override
+  public Plan plan(Request request, SimSettings settings) {
+    HelloStory story = new HelloStory();
+    Simulation.Builder simulation =
+        Simulation.builder()
+            .settings(settings)
+            .robots(request.robots().orElse(settings.robots()), Hello::new)
+            .observer(story);
+    return new Plan(simulation, story);
+  }
+}

@@ -1,0 +1,41 @@
+package org.starl.apps.hello;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.apps.Measures;
+import org.starl.apps.Story;
+import org.starl.motion.MotionFlag;
+import org.starl.sim.SimResult;
+
+/** How each robot's metre ended. */
+final class HelloStory implements Story {
+
+  private final SortedMap<RobotId, String> ends = new TreeMap<>();
+
+  @Override
+  public void finished(SimResult result) {
+    result.results().forEach((robot, ended) -> ends.put(robot, String.valueOf(ended.get(0))));
+    result.unfinished().forEach(robot -> ends.put(robot, "not ended"));
+  }
+
+  @Override
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    ends.forEach((robot, end) -> lines.add(robot + ": " + end));
+    return lines;
+  }
+
+  @Override
+  public Measures measures() {
+    int done = 0;
+    for (String end : ends.values()) {
+      if (end.equals(MotionFlag.DONE.name())) {
+        done++;
+      }
+    }
+    return new Measures(done, List.of());
+  }
+}

@@ -1,0 +1,9 @@
+/**
+ * The smallest app, as a simulation.
+ *
+ * <p>May import: core, sim, {@code logic} beside it.
+ */
+@NullMarked
+package org.starl.apps.hello;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,125 @@
+package org.starl.apps.intersection;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.apps.Measures;
+import org.starl.apps.Story;
+import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Who came, registered, waited and crossed, and when. */
+final class IntersectionStory implements Story {
+
+  private static final double NS_PER_S = 1e9;
+
+  private final SortedMap<RobotId, Crossed> cars = new TreeMap<>();
+
+  /** Times in ns; negative for what has not happened. */
+  private static final class Crossed {
+    private String trip = "?";
+    private long arrivedNs = -1;
+    private long askedNs = -1;
+    private long grantedNs = -1;
+    private long leftNs = -1;
+    private long doneNs = -1;
+    private int bumps;
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    switch (event) {
+      case Action action -> {
+        if (action.source().equals(IntersectionApp.SOURCE) && action.name().equals("trip")) {
+          car(action.robot()).trip = String.join(" ", action.args());
+        }
+      }
+      case Variable variable -> changed(variable);
+      case TraceEvent.Joined joined -> car(joined.robot()).arrivedNs = joined.timeNs();
+      case TraceEvent.Left left -> car(left.robot()).leftNs = left.timeNs();
+      default -> {
+        // No part of the story.
+      }
+    }
+  }
+
+  private void changed(Variable variable) {
+    Crossed car = car(variable.robot());
+    if (variable.name().equals("location") && variable.source().equals(IntersectionApp.SOURCE)) {
+      switch (Location.valueOf(variable.value())) {
+        case MUTEX_WAIT -> {
+          if (car.askedNs < 0) {
+            car.askedNs = variable.timeNs();
+          }
+        }
+        case MOVE_WAIT -> car.grantedNs = variable.timeNs();
+        case DONE -> car.doneNs = variable.timeNs();
+        default -> {
+          // On its way between two of these.
+        }
+      }
+    } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {
+      car.bumps++;
+    }
+  }
+
+  @Override
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    cars.forEach((robot, car) -> lines.add(line(robot, car)));
+    return lines;
+  }
+
+  private static String line(RobotId robot, Crossed car) {
+    StringBuilder line = new StringBuilder(robot + " (" + car.trip + ")");
+    if (car.arrivedNs < 0) {
+      return line.append(" never came onto the floor").toString();
+    }
+    line.append(" came at ").append(seconds(car.arrivedNs));
+    if (car.askedNs >= 0) {
+      line.append(", was registered at ").append(seconds(car.askedNs));
+    }
+    if (car.grantedNs >= 0) {
+      line.append(", waited ").append(seconds(car.grantedNs - car.askedNs));
+    }
+    if (car.bumps > 0) {
+      line.append(", was stopped ").append(car.bumps == 1 ? "once" : car.bumps + " times");
+    }
+    if (car.leftNs >= 0) {
+      line.append(", was across at ").append(seconds(car.leftNs));
+    }
+    if (car.doneNs > 0) {
+      line.append(", had unregistered at ").append(seconds(car.doneNs));
+    }
+    return line.toString();
+  }
+
+  @Override
+  public Measures measures() {
+    int crossed = 0;
+    List<Long> waits = new ArrayList<>();
+    for (Crossed car : cars.values()) {
+      if (car.grantedNs >= 0) {
+        waits.add(car.grantedNs - car.askedNs);
+      }
+      if (car.leftNs >= 0) {
+        crossed++;
+      }
+    }
+    return new Measures(crossed, waits);
+  }
+
+  private Crossed car(RobotId robot) {
+    return cars.computeIfAbsent(robot, id -> new Crossed());
+  }
+
+  private static String seconds(long ns) {
+    long tenths = Math.round(ns / NS_PER_S * 10);
+    return tenths / 10 + "." + tenths % 10 + " s";
+  }
+}

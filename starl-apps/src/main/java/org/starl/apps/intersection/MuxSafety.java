@@ -1,0 +1,43 @@
+package org.starl.apps.intersection;
+
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.RobotId;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+
+/**
+ * {@code Inv_mux_safety} (paper, Figure 6): any two cars' crit_sets are disjoint. {@code Exclusive} of
+ * the mutex says the same of participants; this says it of cars, whatever their participants are.
+ */
+final class MuxSafety implements Monitor {
+
+  private static final String LEMMA = "Inv_mux_safety";
+
+  private final HeldZones zones = new HeldZones();
+
+  @Override
+  public List<String> lemmas() {
+    return List.of(LEMMA);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    RobotId robot = event.robot();
+    SortedSet<String> before = zones.held(robot);
+    zones.observe(event);
+    SortedSet<String> after = zones.held(robot);
+    if (before.containsAll(after)) {
+      return;
+    }
+    report.checked(LEMMA);
+    for (RobotId other : zones.holders()) {
+      SortedSet<String> both = new TreeSet<>(after);
+      both.retainAll(zones.held(other));
+      if (!other.equals(robot) && !both.isEmpty()) {
+        report.violated(LEMMA, event.timeNs(), List.of(other, robot), "both hold " + both);
+      }
+    }
+  }
+}

@@ -1,0 +1,123 @@
+package org.starl.apps.intersection.logic;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+
+/**
+ * The floor plan of Figure 2: a two by two square of critical zones, four arms of two lanes, with an
+ * arrival zone {@code X0} and a departure zone {@code X1} at each zone {@code X}. In mm; x points
+ * east, y north.
+ *
+ * @param middle where the four critical zones meet
+ * @param zoneWidthMm width of a critical zone, and of a lane
+ */
+public record Crossing(Point middle, double zoneWidthMm) {
+
+  /** Zones of 500 mm around (2500, 2500), where the original StarL's intersection lies. */
+  public static final Crossing STANDARD = new Crossing(new Point(2500, 2500), 500);
+
+  // From the middle of the intersection along a lane, in zone widths. A car of 165 mm radius that
+  // waits at its arrival point or has reached its departure point is clear of the critical zones;
+  // one that has reached its exit is clear of its departure zone.
+  private static final double ARRIVAL_POINT = 1.6;
+  private static final double DEPARTURE_POINT = 1.6;
+  private static final double DEPARTURE_ZONE_END = 2.7;
+  private static final double EXIT_POINT = 3.6;
+  private static final double ROAD_END = 4.5;
+
+  /** A critical zone's square. */
+  public Region region(Zone zone) {
+    Point centre = centre(zone);
+    double half = zoneWidthMm / 2;
+    return new Rectangle(
+        centre.xMm() - half, centre.yMm() - half, centre.xMm() + half, centre.yMm() + half);
+  }
+
+  /** A critical or departure zone by its name: {@code A}, {@code A1}. */
+  public Region region(String name) {
+    Zone zone = Zone.valueOf(name.substring(0, 1));
+    if (name.length() == 1) {
+      return region(zone);
+    }
+    if (!name.endsWith("1")) {
+      throw new IllegalArgumentException("zone '" + name + "': expected A B C D A1 B1 C1 D1");
+    }
+    return lane(zone, zone.outward(), 1, DEPARTURE_ZONE_END);
+  }
+
+  /** Every zone that a car may hold, by name. */
+  public SortedMap<String, Region> regions() {
+    SortedMap<String, Region> regions = new TreeMap<>();
+    for (Zone zone : Zone.values()) {
+      regions.put(zone.name(), region(zone));
+      regions.put(zone + "1", region(zone + "1"));
+    }
+    return regions;
+  }
+
+  /** Where a car appears: the square of the arrival zone {@code X0}. */
+  public Region arrivalRegion(Zone zone) {
+    return lane(zone, zone.arrivalSide(), ARRIVAL_POINT - 0.5, ARRIVAL_POINT + 0.5);
+  }
+
+  /** The end of the road behind {@code X1}: a car that stops there leaves the floor. */
+  public Region exitRegion(Zone zone) {
+    return lane(zone, zone.outward(), DEPARTURE_ZONE_END, ROAD_END);
+  }
+
+  /** Where a car waits for its zones, heading for the intersection. */
+  public Pose arrivalPose(Zone zone) {
+    Point back = zone.arrivalSide();
+    return Pose.of(along(zone, back, ARRIVAL_POINT), back.times(-1).angleRad());
+  }
+
+  /** A car's trip along one of the twelve routes: each zone's middle, departure point, exit. */
+  public Trip trip(Route route) {
+    List<ItemPosition> stations = new ArrayList<>();
+    for (Zone zone : route.zones()) {
+      stations.add(station(zone.name(), centre(zone)));
+    }
+    Zone last = route.lastZone();
+    Point out = last.outward();
+    String departure = route.departure();
+    stations.add(station(departure, along(last, out, DEPARTURE_POINT)));
+    ItemPosition exit = station(departure + "-exit", along(last, out, EXIT_POINT));
+    return new Trip(route.toString(), stations, exit);
+  }
+
+  /** The middle of a critical zone. */
+  public Point centre(Zone zone) {
+    return middle.plus(zone.fromMiddle().times(zoneWidthMm));
+  }
+
+  /** The point of {@code zone}'s lane in {@code direction}, that many widths from the middle. */
+  private Point along(Zone zone, Point direction, double widths) {
+    Point centre = centre(zone);
+    double alreadyMm = centre.minus(middle).dot(direction);
+    return centre.plus(direction.times(widths * zoneWidthMm - alreadyMm));
+  }
+
+  private Region lane(Zone zone, Point direction, double fromWidths, double toWidths) {
+    Point a = along(zone, direction, fromWidths);
+    Point b = along(zone, direction, toWidths);
+    double half = zoneWidthMm / 2;
+    double acrossX = direction.xMm() == 0 ? half : 0;
+    double acrossY = direction.yMm() == 0 ? half : 0;
+    return new Rectangle(
+        Math.min(a.xMm(), b.xMm()) - acrossX,
+        Math.min(a.yMm(), b.yMm()) - acrossY,
+        Math.max(a.xMm(), b.xMm()) + acrossX,
+        Math.max(a.yMm(), b.yMm()) + acrossY);
+  }
+
+  private static ItemPosition station(String name, Point at) {
+    return new ItemPosition(name, at.xMm(), at.yMm());
+  }
+}

@@ -1,0 +1,186 @@
+package org.starl.apps.intersection.logic;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.LogicThread;
+import org.starl.Participants;
+import org.starl.geometry.ItemPosition;
+import org.starl.motion.MotionFlag;
+import org.starl.primitives.mutex.M_Mutex;
+import org.starl.primitives.mutex.MutexPrim;
+import org.starl.primitives.registration.RList;
+import org.starl.primitives.registration.RegPrim;
+import org.starl.primitives.registration.Registration;
+
+/**
+ * One car at the automatic intersection: the paper's Figure 4, with the locations that PVS proves
+ * things about. What lies between two sleeps is one atomic action.
+ *
+ * <p>Where it must differ from the figure to be safe:
+ *
+ * <ul>
+ *   <li>The figure gives a zone back when the car is not in motion. A car that has bumped into
+ *       something is not in motion either, and still stands in the zone. Here a zone is given back
+ *       only once the motion is DONE <em>and</em> the whole body is proven to be outside, position
+ *       error included; after a FAIL the car keeps its zones and tries again.
+ *   <li>The figure's first release is of a zone that was never asked for. Here nothing is released
+ *       before a first critical zone lies behind the car.
+ *   <li>The car drives on past its departure zone before it gives that back, so that the next car
+ *       finds it free.
+ * </ul>
+ */
+public final class IntersectionApp extends LogicThread {
+
+  /** Figure 4's locations. */
+  public enum Location {
+    S_0,
+    REGISTER_WAIT,
+    MUTEX_S,
+    MUTEX_WAIT,
+    MOVE_WAIT,
+    S_1,
+    UNREGISTER_WAIT,
+    DONE
+  }
+
+  /** {@code source} of this app's trace events. */
+  public static final String SOURCE = "app";
+
+  private static final long PERIOD_MS = 100;
+  private static final long RETRY_MS = 1000;
+  private static final double GOAL_RADIUS_MM = 10;
+
+  private final Crossing crossing;
+  private final ItemPosition exit;
+  private final RegPrim reg;
+  private final MutexPrim mutex;
+
+  private final ArrayDeque<ItemPosition> myseq;
+  private final List<String> behind = new ArrayList<>();
+  private Participants plist = Participants.of();
+
+  private final GvhCell<Location> location;
+  private final GvhCell<List<String>> tracedSeq;
+
+  /**
+   * @param xid names this intersection: cars with another one are at another intersection
+   */
+  public IntersectionApp(GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip) {
+    super(gvh);
+    this.crossing = crossing;
+    exit = trip.exit();
+    myseq = new ArrayDeque<>(trip.stations());
+    Registration registration = new Registration(gvh, xid);
+    reg = registration;
+    mutex = new M_Mutex(gvh, xid, registration);
+    gvh.trace.action(SOURCE, "trip", trip.label());
+    location = gvh.variable(SOURCE, "location", myseq.isEmpty() ? Location.DONE : Location.S_0);
+    tracedSeq = gvh.variable(SOURCE, "myseq", names(myseq));
+    gvh.plat.moat.setParameters(
+        gvh.plat.moat.parameters().toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build());
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    while (location.get() != Location.DONE) {
+      switch (location.get()) {
+        case S_0 -> {
+          if (gvh.gps.hasFix()) {
+            reg.do_register();
+            location.set(Location.REGISTER_WAIT);
+          }
+        }
+        case REGISTER_WAIT -> {
+          if (reg.getList() instanceof RList.Agreed agreed) {
+            plist = agreed.list();
+            mutex.do_mutex(names(myseq), plist);
+            location.set(Location.MUTEX_WAIT);
+          } else if (reg.failed().get()) {
+            location.set(Location.S_0);
+          }
+        }
+        case MUTEX_S -> {
+          mutex.do_mutex(names(myseq), plist);
+          location.set(Location.MUTEX_WAIT);
+        }
+        case MUTEX_WAIT -> {
+          if (mutex.od_mutex()) {
+            gvh.plat.moat.doMove(myseq.element());
+            location.set(Location.MOVE_WAIT);
+          } else if (mutex.failed().get()) {
+            location.set(Location.MUTEX_S);
+          }
+        }
+        case MOVE_WAIT -> {
+          if (arrivedOrRetried(myseq.element())) {
+            giveBackWhatIsBehind();
+            behind.add(csName(myseq.remove()));
+            tracedSeq.set(names(myseq));
+            if (myseq.isEmpty()) {
+              gvh.plat.moat.doMove(exit);
+              location.set(Location.S_1);
+            } else {
+              gvh.plat.moat.doMove(myseq.element());
+            }
+          }
+        }
+        case S_1 -> {
+          if (arrivedOrRetried(exit)) {
+            giveBackWhatIsBehind();
+            if (behind.isEmpty()) {
+              reg.unregister();
+              gvh.plat.moat.motion_stop();
+              location.set(Location.UNREGISTER_WAIT);
+            }
+          }
+        }
+        case UNREGISTER_WAIT -> {
+          if (reg.isUnregistered()) {
+            location.set(Location.DONE);
+          } else if (reg.failed().get()) {
+            reg.unregister();
+          }
+        }
+        case DONE -> throw new IllegalStateException("the loop has ended");
+      }
+      sleep(PERIOD_MS);
+    }
+    return returnResults();
+  }
+
+  /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */
+  private boolean arrivedOrRetried(ItemPosition destination) {
+    MotionFlag flag = gvh.plat.moat.motionflag().get();
+    if (flag == MotionFlag.FAIL) {
+      sleep(RETRY_MS);
+      gvh.plat.moat.doMove(destination);
+    }
+    return flag == MotionFlag.DONE;
+  }
+
+  private void giveBackWhatIsBehind() {
+    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
+    for (String zone : List.copyOf(behind)) {
+      if (gvh.gps.isClearOf(crossing.region(zone), radiusMm)) {
+        mutex.release(zone);
+        behind.remove(zone);
+      }
+    }
+  }
+
+  private static String csName(ItemPosition station) {
+    return station.name();
+  }
+
+  private static List<String> names(Collection<ItemPosition> stations) {
+    List<String> names = new ArrayList<>();
+    for (ItemPosition station : stations) {
+      names.add(csName(station));
+    }
+    return List.copyOf(names);
+  }
+}

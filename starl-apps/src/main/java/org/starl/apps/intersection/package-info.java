@@ -1,0 +1,10 @@
+/**
+ * The intersection as a simulation: its scenarios, its cars' coming and going, its specifications
+ * ({@code traffic_safety}, {@code traffic_progress}, {@code Inv_list_crit}) and the story of a run.
+ *
+ * <p>May import: core, primitives, sim, {@code logic} beside it.
+ */
+@NullMarked
+package org.starl.apps.intersection;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,61 @@
+package org.starl.apps.intersection;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+
+class IntersectionTest {
+
+  private static Request request(long seed, int robots, Map<String, String> parameters) {
+    SortedMap<String, String> all = new TreeMap<>();
+    for (Parameter parameter : new IntersectionDemo().parameters()) {
+      all.put(parameter.key(), parameter.defaultValue());
+    }
+    all.putAll(parameters);
+    return new Request(seed, robots == 0 ? OptionalInt.empty() : OptionalInt.of(robots), all);
+  }
+
+  private static SimResult run(Request request, Map<String, String> settings) {
+    IntersectionDemo demo = new IntersectionDemo();
+    SimSettings.Builder builder = demo.defaultSettings(request).set("duration", "1200s");
+    settings.forEach(builder::set);
+    Plan plan = demo.plan(request, builder.build());
+    SimResult result = plan.simulation().name("intersection").seed(request.seed()).build().run();
+    assertThat(result.spec().violations())
+        .as("seed %d %s\n%s", request.seed(), settings, String.join("\n", plan.story().lines()))
+        .isEmpty();
+    assertThat(result.unfinished())
+        .as("seed %d %s\n%s", request.seed(), settings, String.join("\n", plan.story().lines()))
+        .isEmpty();
+    return result;
+  }
+
+  @Test
+  void figure7CrossesSafely() {
+    run(request(1, 0, Map.of("scenario", "figure7")), Map.of());
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
+  void drawnCarsCross(long seed) {
+    run(
+        request(seed, 4, Map.of()),
+        Map.of("messageLoss", "0.3", "messageDelay", "uniform(10ms,200ms)"));
+  }
+
+  @Test
+  void twelveCarsCross() {
+    run(request(5, 12, Map.of()), Map.of());
+  }
+}
