@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.starl.sim.SimResult;
 
 /**
  * What came of one run of a campaign.
@@ -12,6 +13,8 @@ import java.util.TreeMap;
  * @param figures finite numbers to make statistics of, by name
  */
 public record RunOutcome(Verdict verdict, String detail, SortedMap<String, Double> figures) {
+
+  private static final double NS_PER_S = 1e9;
 
   /** How a run went, from good to bad. */
   public enum Verdict {
@@ -37,6 +40,27 @@ public record RunOutcome(Verdict verdict, String detail, SortedMap<String, Doubl
 
   public static RunOutcome good(SortedMap<String, Double> figures) {
     return new RunOutcome(Verdict.GOOD, "", figures);
+  }
+
+  /**
+   * What a run says of itself: the first violation, or who did not finish. Its figures are {@code
+   * end_s}, {@code kernel_events}, {@code datagrams_sent} and {@code datagrams_lost}.
+   */
+  public static RunOutcome of(SimResult result) {
+    SortedMap<String, Double> figures = new TreeMap<>();
+    figures.put("end_s", result.endNs() / NS_PER_S);
+    figures.put("kernel_events", (double) result.events());
+    figures.put("datagrams_sent", (double) result.network().sent());
+    figures.put("datagrams_lost", (double) result.network().lost());
+    if (!result.spec().holds()) {
+      String first = result.spec().violations().get(0).toString();
+      return new RunOutcome(Verdict.VIOLATED, first, figures);
+    }
+    if (!result.isFinished()) {
+      String who = "not finished: " + result.unfinished();
+      return new RunOutcome(Verdict.UNFINISHED, who, figures);
+    }
+    return good(figures);
   }
 
   /** A run that an exception ended. */

@@ -1,5 +1,5 @@
 /**
- * Checks that take more than one run: {@code Determinism} runs the same twice, on
+ * Checks that take more than one run: {@link org.starl.sim.check.Determinism} runs the same twice, on
  * both kinds of carriers, and finds the first event that differs; {@link
  * org.starl.sim.check.Campaign} runs many seeds on all cores.
  *

@@ -19,6 +19,10 @@ import net.jqwik.api.constraints.LongRange;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
 import org.starl.sim.check.RunOutcome.Verdict;
 
 class CampaignTest {
@@ -171,6 +175,41 @@ class CampaignTest {
     assertThat(new Campaign(max - 1, max, 2, true).run(s -> outcome(s, 2), SILENT).runs())
         .extracting(CampaignResult.Run::seed)
         .containsExactly(max - 1);
+  }
+
+  @Test
+  void aSimulationTellsWhatCameOfIt() throws InterruptedException {
+    CampaignResult result =
+        new Campaign(1, 4, 2, false)
+            .run(seed -> RunOutcome.of(sleepers(seed).build().run()), SILENT);
+    assertThat(result.count(Verdict.GOOD)).isEqualTo(2);
+    assertThat(result.count(Verdict.UNFINISHED)).isEqualTo(2);
+    CampaignResult.Run bad = Objects.requireNonNull(result.firstBad());
+    assertThat(bad.outcome().detail()).isEqualTo("not finished: [bot0, bot1]");
+    assertThat(result.percentile("end_s", 100)).isEqualTo(5);
+  }
+
+  /** With an odd seed they oversleep the end of the run. */
+  private static Simulation.Builder sleepers(long seed) {
+    return Simulation.builder()
+        .seed(seed)
+        .settings(SimSettings.builder().set("duration", "5s").build())
+        .robots(2, gvh -> new Sleeper(gvh, seed % 2 == 0 ? 1_000 : 10_000));
+  }
+
+  private static final class Sleeper extends LogicThread {
+    private final long ms;
+
+    Sleeper(GlobalVarHolder gvh, long ms) {
+      super(gvh);
+      this.ms = ms;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      sleep(ms);
+      return returnResults();
+    }
   }
 
   private static void awaitQuietly(CountDownLatch latch) {
