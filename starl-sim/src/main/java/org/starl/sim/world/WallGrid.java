@@ -28,6 +28,7 @@ final class WallGrid {
   private int columns;
   private int rows;
   private Wall[][] cells = new Wall[0][];
+  private Solid[][] solidCells = new Solid[0][];
   private long query;
 
   WallGrid(Obstacles obstacles) {
@@ -82,8 +83,13 @@ final class WallGrid {
 
   /** Whether a point lies inside a solid obstacle that stands. */
   boolean isInside(Point point, long nowNs) {
-    for (Solid solid : solids) {
-      if (nowNs < solid.untilNs && solid.contains(point)) {
+    int column = cells.length == 0 ? -1 : index(point.xMm() - leastX);
+    int row = cells.length == 0 ? -1 : index(point.yMm() - leastY);
+    if (column < 0 || column >= columns || row < 0 || row >= rows) {
+      return false;
+    }
+    for (Solid solid : solidCells[row * columns + column]) {
+      if (nowNs < solid.untilNs && solid.polygon.contains(point)) {
         return true;
       }
     }
@@ -104,15 +110,22 @@ final class WallGrid {
     columns = index(mostX - leastX) + 1;
     rows = index(mostY - leastY) + 1;
     List<List<Wall>> filling = new ArrayList<>();
+    List<List<Solid>> solidFilling = new ArrayList<>();
     for (int i = 0; i < columns * rows; i++) {
       filling.add(new ArrayList<>(0));
+      solidFilling.add(new ArrayList<>(0));
     }
     for (Wall wall : walls) {
       enter(wall, filling);
     }
+    for (Solid solid : solids) {
+      enter(solid, solidFilling);
+    }
     cells = new Wall[columns * rows][];
+    solidCells = new Solid[columns * rows][];
     for (int i = 0; i < cells.length; i++) {
       cells[i] = filling.get(i).toArray(new Wall[0]);
+      solidCells[i] = solidFilling.get(i).toArray(new Solid[0]);
     }
   }
 
@@ -131,6 +144,16 @@ final class WallGrid {
     }
   }
 
+  private void enter(Solid solid, List<List<Solid>> filling) {
+    for (int row = index(solid.leastY - leastY); row <= index(solid.mostY - leastY); row++) {
+      for (int column = index(solid.leastX - leastX);
+          column <= index(solid.mostX - leastX);
+          column++) {
+        filling.get(row * columns + column).add(solid);
+      }
+    }
+  }
+
   private int index(double mm) {
     return (int) Math.floor(mm / cellMm);
   }
@@ -141,7 +164,7 @@ final class WallGrid {
         : obstacle.lifetimeMs() * NS_PER_MS;
   }
 
-  /** A solid obstacle with its box, so that most points need no look at its corners. */
+  /** A solid obstacle with the box that holds it. */
   private static final class Solid {
     private final Polygon polygon;
     private final long untilNs;
@@ -159,14 +182,6 @@ final class WallGrid {
         mostX = Math.max(mostX, corner.xMm());
         mostY = Math.max(mostY, corner.yMm());
       }
-    }
-
-    boolean contains(Point point) {
-      return point.xMm() >= leastX
-          && point.xMm() <= mostX
-          && point.yMm() >= leastY
-          && point.yMm() <= mostY
-          && polygon.contains(point);
     }
   }
 }
