@@ -186,6 +186,22 @@ final class SimNetworkTest {
   }
 
   @Test
+  void aPartitionSplitsUntilItHeals() {
+    Air air = new Air(4);
+    LinkRule.Handle split =
+        air.network.install(Partition.isolating(new RobotId("bot0"), new RobotId("bot1")));
+    air.broadcast("bot0", "left");
+    air.broadcast("bot2", "right");
+    split.uninstall();
+    air.broadcast("bot3", "healed");
+    air.time.runFor(1);
+    assertThat(air.log("bot0")).containsExactly("0 healed");
+    assertThat(air.log("bot1")).containsExactly("0 left", "0 healed");
+    assertThat(air.log("bot2")).containsExactly("0 healed");
+    assertThat(air.log("bot3")).containsExactly("0 right");
+  }
+
+  @Test
   void aRuleCanDuplicate() {
     Air air = new Air(2);
     air.network.install(copy -> Verdict.duplicate(MS, 3 * MS));

@@ -1,0 +1,50 @@
+package org.starl.sim.net;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.starl.RobotId;
+
+/**
+ * Splits the air: datagrams pass within a group and between robots that are in no group, and
+ * nowhere else. Install it to split, uninstall it to heal.
+ */
+public final class Partition implements LinkRule {
+
+  private static final Verdict CUT = Verdict.drop("partition");
+  private static final int NO_GROUP = -1;
+
+  private final List<Set<RobotId>> groups = new ArrayList<>();
+
+  private Partition(List<? extends Collection<RobotId>> groups) {
+    for (Collection<RobotId> group : groups) {
+      this.groups.add(new HashSet<>(group));
+    }
+  }
+
+  /** These groups, and all others as one more. A robot in two groups belongs to the first. */
+  public static Partition of(List<? extends Collection<RobotId>> groups) {
+    return new Partition(groups);
+  }
+
+  /** These robots on one side, everyone else on the other. */
+  public static Partition isolating(RobotId... robots) {
+    return new Partition(List.of(List.of(robots)));
+  }
+
+  @Override
+  public Verdict judge(Transmission copy) {
+    return groupOf(copy.from()) == groupOf(copy.to()) ? Verdict.PASS : CUT;
+  }
+
+  private int groupOf(RobotId robot) {
+    for (int i = 0; i < groups.size(); i++) {
+      if (groups.get(i).contains(robot)) {
+        return i;
+      }
+    }
+    return NO_GROUP;
+  }
+}
