@@ -206,6 +206,11 @@ public final class Registration implements RegPrim, Membership {
     }
 
     @Override
+    public void isGiven(View first) {
+      gvh.trace.action(source, RegistrationTrace.FIRST_VIEW, first);
+    }
+
+    @Override
     public void asksFor(ProcessId id) {
       gvh.trace.action(source, RegistrationTrace.DO_REGISTER, id);
     }

@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.View;
 
 /** Where a {@link RegistrationProtocol}'s effects go. */
 interface RegistrationPort {
@@ -18,6 +19,9 @@ interface RegistrationPort {
 
   /** An id that this robot has never used and will never use again. */
   ProcessId freshProcess();
+
+  /** The deployment gives this first view. */
+  void isGiven(View first);
 
   /** This robot asks for {@code id} to be in. */
   void asksFor(ProcessId id);

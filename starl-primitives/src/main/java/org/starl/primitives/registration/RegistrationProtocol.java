@@ -91,11 +91,13 @@ class RegistrationProtocol {
 
   private void start(boolean isFirstStart) {
     View initial = settings.initialView();
+    if (initial.number() > 0) {
+      port.isGiven(initial);
+    }
     for (ProcessId id : initial.ids()) {
       if (isFirstStart && id.robot().equals(self)) {
         me = id;
         settle(Phase.IN);
-        port.asksFor(id);
       }
     }
     SynodMessage.Decided known = synod.latest();

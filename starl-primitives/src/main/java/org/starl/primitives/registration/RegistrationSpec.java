@@ -85,6 +85,8 @@ public final class RegistrationSpec implements Monitor {
           progress.owe(new Debt(action.source(), action.robot()), action.timeNs());
         }
       }
+      case RegistrationTrace.FIRST_VIEW ->
+          history(action.source()).isGiven(View.parse(action.args().get(0)));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
           history(action.source()).mayLeave(action.robot(), id(action));
       default -> {

@@ -9,6 +9,9 @@ final class RegistrationTrace {
 
   static final String PRIMITIVE = "registration";
 
+  /** Action with the first view, where the deployment gives one. */
+  static final String FIRST_VIEW = "first_view";
+
   /** Action with the id that asks to be in; one for each attempt, so one call may have several. */
   static final String DO_REGISTER = "do_register";
 

@@ -29,6 +29,11 @@ final class ViewHistory {
     this.source = source;
   }
 
+  /** Who stands in the deployment's own view need not have asked. */
+  void isGiven(View first) {
+    asked.addAll(first.ids());
+  }
+
   /** An id counts only by its own robot's word. */
   void asked(RobotId robot, ProcessId id) {
     if (id.robot().equals(robot)) {

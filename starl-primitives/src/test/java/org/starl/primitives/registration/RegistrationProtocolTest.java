@@ -3,10 +3,12 @@ package org.starl.primitives.registration;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.spec.SpecReport;
 
@@ -173,6 +175,30 @@ class RegistrationProtocolTest {
     for (int i = 1; i < 5; i++) {
       assertThat(town.robot(i).protocol().view().contains(gone)).isFalse();
     }
+    assertThat(town.finish().holds()).isTrue();
+  }
+
+  @Test
+  void aFirstViewMayBeGivenAndIsBuiltUpon() {
+    Town town = new Town(11, 3, 3, new RegistrationSpec());
+    View first =
+        View.closed(
+            List.of(new ProcessId(town.robot(0).name, 1), new ProcessId(town.robot(1).name, 1)));
+    town.settings = town.settings.withInitialView(first);
+    town.maker =
+        (self, who, set, rng, record, port, now) ->
+            new RegistrationProtocol(self, who, set, rng, record, record == null, port, now);
+    town.startAll();
+    assertThat(isIn(town, 0)).isTrue();
+    assertThat(town.robot(1).protocol().rList().isAgreed()).isTrue();
+    town.robot(2).do_register();
+    town.runForMs(200);
+    View second = town.robot(2).protocol().view();
+    assertThat(second.number()).isEqualTo(2);
+    assertThat(second.ids()).containsAll(first.ids()).hasSize(3);
+    town.robot(0).crash();
+    town.robot(0).start();
+    assertThat(isIn(town, 0)).as("a restarted robot is nobody's successor").isFalse();
     assertThat(town.finish().holds()).isTrue();
   }
 

@@ -236,6 +236,12 @@ final class TownRobot {
     }
 
     @Override
+    public void isGiven(View first) {
+      List<String> args = List.of(first.toString());
+      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, "first_view", args));
+    }
+
+    @Override
     public void asksFor(ProcessId id) {
       action("do_register", id);
     }
