@@ -19,6 +19,9 @@ final class MutexCodec implements Codec<MutexMessage> {
   private static final int OK = 2;
   private static final int REM = 3;
 
+  /** As in datagrams' headers: nothing that arrives drives a clock to its overflow. */
+  private static final long MAX_TS = (1L << 62) - 1;
+
   @Override
   public void write(MutexMessage message, WireWriter out) {
     switch (message) {
@@ -49,6 +52,9 @@ final class MutexCodec implements Codec<MutexMessage> {
       case REQ -> {
         long admittedBy = positive(in.i64(), "view number");
         long ts = positive(in.i64(), "logical time");
+        if (ts > MAX_TS) {
+          throw new WireFormatException("logical time " + ts);
+        }
         SortedSet<String> want = sections(in);
         if (want.isEmpty()) {
           throw new WireFormatException("a request for nothing");

@@ -1,0 +1,287 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Function;
+import org.junit.jupiter.api.Test;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.Participants;
+import org.starl.RobotId;
+import org.starl.primitives.registration.Registration;
+import org.starl.random.Rng;
+import org.starl.sim.Setting;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.SimulationFailed;
+import org.starl.sim.net.Latency;
+
+/** The mutex on whole robots in the simulator, as an app uses it. */
+class M_MutexTest {
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final String XID = "crossing";
+
+  @Test
+  void aClosedGroupTakesTurnsOverABadRadio() {
+    for (long seed = 0; seed < 10; seed++) {
+      SimResult result = run(5, seed, 0.3, gvh -> new Turns(gvh, new M_Mutex(gvh, XID), 5));
+      assertThat(result.isFinished()).as("seed %d", seed).isTrue();
+      assertThat(result.spec().holds()).as("seed %d: %s", seed, result.spec()).isTrue();
+      assertThat(result.spec().checks(MutexSpec.EXCLUSIVE)).isEqualTo(25);
+    }
+  }
+
+  @Test
+  void robotsThatRegisterAndUnregisterAgainAndAgainTakeTurnsOverABadRadio() {
+    for (long seed = 0; seed < 10; seed++) {
+      SimResult result = run(4, seed, 0.2, Registered::new);
+      assertThat(result.unfinished()).as("seed %d", seed).isEmpty();
+      assertThat(result.spec().holds()).as("seed %d: %s", seed, result.spec()).isTrue();
+      assertThat(result.spec().checks(MutexSpec.EXCLUSIVE)).isEqualTo(4 * Registered.ROUNDS * 2);
+    }
+  }
+
+  @Test
+  void whoIsNotRegisteredIsToldAtOnce() {
+    SimResult result =
+        run(
+            1,
+            1,
+            0,
+            gvh -> {
+              Registration reg = new Registration(gvh, XID);
+              M_Mutex mux = new M_Mutex(gvh, XID, reg);
+              return new Script(
+                  gvh,
+                  script -> {
+                    mux.do_mutex(List.of("A"));
+                    return List.of(mux.failed().get(), mux.failure().get(), mux.crit().get());
+                  });
+            });
+    assertThat(result.results().values())
+        .containsExactly(List.of(true, MutexFailure.NOT_REGISTERED, false));
+  }
+
+  @Test
+  void whoNeedsTheConsentOfARobotThatIsNotThereFailsAtItsDeadline() {
+    SimResult result =
+        run(
+            1,
+            1,
+            0,
+            gvh -> {
+              Participants both = Participants.of(gvh.id.name(), new RobotId("nobody"));
+              MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(3_000);
+              M_Mutex mux = new M_Mutex(gvh, XID, M_Mutex.closedGroup(gvh, both), times);
+              return new Script(
+                  gvh,
+                  script -> {
+                    mux.do_mutex(List.of("A"), both);
+                    script.awaits(() -> mux.failed().get());
+                    return List.of(gvh.plat.clock.nowNs() / NS_PER_MS, mux.failure().get());
+                  });
+            });
+    assertThat(result.results().values()).containsExactly(List.of(3_000L, MutexFailure.DEADLINE));
+  }
+
+  @Test
+  void aWithdrawnRequestIsToldAndTheNextOneIsServed() {
+    SimResult result =
+        run(
+            1,
+            1,
+            0,
+            gvh -> {
+              M_Mutex mux = new M_Mutex(gvh, XID);
+              return new Script(
+                  gvh,
+                  script -> {
+                    mux.withdraw();
+                    boolean failedBefore = mux.failed().get();
+                    mux.do_mutex(List.of("A", "B"));
+                    mux.withdraw();
+                    mux.release("A");
+                    return List.of(failedBefore, mux.od_mutex(), mux.held());
+                  });
+            });
+    assertThat(result.results().values())
+        .containsExactly(List.of(false, true, Sections.copyOf(List.of("B"))));
+  }
+
+  @Test
+  void wrongUseEndsTheRunWithWhatIsWrong() {
+    assertFails("had this instance already", (gvh, mux) -> new M_Mutex(gvh, XID));
+    assertFails("do_mutex of [A] while CRITICAL", (gvh, mux) -> mux.do_mutex(List.of("A")));
+    assertFails("section 'a b'", (gvh, mux) -> mux.release("a b"));
+    assertFails("release of [B] while holding [A]", (gvh, mux) -> mux.release("B"));
+    assertFails(
+        "expected bot0 among them",
+        (gvh, mux) -> mux.do_mutex(List.of("A"), Participants.of(new RobotId("bot1"))));
+    assertFails(
+        "mutex/crossing is closed",
+        (gvh, mux) -> {
+          mux.close();
+          mux.close();
+          mux.release("A");
+        });
+  }
+
+  @Test
+  void unregisteringWhileHoldingEndsTheRun() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          Registration reg = new Registration(gvh, XID);
+          M_Mutex mux = new M_Mutex(gvh, XID, reg);
+          return new Script(
+              gvh,
+              script -> {
+                reg.do_register();
+                script.awaits(() -> reg.ts() > 0);
+                mux.do_mutex(List.of("A"));
+                script.awaits(mux::od_mutex);
+                reg.unregister();
+                return List.of();
+              });
+        };
+    assertThatThrownBy(() -> run(1, 1, 0, app))
+        .isInstanceOf(SimulationFailed.class)
+        .rootCause()
+        .hasMessageContaining("unregister while holding [A]");
+  }
+
+  private interface Wrong {
+    void use(GlobalVarHolder gvh, M_Mutex mux);
+  }
+
+  private static void assertFails(String message, Wrong wrong) {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          M_Mutex mux = new M_Mutex(gvh, XID);
+          return new Script(
+              gvh,
+              script -> {
+                mux.do_mutex(List.of("A"));
+                wrong.use(gvh, mux);
+                return List.of();
+              });
+        };
+    assertThatThrownBy(() -> run(1, 1, 0, app))
+        .isInstanceOf(SimulationFailed.class)
+        .rootCause()
+        .hasMessageContaining(message);
+  }
+
+  private static SimResult run(
+      int robots, long seed, double loss, Function<GlobalVarHolder, ? extends LogicThread> app) {
+    SimSettings settings =
+        SimSettings.builder()
+            .set(Setting.MESSAGE_DELAY, new Latency.Uniform(10 * NS_PER_MS, 200 * NS_PER_MS))
+            .set(Setting.MESSAGE_LOSS, loss)
+            .duration(Duration.ofMinutes(20))
+            .build();
+    return Simulation.builder()
+        .robots(robots, app)
+        .seed(seed)
+        .settings(settings)
+        .monitor(() -> new MutexSpec(XID))
+        .build()
+        .run();
+  }
+
+  /** An app that is one lambda. */
+  private static final class Script extends LogicThread {
+    private final Function<Script, List<Object>> lines;
+
+    Script(GlobalVarHolder gvh, Function<Script, List<Object>> lines) {
+      super(gvh);
+      this.lines = lines;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      return lines.apply(this);
+    }
+
+    void awaits(BooleanSupplier condition) {
+      await(condition);
+    }
+  }
+
+  /** Asks for some of A to D, uses them, gives them back one by one; so many times. */
+  private static class Turns extends LogicThread {
+    private final M_Mutex mux;
+    private final int turns;
+    private final Rng rng;
+
+    Turns(GlobalVarHolder gvh, M_Mutex mux, int turns) {
+      super(gvh);
+      this.mux = mux;
+      this.turns = turns;
+      this.rng = gvh.plat.entropy.fork("turns");
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      for (int turn = 0; turn < turns; turn++) {
+        takeTurn();
+      }
+      return returnResults();
+    }
+
+    final void takeTurn() {
+      sleep(rng.nextLong(0, 300));
+      List<String> some = new ArrayList<>(List.of("A", "B", "C", "D"));
+      some.removeIf(name -> rng.nextBoolean(0.5));
+      if (some.isEmpty()) {
+        some.add("A");
+      }
+      mux.do_mutex(some, gvh.id.participants());
+      await(() -> mux.crit().get() || mux.failed().get());
+      if (!mux.od_mutex()) {
+        throw new IllegalStateException("failed: " + mux.failure().get());
+      }
+      for (String section : some) {
+        sleep(rng.nextLong(0, 100));
+        mux.release(section);
+      }
+    }
+  }
+
+  /** Registers, takes two turns, unregisters; and again. */
+  private static final class Registered extends LogicThread {
+    static final int ROUNDS = 3;
+
+    private final Registration reg;
+    private final Turns turns;
+
+    Registered(GlobalVarHolder gvh) {
+      super(gvh);
+      reg = new Registration(gvh, XID);
+      turns = new Turns(gvh, new M_Mutex(gvh, XID, reg), 0);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      for (int round = 0; round < ROUNDS; round++) {
+        do {
+          reg.do_register();
+          await(() -> reg.mayRequest() || reg.failed().get());
+        } while (!reg.mayRequest());
+        turns.takeTurn();
+        turns.takeTurn();
+        do {
+          reg.unregister();
+          await(() -> reg.isUnregistered() || reg.failed().get());
+        } while (!reg.isUnregistered());
+      }
+      return returnResults();
+    }
+  }
+}

@@ -1,0 +1,153 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.TreeSet;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.EdgeCasesMode;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.platform.Radio;
+import org.starl.primitives.mutex.MutexMessage.Ok;
+import org.starl.primitives.mutex.MutexMessage.Rem;
+import org.starl.primitives.mutex.MutexMessage.Req;
+
+class MutexCodecTest {
+
+  private static final ProcessId ONE = new ProcessId(new RobotId("one"), 1);
+  private static final ProcessId TWO = new ProcessId(new RobotId("two"), (7L << 32) + 3);
+
+  private final MutexCodec codec = new MutexCodec();
+
+  @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
+  void everyMessageIsReadAsItWasWritten(@ForAll("messages") MutexMessage message) {
+    WireReader in = new WireReader(bytes(message));
+    assertThat(codec.read(in)).isEqualTo(message);
+    assertThat(in.remaining()).isZero();
+  }
+
+  @Property(tries = 2_000, edgeCases = EdgeCasesMode.NONE)
+  void damagedBytesAreRefusedOrTheOnlySpellingOfAnotherMessage(
+      @ForAll("messages") MutexMessage message, @ForAll long seed) {
+    byte[] damaged = bytes(message);
+    int at = (int) Math.floorMod(seed, (long) damaged.length);
+    damaged[at] ^= (byte) (1 + Math.floorMod(seed >> 8, 255L));
+    readsOrRefuses(damaged);
+    readsOrRefuses(Arrays.copyOf(damaged, at));
+  }
+
+  @Test
+  void theLongestRequestLeavesRoomForItsDatagramsHeader() {
+    TreeSet<String> sections = new TreeSet<>();
+    for (int i = 0; i < Sections.MAX_COUNT; i++) {
+      sections.add("s".repeat(Sections.MAX_LENGTH - 2) + (10 + i));
+    }
+    ProcessId from = new ProcessId(new RobotId("a".repeat(RobotId.MAX_LENGTH)), 1);
+    ProcessId to = new ProcessId(new RobotId("b".repeat(RobotId.MAX_LENGTH)), 1);
+    byte[] bytes = bytes(new Req(from, to, 1, 1, 1, Sections.copyOf(sections)));
+    // Two robots' names, a channel's name, 26 bytes before them, 40 for an authenticator.
+    assertThat(bytes.length + 33 + 33 + 64 + 26 + 40).isLessThanOrEqualTo(Radio.MAX_BYTES);
+  }
+
+  @Test
+  void whatNobodyWritesIsRefused() {
+    Req req = new Req(ONE, TWO, 1, 1, 1, Sections.copyOf(List.of("A", "B")));
+    assertThatThrownBy(() -> codec.read(new WireReader(with(req, 0, 9))))
+        .hasMessage("message kind 9");
+    int last = bytes(req).length - 1;
+    assertThatThrownBy(() -> codec.read(new WireReader(with(req, last, 'A'))))
+        .as("a name twice")
+        .isInstanceOf(WireFormatException.class);
+    assertThatThrownBy(() -> codec.read(new WireReader(with(req, last, '!'))))
+        .as("a bad letter")
+        .isInstanceOf(WireFormatException.class);
+    assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1, Sections.NONE)))
+        .hasMessage("a request for nothing");
+    assertThatThrownBy(() -> read(new Ok(ONE, ONE, 1))).hasMessage("a message of one#1 to itself");
+    assertThatThrownBy(() -> read(new Ok(ONE, TWO, 0))).hasMessage("request number 0");
+    assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1L << 62, req.want())))
+        .hasMessageStartingWith("logical time");
+  }
+
+  @Test
+  void sectionNamesAreChecked() {
+    for (String bad : List.of("", "a b", "é", "x".repeat(33), "a/b", "a\n")) {
+      assertThatThrownBy(() -> Sections.copyOf(List.of(bad)))
+          .isInstanceOf(IllegalArgumentException.class)
+          .hasMessageContaining("expected 1 to 32 of");
+    }
+    List<String> many = new ArrayList<>();
+    for (int i = 0; i < 33; i++) {
+      many.add("s" + i);
+    }
+    assertThatThrownBy(() -> Sections.copyOf(many)).hasMessageStartingWith("33 sections");
+  }
+
+  @Provide
+  Arbitrary<MutexMessage> messages() {
+    Arbitrary<ProcessId> from = Arbitraries.longs().greaterOrEqual(1).map(inc -> id("one", inc));
+    Arbitrary<ProcessId> to = Arbitraries.longs().greaterOrEqual(1).map(inc -> id("two", inc));
+    Arbitrary<Long> positive = Arbitraries.longs().between(1, (1L << 62) - 1);
+    Arbitrary<TreeSet<String>> names =
+        Arbitraries.strings()
+            .withChars("ABab01_-.:")
+            .ofMinLength(1)
+            .ofMaxLength(32)
+            .set()
+            .ofMaxSize(8)
+            .map(TreeSet::new);
+    return Combinators.combine(from, to, positive, positive, positive, names)
+        .flatAs((f, t, num, by, ts, left) -> {
+          TreeSet<String> want = new TreeSet<>(left);
+          want.add("Z");
+          return Arbitraries.of(
+              new Req(f, t, num, by, ts, want), new Ok(f, t, num), new Rem(f, t, num, left));
+        });
+  }
+
+  private static ProcessId id(String robot, long inc) {
+    return new ProcessId(new RobotId(robot), inc);
+  }
+
+  private void readsOrRefuses(byte[] bytes) {
+    WireReader in = new WireReader(bytes);
+    try {
+      MutexMessage read = codec.read(in);
+      if (in.remaining() == 0) {
+        assertThat(bytes(read)).isEqualTo(bytes);
+      }
+    } catch (WireFormatException refused) {
+      assertThat(refused).hasMessageNotContaining("null");
+    }
+  }
+
+  private void read(MutexMessage message) {
+    codec.read(new WireReader(bytes(message)));
+  }
+
+  private byte[] with(MutexMessage message, int at, int value) {
+    byte[] bytes = bytes(message);
+    bytes[at] = (byte) value;
+    return bytes;
+  }
+
+  private byte[] bytes(MutexMessage message) {
+    byte[] buffer = new byte[Radio.MAX_BYTES];
+    WireWriter out = new WireWriter(buffer);
+    codec.write(message, out);
+    return Arrays.copyOf(buffer, out.length());
+  }
+}

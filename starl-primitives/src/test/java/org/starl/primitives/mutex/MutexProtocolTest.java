@@ -1,0 +1,320 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexMessage.Ok;
+import org.starl.primitives.mutex.MutexMessage.Rem;
+import org.starl.primitives.mutex.MutexMessage.Req;
+import org.starl.primitives.mutex.MutexProtocol.Phase;
+
+/** One participant, message by message. */
+class MutexProtocolTest {
+
+  private static final long MS = 1_000_000;
+  private static final ProcessId A = id("a");
+  private static final ProcessId B = id("b");
+  private static final ProcessId C = id("c");
+
+  private final List<MutexMessage> sent = new ArrayList<>();
+  private final List<MutexEvent> events = new ArrayList<>();
+  private final MutexNode node = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
+  private final MutexProtocol b = node.protocol;
+
+  @Test
+  void aloneItEntersAtOnce() {
+    b.learn(View.closed(List.of(B)));
+    b.request(sections("x"), 0);
+    assertThat(b.held()).containsExactly("x");
+    assertThat(sent).isEmpty();
+  }
+
+  @Test
+  void withoutAViewThatListsItItFailsAtOnce() {
+    b.request(sections("x"), 0);
+    assertThat(events).containsExactly(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
+    b.learn(View.closed(List.of(A, C)));
+    b.request(sections("x"), 0);
+    assertThat(b.phase()).isEqualTo(Phase.IDLE);
+    assertThat(sent).isEmpty();
+  }
+
+  @Test
+  void itEntersWhenTheLastAnswerIsThereAndNoSooner() {
+    b.learn(View.closed(List.of(A, B, C)));
+    b.request(sections("x", "y"), 0);
+    assertThat(sent)
+        .containsExactly(
+            new Req(B, A, 1, 1, 1, sections("x", "y")), new Req(B, C, 1, 1, 1, sections("x", "y")));
+    b.receive(new Ok(A, B, 1));
+    b.receive(new Ok(A, B, 1));
+    assertThat(b.phase()).isEqualTo(Phase.TRYING);
+    b.receive(new Ok(C, B, 1));
+    assertThat(b.held()).containsExactly("x", "y");
+  }
+
+  @Test
+  void anAnswerToAnEarlierRequestCountsForNothing() {
+    b.learn(View.closed(List.of(A, B)));
+    b.request(sections("x"), 0);
+    b.withdraw(MutexFailure.WITHDRAWN);
+    b.request(sections("x"), 0);
+    b.receive(new Ok(A, B, 1));
+    assertThat(b.phase()).isEqualTo(Phase.TRYING);
+    b.receive(new Ok(A, B, 2));
+    assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
+  }
+
+  @Test
+  void theEarlierRequestGoesFirstAndTheLaterOneIsAnsweredAtTheRelease() {
+    b.learn(View.closed(List.of(A, B, C)));
+    b.request(sections("x"), 0);
+    sent.clear();
+    b.receive(new Req(C, B, 1, 1, 1, sections("x")));
+    assertThat(sent).as("equal times: the name decides").isEmpty();
+    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    assertThat(sent).containsExactly(new Ok(B, A, 1));
+    b.receive(new Ok(A, B, 1));
+    b.receive(new Ok(C, B, 1));
+    sent.clear();
+    b.release(sections("x"));
+    assertThat(sent)
+        .containsExactly(
+            new Rem(B, A, 1, Sections.NONE), new Rem(B, C, 1, Sections.NONE), new Ok(B, C, 1));
+  }
+
+  @Test
+  void aPartialReleaseAnswersThoseWhoseSectionsAreFree() {
+    holds("x", "y", "z");
+    b.receive(new Req(A, B, 1, 1, 9, sections("x")));
+    b.receive(new Req(C, B, 1, 1, 9, sections("x", "y")));
+    assertThat(sent).isEmpty();
+    b.release(sections("x"));
+    assertThat(sent).contains(new Ok(B, A, 1), new Rem(B, A, 1, sections("y", "z")));
+    assertThat(sent).doesNotContain(new Ok(B, C, 1));
+    sent.clear();
+    b.release(sections("y"));
+    assertThat(sent).contains(new Ok(B, C, 1));
+    assertThat(b.held()).containsExactly("z");
+  }
+
+  @Test
+  void aHolderKeepsBackWhatComesWithALowerTime() {
+    holds("x");
+    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    assertThat(sent).isEmpty();
+  }
+
+  @Test
+  void aRequestForOtherSectionsIsAnsweredAtOnceAndAgainWhenRepeated() {
+    holds("x");
+    b.receive(new Req(A, B, 1, 1, 9, sections("y")));
+    b.receive(new Req(A, B, 1, 1, 9, sections("y")));
+    assertThat(sent).containsExactly(new Ok(B, A, 1), new Ok(B, A, 1));
+    assertThat(b.open(A)).containsExactly("y");
+  }
+
+  @Test
+  void staleAndWithdrawnRequestsAreNeverAnswered() {
+    b.learn(View.closed(List.of(A, B)));
+    b.receive(new Rem(A, B, 3, Sections.NONE));
+    b.receive(new Req(A, B, 2, 1, 5, sections("x")));
+    b.receive(new Req(A, B, 3, 1, 6, sections("x")));
+    assertThat(sent).isEmpty();
+    b.receive(new Req(A, B, 4, 1, 7, sections("x")));
+    assertThat(sent).containsExactly(new Ok(B, A, 4));
+  }
+
+  @Test
+  void aWithdrawnRequestIsNotAnsweredAtTheRelease() {
+    holds("x");
+    b.receive(new Req(A, B, 1, 1, 9, sections("x")));
+    b.receive(new Rem(A, B, 1, Sections.NONE));
+    b.release(sections("x"));
+    assertThat(sent).doesNotContain(new Ok(B, A, 1));
+  }
+
+  @Test
+  void theRestOfARequestShrinksWhatIsOpen() {
+    b.learn(View.closed(List.of(A, B)));
+    b.receive(new Req(A, B, 1, 1, 5, sections("x", "y", "z")));
+    b.receive(new Rem(A, B, 1, sections("y")));
+    b.receive(new Rem(A, B, 1, sections("x", "y")));
+    assertThat(b.open(A)).as("whatever the order of arrival").containsExactly("y");
+  }
+
+  @Test
+  void aNewcomerThatAsksIsAskedBackEvenIfNoViewOfMineListsIt() {
+    b.learn(View.closed(List.of(A, B)));
+    b.request(sections("x"), 0);
+    b.receive(new Ok(A, B, 1));
+    assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
+    b.release(sections("x"));
+    b.receive(new Req(C, B, 1, 2, 1, sections("x")));
+    assertThat(b.known()).containsExactly(A, C);
+    sent.clear();
+
+    b.request(sections("x"), 0);
+    assertThat(sent).hasSize(2);
+    b.receive(new Ok(A, B, 2));
+    assertThat(b.phase()).isEqualTo(Phase.TRYING);
+    b.receive(new Ok(C, B, 2));
+    assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
+  }
+
+  @Test
+  void aNewcomerThatAsksWhileItWaitsIsAskedAtOnce() {
+    b.learn(View.closed(List.of(A, B)));
+    b.request(sections("x"), 0);
+    sent.clear();
+    b.receive(new Req(C, B, 1, 2, 9, sections("y")));
+    assertThat(sent).containsExactly(new Req(B, C, 1, 1, 1, sections("x")), new Ok(B, C, 1));
+    b.receive(new Ok(A, B, 1));
+    assertThat(b.phase()).isEqualTo(Phase.TRYING);
+  }
+
+  @Test
+  void aViewFreesItFromThoseWhoAreNotListed() {
+    b.learn(View.closed(List.of(A, B, C)));
+    b.request(sections("x"), 0);
+    b.receive(new Ok(A, B, 1));
+    b.learn(view(4, A, B));
+    assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
+  }
+
+  @Test
+  void anOlderViewChangesNothing() {
+    b.learn(view(4, A, B));
+    b.learn(view(3, A, B, C));
+    assertThat(b.known()).containsExactly(A);
+  }
+
+  @Test
+  void aViewWithoutItEndsItsRequestsForEver() {
+    b.learn(View.closed(List.of(A, B, C)));
+    b.request(sections("x"), 0);
+    b.learn(view(2, A, C));
+    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.REMOVED));
+    b.learn(view(3, A, B, C));
+    b.request(sections("x"), 0);
+    assertThat(events).contains(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
+  }
+
+  @Test
+  void aHolderThatIsRemovedKeepsWhatItHoldsUntilItReleases() {
+    holds("x");
+    b.learn(view(2, A, C));
+    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    assertThat(sent).isEmpty();
+    assertThat(b.held()).containsExactly("x");
+    b.release(sections("x"));
+    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    assertThat(sent).contains(new Ok(B, A, 1));
+  }
+
+  @Test
+  void whoLeavesRequestsNoMoreAndGoesOnAnswering() {
+    b.learn(View.closed(List.of(A, B)));
+    b.beginLeave();
+    b.request(sections("x"), 0);
+    assertThat(b.phase()).isEqualTo(Phase.IDLE);
+    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    assertThat(sent).containsExactly(new Ok(B, A, 1));
+  }
+
+  @Test
+  void aRequestIsRepeatedToThoseWhoHaveNotAnsweredMoreAndMoreSlowly() {
+    b.learn(View.closed(List.of(A, B, C)));
+    b.request(sections("x"), 0);
+    b.receive(new Ok(A, B, 1));
+    sent.clear();
+    List<Long> repeatedAtMs = new ArrayList<>();
+    for (long ms = 0; ms < 4_000; ms++) {
+      b.timer(ms * MS);
+      if (!sent.isEmpty()) {
+        assertThat(sent).containsExactly(new Req(B, C, 1, 1, 1, sections("x")));
+        repeatedAtMs.add(ms);
+        sent.clear();
+      }
+    }
+    assertThat(repeatedAtMs).containsExactly(250L, 625L, 1188L, 2032L, 3032L);
+  }
+
+  @Test
+  void atItsDeadlineARequestFailsAndFreesTheOthers() {
+    b.learn(View.closed(List.of(A, B)));
+    b.request(sections("x"), 5 * MS);
+    long deadlineNs = (5 + MutexNode.TIMES.deadlineMs()) * MS;
+    b.receive(new Req(A, B, 1, 1, 9, sections("x")));
+    sent.clear();
+    b.timer(deadlineNs - 1);
+    assertThat(b.phase()).isEqualTo(Phase.TRYING);
+    sent.clear();
+    b.timer(deadlineNs);
+    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.DEADLINE));
+    assertThat(sent).containsExactly(new Rem(B, A, 1, Sections.NONE), new Ok(B, A, 1));
+    assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
+  }
+
+  @Test
+  void itsTimersAreThoseOfARequestThatWaits() {
+    b.learn(View.closed(List.of(A, B)));
+    assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
+    b.request(sections("x"), 5 * MS);
+    assertThat(b.nextTimerNs()).isEqualTo(255 * MS);
+    b.receive(new Ok(A, B, 1));
+    assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
+  }
+
+  @Test
+  void wrongCallsAreRefused() {
+    holds("x");
+    assertThatThrownBy(() -> b.request(sections("y"), 0))
+        .isInstanceOf(IllegalStateException.class)
+        .hasMessageContaining("while CRITICAL");
+    assertThatThrownBy(() -> b.release(sections("y")))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("release of [y] while holding [x]");
+    assertThatThrownBy(() -> b.release(Sections.NONE)).isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(b::beginLeave).isInstanceOf(IllegalStateException.class);
+    assertThatThrownBy(() -> b.receive(new Ok(A, C, 1)))
+        .isInstanceOf(IllegalArgumentException.class);
+    b.release(sections("x"));
+    assertThatThrownBy(() -> b.request(Sections.NONE, 0))
+        .isInstanceOf(IllegalArgumentException.class);
+  }
+
+  private void holds(String... names) {
+    b.learn(View.closed(List.of(A, B, C)));
+    b.request(sections(names), 0);
+    b.receive(new Ok(A, B, 1));
+    b.receive(new Ok(C, B, 1));
+    assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
+    sent.clear();
+  }
+
+  private static View view(long number, ProcessId... ids) {
+    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+    for (ProcessId id : ids) {
+      admitted.put(id, 1L);
+    }
+    return new View(number, admitted);
+  }
+
+  private static SortedSet<String> sections(String... names) {
+    return Sections.copyOf(List.of(names));
+  }
+
+  private static ProcessId id(String robot) {
+    return new ProcessId(new RobotId(robot), 1);
+  }
+}

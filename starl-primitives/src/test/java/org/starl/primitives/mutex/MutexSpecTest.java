@@ -1,0 +1,238 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+
+/** The monitors on traces made by hand. d1 = 100, d2 = 50, d3 = 10 ns. */
+class MutexSpecTest {
+
+  private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
+  private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
+  private static final ProcessId K = new ProcessId(new RobotId("k"), 1);
+
+  private final Monitors monitors =
+      new Monitors(List.of(new MutexSpec("x", new MutexBounds(100, 50, 10))));
+
+  @Test
+  void twoHoldersOfOneSectionAreAViolation() {
+    ask(0, I, 1, "A B");
+    enter(1, I, "A B");
+    ask(2, J, 2, "B C");
+    enter(3, J, "B C");
+    assertThat(finish(4).violations())
+        .extracting(SpecReport.Violation::toString)
+        .containsExactly("Exclusive violated at 0.000 s by i j: j#1 and i#1 both hold B");
+  }
+
+  @Test
+  void aSectionThatWasGivenBackIsFree() {
+    ask(0, I, 1, "A B");
+    enter(1, I, "A B");
+    event(2, new MutexEvent.Release(I, 1, set("B"), set("A")));
+    ask(2, J, 2, "B C");
+    enter(3, J, "B C");
+    assertThat(finish(4).holds()).isTrue();
+  }
+
+  @Test
+  void whoLeavesTheFloorWithoutAReleaseStillHolds() {
+    ask(0, I, 1, "A");
+    enter(1, I, "A");
+    monitors.observe(new TraceEvent.Left(2, I.robot()));
+    ask(2, J, 2, "A");
+    enter(3, J, "A");
+    assertThat(finish(4).violations(MutexSpec.EXCLUSIVE)).isEqualTo(1);
+  }
+
+  @Test
+  void whoConsentsAndComesFirstBreaksItsPromise() {
+    ask(0, I, 5, "A");
+    ask(1, J, 4, "A");
+    event(2, new MutexEvent.Grant(J, I, 1));
+    assertThat(finish(3).violations(MutexSpec.PROMISE)).isEqualTo(1);
+  }
+
+  @Test
+  void whoConsentsAndRequestsWithALowerTimeLaterBreaksItsPromise() {
+    ask(0, I, 5, "A");
+    event(1, new MutexEvent.Grant(J, I, 1));
+    ask(2, J, 4, "A");
+    assertThat(finish(3).violations(MutexSpec.PROMISE)).isEqualTo(1);
+  }
+
+  @Test
+  void aPromiseBindsForOneRequestAndForSectionsThatMeet() {
+    ask(0, I, 5, "A");
+    event(1, new MutexEvent.Grant(J, I, 1));
+    ask(2, J, 4, "B");
+    event(3, new MutexEvent.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    event(3, new MutexEvent.Withdraw(J, 1, MutexFailure.WITHDRAWN));
+    event(4, new MutexEvent.DoMutex(I, 2, 6, set("A"), ids(I, J, K)));
+    event(5, new MutexEvent.DoMutex(J, 2, 5, set("A"), ids(I, J, K)));
+    assertThat(finish(6).violations(MutexSpec.PROMISE)).isZero();
+  }
+
+  @Test
+  void twoThatDoNotNeedEachOtherAreAViolation() {
+    event(0, new MutexEvent.DoMutex(I, 1, 1, set("A"), ids(K)));
+    event(1, new MutexEvent.DoMutex(J, 1, 2, set("B"), ids(I, K)));
+    assertThat(monitors.report().violations(MutexSpec.CONNECTED)).isZero();
+    event(2, new MutexEvent.Known(J, 1, ids(K)));
+    assertThat(finish(3).violations(MutexSpec.CONNECTED)).isEqualTo(1);
+  }
+
+  @Test
+  void theTrueFormOfNonInterferenceExcusesWhoWaitsBehindAWaiter() {
+    ask(0, K, 1, "A");
+    enter(0, K, "A");
+    ask(1, J, 2, "A B");
+    ask(2, I, 3, "B");
+    event(40, new MutexEvent.Release(K, 1, set("A"), set("")));
+    enter(45, J, "A B");
+    event(46, new MutexEvent.Release(J, 1, set("B"), set("A")));
+    enter(50, I, "B");
+    assertThat(finish(60).holds()).isTrue();
+  }
+
+  @Test
+  void whoStandsBehindNobodyIsOwedAccessWithinD3() {
+    ask(0, K, 1, "A");
+    enter(0, K, "A");
+    ask(1, I, 3, "B");
+    ask(2, J, 2, "C");
+    enter(8, J, "C");
+    SpecReport report = finish(30);
+    assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isEqualTo(1);
+    assertThat(report.violations().get(0).timeNs()).isEqualTo(11);
+  }
+
+  @Test
+  void everyRequestIsOwedAccessWithinD2() {
+    ask(0, K, 1, "A");
+    enter(0, K, "A");
+    ask(5, I, 3, "A");
+    SpecReport report = finish(60);
+    assertThat(report.violations(MutexProgress.SERVED)).isEqualTo(1);
+    assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isZero();
+  }
+
+  @Test
+  void nothingWithinD2IsOwedWhileSomebodyHoldsForTooLong() {
+    ask(0, K, 1, "A");
+    enter(0, K, "A");
+    ask(60, I, 3, "A");
+    event(500, new MutexEvent.Release(K, 1, set("A"), set("")));
+    enter(505, I, "A");
+    assertThat(finish(510).holds()).isTrue();
+  }
+
+  @Test
+  void afterAnOverdueReleaseTheWholeBoundIsOwed() {
+    ask(0, K, 1, "A");
+    enter(0, K, "A");
+    ask(60, I, 3, "B");
+    ask(60, J, 2, "B");
+    enter(61, J, "B");
+    event(500, new MutexEvent.Release(J, 1, set("B"), set("")));
+    event(500, new MutexEvent.Release(K, 1, set("A"), set("")));
+    SpecReport report = finish(551);
+    assertThat(report.violations(MutexProgress.SERVED)).isEqualTo(1);
+    assertThat(report.violations())
+        .extracting(SpecReport.Violation::timeNs)
+        .containsExactly(550L, 510L);
+  }
+
+  @Test
+  void aRequestThatNeedsOthersThanBeforeIsOwedAnew() {
+    ask(0, I, 1, "A");
+    event(9, new MutexEvent.Known(I, 1, ids(J, K)));
+    enter(19, I, "A");
+    assertThat(finish(20).holds()).isTrue();
+  }
+
+  @Test
+  void aWithdrawnRequestAndOneOfARobotThatLeftAreOwedNothing() {
+    ask(0, I, 1, "A");
+    ask(0, J, 2, "B");
+    event(5, new MutexEvent.Withdraw(I, 1, MutexFailure.WITHDRAWN));
+    monitors.observe(new TraceEvent.Joined(5, J.robot(), new Pose(0, 0, 0), 165));
+    monitors.observe(new TraceEvent.Left(6, J.robot()));
+    assertThat(finish(200).holds()).isTrue();
+  }
+
+  @Test
+  void otherInstancesAndOtherEventsAreNotLookedAt() {
+    monitors.observe(
+        new TraceEvent.Action(0, I.robot(), "mutex/y", "od_mutex", List.of("nonsense")));
+    monitors.observe(new TraceEvent.Variable(0, I.robot(), "mutex/x", "crit", "true"));
+    assertThat(finish(1).holds()).isTrue();
+  }
+
+  @Test
+  void everyEventIsReadAsItWasWritten() {
+    List<MutexEvent> all =
+        List.of(
+            new MutexEvent.DoMutex(I, 1, 7, set("A B"), ids(J, K)),
+            new MutexEvent.DoMutex(I, 1, 7, set("A"), ids()),
+            new MutexEvent.OdMutex(I, 1, set("A B")),
+            new MutexEvent.Release(I, 1, set("A"), set("B")),
+            new MutexEvent.Release(I, 1, set("B"), set("")),
+            new MutexEvent.Withdraw(I, 2, MutexFailure.DEADLINE),
+            new MutexEvent.Grant(I, J, 3),
+            new MutexEvent.Known(I, 1, ids(K)));
+    for (MutexEvent event : all) {
+      assertThat(MutexTrace.read(action(0, event))).contains(event);
+    }
+  }
+
+  @Test
+  void aMutexsActionThatCannotBeReadIsNamed() {
+    TraceEvent bad =
+        new TraceEvent.Action(0, I.robot(), "mutex/x", "od_mutex", List.of("i#1", "two", "A"));
+    assertThatThrownBy(() -> MutexTrace.read(bad))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessage("mutex/x od_mutex [i#1, two, A]: no event of a mutex");
+  }
+
+  private void ask(long atNs, ProcessId who, long ts, String sections) {
+    event(atNs, new MutexEvent.DoMutex(who, 1, ts, set(sections), ids(I, J, K)));
+  }
+
+  private void enter(long atNs, ProcessId who, String sections) {
+    event(atNs, new MutexEvent.OdMutex(who, 1, set(sections)));
+  }
+
+  private void event(long atNs, MutexEvent event) {
+    monitors.observe(action(atNs, event));
+  }
+
+  private static TraceEvent action(long atNs, MutexEvent event) {
+    return new TraceEvent.Action(
+        atNs, event.who().robot(), "mutex/x", MutexTrace.name(event), MutexTrace.args(event));
+  }
+
+  private SpecReport finish(long endNs) {
+    monitors.finish(endNs);
+    return monitors.report();
+  }
+
+  private static SortedSet<String> set(String names) {
+    return names.isEmpty() ? Sections.NONE : Sections.copyOf(Set.of(names.split(" ")));
+  }
+
+  private static SortedSet<ProcessId> ids(ProcessId... ids) {
+    return new TreeSet<>(List.of(ids));
+  }
+}
