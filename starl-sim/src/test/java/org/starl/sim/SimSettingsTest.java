@@ -42,7 +42,6 @@ final class SimSettingsTest {
     settings.asText().forEach(copy::set);
     assertThat(copy.build()).isEqualTo(settings);
     assertThat(settings.asText())
-        .containsEntry("behaviourSeed", "derived")
         .containsEntry("messageDelay", "normal(100ms,20ms)")
         .containsEntry("positionNoise", "20mm")
         .containsEntry("maxSpeed", "300mm/s")
