@@ -17,6 +17,11 @@ public final class Demos {
     return ALL;
   }
 
+  /** Their names, in order. */
+  public static List<String> names() {
+    return ALL.stream().map(Demo::name).toList();
+  }
+
   public static Optional<Demo> byName(String name) {
     return ALL.stream().filter(demo -> demo.name().equals(name)).findFirst();
   }

@@ -124,11 +124,7 @@ public final class Setting<T> {
           MotionParameters.DEFAULT.contactMarkMm(),
           "side of the square that a bump leaves on a robot's map");
 
-  // What is written and shown.
-  public static final Setting<String> TRACE_FILE =
-      text("traceFile", "", "file for the run's events; empty for none");
-  public static final Setting<String> CSV_FILE =
-      text("csvFile", "", "file for true positions over time; empty for none");
+  // What the viewer shows.
   public static final Setting<Boolean> DRAW_TRAILS =
       yesOrNo("drawTrails", false, "the viewer shows where robots have been");
   public static final Setting<Integer> TRAIL_LENGTH =

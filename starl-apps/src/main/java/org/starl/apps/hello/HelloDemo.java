@@ -6,8 +6,10 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.logic.Hello;
+import org.starl.geometry.Obstacles;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.record.Layer;
 
 /** {@code starl run hello}. */
 public final class HelloDemo implements Demo {
@@ -40,6 +42,6 @@ public final class HelloDemo implements Demo {
             .settings(settings)
             .robots(request.robots().orElse(settings.robots()), Hello::new)
             .observer(story);
-    return new Plan(simulation, story);
+    return new Plan(simulation, story, new Layer() {}, Obstacles.NONE);
   }
 }

@@ -2,12 +2,18 @@ package org.starl.apps.intersection;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.Trip;
+import org.starl.apps.intersection.spec.IntersectionSpec;
+import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.random.Rng;
 import org.starl.sim.BadInput;
@@ -120,8 +126,14 @@ public final class IntersectionDemo implements Demo {
               false,
               gvh -> new IntersectionApp(gvh, XID, crossing, car.trip())));
     }
-    IntersectionSpec.of(XID, crossing, cars).forEach(simulation::monitor);
-    return new Plan(simulation, story);
+    SortedMap<RobotId, Trip> trips = new TreeMap<>();
+    SortedMap<RobotId, List<String>> paths = new TreeMap<>();
+    for (Car car : cars) {
+      trips.put(car.id(), car.trip());
+      paths.put(car.id(), car.trip().zones());
+    }
+    IntersectionSpec.of(XID, crossing, paths).forEach(simulation::monitor);
+    return new Plan(simulation, story, new IntersectionLayer(crossing, trips), floor);
   }
 
   private static void requireCount(Request request, int cars, String scenario) {

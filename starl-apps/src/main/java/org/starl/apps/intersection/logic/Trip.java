@@ -1,5 +1,6 @@
 package org.starl.apps.intersection.logic;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.starl.geometry.ItemPosition;
 
@@ -18,5 +19,12 @@ public record Trip(String label, List<ItemPosition> stations, ItemPosition exit)
   /** The trip of a car that stays at {@code place} and takes no part. */
   public static Trip parked(ItemPosition place) {
     return new Trip("parked", List.of(), place);
+  }
+
+  /** The zones to be held, in order: the stations' names. */
+  public List<String> zones() {
+    List<String> zones = new ArrayList<>();
+    stations.forEach(station -> zones.add(station.name()));
+    return zones;
   }
 }

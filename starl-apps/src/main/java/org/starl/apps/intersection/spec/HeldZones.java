@@ -1,4 +1,4 @@
-package org.starl.apps.intersection;
+package org.starl.apps.intersection.spec;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -14,14 +14,15 @@ import org.starl.primitives.mutex.MutexTrace;
 import org.starl.trace.TraceEvent;
 
 /** Who holds and who requests which zones, as the mutex's trace tells it: crit_set and req_set. */
-final class HeldZones {
+public final class HeldZones {
 
   private static final SortedSet<String> NONE = Collections.emptySortedSet();
 
   private final Map<RobotId, SortedSet<String>> held = new TreeMap<>();
   private final Map<RobotId, SortedSet<String>> requested = new TreeMap<>();
 
-  void observe(TraceEvent event) {
+  /** Sees the next event. */
+  public void observe(TraceEvent event) {
     MutexTrace.read(event).ifPresent(this::observe);
   }
 
@@ -45,7 +46,7 @@ final class HeldZones {
   }
 
   /** crit_set: what {@code robot} has access to. */
-  SortedSet<String> held(RobotId robot) {
+  public SortedSet<String> held(RobotId robot) {
     return held.getOrDefault(robot, NONE);
   }
 

@@ -1,4 +1,4 @@
-package org.starl.apps.intersection;
+package org.starl.apps.intersection.spec;
 
 import java.util.List;
 import org.starl.RobotId;

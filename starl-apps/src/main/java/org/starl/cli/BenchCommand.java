@@ -1,0 +1,93 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Locale;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.bench.Measurement;
+import org.starl.bench.Workload;
+import org.starl.bench.Workloads;
+import org.starl.sim.BadInput;
+import org.starl.sim.Quantities;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code starl bench}. */
+@Command(
+    name = "bench",
+    description =
+        "Runs a workload several times in this JVM, the first one cold, and tells how fast.",
+    mixinStandardHelpOptions = true,
+    footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
+final class BenchCommand implements Callable<Integer> {
+
+  @Parameters(index = "0", paramLabel = "WORKLOAD", description = "b1 or b2; see 'starl list'.")
+  private String name = "";
+
+  @Option(names = "--robots", paramLabel = "N", description = "How many robots; 256 unless given.")
+  private String robots = "256";
+
+  @Option(names = "--style", paramLabel = "STYLE", description = "blocking or step.")
+  private Workload.Style style = Workload.Style.BLOCKING;
+
+  @Option(names = "--runs", paramLabel = "N", description = "How many runs; 5 unless given.")
+  private String runs = "5";
+
+  @Option(names = "--seed", paramLabel = "S", description = "1 unless given.")
+  private String seed = "1";
+
+  @Option(names = "--json", description = "Print one JSON object a run.")
+  private boolean json;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    Workload workload =
+        Workloads.byName(name)
+            .orElseThrow(() ->
+                new BadInput(
+                    "no workload is called " + BadInput.quote(name) + ": expected b1 or b2"));
+    Carriers.chosen(null, spec.commandLine().getErr());
+    List<Measurement> taken =
+        Measurement.take(
+            workload,
+            (int) whole("--robots", robots, 0, 10_000_000),
+            style,
+            (int) whole("--runs", runs, 1, 1000),
+            Seeds.of(seed));
+    for (Measurement run : taken) {
+      out.println(json ? Json.line(run.asMap()) : line(run));
+    }
+    return ExitStatus.GOOD;
+  }
+
+  private static String line(Measurement run) {
+    return String.format(
+        Locale.ROOT,
+        "%s n=%d %s%s: %.2f M events/CPU-s, %.1f simulated s/CPU-s; %.2f CPU s, %.2f wall s, %.0f MB",
+        run.workload(),
+        run.robots(),
+        run.style().name().toLowerCase(Locale.ROOT),
+        run.coldness() == 0 ? " (cold)" : "",
+        run.eventsPerCpuS() / 1e6,
+        run.realTimeFactor(),
+        run.cpuS(),
+        run.wallS(),
+        run.peakRssMb());
+  }
+
+  private static long whole(String option, String text, long min, long max) {
+    try {
+      return Quantities.whole(text, min, max);
+    } catch (BadInput error) {
+      throw Quantities.in(option, error);
+    }
+  }
+}

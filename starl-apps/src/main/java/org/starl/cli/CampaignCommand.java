@@ -1,0 +1,142 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Plan;
+import org.starl.sim.BadInput;
+import org.starl.sim.SimResult;
+import org.starl.sim.check.Campaign;
+import org.starl.sim.check.CampaignResult;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.sim.kernel.CarrierKind;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code starl campaign}. */
+@Command(
+    name = "campaign",
+    description =
+        "Many runs on all cores; a table, and the first violation with its replay command.",
+    mixinStandardHelpOptions = true,
+    footer = {
+      "",
+      "Example: starl campaign intersection --seeds 1..500 --loss 0.3 --delay 'uniform(10ms,200ms)'"
+    })
+final class CampaignCommand implements Callable<Integer> {
+
+  @Mixin private RunOptions options = new RunOptions();
+
+  @Option(names = "--seeds", paramLabel = "A..B", required = true, description = "A run each.")
+  private String seeds = "";
+
+  @Option(names = "--stop", description = "Stop at the first run that does not go well.")
+  private boolean stop;
+
+  @Option(names = "--json", description = "Print the result as one JSON object.")
+  private boolean json;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    Seeds.Range range = Seeds.Range.of(seeds);
+    Chosen chosen = options.chosen();
+    CarrierKind carriers = Carriers.chosen(null, err);
+    // What cannot be planned for the first seed is bad input, not a failed run.
+    chosen.plan(range.first()).simulation().build();
+    int cores = Runtime.getRuntime().availableProcessors();
+    Campaign campaign = new Campaign(range.first(), range.last(), cores, stop);
+    Samples samples = new Samples(range);
+    ProgressLine progress = new ProgressLine(err);
+    CampaignResult result =
+        campaign.run(seed -> run(chosen, seed, carriers, samples), progress::show);
+    progress.end();
+    if (json) {
+      out.println(Json.line(summary(chosen, range, result, samples)));
+    } else {
+      table(chosen, result, samples).forEach(out::println);
+    }
+    CampaignResult.Run bad = result.firstBad();
+    if (bad == null) {
+      return ExitStatus.GOOD;
+    }
+    err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
+    err.println("replay: " + options.replay("run", bad.seed()));
+    return ExitStatus.VIOLATED;
+  }
+
+  private static RunOutcome run(Chosen chosen, long seed, CarrierKind carriers, Samples samples) {
+    Plan plan = chosen.plan(seed);
+    SimResult result;
+    try {
+      result = plan.simulation().carriers(carriers).build().run();
+    } catch (BadInput e) {
+      throw new IllegalStateException("seed " + seed + ": " + e.getMessage(), e);
+    }
+    samples.put(seed, plan.story().measures());
+    return RunOutcome.of(result);
+  }
+
+  private static List<String> table(Chosen chosen, CampaignResult result, Samples samples) {
+    Table table = new Table();
+    table.row(chosen.demo().name(), "");
+    table.row("runs", Long.toString(result.runs().size()));
+    for (Verdict verdict : Verdict.values()) {
+      table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
+    }
+    table.row("robots that got through", Long.toString(samples.completed()));
+    for (int percent : new int[] {50, 90, 99, 100}) {
+      table.row("wait, " + name(percent), Outcome.seconds(samples.waitNs(percent)));
+    }
+    for (String figure : result.figures()) {
+      for (int percent : new int[] {50, 100}) {
+        String value = Long.toString(Math.round(result.percentile(figure, percent)));
+        table.row(figure + " a run, " + name(percent), value);
+      }
+    }
+    return table.lines();
+  }
+
+  private static Map<String, Object> summary(
+      Chosen chosen, Seeds.Range range, CampaignResult result, Samples samples) {
+    Map<String, Object> summary = new LinkedHashMap<>();
+    summary.put("app", chosen.demo().name());
+    summary.put("seeds", range.first() + ".." + range.last());
+    for (Verdict verdict : Verdict.values()) {
+      summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
+    }
+    summary.put("completed", samples.completed());
+    for (int percent : new int[] {50, 90, 99, 100}) {
+      summary.put("wait_p" + percent + "_s", samples.waitNs(percent) / 1e9);
+    }
+    for (String figure : result.figures()) {
+      summary.put(figure + "_p50", result.percentile(figure, 50));
+    }
+    CampaignResult.Run bad = result.firstBad();
+    if (bad != null) {
+      summary.put("first_bad_seed", bad.seed());
+      summary.put("first_bad", bad.outcome().detail());
+    }
+    return summary;
+  }
+
+  private static String name(int percent) {
+    return switch (percent) {
+      case 50 -> "median";
+      case 100 -> "most";
+      default -> percent + " % below";
+    };
+  }
+}

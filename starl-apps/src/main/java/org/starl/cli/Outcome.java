@@ -1,0 +1,78 @@
+package org.starl.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.starl.apps.Measures;
+import org.starl.sim.SimResult;
+
+/** A run's result as the command line tells it. */
+final class Outcome {
+
+  private static final double NS_PER_S = 1e9;
+
+  private Outcome() {}
+
+  static boolean isGood(SimResult result) {
+    return result.isFinished() && result.spec().holds();
+  }
+
+  static List<String> lines(SimResult result, Measures measures) {
+    List<String> lines = new ArrayList<>();
+    int robots = result.results().size() + result.unfinished().size();
+    lines.add(
+        measures.completed()
+            + " of "
+            + robots
+            + " robots got through in "
+            + seconds(result.endNs())
+            + " simulated; "
+            + result.network().sent()
+            + " datagrams sent, "
+            + result.network().lost()
+            + " copies lost");
+    long checks = 0;
+    for (String lemma : result.spec().lemmas()) {
+      checks += result.spec().checks(lemma);
+    }
+    if (result.spec().holds()) {
+      lines.add(
+          result.spec().lemmas().size()
+              + " specifications held, in "
+              + checks
+              + " checks: "
+              + String.join(" ", result.spec().lemmas()));
+    } else {
+      result.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
+    }
+    if (!result.isFinished()) {
+      lines.add("NOT FINISHED: " + result.unfinished());
+    }
+    return lines;
+  }
+
+  static Map<String, Object> json(String app, SimResult result, Measures measures) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("app", app);
+    json.put("seed", result.seed());
+    json.put("behaviourSeed", result.behaviourSeed());
+    json.put("good", isGood(result));
+    json.put("end_s", result.endNs() / NS_PER_S);
+    json.put("events", result.events());
+    json.put("completed", measures.completed());
+    json.put("unfinished", result.unfinished().stream().map(Object::toString).toList());
+    json.put("datagrams", result.network().sent());
+    json.put("lost", result.network().lost());
+    Map<String, Object> checks = new LinkedHashMap<>();
+    result.spec().lemmas().forEach(lemma -> checks.put(lemma, result.spec().checks(lemma)));
+    json.put("checks", checks);
+    json.put("violations", result.spec().violations().stream().map(Object::toString).toList());
+    return json;
+  }
+
+  static String seconds(long ns) {
+    long tenths = Math.round(ns / NS_PER_S * 10);
+    return tenths / 10 + "." + tenths % 10 + " s";
+  }
+}

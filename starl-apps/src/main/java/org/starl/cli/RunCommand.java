@@ -1,0 +1,96 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Plan;
+import org.starl.sim.SimResult;
+import org.starl.sim.export.PositionTable;
+import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.record.Moment;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code starl run}. */
+@Command(
+    name = "run",
+    description = "One run, with all monitors on; tells its story and draws its picture.",
+    mixinStandardHelpOptions = true,
+    footer = {"", "Example: starl run intersection --robots 8 --seed 7 --loss 0.1"})
+final class RunCommand implements Callable<Integer> {
+
+  @Mixin private RunOptions options = new RunOptions();
+
+  @Option(names = "--seed", paramLabel = "S", description = "Drawn and printed unless given.")
+  private @Nullable String seed;
+
+  @Option(names = "--trace", paramLabel = "FILE", description = "Write every event to FILE.")
+  private @Nullable String trace;
+
+  @Option(
+      names = "--csv",
+      paramLabel = "FILE",
+      description = "Write every change of the true motion to FILE.")
+  private @Nullable String csv;
+
+  @Option(
+      names = "--png",
+      paramLabel = "FILE",
+      description = "Where the picture goes; out/APP-SEED.png unless given.")
+  private @Nullable String png;
+
+  @Option(
+      names = "--carrier",
+      paramLabel = "KIND",
+      description = "What carries robots that wait: virtual or platform (threads).")
+  private @Nullable CarrierKind carrier;
+
+  @Option(names = "--json", description = "Print the result as one JSON object.")
+  private boolean json;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    Chosen chosen = options.chosen();
+    long seedNumber = Seeds.of(seed);
+    Plan plan = chosen.plan(seedNumber);
+    plan.simulation().carriers(Carriers.chosen(carrier, err));
+    String app = chosen.demo().name();
+    String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber) : png;
+    Picture picture = new Picture(plan, new Moment.Best(), pictureName);
+    plan.simulation().observer(picture.recorder());
+    SimResult result = run(plan);
+    picture.write();
+    if (json) {
+      out.println(Json.line(Outcome.json(app, result, plan.story().measures())));
+    } else {
+      out.println(app + ", seed " + seedNumber);
+      plan.story().lines().forEach(out::println);
+      Outcome.lines(result, plan.story().measures()).forEach(out::println);
+      out.println("picture: " + pictureName);
+    }
+    if (Outcome.isGood(result)) {
+      return ExitStatus.GOOD;
+    }
+    err.println("replay: " + options.replay("run", seedNumber));
+    return ExitStatus.VIOLATED;
+  }
+
+  /** Runs it; the files that were asked for are there whatever comes of it. */
+  private SimResult run(Plan plan) throws IOException {
+    try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
+        ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new)) {
+      plan.simulation().observer(traceFile.observer()).observer(csvFile.observer());
+      return plan.simulation().build().run();
+    }
+  }
+}

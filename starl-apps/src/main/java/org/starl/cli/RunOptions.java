@@ -1,0 +1,180 @@
+package org.starl.cli;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Parameter;
+import org.starl.sim.BadInput;
+import org.starl.sim.NearMatches;
+import org.starl.sim.Quantities;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The options of every command that runs an app. */
+final class RunOptions {
+
+  private static final String DEFAULT_DURATION = "1200s";
+
+  @Parameters(
+      index = "0",
+      paramLabel = "APP|FILE.yaml",
+      description = "An app ('starl list' names them), or a scenario file.")
+  private String what = "";
+
+  @Option(names = "--robots", paramLabel = "N", description = "How many robots.")
+  private @Nullable String robots;
+
+  @Option(
+      names = "--for",
+      paramLabel = "TIME",
+      description = "Simulated time after which the run ends (60s); 1200s unless given.")
+  private @Nullable String duration;
+
+  @Option(
+      names = "--loss",
+      paramLabel = "P",
+      description = "Probability 0..1 that a datagram is lost, for each recipient.")
+  private @Nullable String loss;
+
+  @Option(
+      names = "--delay",
+      paramLabel = "TIME",
+      description =
+          "How long a datagram takes: 100ms, 'uniform(10ms,20ms)', 'normal(100ms,20ms)',"
+              + " 'exponential(50ms)'.")
+  private @Nullable String delay;
+
+  @Option(
+      names = "--gps-noise",
+      paramLabel = "LENGTH",
+      description = "A position fix lies at most this far from the truth (20mm).")
+  private @Nullable String gpsNoise;
+
+  @Option(
+      names = "--ideal",
+      description = "Ideal motion: turns at once, drives straight, passes through everything.")
+  private boolean ideal;
+
+  @Option(
+      names = "--set",
+      paramLabel = "KEY=VALUE",
+      description = "Any other setting or parameter; 'starl list' names them.")
+  private Map<String, String> sets = new LinkedHashMap<>();
+
+  /** What to run. */
+  Chosen chosen() {
+    return chosen(ScenarioFile.isOne(what) ? ScenarioFile.read(what) : ScenarioFile.ofApp(what));
+  }
+
+  /** The options after the app's name that say the same again, seed aside. */
+  String replay(String command, long seed) {
+    StringBuilder line = new StringBuilder("./starl " + command + " " + Shell.quote(what));
+    line.append(" --seed ").append(seed);
+    append(line, "--robots", robots);
+    append(line, "--for", duration);
+    append(line, "--loss", loss);
+    append(line, "--delay", delay);
+    append(line, "--gps-noise", gpsNoise);
+    line.append(ideal ? " --ideal" : "");
+    sets.forEach((key, value) -> append(line, "--set", key + "=" + value));
+    return line.toString();
+  }
+
+  private static void append(StringBuilder line, String option, @Nullable String value) {
+    if (value != null) {
+      line.append(' ').append(option).append(' ').append(Shell.quote(value));
+    }
+  }
+
+  private Chosen chosen(ScenarioFile file) {
+    Demo demo =
+        Demos.byName(file.app())
+            .orElseThrow(() ->
+                new BadInput(
+                    file.where()
+                        + "no app is called "
+                        + BadInput.quote(file.app())
+                        + NearMatches.hint(file.app(), Demos.names())
+                        + "; expected one of "
+                        + String.join(" ", Demos.names())));
+    SortedMap<String, String> parameters = new TreeMap<>();
+    for (Parameter parameter : demo.parameters()) {
+      parameters.put(parameter.key(), parameter.defaultValue());
+    }
+    Map<String, String> settings = new LinkedHashMap<>();
+    settings.put(Setting.DURATION.key(), DEFAULT_DURATION);
+    file.values().forEach((key, value) -> set(file.where(), key, value, parameters, settings));
+    flags().forEach((key, value) -> set("", key, value, parameters, settings));
+    String wanted = settings.remove(Setting.ROBOTS.key());
+    if (wanted != null) {
+      settings.put(Setting.ROBOTS.key(), wanted);
+    }
+    return new Chosen(
+        demo,
+        wanted == null ? OptionalInt.empty() : OptionalInt.of(Integer.parseInt(wanted)),
+        parameters,
+        settings);
+  }
+
+  /** What the flags say, by setting. */
+  private Map<String, String> flags() {
+    Map<String, String> flags = new LinkedHashMap<>();
+    put(flags, Setting.ROBOTS, robots);
+    put(flags, Setting.DURATION, duration);
+    put(flags, Setting.MESSAGE_LOSS, loss);
+    put(flags, Setting.MESSAGE_DELAY, delay);
+    put(flags, Setting.POSITION_NOISE, gpsNoise);
+    put(flags, Setting.IDEAL_MOTION, ideal ? "true" : null);
+    flags.putAll(sets);
+    return flags;
+  }
+
+  private static void put(Map<String, String> flags, Setting<?> setting, @Nullable String value) {
+    if (value != null) {
+      flags.put(setting.key(), value);
+    }
+  }
+
+  private static void set(
+      String where,
+      String key,
+      String value,
+      SortedMap<String, String> parameters,
+      Map<String, String> settings) {
+    if (parameters.containsKey(key)) {
+      parameters.put(key, value);
+      return;
+    }
+    try {
+      if (Setting.all().stream().noneMatch(setting -> setting.key().equals(key))) {
+        throw unknown(key, parameters.keySet());
+      }
+      // Only to find out whether it can be read.
+      SimSettings.builder().set(key, value);
+    } catch (BadInput error) {
+      throw where.isEmpty() ? error : new BadInput(where + error.getMessage());
+    }
+    settings.put(
+        key,
+        key.equals(Setting.ROBOTS.key())
+            ? Long.toString(Quantities.whole(value, 0, Integer.MAX_VALUE))
+            : value);
+  }
+
+  private static BadInput unknown(String key, Collection<String> parameters) {
+    List<String> keys = new ArrayList<>(parameters);
+    Setting.all().forEach(setting -> keys.add(setting.key()));
+    return new BadInput(
+        "no setting or parameter is called " + BadInput.quote(key) + NearMatches.hint(key, keys));
+  }
+}

@@ -1,0 +1,105 @@
+package org.starl.cli;
+
+import com.fasterxml.jackson.core.JsonLocation;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.dataformat.yaml.YAMLFactory;
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.charset.CharacterCodingException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.BadInput;
+
+/**
+ * A scenario in YAML: {@code app:} and then any settings and parameters, one a line.
+ *
+ * <pre>
+ * app: intersection
+ * robots: 8
+ * messageLoss: 0.3
+ * messageDelay: uniform(10ms,200ms)
+ * debris: 2
+ * </pre>
+ *
+ * @param where before an error's text; empty if there is no file
+ * @param values in the file's order, as text
+ */
+record ScenarioFile(String where, String app, Map<String, String> values) {
+
+  private static final String EXPECTED = "expected lines such as 'app: intersection'";
+
+  static boolean isOne(String what) {
+    return what.endsWith(".yaml") || what.endsWith(".yml");
+  }
+
+  static ScenarioFile ofApp(String app) {
+    return new ScenarioFile("", app, Map.of());
+  }
+
+  /** @throws BadInput if it is missing, no text, no YAML, or not as above */
+  static ScenarioFile read(String file) {
+    Map<String, String> values = new LinkedHashMap<>();
+    try (JsonParser parser = new YAMLFactory().createParser(text(file))) {
+      expect(file, parser, parser.nextToken(), JsonToken.START_OBJECT);
+      while (parser.nextToken() != JsonToken.END_OBJECT) {
+        String key = parser.currentName();
+        JsonToken value = parser.nextToken();
+        if (!value.isScalarValue() || value == JsonToken.VALUE_NULL) {
+          throw new BadInput(
+              at(file, parser) + key + ": expected one value, such as '" + key + ": 4'");
+        }
+        if (values.put(key, parser.getText()) != null) {
+          throw new BadInput(at(file, parser) + key + ": expected once, stands there again");
+        }
+      }
+      if (parser.nextToken() != null) {
+        throw new BadInput(at(file, parser) + "expected one document");
+      }
+    } catch (JsonProcessingException e) {
+      JsonLocation place = e.getLocation();
+      String line = place == null ? "" : ":" + place.getLineNr();
+      throw new BadInput(file + line + ": is no YAML; " + EXPECTED);
+    } catch (IOException e) {
+      throw new BadInput(file + ": cannot be read (" + e + ")");
+    }
+    String app = values.remove("app");
+    if (app == null) {
+      throw new BadInput(file + ": has no 'app:'; " + EXPECTED);
+    }
+    return new ScenarioFile(file + ": ", app, values);
+  }
+
+  private static void expect(
+      String file, JsonParser parser, @Nullable JsonToken token, JsonToken expected) {
+    if (token != expected) {
+      throw new BadInput(at(file, parser) + EXPECTED);
+    }
+  }
+
+  private static String at(String file, JsonParser parser) {
+    return file + ":" + Math.max(1, parser.currentTokenLocation().getLineNr()) + ": ";
+  }
+
+  private static String text(String file) throws IOException {
+    Path path = Path.of(file);
+    if (!Files.isRegularFile(path)) {
+      throw new BadInput(file + ": no such file; expected a scenario file");
+    }
+    try {
+      byte[] bytes = Files.readAllBytes(path);
+      String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
+      if (text.indexOf('\0') < 0) {
+        return text;
+      }
+    } catch (CharacterCodingException e) {
+      throw new BadInput(file + ": is no text; " + EXPECTED);
+    }
+    throw new BadInput(file + ": is no text; " + EXPECTED);
+  }
+}

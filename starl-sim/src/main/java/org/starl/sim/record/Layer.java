@@ -1,0 +1,32 @@
+package org.starl.sim.record;
+
+import java.awt.Graphics2D;
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.geometry.Point;
+import org.starl.trace.TraceEvent;
+
+/** What an app draws into the picture of a run. Coordinates are the world's: mm, y upwards. */
+public interface Layer {
+
+  /** Sees each event of the run before it is painted. */
+  default void observe(TraceEvent event) {}
+
+  /** Under the bodies: zones, routes, goals. */
+  default void paintFloor(Graphics2D floor, Scene scene) {}
+
+  /** A line or two for each robot, in the legend. */
+  default String describe(RobotId robot, Scene scene) {
+    return "";
+  }
+
+  /** Points that belong into the picture whether anybody ever goes there or not. */
+  default List<Point> corners() {
+    return List.of();
+  }
+
+  /** How much there is to see: a picture of the best moment is taken where this is greatest. */
+  default double interest(Scene scene) {
+    return scene.robots().stream().filter(robot -> scene.pose(robot).isPresent()).count();
+  }
+}

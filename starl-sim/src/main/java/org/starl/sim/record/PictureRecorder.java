@@ -1,0 +1,84 @@
+package org.starl.sim.record;
+
+import java.awt.image.BufferedImage;
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Obstacles;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+
+/** Takes one picture of a run. */
+public final class PictureRecorder implements SimObserver {
+
+  private static final long SECOND_NS = 1_000_000_000;
+  private static final long TENTH_NS = SECOND_NS / 10;
+
+  private final Scene scene;
+  private final Layer layer;
+  private final Painter painter;
+  private final Moment moment;
+  private String name = "";
+  private double best;
+  private long nextLookNs;
+  private @Nullable BufferedImage picture;
+
+  public PictureRecorder(Obstacles obstacles, Layer layer, Moment moment) {
+    scene = new Scene(obstacles);
+    painter = new Painter(layer);
+    this.layer = layer;
+    this.moment = moment;
+  }
+
+  @Override
+  public void started(TraceHeader header) {
+    name = header.scenario() + ", seed " + header.scenarioSeed();
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    switch (moment) {
+      case Moment.At at -> {
+        if (picture == null && event.timeNs() > at.timeNs()) {
+          take(at.timeNs());
+        }
+      }
+      case Moment.Best any -> lookUntil(event.timeNs());
+      case Moment.End end -> {
+        // Taken when the run has finished.
+      }
+    }
+    scene.observe(event);
+    layer.observe(event);
+  }
+
+  @Override
+  public void finished(SimResult result) {
+    if (picture == null) {
+      take(result.endNs());
+    }
+  }
+
+  /** The picture; null before it was taken. */
+  public @Nullable BufferedImage picture() {
+    return picture;
+  }
+
+  private void lookUntil(long timeNs) {
+    while (nextLookNs < timeNs) {
+      scene.advance(nextLookNs);
+      double interest = layer.interest(scene);
+      if (interest > best) {
+        best = interest;
+        take(nextLookNs);
+      }
+      nextLookNs += SECOND_NS;
+    }
+  }
+
+  private void take(long timeNs) {
+    scene.advance(timeNs);
+    long tenths = timeNs / TENTH_NS;
+    picture = painter.paint(scene, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
+  }
+}

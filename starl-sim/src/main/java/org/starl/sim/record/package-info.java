@@ -1,0 +1,10 @@
+/**
+ * Pictures of a run without a window: bodies, trails and obstacles, and on top whatever an app's
+ * {@link org.starl.sim.record.Layer} adds. Only this package and the views may use {@code java.awt}.
+ *
+ * <p>May import: core, {@code org.starl.sim}.
+ */
+@NullMarked
+package org.starl.sim.record;
+
+import org.jspecify.annotations.NullMarked;
