@@ -1,6 +1,5 @@
 package org.starl.sim.kernel;
 
-import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
 /** What carries an app that waits. The order of everything is the same on both. */
@@ -35,11 +34,5 @@ public enum CarrierKind {
     return "virtual threads on the kernel "
         + obstacle
         + ": robots run on platform threads, slower but with the same results";
-  }
-
-  Carrier newCarrier(String name, Runnable app, Duration foreignWaitLimit) {
-    return this == VIRTUAL
-        ? new VirtualCarrier(name, app, foreignWaitLimit)
-        : new PlatformCarrier(name, app, foreignWaitLimit);
   }
 }

@@ -10,11 +10,16 @@ final class ForeignWait extends IllegalStateException {
 
   private static final long serialVersionUID = 1L;
 
-  ForeignWait(Thread app, Duration limit) {
-    super(
+  ForeignWait(String message, StackTraceElement[] appStack) {
+    super(message);
+    setStackTrace(appStack);
+  }
+
+  static ForeignWait tooLong(Thread app, Duration limit) {
+    return new ForeignWait(
         "the app has been waiting outside sleep and await for "
             + limit.toMillis()
-            + " ms of real time: use gvh.sleep / sleep(ms), or await");
-    setStackTrace(app.getStackTrace());
+            + " ms of real time: use gvh.sleep / sleep(ms), or await",
+        app.getStackTrace());
   }
 }

@@ -28,6 +28,7 @@ public final class Kernel implements Clock, AutoCloseable {
   private final Set<SimStrand> strandsWithApps = new LinkedHashSet<>();
   private final List<SimStrand> strandsToUnwind = new ArrayList<>();
   private @Nullable SimStrand current;
+  private @Nullable PinWatch pinWatch;
   private long nowNs;
   private long events;
   private boolean isRunning;
@@ -142,6 +143,9 @@ public final class Kernel implements Clock, AutoCloseable {
       }
     }
     strandsWithApps.clear();
+    if (pinWatch != null) {
+      pinWatch.close();
+    }
     if (failure != null) {
       throw failure;
     }
@@ -166,7 +170,13 @@ public final class Kernel implements Clock, AutoCloseable {
 
   Carrier carry(SimStrand strand, Runnable app) {
     strandsWithApps.add(strand);
-    return carrierKind.newCarrier(strand.name(), app, foreignWaitLimit);
+    if (carrierKind == CarrierKind.PLATFORM) {
+      return new PlatformCarrier(strand.name(), app, foreignWaitLimit);
+    }
+    if (pinWatch == null) {
+      pinWatch = new PinWatch(foreignWaitLimit);
+    }
+    return new VirtualCarrier(strand.name(), app, foreignWaitLimit, pinWatch);
   }
 
   void appIsOver(SimStrand strand) {

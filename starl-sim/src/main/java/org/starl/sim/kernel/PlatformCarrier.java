@@ -45,7 +45,7 @@ final class PlatformCarrier implements Carrier {
       while (appHasBaton) {
         if (!wait.park(this)) {
           if (isWaiting()) {
-            throw new ForeignWait(thread, foreignWaitLimit);
+            throw ForeignWait.tooLong(thread, foreignWaitLimit);
           }
           wait.restart();
         }

@@ -19,15 +19,19 @@ final class VirtualCarrier implements Carrier, Executor {
 
   private final Thread thread;
   private final Duration foreignWaitLimit;
+  private final PinWatch pinWatch;
   private boolean isStarted;
   private boolean isSuspended;
   private boolean isOver;
+  private long resumes;
   private @Nullable Thread kernelThread;
   private @Nullable Runnable ready;
   private volatile @Nullable Runnable readyFromOutside;
+  private volatile boolean pinnedWaitFails;
 
-  VirtualCarrier(String name, Runnable app, Duration foreignWaitLimit) {
+  VirtualCarrier(String name, Runnable app, Duration foreignWaitLimit, PinWatch pinWatch) {
     this.foreignWaitLimit = foreignWaitLimit;
+    this.pinWatch = pinWatch;
     this.thread =
         newBuilder(this)
             .name(name)
@@ -48,6 +52,16 @@ final class VirtualCarrier implements Carrier, Executor {
   @Override
   public void resume() {
     kernelThread = Thread.currentThread();
+    resumes++;
+    pinWatch.setResumed(this);
+    try {
+      runUntilSuspended();
+    } finally {
+      pinWatch.setResumed(null);
+    }
+  }
+
+  private void runUntilSuspended() {
     if (isStarted) {
       isSuspended = false;
       LockSupport.unpark(thread);
@@ -69,6 +83,12 @@ final class VirtualCarrier implements Carrier, Executor {
       // A permit that a foreign thread has left over, or an interrupt, ends a park, but not the
       // suspension; and an interrupted thread would not park again.
       wasInterrupted |= Thread.interrupted();
+      if (pinnedWaitFails) {
+        isSuspended = false;
+        throw new ForeignWait(
+            "sleep and await do not work inside a static initialiser or a native method",
+            thread.getStackTrace());
+      }
       LockSupport.park(this);
     }
     if (wasInterrupted) {
@@ -79,6 +99,22 @@ final class VirtualCarrier implements Carrier, Executor {
   @Override
   public void interrupt() {
     thread.interrupt();
+  }
+
+  /** How often the app was resumed. As the two below, for the watch's thread. */
+  long resumes() {
+    return resumes;
+  }
+
+  /** Whether the app has suspended itself, although the kernel has not got its thread back. */
+  boolean seemsPinned() {
+    return isSuspended && thread.getState() == Thread.State.WAITING;
+  }
+
+  /** Makes the app's suspension throw. */
+  void failPinnedWait() {
+    pinnedWaitFails = true;
+    LockSupport.unpark(thread);
   }
 
   /** Called by whoever makes the virtual thread runnable: most times the kernel, in resume. */
@@ -107,7 +143,7 @@ final class VirtualCarrier implements Carrier, Executor {
       Runnable continuation = readyFromOutside;
       while (continuation == null) {
         if (!wait.park(this)) {
-          throw new ForeignWait(thread, foreignWaitLimit);
+          throw ForeignWait.tooLong(thread, foreignWaitLimit);
         }
         continuation = readyFromOutside;
       }

@@ -4,15 +4,17 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.StrandClosed;
 
-/** A strand's app: runs on its carrier from one wait to the next, as one piece of the strand. */
-final class WaitingApp {
+/**
+ * A strand's app: runs on its carrier from one wait to the next, as one piece of the strand. Itself
+ * it is the event that wakes the app: at its start, at the end of a sleep, at an await's deadline.
+ */
+final class WaitingApp implements Runnable {
 
   /** So often an app that was told of its end may wait again before it is given up. */
   private static final int MAX_REFUSALS = 1000;
 
   private final Kernel kernel;
   private final SimStrand strand;
-  private final Runnable wake = this::wake;
   private @Nullable Runnable body;
   private @Nullable Carrier carrier;
   private boolean isRunning;
@@ -33,7 +35,7 @@ final class WaitingApp {
 
   void start() {
     if (!strand.isClosed()) {
-      wakeSlot = kernel.schedule(kernel.nowNs(), strand, wake);
+      wakeSlot = kernel.schedule(kernel.nowNs(), strand, this);
     }
   }
 
@@ -61,7 +63,7 @@ final class WaitingApp {
    */
   @Nullable Throwable afterPiece(Runnable piece) {
     BooleanSupplier awaited = condition;
-    if (awaited != null && piece != wake && awaited.getAsBoolean()) {
+    if (awaited != null && piece != this && awaited.getAsBoolean()) {
       forgetWait();
       conditionHeld = true;
       resume();
@@ -102,8 +104,8 @@ final class WaitingApp {
     }
   }
 
-  // The event at the end of a sleep, at the deadline of an await, or at the app's start.
-  private void wake() {
+  @Override
+  public void run() {
     wakeSlot = EventTable.NONE;
     BooleanSupplier awaited = condition;
     condition = null;
@@ -121,9 +123,14 @@ final class WaitingApp {
     }
     condition = newCondition;
     if (isTimed) {
-      wakeSlot = kernel.schedule(Math.max(untilNs, kernel.nowNs()), strand, wake);
+      wakeSlot = kernel.schedule(Math.max(untilNs, kernel.nowNs()), strand, this);
     }
-    mine.suspend();
+    try {
+      mine.suspend();
+    } catch (ForeignWait e) {
+      forgetWait();
+      throw e;
+    }
     if (strand.isClosed()) {
       throw new StrandClosed();
     }

@@ -11,6 +11,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -122,6 +123,55 @@ class ForeignWaitTest {
       kernel.run(100, () -> false);
       assertThat(log).containsExactly("world", "app 50", "app 60");
     }
+  }
+
+  @Test
+  void aWaitInAStaticInitialiserIsReportedWhereItWouldHoldTheKernel() {
+    RobotError error =
+        errorOf(
+            CarrierKind.VIRTUAL,
+            robot -> {
+              SleepyClass.sleep = () -> robot.sleepUntil(5);
+              log.add("never " + SleepyClass.Initialised.VALUE);
+            });
+    assertThat(error)
+        .hasRootCauseMessage(
+            "sleep and await do not work inside a static initialiser or a native method");
+    assertThat(log).doesNotContain("never 1");
+  }
+
+  @Test
+  void aWaitInAStaticInitialiserWorksOnAPlatformThread() {
+    try (Kernel kernel = new Kernel(CarrierKind.PLATFORM, SHORT)) {
+      SimStrand robot = kernel.strand("robot0");
+      robot.start(() -> {
+        OtherSleepyClass.sleep = () -> robot.sleepUntil(5);
+        log.add("got " + OtherSleepyClass.Initialised.VALUE + " at " + kernel.nowNs());
+      });
+      kernel.run(100, () -> false);
+      assertThat(log).containsExactly("got 1 at 5");
+    }
+  }
+
+  private static final class SleepyClass {
+    private static Runnable sleep;
+
+    private static final class Initialised {
+      private static final int VALUE = valueAfter(sleep);
+    }
+  }
+
+  private static final class OtherSleepyClass {
+    private static Runnable sleep;
+
+    private static final class Initialised {
+      private static final int VALUE = valueAfter(sleep);
+    }
+  }
+
+  private static int valueAfter(Runnable action) {
+    action.run();
+    return 1;
   }
 
   private RobotError errorOf(CarrierKind kind, Consumer<SimStrand> app) {
