@@ -82,14 +82,14 @@ final class MotionRun {
   }
 
   private WheelCommand decide(Location location, Bumps bumps, long nowNs) {
+    if (status == MotionFlag.DONE && (!wheelsTurn || bumps.any())) {
+      return WheelCommand.STOP;
+    }
     if (!(location instanceof Location.Known at)) {
       return waitForFix(nowNs - startNs);
     }
     if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
       return waitForFix(Math.min(at.fixAgeNs(), nowNs - startNs));
-    }
-    if (status == MotionFlag.DONE && bumps.any()) {
-      return WheelCommand.STOP;
     }
     WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
     if (automaton.status() == MotionFlag.FAIL) {

@@ -1,0 +1,156 @@
+package org.starl.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+
+/** A motion that cannot be done says so; nothing else counts as an arrival. */
+class MotionRunTest {
+
+  private static final Point TARGET = new Point(3000, 0);
+
+  private static MotionWorld world() {
+    return new MotionWorld(1, MotionParameters.DEFAULT, new Pose(0, 0, 0));
+  }
+
+  @Test
+  void aWallWithoutABumpFailsForLackOfProgress() {
+    MotionWorld world = world();
+    world.wallMm = 800;
+    world.bumpSensorsWork = false;
+    assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("no progress");
+    assertThat(world.command).isEqualTo(WheelCommand.STOP);
+    assertThat(world.seconds()).isLessThan(10);
+  }
+
+  @Test
+  void aWallWithABumpFailsAtOnce() {
+    MotionWorld world = world();
+    world.wallMm = 800;
+    assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("bumped into something");
+    assertThat(world.seconds()).isLessThan(3);
+  }
+
+  @Test
+  void stuckWheelsFail() {
+    MotionWorld world = world();
+    world.mobility = 0;
+    world.noiseMm = 20;
+    assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("no progress");
+  }
+
+  @Test
+  void stuckWheelsThatShouldTurnFailToo() {
+    MotionWorld world = world();
+    world.mobility = 0;
+    assertThat(world.goTo(new Point(-3000, 0), new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
+  }
+
+  @Test
+  void aRobotThatDrivesAboutButNeverComesNearerFails() {
+    MotionParameters parameters =
+        MotionParameters.builder()
+            .collisionPolicy(CollisionPolicy.USE_COLBACK)
+            .robotType(RobotType.RANDOM_MOVER)
+            .build();
+    MotionWorld world = new MotionWorld(3, parameters, new Pose(0, 0, 0));
+    world.wallMm = 800;
+    assertThat(world.goTo(TARGET, new Nowhere(), 300_000)).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("no progress");
+  }
+
+  @Test
+  void withoutFixesTheWheelsStopAndThenTheMotionFails() {
+    MotionWorld world = world();
+    world.begin(TARGET, new Nowhere());
+    world.runFor(2_000);
+    world.fixesCome = false;
+    world.runFor(400);
+    assertThat(world.command).isEqualTo(WheelCommand.STOP);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
+    world.runFor(2_000);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("no position fix");
+  }
+
+  @Test
+  void aShortOutageOnlyDelaysTheArrival() {
+    MotionWorld world = world();
+    world.begin(TARGET, new Nowhere());
+    world.runFor(2_000);
+    world.fixesCome = false;
+    world.runFor(1_500);
+    world.fixesCome = true;
+    assertThat(world.runFor(30_000)).isEqualTo(MotionFlag.DONE);
+  }
+
+  @Test
+  void withoutAnyFixItWaitsAndFails() {
+    MotionWorld world = world();
+    world.fixesCome = false;
+    world.begin(TARGET, new Nowhere());
+    assertThat(world.runFor(1_900)).isEqualTo(MotionFlag.MOVING);
+    assertThat(world.truth).isEqualTo(new Pose(0, 0, 0));
+    assertThat(world.runFor(1_000)).isEqualTo(MotionFlag.FAIL);
+  }
+
+  @Test
+  void aRobotThatDrivesOnThroughItsTargetStopsAtABump() {
+    MotionParameters parameters = MotionParameters.builder().stopAtDestination(false).build();
+    MotionWorld world = new MotionWorld(1, parameters, new Pose(0, 0, 0));
+    world.wallMm = 2000;
+    assertThat(world.goTo(new Point(1000, 0), new Nowhere(), 20_000)).isEqualTo(MotionFlag.DONE);
+    assertThat(world.command.linearMmPerS()).isPositive();
+    assertThat(world.run().needsSteps()).isTrue();
+    for (int i = 0; i < 300; i++) {
+      world.tick();
+    }
+    assertThat(world.truth.xMm()).isGreaterThan(1500);
+    assertThat(world.command).isEqualTo(WheelCommand.STOP);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.DONE);
+    assertThat(world.run().needsSteps()).isFalse();
+  }
+
+  @Property(tries = 200)
+  void equalInputsGiveEqualCommands(@ForAll long seed) {
+    assertThat(commands(seed)).isEqualTo(commands(seed));
+  }
+
+  /** What a motion commands in a world that makes no sense: any poses, bumps and times. */
+  private static List<String> commands(long seed) {
+    Rng rng = new Rng(seed);
+    MotionParameters parameters =
+        MotionParameters.builder()
+            .style(rng.nextBoolean(0.3) ? MotionStyle.IDEAL : MotionStyle.UNICYCLE)
+            .collisionPolicy(CollisionPolicy.values()[rng.nextInt(4)])
+            .robotType(RobotType.values()[rng.nextInt(3)])
+            .build();
+    MotionRun run =
+        MotionRun.goTo(new Point(900, 900), new Nowhere(), parameters, rng.fork("moat"), 0);
+    List<String> commands = new ArrayList<>();
+    long nowNs = 0;
+    for (int i = 0; i < 200; i++) {
+      Pose pose =
+          new Pose(1000 * rng.nextDouble(), 1000 * rng.nextDouble(), 6 * rng.nextDouble() - 3);
+      Location location =
+          rng.nextBoolean(0.05)
+              ? new Location.Unknown()
+              : new Location.Known(pose, 5, 0.01, nowNs, nowNs);
+      Bumps bumps = rng.nextBoolean(0.1) ? Bumps.values()[rng.nextInt(4)] : Bumps.NONE;
+      commands.add(run.step(location, bumps, nowNs) + " " + run.status() + " " + run.state());
+      nowNs += rng.nextLong(1, 100_000_000);
+    }
+    return commands;
+  }
+}

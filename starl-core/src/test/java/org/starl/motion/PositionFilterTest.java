@@ -1,0 +1,190 @@
+package org.starl.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
+import org.starl.geometry.Fix;
+import org.starl.geometry.Kinematics;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+
+class PositionFilterTest {
+
+  private static final long MS = 1_000_000;
+
+  private final PositionFilter filter = new PositionFilter();
+
+  private boolean fix(double x, double y, double errorMm, long atMs, long nowMs) {
+    return filter.fixed(new Fix(new Pose(x, y, 0), atMs * MS, errorMm, 0), nowMs * MS);
+  }
+
+  private Location.Known at(long ms) {
+    Location.Known known = filter.at(ms * MS);
+    if (known == null) {
+      throw new AssertionError("no fix");
+    }
+    return known;
+  }
+
+  private void drive(double linear, double angular, long atMs) {
+    filter.commanded(new WheelCommand(linear, angular), false, 0, atMs * MS);
+  }
+
+  @Test
+  void nothingIsKnownBeforeTheFirstFix() {
+    assertThat(filter.hasFix()).isFalse();
+    assertThat(filter.at(5)).isNull();
+  }
+
+  @Test
+  void aBodyAtRestStaysWhereItIsHoweverOldTheFix() {
+    fix(10, 20, 5, 0, 0);
+    assertThat(at(60_000).pose()).isEqualTo(new Pose(10, 20, 0));
+    assertThat(at(60_000).errorMm()).isEqualTo(5);
+    assertThat(at(60_000).fixAgeNs()).isEqualTo(60_000 * MS);
+  }
+
+  @Test
+  void aMovingBodyIsExtrapolatedAndItsBoundGrowsByItsPath() {
+    fix(0, 0, 5, 0, 0);
+    drive(100, 0, 0);
+    assertThat(at(300).pose()).isEqualTo(new Pose(30, 0, 0));
+    assertThat(at(300).errorMm()).isCloseTo(35, within(1e-9));
+  }
+
+  @Test
+  void aFixOfThePastIsCarriedForwardThroughTheCommandsSince() {
+    fix(0, 0, 0, 0, 0);
+    drive(100, 0, 0);
+    drive(0, StrictMath.PI, 1000);
+    drive(100, 0, 1500);
+    // Measured at 500 ms, on the way along x, 3 mm off; heard of at 2000 ms.
+    fix(50, 3, 0, 500, 2000);
+    Pose now = at(2000).pose();
+    assertThat(now.xMm()).isCloseTo(100, within(1e-9));
+    assertThat(now.yMm()).isCloseTo(53, within(1e-9));
+    assertThat(now.headingRad()).isCloseTo(StrictMath.PI / 2, within(1e-12));
+  }
+
+  @Test
+  void twoFixesOfABodyAtRestAreBetterThanOne() {
+    fix(0, 0, 10, 0, 0);
+    fix(12, 0, 10, 75, 75);
+    assertThat(at(75).pose().at().xMm()).isCloseTo(6, within(1e-9));
+    assertThat(at(75).errorMm()).isCloseTo(8, within(1e-9));
+  }
+
+  @Test
+  void aWorseFixInsideChangesNothing() {
+    fix(0, 0, 1, 0, 0);
+    fix(5, 0, 20, 75, 75);
+    assertThat(at(75).pose()).isEqualTo(new Pose(0, 0, 0));
+    assertThat(at(75).errorMm()).isEqualTo(1);
+  }
+
+  @Test
+  void aJumpFartherThanTheSpeedAllowsIsCountedAndNotBelieved() {
+    fix(0, 0, 5, 0, 0);
+    drive(100, 0, 0);
+    assertThat(fix(1000, 0, 5, 100, 100)).isFalse();
+    assertThat(filter.contradictions()).isEqualTo(1);
+    assertThat(at(100).pose().xMm()).isCloseTo(10, within(1e-9));
+    assertThat(at(100).errorMm()).as("covers both").isCloseTo(995, within(1e-9));
+    assertThat(at(100).fixAgeNs()).isEqualTo(100 * MS);
+    // One outlier is forgotten with the next fix that fits.
+    assertThat(fix(20, 0, 5, 200, 200)).isTrue();
+    assertThat(at(200).errorMm()).isEqualTo(5);
+  }
+
+  @Test
+  void aSecondFixThatConfirmsAJumpIsBelieved() {
+    fix(0, 0, 5, 0, 0);
+    fix(1000, 0, 5, 100, 100);
+    assertThat(fix(1001, 0, 5, 200, 200)).isTrue();
+    assertThat(at(200).pose().xMm()).isEqualTo(1001);
+    assertThat(at(200).errorMm()).isEqualTo(5);
+    assertThat(filter.contradictions()).isEqualTo(1);
+  }
+
+  @Test
+  void fixesOutOfOrderOrFromTheFutureAreNotUsed() {
+    fix(0, 0, 5, 100, 100);
+    assertThat(fix(1, 0, 5, 50, 120)).isFalse();
+    assertThat(fix(1, 0, 5, 300, 200)).isFalse();
+    assertThat(filter.outdated()).isEqualTo(2);
+    assertThat(filter.contradictions()).isZero();
+  }
+
+  @Test
+  void aFixOlderThanAllCommandsThatItRemembersBoundsNothing() {
+    fix(0, 0, 5, 0, 0);
+    for (int i = 0; i < 100; i++) {
+      drive(i % 2, 0, 10L * i);
+    }
+    assertThat(at(1000).errorMm()).isInfinite();
+    assertThat(fix(7, 0, 5, 1000, 1000)).isTrue();
+    assertThat(at(1000).errorMm()).isEqualTo(5);
+  }
+
+  @Test
+  void aBodyThatTouchesSomethingMaySlide() {
+    fix(0, 0, 0, 0, 0);
+    filter.commanded(new WheelCommand(100, 0), true, 0, 0);
+    assertThat(at(100).errorMm()).isCloseTo(20, within(1e-9));
+  }
+
+  @Test
+  void aCommandThatTakesEffectLateWidensTheBound() {
+    fix(0, 0, 0, 0, 0);
+    drive(100, 0, 0);
+    filter.commanded(WheelCommand.STOP, false, 50 * MS, 100 * MS);
+    assertThat(at(500).errorMm()).isCloseTo(10 + 5, within(1e-9));
+  }
+
+  @Property(tries = 300)
+  void theTruthIsWithinTheBoundWhateverHoldsTheBodyUp(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    PositionFilter any = new PositionFilter();
+    Pose truth = new Pose(0, 0, rng.nextDouble());
+    double noiseMm = 40 * rng.nextDouble();
+    double noiseRad = 0.2 * rng.nextDouble();
+    WheelCommand command = WheelCommand.STOP;
+    long nowNs = 0;
+    for (int i = 0; i < 400; i++) {
+      long stepNs = rng.nextLong(0, 40 * MS);
+      double mobility = rng.nextBoolean(0.3) ? rng.nextDouble() : 1;
+      truth =
+          Kinematics.after(
+              truth,
+              command.linearMmPerS() * mobility,
+              command.angularRadPerS() * mobility,
+              stepNs / 1e9);
+      nowNs += stepNs;
+      if (rng.nextBoolean(0.5)) {
+        any.fixed(noisy(truth, noiseMm, noiseRad, nowNs, rng), nowNs);
+      } else {
+        command = new WheelCommand(600 * rng.nextDouble() - 200, 6 * rng.nextDouble() - 3);
+        any.commanded(command, false, 0, nowNs);
+      }
+      Location.Known known = any.at(nowNs);
+      if (known != null) {
+        assertThat(known.pose().distanceMm(truth.at())).isLessThanOrEqualTo(known.errorMm() + 1e-6);
+      }
+    }
+    assertThat(any.contradictions()).isZero();
+  }
+
+  private static Fix noisy(Pose truth, double errorMm, double errorRad, long atNs, Rng rng) {
+    double angle = 7 * rng.nextDouble();
+    double radius = errorMm * rng.nextDouble();
+    Pose measured =
+        new Pose(
+            truth.xMm() + radius * StrictMath.cos(angle),
+            truth.yMm() + radius * StrictMath.sin(angle),
+            truth.headingRad() + errorRad * (2 * rng.nextDouble() - 1));
+    return new Fix(measured, atNs, errorMm, errorRad);
+  }
+}
