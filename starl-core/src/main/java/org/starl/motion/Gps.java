@@ -56,6 +56,11 @@ public final class Gps {
     return currentlocation;
   }
 
+  /** The same under the name that it has in the paper's Figure 3. */
+  public GvhVariable<Location> mypos() {
+    return currentlocation;
+  }
+
   /**
    * Where the robot is now, as far as it knows.
    *

@@ -179,6 +179,7 @@ class MotionControlTest {
   @Test
   void theLocationIsUnknownBeforeTheFirstFix() {
     assertThat(gvh.gps.currentlocation().get()).isEqualTo(new Location.Unknown());
+    assertThat(gvh.gps.mypos().get()).isEqualTo(new Location.Unknown());
     assertThat(gvh.gps.hasFix()).isFalse();
     assertThat(gvh.gps.errorMm()).isInfinite();
     assertThat(gvh.gps.isClearOf(new Circle(new Point(0, 0), 1), 165)).isFalse();
