@@ -31,7 +31,7 @@ final class OutputFile implements Closeable {
         throw new BadInput(option + ": " + BadInput.quote(name) + ": expected a file's name");
       }
       Files.createDirectories(folder);
-      beside = Files.createTempFile(folder, "." + target.getFileName(), ".part");
+      beside = folder.resolve("." + target.getFileName() + ".part");
       out = new BufferedOutputStream(Files.newOutputStream(beside));
     } catch (IOException | InvalidPathException e) {
       throw new BadInput(option + ": " + BadInput.quote(name) + ": cannot be written (" + e + ")");
