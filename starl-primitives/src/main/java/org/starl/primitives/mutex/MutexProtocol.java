@@ -421,6 +421,26 @@ class MutexProtocol {
     }
   }
 
+  /**
+   * Everything that its messages and outcomes will depend on, but for times: participants with equal
+   * texts behave alike.
+   */
+  String state() {
+    StringBuilder text = new StringBuilder();
+    text.append(clock.now()).append(' ').append(this);
+    text.append(over ? " over " : " ").append(num).append(' ').append(ts);
+    text.append(' ').append(asked).append(missing).append(heard);
+    peers.forEach((id, peer) ->
+        text.append(' ')
+            .append(id)
+            .append(':')
+            .append(peer.seen)
+            .append(peer.granted ? "g" : "")
+            .append(peer.done ? "d" : "")
+            .append(peer.open));
+    return text.append(' ').append(pending).toString();
+  }
+
   @Override
   public String toString() {
     return me + " " + phase + " " + want + " in view " + view.number();

@@ -6,13 +6,17 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.Participants;
+import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.Registration;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
@@ -113,6 +117,99 @@ class M_MutexTest {
             });
     assertThat(result.results().values())
         .containsExactly(List.of(false, true, Sections.copyOf(List.of("B"))));
+  }
+
+  @Test
+  void whoRegistersAnewAnswersForItsOlderIds() {
+    SimResult result = run(1, 1, 0, gvh -> withScriptedViews(gvh, false));
+    assertThat(result.results().values())
+        .containsExactly(List.of(Sections.copyOf(List.of("B")), false));
+  }
+
+  @Test
+  void whatAnOlderIdHoldsIsReleasedFirst() {
+    SimResult result = run(1, 1, 0, gvh -> withScriptedViews(gvh, true));
+    assertThat(result.results().values())
+        .containsExactly(
+            List.of(
+                "mutex/crossing: do_mutex of [B] while holding [A]",
+                Sections.copyOf(List.of("A")),
+                Sections.copyOf(List.of("B")),
+                false));
+  }
+
+  /** One robot whose second id finds its first one still in the view, and asks it. */
+  private static LogicThread withScriptedViews(GlobalVarHolder gvh, boolean holding) {
+    ScriptedViews views = new ScriptedViews(gvh.id.freshProcess());
+    M_Mutex mux = new M_Mutex(gvh, XID, views);
+    return new Script(
+        gvh,
+        script -> {
+          List<Object> results = new ArrayList<>();
+          views.admit(views.me());
+          if (holding) {
+            mux.do_mutex(List.of("A"));
+          }
+          views.admit(gvh.id.freshProcess());
+          if (holding) {
+            results.add(messageOf(() -> mux.do_mutex(List.of("B"))));
+            results.add(mux.held());
+            mux.release("A");
+          }
+          mux.do_mutex(List.of("B"));
+          script.awaits(() -> mux.od_mutex() || mux.failed().get());
+          results.add(mux.held());
+          results.add(mux.failed().get());
+          return results;
+        });
+  }
+
+  private static String messageOf(Runnable wrong) {
+    try {
+      wrong.run();
+      return "nothing wrong";
+    } catch (IllegalStateException e) {
+      return String.valueOf(e.getMessage());
+    }
+  }
+
+  /** A membership that does what the test says. */
+  private static final class ScriptedViews implements Membership {
+    private final TreeMap<ProcessId, Long> admitted = new TreeMap<>();
+    private final List<Runnable> listeners = new ArrayList<>();
+    private ProcessId me;
+    private View view = View.NONE;
+
+    ScriptedViews(ProcessId me) {
+      this.me = me;
+    }
+
+    void admit(ProcessId newMe) {
+      admitted.put(newMe, view.number() + 1);
+      view = new View(view.number() + 1, admitted);
+      me = newMe;
+      listeners.forEach(Runnable::run);
+    }
+
+    @Override
+    public ProcessId me() {
+      return me;
+    }
+
+    @Override
+    public View view() {
+      return view;
+    }
+
+    @Override
+    public boolean mayRequest() {
+      return view.contains(me);
+    }
+
+    @Override
+    public void onChange(Runnable listener) {
+      listeners.add(listener);
+    }
   }
 
   @Test

@@ -1,0 +1,73 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.LamportClock;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexExplorer.Outcome;
+import org.starl.primitives.mutex.MutexExplorer.Shape;
+
+/** The code itself, not the model, explored exhaustively on small instances. */
+class MutexExplorationTest {
+
+  private static final ProcessId A = new ProcessId(new RobotId("a"), 1);
+  private static final ProcessId B = new ProcessId(new RobotId("b"), 1);
+  private static final View BOTH = View.closed(List.of(A, B));
+  private static final List<List<String>> ONE_OR_TWO = List.of(List.of("x"), List.of("x", "y"));
+
+  @Test
+  void twoMembersAndTwoSections() {
+    Shape shape = new Shape(List.of(BOTH), ONE_OR_TWO, 1, true);
+    assertHolds(shape, MutexProtocol::new);
+  }
+
+  @Test
+  void twoMembersAndTwoRequestsEach() {
+    Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 2, true);
+    assertHolds(shape, MutexProtocol::new);
+  }
+
+  @Test
+  void aMemberAndAJoinerThatItMayNotHaveHeardOf() {
+    assertHolds(joiner(), MutexProtocol::new);
+  }
+
+  @Test
+  void aMutantIsFoundWithTheStepsToIt() {
+    Outcome outcome = new MutexExplorer(joiner(), Deaf::new).explore(200_000);
+    assertThat(outcome.violation()).last().asString().startsWith("Exclusive");
+    assertThat(outcome.violation()).contains("b#1 learns view 2");
+  }
+
+  private static Shape joiner() {
+    SortedMap<ProcessId, Long> admitted = new TreeMap<>();
+    admitted.put(A, 1L);
+    admitted.put(B, 2L);
+    List<View> views = List.of(View.closed(List.of(A)), new View(2, admitted));
+    return new Shape(views, List.of(List.of("x")), 2, false);
+  }
+
+  private static void assertHolds(Shape shape, MutexNode.Kind kind) {
+    Outcome outcome = new MutexExplorer(shape, kind).explore(200_000);
+    assertThat(outcome.violation()).isEmpty();
+    assertThat(outcome.entries()).isPositive();
+  }
+
+  /** Never asks back whoever its view does not list. */
+  private static final class Deaf extends MutexProtocol {
+    Deaf(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
+      super(me, clock, times, effects);
+    }
+
+    @Override
+    void noteHeard(ProcessId other, long otherAdmittedBy) {
+      // The view only.
+    }
+  }
+}

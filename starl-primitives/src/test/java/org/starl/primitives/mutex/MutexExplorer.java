@@ -1,0 +1,175 @@
+package org.starl.primitives.mutex;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexProtocol.Phase;
+
+/**
+ * Every behaviour of a few participants, breadth first, as the model checker does it for the model:
+ * messages are a set that nothing is ever taken from, so that loss, delay, duplication and
+ * reordering are all in. Protocols cannot be copied, so a state is its path, taken again.
+ */
+final class MutexExplorer {
+
+  /**
+   * What is explored.
+   *
+   * @param views all there will ever be, the first one known to its members; participants of later
+   *     ones learn those first
+   * @param wants what may be requested
+   * @param requests of one participant, at most
+   */
+  record Shape(List<View> views, List<List<String>> wants, int requests, boolean withdrawals) {}
+
+  /** What was found: the first violation with the steps to it, or none. */
+  record Outcome(int states, int entries, List<String> violation) {}
+
+  private final Shape shape;
+  private final MutexNode.Kind kind;
+
+  MutexExplorer(Shape shape, MutexNode.Kind kind) {
+    this.shape = shape;
+    this.kind = kind;
+  }
+
+  Outcome explore(int mostStates) {
+    Set<String> seen = new HashSet<>();
+    ArrayDeque<List<Integer>> frontier = new ArrayDeque<>();
+    frontier.add(List.of());
+    seen.add(new Situation().key());
+    int entries = 0;
+    while (!frontier.isEmpty()) {
+      List<Integer> path = frontier.remove();
+      int choices = at(path).choices().size();
+      for (int choice = 0; choice < choices; choice++) {
+        Situation next = at(path);
+        next.take(choice);
+        if (!seen.add(next.key())) {
+          continue;
+        }
+        if (seen.size() > mostStates) {
+          throw new AssertionError("more than " + mostStates + " states");
+        }
+        List<Integer> longer = new ArrayList<>(path);
+        longer.add(choice);
+        entries += next.nodes.stream().anyMatch(node -> node.isIn(Phase.CRITICAL)) ? 1 : 0;
+        var violation = MutexOracle.violation("", next.nodes, next.lastView());
+        if (violation.isPresent()) {
+          next.story.add(violation.get());
+          return new Outcome(seen.size(), entries, next.story);
+        }
+        frontier.add(longer);
+      }
+    }
+    return new Outcome(seen.size(), entries, List.of());
+  }
+
+  private Situation at(List<Integer> path) {
+    Situation situation = new Situation();
+    for (int choice : path) {
+      situation.take(choice);
+    }
+    return situation;
+  }
+
+  private final class Situation {
+    final List<MutexNode> nodes = new ArrayList<>();
+    final List<String> story = new ArrayList<>();
+    private final Map<String, MutexMessage> messages = new LinkedHashMap<>();
+    private final List<View> learned = new ArrayList<>();
+
+    Situation() {
+      for (ProcessId id : lastView().ids()) {
+        nodes.add(new MutexNode(id, kind, m -> messages.putIfAbsent(m.toString(), m), e -> {}));
+        learned.add(View.NONE);
+      }
+      for (int i = 0; i < nodes.size(); i++) {
+        if (shape.views().get(0).contains(nodes.get(i).id)) {
+          learn(i, shape.views().get(0));
+        }
+      }
+      story.clear();
+    }
+
+    View lastView() {
+      return shape.views().get(shape.views().size() - 1);
+    }
+
+    void take(int choice) {
+      choices().get(choice).run();
+    }
+
+    /** All that can happen next. The same steps give the same choices in the same order. */
+    List<Runnable> choices() {
+      List<Runnable> all = new ArrayList<>();
+      for (int i = 0; i < nodes.size(); i++) {
+        addChoices(i, all);
+      }
+      for (MutexMessage message : messages.values()) {
+        for (MutexNode node : nodes) {
+          if (node.id.equals(message.to())) {
+            all.add(step(message.toString(), () -> node.protocol.receive(message)));
+          }
+        }
+      }
+      return all;
+    }
+
+    private void addChoices(int i, List<Runnable> all) {
+      MutexNode node = nodes.get(i);
+      if (node.isIn(Phase.IDLE) && node.protocol.mayRequest() && node.num < shape.requests()) {
+        for (List<String> want : shape.wants()) {
+          all.add(
+              step(
+                  node.id + " requests " + want,
+                  () -> node.protocol.request(Sections.copyOf(want), 0)));
+        }
+      }
+      if (node.isIn(Phase.TRYING) && shape.withdrawals()) {
+        all.add(step(node.id + " withdraws", () -> node.protocol.withdraw(MutexFailure.WITHDRAWN)));
+      }
+      if (node.isIn(Phase.CRITICAL)) {
+        for (String section : node.protocol.held()) {
+          all.add(
+              step(
+                  node.id + " releases " + section,
+                  () -> node.protocol.release(new TreeSet<>(List.of(section)))));
+        }
+      }
+      for (View view : shape.views()) {
+        boolean isOut = learned.get(i).equals(View.NONE) && !view.contains(node.id);
+        if (view.number() > learned.get(i).number() && !isOut) {
+          all.add(() -> learn(i, view));
+        }
+      }
+    }
+
+    private Runnable step(String line, Runnable action) {
+      return () -> {
+        story.add(line);
+        action.run();
+      };
+    }
+
+    private void learn(int i, View view) {
+      story.add(nodes.get(i).id + " learns view " + view.number());
+      learned.set(i, view);
+      nodes.get(i).protocol.learn(view);
+    }
+
+    String key() {
+      StringBuilder text = new StringBuilder();
+      nodes.forEach(
+          node -> text.append(node.protocol.state()).append(node.consentedTo).append('|'));
+      return text.append(new TreeSet<>(messages.keySet())).toString();
+    }
+  }
+}
