@@ -270,7 +270,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     Thread busy = mine != null && mine.hasBaton() ? mine.thread() : thread;
     IllegalStateException late =
         new IllegalStateException(
-            busy.getName() + " has not ended " + CLOSE_LIMIT.toSeconds() + " s after its close");
+            busy.getName() + " has not ended " + CLOSE_LIMIT.getSeconds() + " s after its close");
     late.setStackTrace(busy.getStackTrace());
     return late;
   }

@@ -93,7 +93,7 @@ public final class FileStable implements Stable, AutoCloseable {
   public void close() {
     disk.shutdown();
     try {
-      if (!disk.awaitTermination(CLOSE_LIMIT.toSeconds(), TimeUnit.SECONDS)) {
+      if (!disk.awaitTermination(CLOSE_LIMIT.getSeconds(), TimeUnit.SECONDS)) {
         onFailure.accept(new IOException(directory + ": writes are stuck"));
       }
     } catch (InterruptedException e) {

@@ -2,6 +2,7 @@ package org.starl.primitives.geocast;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Nowhere;
@@ -38,8 +39,11 @@ final class RegionText {
       case Circle circle -> call(CIRCLE, List.of(format(circle.center()), circle.radiusMm()));
       case Rectangle r -> call(RECTANGLE, List.of(r.xMinMm(), r.yMinMm(), r.xMaxMm(), r.yMaxMm()));
       case Polygon polygon ->
-          call(POLYGON, polygon.vertices().stream().map(RegionText::format).toList());
-      case Union union -> call(UNION, union.parts().stream().map(RegionText::format).toList());
+          call(
+              POLYGON,
+              polygon.vertices().stream().map(RegionText::format).collect(Collectors.toList()));
+      case Union union ->
+          call(UNION, union.parts().stream().map(RegionText::format).collect(Collectors.toList()));
     };
   }
 
