@@ -10,13 +10,18 @@ interface Carrier {
    * Kernel's side: lets the app begin or go on, and returns when it suspends itself or is over.
    *
    * @throws ForeignWait if it does neither, because it waits for something that is not the kernel,
-   *     for longer than the limit; a later call waits anew
+   *     for longer than the limit
    */
   void resume();
 
   /** App's side: lets the kernel go on, and returns when the kernel resumes it. */
   void suspend();
 
-  /** Kernel's side: interrupts an app that waits for something that is not the kernel. */
-  void interrupt();
+  /**
+   * Kernel's side, after a {@link ForeignWait}: interrupts the app, and returns when it suspends
+   * itself or is over.
+   *
+   * @throws ForeignWait as {@link #resume} does
+   */
+  void recover();
 }

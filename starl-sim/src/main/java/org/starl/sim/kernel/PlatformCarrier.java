@@ -40,6 +40,18 @@ final class PlatformCarrier implements Carrier {
       isStarted = true;
       thread.start();
     }
+    awaitBaton();
+  }
+
+  @Override
+  public void recover() {
+    // The baton is the app's still: to pass it again could undo that the app has just passed it.
+    kernelThread = Thread.currentThread();
+    thread.interrupt();
+    awaitBaton();
+  }
+
+  private void awaitBaton() {
     PatientWait wait = new PatientWait(foreignWaitLimit);
     try {
       while (appHasBaton) {
@@ -67,11 +79,6 @@ final class PlatformCarrier implements Carrier {
     if (wasInterrupted) {
       Thread.currentThread().interrupt();
     }
-  }
-
-  @Override
-  public void interrupt() {
-    thread.interrupt();
   }
 
   private void passBatonToKernel() {

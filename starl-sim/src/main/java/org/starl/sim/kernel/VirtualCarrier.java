@@ -52,16 +52,6 @@ final class VirtualCarrier implements Carrier, Executor {
   @Override
   public void resume() {
     kernelThread = Thread.currentThread();
-    resumes++;
-    pinWatch.setResumed(this);
-    try {
-      runUntilSuspended();
-    } finally {
-      pinWatch.setResumed(null);
-    }
-  }
-
-  private void runUntilSuspended() {
     if (isStarted) {
       isSuspended = false;
       LockSupport.unpark(thread);
@@ -69,9 +59,26 @@ final class VirtualCarrier implements Carrier, Executor {
       isStarted = true;
       thread.start();
     }
-    do {
-      takeReady().run();
-    } while (!isSuspended && !isOver);
+    runUntilSuspended();
+  }
+
+  @Override
+  public void recover() {
+    kernelThread = Thread.currentThread();
+    thread.interrupt();
+    runUntilSuspended();
+  }
+
+  private void runUntilSuspended() {
+    resumes++;
+    pinWatch.setResumed(this);
+    try {
+      do {
+        takeReady().run();
+      } while (!isSuspended && !isOver);
+    } finally {
+      pinWatch.setResumed(null);
+    }
   }
 
   @Override
@@ -94,11 +101,6 @@ final class VirtualCarrier implements Carrier, Executor {
     if (wasInterrupted) {
       Thread.currentThread().interrupt();
     }
-  }
-
-  @Override
-  public void interrupt() {
-    thread.interrupt();
   }
 
   /** How often the app was resumed. As the two below, for the watch's thread. */

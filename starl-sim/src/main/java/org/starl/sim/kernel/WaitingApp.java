@@ -90,11 +90,13 @@ final class WaitingApp implements Runnable {
     if (waiting == null) {
       return null;
     }
-    if (isLost) {
-      waiting.interrupt();
-    }
     try {
-      resume();
+      if (isLost) {
+        runOn(waiting);
+      }
+      if (carrier != null) {
+        resume();
+      }
       return carrier == null
           ? failure
           : new IllegalStateException(
@@ -150,9 +152,18 @@ final class WaitingApp implements Runnable {
       mine = kernel.carry(strand, this::runBody);
       carrier = mine;
     }
+    runOn(mine);
+  }
+
+  private void runOn(Carrier mine) {
     isRunning = true;
     try {
-      mine.resume();
+      if (isLost) {
+        mine.recover();
+        isLost = false;
+      } else {
+        mine.resume();
+      }
     } catch (ForeignWait e) {
       isLost = true;
       throw e;

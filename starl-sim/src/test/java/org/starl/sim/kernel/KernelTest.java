@@ -17,9 +17,14 @@ class KernelTest {
   private final List<String> log = new ArrayList<>();
 
   @Test
-  void virtualCarriersAreTheBestWhereTestsRun() {
-    assertThat(CarrierKind.fallbackReason()).isNull();
-    assertThat(CarrierKind.best()).isEqualTo(CarrierKind.VIRTUAL);
+  void virtualCarriersAreTheBestSinceJava24() {
+    if (Runtime.version().feature() >= 24) {
+      assertThat(CarrierKind.fallbackReason()).isNull();
+      assertThat(CarrierKind.best()).isEqualTo(CarrierKind.VIRTUAL);
+    } else {
+      assertThat(CarrierKind.fallbackReason()).contains("need Java 24 or later");
+      assertThat(CarrierKind.best()).isEqualTo(CarrierKind.PLATFORM);
+    }
   }
 
   @ParameterizedTest
