@@ -10,6 +10,7 @@ import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
+import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
@@ -186,8 +187,8 @@ final class Engine implements SimControl, AutoCloseable {
   }
 
   @Override
-  public boolean isStanding(RobotId id) {
-    return robot(id).body().linearMmPerS() == 0;
+  public MotionFlag motionflag(RobotId id) {
+    return robot(id).motionflag();
   }
 
   @Override

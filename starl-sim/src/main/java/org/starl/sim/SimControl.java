@@ -2,6 +2,7 @@ package org.starl.sim;
 
 import org.starl.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
 import org.starl.sim.net.SimNetwork;
 
@@ -37,8 +38,8 @@ public interface SimControl {
   /** Where the body truly is now; it must be on the floor. */
   Pose truePose(RobotId robot);
 
-  /** Whether the body stands still now; it must be on the floor. */
-  boolean isStanding(RobotId robot);
+  /** How the robot's latest motion stands, by its own account. */
+  MotionFlag motionflag(RobotId robot);
 
   /** Whether the robot's app has come to its end. */
   boolean isFinished(RobotId robot);

@@ -2,7 +2,9 @@ package org.starl.sim;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
 import org.starl.RobotRunner;
+import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.Kernel;
@@ -81,6 +83,11 @@ final class SimRobot {
 
   boolean isFinished() {
     return finished;
+  }
+
+  MotionFlag motionflag() {
+    GlobalVarHolder gvh = runner.gvh();
+    return gvh == null ? MotionFlag.IDLE : gvh.plat.moat.motionflag().get();
   }
 
   boolean isOnFloor() {

@@ -10,6 +10,7 @@ import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Region;
+import org.starl.motion.MotionFlag;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 
@@ -71,7 +72,8 @@ final class Traffic implements Director {
 
   private boolean leaves(SimControl control, Car car) {
     RobotId id = car.id();
-    if (!control.isStanding(id)) {
+    MotionFlag flag = control.motionflag(id);
+    if (flag == MotionFlag.MOVING || flag == MotionFlag.FAIL) {
       return false;
     }
     for (Region exit : exits) {

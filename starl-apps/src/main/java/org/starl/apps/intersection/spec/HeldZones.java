@@ -20,6 +20,7 @@ public final class HeldZones {
 
   private final Map<RobotId, SortedSet<String>> held = new TreeMap<>();
   private final Map<RobotId, SortedSet<String>> requested = new TreeMap<>();
+  private final Set<RobotId> refused = new TreeSet<>();
 
   /** Sees the next event. */
   public void observe(TraceEvent event) {
@@ -29,13 +30,19 @@ public final class HeldZones {
   private void observe(MutexEvent event) {
     RobotId robot = event.who().robot();
     switch (event) {
-      case MutexEvent.DoMutex request -> requested.put(robot, request.want());
+      case MutexEvent.DoMutex request -> {
+        requested.put(robot, request.want());
+        refused.remove(robot);
+      }
       case MutexEvent.OdMutex grant -> {
         requested.remove(robot);
         held.put(robot, new TreeSet<>(grant.held()));
       }
       case MutexEvent.Release release -> held.put(robot, release.left());
-      case MutexEvent.Withdraw withdrawal -> requested.remove(robot);
+      case MutexEvent.Withdraw withdrawal -> {
+        requested.remove(robot);
+        refused.add(robot);
+      }
       case MutexEvent.Grant consent -> {
         // Consent of one peer gives nothing yet.
       }
@@ -48,6 +55,11 @@ public final class HeldZones {
   /** crit_set: what {@code robot} has access to. */
   public SortedSet<String> held(RobotId robot) {
     return held.getOrDefault(robot, NONE);
+  }
+
+  /** Whether {@code robot}'s latest request ended without access. */
+  boolean isRefused(RobotId robot) {
+    return refused.contains(robot);
   }
 
   /** Everybody who ever held anything, in order. */

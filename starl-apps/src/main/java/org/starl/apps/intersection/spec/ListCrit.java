@@ -24,7 +24,7 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * <p>In PVS the grant and the car's step from {@code mutex_wait} to {@code move_wait} are one action,
  * {@code od_mutex}. A program learns of its grant when it looks next, so between the two it still
- * waits for what it holds already.
+ * waits for what it holds already, or for what has just been refused.
  */
 final class ListCrit implements Monitor {
 
@@ -95,7 +95,9 @@ final class ListCrit implements Monitor {
     return switch (state.location) {
       case S_0, REGISTER_WAIT -> state.myseq.equals(path) ? "" : myseq + " is not the path " + path;
       case MUTEX_WAIT ->
-          zones.requested(robot).equals(rest) || zones.held(robot).equals(rest)
+          zones.requested(robot).equals(rest)
+                  || zones.held(robot).equals(rest)
+                  || zones.isRefused(robot)
               ? ""
               : myseq + " is not what is requested, " + zones.requested(robot);
       case MOVE_WAIT ->
