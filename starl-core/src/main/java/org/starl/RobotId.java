@@ -28,6 +28,20 @@ public record RobotId(String name) implements Comparable<RobotId> {
     return true;
   }
 
+  /** Whether the {@code length} bytes from {@code from} on are this name in ASCII. */
+  public boolean isNamed(byte[] bytes, int from, int length) {
+    if (name.length() != length) {
+      return false;
+    }
+    // Names differ in their last letters: from there, most comparisons end at once.
+    for (int i = length - 1; i >= 0; i--) {
+      if (name.charAt(i) != bytes[from + i]) {
+        return false;
+      }
+    }
+    return true;
+  }
+
   /** Compares runs of digits by their value, everything else by character; total. */
   @Override
   public int compareTo(RobotId other) {

@@ -5,8 +5,6 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.platform.Platform;
-import org.starl.platform.Timer;
-import org.starl.trace.TraceEvent;
 
 /**
  * {@code gvh.comms}: this robot's messages. Strand only.
@@ -17,24 +15,18 @@ import org.starl.trace.TraceEvent;
  */
 public final class Comms {
 
-  private static final String ACK = "ack";
-
   private final Platform platform;
   private final int boot;
   private final LamportClock lamportClock = new LamportClock();
   private final DatagramWriter writer;
   private final Header header = new Header();
-  private final WireReader body = new WireReader();
-  private final RobotNames robots = new RobotNames();
+  private final WireReader in = new WireReader();
+  private final RobotNames robots;
   private final Endpoints endpoints = new Endpoints();
   private final InboundWindows inbound = new InboundWindows();
-  private final OutboundQueue<RetainedMessage> outbound = new OutboundQueue<>(this::transmit);
-  private final Drops drops;
-  private @Nullable Timer timer;
-  private long timerNs = Long.MAX_VALUE;
+  private final Bookkeeping books;
+  private @Nullable ReliableSender reliable;
   private long lastNumber;
-  private long sent;
-  private long received;
 
   /**
    * @param boot how often this robot's program has started, from 1
@@ -46,7 +38,8 @@ public final class Comms {
     this.platform = platform;
     this.boot = boot;
     this.writer = new DatagramWriter(platform.id(), boot);
-    this.drops = new Drops(platform);
+    this.robots = new RobotNames(platform.deployment());
+    this.books = new Bookkeeping(platform);
     platform.radio().onReceive((buffer, length) -> received(buffer, length, false));
   }
 
@@ -71,59 +64,55 @@ public final class Comms {
 
   /** Datagrams sent: messages, repeated ones, acknowledgements; those to this robot as well. */
   public long sent() {
-    return sent;
+    return books.sent();
   }
 
   /** Datagrams that arrived, dropped ones included. */
   public long received() {
-    return received;
+    return books.received();
   }
 
   /** Datagrams that arrived and were dropped for this reason. */
   public long dropped(DropReason reason) {
-    return drops.count(reason);
+    return books.dropped(reason);
   }
 
   <T> void send(OpenEndpoint<T> endpoint, @Nullable RobotId to, T message) {
     long number = ++lastNumber;
     int length = writer.message(endpoint, to, message, number, 0, lamportClock.now());
-    if (platform.trace().isOn()) {
-      traceSent(to, endpoint.channel.name(), number, length, message);
-    }
+    books.sent(to, endpoint.channel, number, length, message);
     emit(to, writer.buffer(), length);
   }
 
   <T> Receipt sendReliably(
       OpenEndpoint<T> endpoint, RobotId to, T message, Reliability reliability) {
+    if (reliable == null) {
+      reliable = new ReliableSender(platform.clock(), platform.timers(), this::transmit);
+    }
     long number = ++lastNumber;
-    long order = outbound.nextOrder(to);
+    long order = reliable.nextOrder(to);
     int length = writer.message(endpoint, to, message, number, order, lamportClock.now());
     byte[] datagram = Arrays.copyOf(writer.buffer(), length);
-    RetainedMessage retained = new RetainedMessage(endpoint, message, number, datagram);
-    Receipt receipt = outbound.send(to, retained, reliability, now());
-    setTimer();
-    return receipt;
+    return reliable.send(to, new RetainedMessage(endpoint, message, number, datagram), reliability);
   }
 
   void close(OpenEndpoint<?> endpoint) {
     endpoints.remove(endpoint);
-    outbound.fail(retained -> retained.endpoint == endpoint, now());
-    setTimer();
+    if (reliable != null) {
+      reliable.fail(endpoint);
+    }
   }
 
   private void transmit(Outgoing<RetainedMessage> outgoing) {
     RetainedMessage retained = outgoing.content;
     byte[] datagram = retained.datagram;
     DatagramWriter.setClock(datagram, lamportClock.now());
-    if (platform.trace().isOn()) {
-      String channel = retained.endpoint.channel.name();
-      traceSent(outgoing.to, channel, retained.number, datagram.length, retained.message);
-    }
+    books.sent(
+        outgoing.to, retained.endpoint.channel, retained.number, datagram.length, retained.message);
     emit(outgoing.to, datagram, datagram.length);
   }
 
   private void emit(@Nullable RobotId to, byte[] buffer, int length) {
-    sent++;
     if (to == null) {
       platform.radio().broadcast(buffer, length);
     } else if (to.equals(platform.id())) {
@@ -134,47 +123,24 @@ public final class Comms {
     }
   }
 
-  private void advance() {
-    timerNs = Long.MAX_VALUE;
-    outbound.advance(now());
-    setTimer();
-  }
-
-  private void setTimer() {
-    long dueNs = outbound.nextDueNs();
-    if (dueNs == timerNs) {
-      return;
-    }
-    if (timer == null) {
-      timer = platform.timers().timer(this::advance);
-    }
-    timerNs = dueNs;
-    if (dueNs == Long.MAX_VALUE) {
-      timer.cancel();
-    } else {
-      timer.set(dueNs);
-    }
-  }
-
   private void received(byte[] buffer, int length, boolean fromSelf) {
-    received++;
-    DropReason malformed = header.parse(buffer, length);
+    books.countReceived();
+    DropReason malformed = header.parse(buffer, length, in);
     if (malformed != null) {
-      drops.add(malformed, null, length + " bytes");
+      books.dropped(malformed, null, length + " bytes");
       return;
     }
     RobotId from = robots.find(buffer, header.senderAt, header.senderLength);
     if (from == null) {
-      drops.add(DropReason.BAD_NAME, null, "sender");
+      books.dropped(DropReason.BAD_NAME, null, "sender");
       return;
     }
     DropReason refused = refusal(buffer, from, fromSelf);
     if (refused != null) {
-      drops.add(refused, from, "");
+      books.dropped(refused, from, "");
       return;
     }
     lamportClock.witness(header.clock);
-    body.reset(buffer, header.bodyAt, length);
     if (header.kind == Header.ACK) {
       acknowledged(from);
     } else {
@@ -197,35 +163,34 @@ public final class Comms {
     int ackedBoot;
     long order;
     try {
-      ackedBoot = body.i32();
-      order = body.i64();
-      body.expectEnd();
+      ackedBoot = in.i32();
+      order = in.i64();
+      in.expectEnd();
     } catch (WireFormatException e) {
-      drops.add(DropReason.BAD_PAYLOAD, from, "acknowledgement: " + e.getMessage());
+      books.dropped(DropReason.BAD_PAYLOAD, from, "acknowledgement: " + e.getMessage());
       return;
     }
     settle(from, ackedBoot, order);
   }
 
   private void settle(RobotId from, int ackedBoot, long order) {
-    if (ackedBoot == boot && outbound.acknowledged(from, order, now())) {
-      setTimer();
-    } else {
-      drops.add(DropReason.STALE_ACK, from, "");
+    boolean isNews = ackedBoot == boot && reliable != null && reliable.acknowledged(from, order);
+    if (!isNews) {
+      books.dropped(DropReason.STALE_ACK, from, "");
     }
   }
 
   private void message(byte[] buffer, RobotId from) {
     long order = 0;
     if (header.kind == Header.RELIABLE) {
-      if (body.remaining() < Long.BYTES) {
-        drops.add(DropReason.TRUNCATED, from, "no order");
+      if (in.remaining() < Long.BYTES) {
+        books.dropped(DropReason.TRUNCATED, from, "no order");
         return;
       }
-      order = body.i64();
+      order = in.i64();
       DropReason refused = order <= 0 ? DropReason.BAD_FIELD : inbound.refusal(from, order);
       if (refused != null) {
-        drops.add(refused, from, "");
+        books.dropped(refused, from, "");
         if (refused == DropReason.DUPLICATE) {
           acknowledge(from, header.boot, order);
         }
@@ -244,33 +209,26 @@ public final class Comms {
     String name =
         new String(buffer, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
     if (Channel.isName(name)) {
-      drops.add(DropReason.NO_LISTENER, from, name);
+      books.dropped(DropReason.NO_LISTENER, from, name);
     } else {
-      drops.add(DropReason.BAD_NAME, from, "channel");
+      books.dropped(DropReason.BAD_NAME, from, "channel");
     }
   }
 
   private <T> void deliver(OpenEndpoint<T> endpoint, RobotId from, long order) {
     T message;
     try {
-      message = endpoint.channel.codec().read(body);
-      body.expectEnd();
+      message = endpoint.channel.codec().read(in);
+      in.expectEnd();
     } catch (WireFormatException | IllegalArgumentException e) {
-      drops.add(DropReason.BAD_PAYLOAD, from, endpoint.channel.name() + ": " + e.getMessage());
+      books.dropped(DropReason.BAD_PAYLOAD, from, endpoint.channel.name() + ": " + e.getMessage());
       return;
     }
     int senderBoot = header.boot;
     if (order > 0) {
       inbound.handle(from, senderBoot, order);
     }
-    if (platform.trace().isOn()) {
-      String channel = endpoint.channel.name();
-      String text = String.valueOf(message);
-      platform
-          .trace()
-          .record(
-              new TraceEvent.Delivered(now(), platform.id(), from, channel, header.number, text));
-    }
+    books.delivered(from, endpoint.channel, header.number, message);
     endpoint.handler.received(from, message);
     if (order > 0) {
       acknowledge(from, senderBoot, order);
@@ -284,23 +242,7 @@ public final class Comms {
     }
     long number = ++lastNumber;
     int length = writer.acknowledgement(to, ackedBoot, order, number, lamportClock.now());
-    if (platform.trace().isOn()) {
-      traceSent(to, ACK, number, length, ACK + " " + order);
-    }
+    books.sentAcknowledgement(to, order, number, length);
     emit(to, writer.buffer(), length);
-  }
-
-  private void traceSent(
-      @Nullable RobotId to, String channel, long number, int bytes, Object message) {
-    String addressee = to == null ? "*" : to.name();
-    platform
-        .trace()
-        .record(
-            new TraceEvent.Sent(
-                now(), platform.id(), addressee, channel, number, bytes, String.valueOf(message)));
-  }
-
-  private long now() {
-    return platform.clock().nowNs();
   }
 }

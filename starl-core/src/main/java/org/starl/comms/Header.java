@@ -38,10 +38,11 @@ final class Header {
   int channelLength;
   int bodyAt;
 
-  private final WireReader in = new WireReader();
-
-  /** Reads all but the body; null if that is well-formed. The names' letters are not looked at. */
-  @Nullable DropReason parse(byte[] bytes, int length) {
+  /**
+   * Reads all but the body, which {@code in} will read next; null if that is well-formed. The
+   * names' letters are not looked at.
+   */
+  @Nullable DropReason parse(byte[] bytes, int length, WireReader in) {
     if (length < 3) {
       return DropReason.TRUNCATED;
     }
@@ -72,7 +73,11 @@ final class Header {
     if (boot <= 0 || number <= 0 || clock < 0 || clock > MAX_CLOCK) {
       return DropReason.BAD_FIELD;
     }
-    return parseNames(bytes, length);
+    DropReason malformed = parseNames(bytes, length);
+    if (malformed == null) {
+      in.reset(bytes, bodyAt, length);
+    }
+    return malformed;
   }
 
   private @Nullable DropReason parseNames(byte[] bytes, int length) {

@@ -11,7 +11,9 @@ import org.starl.RobotId;
 /** Reads what {@link WireWriter} wrote; anything else is a {@link WireFormatException}. */
 public final class WireReader {
 
-  private byte[] buffer = new byte[0];
+  private static final byte[] NOTHING = new byte[0];
+
+  private byte[] buffer = NOTHING;
   private int position;
   private int end;
 

@@ -14,7 +14,7 @@ import org.starl.RobotId;
  */
 public final class WireWriter {
 
-  private static final int FIRST_SIZE = 128;
+  private static final int FIRST_SIZE = 96;
 
   private final boolean grows;
   private byte[] buffer;

@@ -170,7 +170,7 @@ class ReliableUnicastTest {
     }
   }
 
-  @Property(tries = 300)
+  @Property(tries = 200)
   void eachMessageIsHandledAtMostOnceAndExactlyOnceIfItsReceiptSaysSo(
       @ForAll long seed,
       @ForAll @DoubleRange(max = 1) double loss,
@@ -191,7 +191,7 @@ class ReliableUnicastTest {
     network.receivers.values().forEach(r -> assertThat(r.size()).isLessThanOrEqualTo(1));
   }
 
-  @Property(tries = 300)
+  @Property(tries = 200)
   void crashesOfBothSidesNeverLetAnIncarnationHandleAMessageTwice(
       @ForAll long seed, @ForAll @DoubleRange(max = 0.9) double loss) {
     Network network = network(seed, loss, 2);
@@ -214,7 +214,7 @@ class ReliableUnicastTest {
     });
   }
 
-  @Property(tries = 100)
+  @Property(tries = 50)
   void onceTheNetworkBehavesEverythingPendingIsDelivered(
       @ForAll long seed, @ForAll @IntRange(min = 1, max = 700) int messages) {
     Network network = network(seed, 1, 1);

@@ -1,0 +1,98 @@
+package org.starl.comms;
+
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.platform.LogSink;
+import org.starl.platform.Platform;
+import org.starl.trace.TraceEvent;
+
+/** Counts datagrams, and tells the trace and the log of them. */
+final class Bookkeeping {
+
+  /** Where acknowledgements stand in the trace; no channel's name, for want of a slash. */
+  private static final String ACK = "ack";
+
+  private final Platform platform;
+  private long sent;
+  private long received;
+  private long @Nullable [] drops;
+
+  Bookkeeping(Platform platform) {
+    this.platform = platform;
+  }
+
+  long sent() {
+    return sent;
+  }
+
+  long received() {
+    return received;
+  }
+
+  long dropped(DropReason reason) {
+    return drops == null ? 0 : drops[reason.ordinal()];
+  }
+
+  void countReceived() {
+    received++;
+  }
+
+  /** A datagram with this message goes out; {@code to} is null for everyone. */
+  void sent(@Nullable RobotId to, Channel<?> channel, long number, int bytes, Object message) {
+    sent++;
+    if (platform.trace().isOn()) {
+      traceSent(to == null ? "*" : to.name(), channel.name(), number, bytes, message.toString());
+    }
+  }
+
+  /** An acknowledgement of message {@code order} of {@code to} goes out. */
+  void sentAcknowledgement(RobotId to, long order, long number, int bytes) {
+    sent++;
+    if (platform.trace().isOn()) {
+      traceSent(to.name(), ACK, number, bytes, ACK + " " + order);
+    }
+  }
+
+  private void traceSent(String to, String channel, long number, int bytes, String message) {
+    platform
+        .trace()
+        .record(new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, message));
+  }
+
+  void delivered(RobotId from, Channel<?> channel, long number, Object message) {
+    if (platform.trace().isOn()) {
+      String text = message.toString();
+      platform
+          .trace()
+          .record(
+              new TraceEvent.Delivered(now(), platform.id(), from, channel.name(), number, text));
+    }
+  }
+
+  /** A datagram is dropped, from nobody knows whom if {@code from} is null. */
+  void dropped(DropReason reason, @Nullable RobotId from, String detail) {
+    if (drops == null) {
+      drops = new long[DropReason.values().length];
+    }
+    drops[reason.ordinal()]++;
+    String sender = from == null ? "?" : from.name();
+    if (drops[reason.ordinal()] == 1) {
+      log(reason, "from " + sender + ": " + reason + (detail.isEmpty() ? "" : " (" + detail + ")"));
+    }
+    if (platform.trace().isOn()) {
+      platform
+          .trace()
+          .record(new TraceEvent.Dropped(now(), platform.id(), sender, reason.toString()));
+    }
+  }
+
+  private void log(DropReason reason, String what) {
+    LogSink.Level level = reason.isSuspicious() ? LogSink.Level.WARN : LogSink.Level.DEBUG;
+    String line = "dropped a datagram " + what + "; more of these are only counted";
+    platform.log().log(now(), level, "comms", line);
+  }
+
+  private long now() {
+    return platform.clock().nowNs();
+  }
+}
