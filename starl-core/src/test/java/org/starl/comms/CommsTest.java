@@ -427,4 +427,33 @@ class CommsTest {
 
     assertThat(receipt.isDelivered()).isTrue();
   }
+
+  @Test
+  void eachOfManyChannelsHearsItsOwnMessages() {
+    Comms comms = comms("a", 1);
+    List<Endpoint<String>> endpoints = new ArrayList<>();
+    for (int i = 0; i < 100; i++) {
+      String instance = "i" + i;
+      endpoints.add(
+          comms.open(
+              new Channel<>("talk", instance, new Text()),
+              (from, message) -> heard.add(instance + " heard " + message)));
+    }
+    for (int i = 0; i < 100; i++) {
+      endpoints.get(i).send(A, "i" + i);
+    }
+    for (int i = 0; i < 100; i += 3) {
+      endpoints.get(i).close();
+    }
+    world.runMs(1);
+
+    List<String> expected = new ArrayList<>();
+    for (int i = 0; i < 100; i++) {
+      if (i % 3 != 0) {
+        expected.add("i" + i + " heard i" + i);
+      }
+    }
+    assertThat(heard).isEqualTo(expected);
+    assertThat(comms.dropped(DropReason.NO_LISTENER)).isEqualTo(34);
+  }
 }

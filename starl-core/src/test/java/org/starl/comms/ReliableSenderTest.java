@@ -1,0 +1,81 @@
+package org.starl.comms;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.platform.Timer;
+
+class ReliableSenderTest {
+
+  private static final RobotId TO = new RobotId("to");
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final List<String> timerCalls = new ArrayList<>();
+  private Runnable expiry = () -> {};
+  private long nowNs;
+
+  private final ReliableSender sender =
+      new ReliableSender(
+          () -> nowNs,
+          action -> {
+            expiry = action;
+            return new NotedTimer();
+          },
+          outgoing -> {});
+
+  private final class NotedTimer implements Timer {
+    @Override
+    public void set(long atNs) {
+      timerCalls.add("set " + atNs / NS_PER_MS);
+    }
+
+    @Override
+    public void cancel() {
+      timerCalls.add("cancel");
+    }
+
+    @Override
+    public boolean isSet() {
+      throw new IllegalStateException("nobody asks");
+    }
+  }
+
+  private Receipt send() {
+    Channel<String> channel = new Channel<>("talk", "1", new NoCodec());
+    OpenEndpoint<String> endpoint = new OpenEndpoint<>(null, channel, (from, message) -> {});
+    return sender.send(TO, new RetainedMessage(endpoint, "x", 1, new byte[0]), Reliability.DEFAULT);
+  }
+
+  private static final class NoCodec implements Codec<String> {
+    @Override
+    public void write(String message, WireWriter out) {}
+
+    @Override
+    public String read(WireReader in) {
+      return "";
+    }
+  }
+
+  @Test
+  void theTimerStandsAtTheFirstThingToDoAndIsCancelledWhenThereIsNone() {
+    send();
+    nowNs = 100 * NS_PER_MS;
+    send();
+    sender.acknowledged(TO, 1);
+    sender.acknowledged(TO, 2);
+
+    assertThat(timerCalls).containsExactly("set 250", "set 350", "cancel");
+  }
+
+  @Test
+  void anExpiredTimerIsSetAgain() {
+    send();
+    nowNs = 250 * NS_PER_MS;
+    expiry.run();
+
+    assertThat(timerCalls).containsExactly("set 250", "set 625");
+  }
+}
