@@ -5,24 +5,26 @@ import java.util.Optional;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.apps.intersection.IntersectionDemo;
 
-/** The apps that there are. */
-public final class Demos {
+/**
+ * Apps that a command line can run.
+ *
+ * @param all in the order of their names
+ */
+public record Demos(List<Demo> all) {
 
-  private static final List<Demo> ALL = List.of(new HelloDemo(), new IntersectionDemo());
+  /** Those that StarL brings. */
+  public static final Demos STANDARD = new Demos(List.of(new HelloDemo(), new IntersectionDemo()));
 
-  private Demos() {}
-
-  /** All of them, in the order of their names. */
-  public static List<Demo> all() {
-    return ALL;
+  public Demos {
+    all = List.copyOf(all);
   }
 
   /** Their names, in order. */
-  public static List<String> names() {
-    return ALL.stream().map(Demo::name).toList();
+  public List<String> names() {
+    return all.stream().map(Demo::name).toList();
   }
 
-  public static Optional<Demo> byName(String name) {
-    return ALL.stream().filter(demo -> demo.name().equals(name)).findFirst();
+  public Optional<Demo> byName(String name) {
+    return all.stream().filter(demo -> demo.name().equals(name)).findFirst();
   }
 }

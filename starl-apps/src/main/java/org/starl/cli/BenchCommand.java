@@ -10,7 +10,6 @@ import org.starl.bench.Measurement;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
 import org.starl.sim.BadInput;
-import org.starl.sim.Quantities;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -58,9 +57,9 @@ final class BenchCommand implements Callable<Integer> {
     List<Measurement> taken =
         Measurement.take(
             workload,
-            (int) whole("--robots", robots, 0, 10_000_000),
+            (int) Numbers.whole("--robots", robots, 1, 10_000_000),
             style,
-            (int) whole("--runs", runs, 1, 1000),
+            (int) Numbers.whole("--runs", runs, 1, 1000),
             Seeds.of(seed));
     for (Measurement run : taken) {
       out.println(json ? Json.line(run.asMap()) : line(run));
@@ -81,13 +80,5 @@ final class BenchCommand implements Callable<Integer> {
         run.cpuS(),
         run.wallS(),
         run.peakRssMb());
-  }
-
-  private static long whole(String option, String text, long min, long max) {
-    try {
-      return Quantities.whole(text, min, max);
-    } catch (BadInput error) {
-      throw Quantities.in(option, error);
-    }
   }
 }

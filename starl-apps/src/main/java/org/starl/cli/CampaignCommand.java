@@ -34,10 +34,15 @@ import picocli.CommandLine.Spec;
     })
 final class CampaignCommand implements Callable<Integer> {
 
+  private static final int MAX_THREADS = 1024;
+
   @Mixin private RunOptions options = new RunOptions();
 
   @Option(names = "--seeds", paramLabel = "A..B", required = true, description = "A run each.")
   private String seeds = "";
+
+  @Option(names = "--threads", paramLabel = "N", description = "How many; one a core unless given.")
+  private @Nullable String threads;
 
   @Option(names = "--stop", description = "Stop at the first run that does not go well.")
   private boolean stop;
@@ -52,12 +57,11 @@ final class CampaignCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     Seeds.Range range = Seeds.Range.of(seeds);
-    Chosen chosen = options.chosen();
-    CarrierKind carriers = Carriers.chosen(null, err);
+    Chosen chosen = options.chosen(Main.demos(spec));
+    Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // What cannot be planned for the first seed is bad input, not a failed run.
     chosen.plan(range.first()).simulation().build();
-    int cores = Runtime.getRuntime().availableProcessors();
-    Campaign campaign = new Campaign(range.first(), range.last(), cores, stop);
+    CarrierKind carriers = Carriers.chosen(null, err);
     Samples samples = new Samples(range);
     ProgressLine progress = new ProgressLine(err);
     CampaignResult result =
@@ -75,6 +79,12 @@ final class CampaignCommand implements Callable<Integer> {
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
     err.println("replay: " + options.replay("run", bad.seed()));
     return ExitStatus.VIOLATED;
+  }
+
+  private int workers() {
+    return threads == null
+        ? Runtime.getRuntime().availableProcessors()
+        : (int) Numbers.whole("--threads", threads, 1, MAX_THREADS);
   }
 
   private static RunOutcome run(Chosen chosen, long seed, CarrierKind carriers, Samples samples) {

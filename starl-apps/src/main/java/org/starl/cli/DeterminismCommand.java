@@ -35,7 +35,7 @@ final class DeterminismCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    Chosen chosen = options.chosen();
+    Chosen chosen = options.chosen(Main.demos(spec));
     long seedNumber = Seeds.of(seed);
     Determinism check = Determinism.verify(() -> chosen.plan(seedNumber).simulation());
     Determinism.Difference difference = check.difference();

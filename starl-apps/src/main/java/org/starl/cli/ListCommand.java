@@ -4,7 +4,6 @@ import java.io.PrintWriter;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
-import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
@@ -25,8 +24,9 @@ final class ListCommand implements Runnable {
 
   @Override
   public void run() {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    for (Demo demo : Demos.all()) {
+    CommandSpec here = Objects.requireNonNull(spec);
+    PrintWriter out = here.commandLine().getOut();
+    for (Demo demo : Main.demos(here).all()) {
       out.println("app " + demo.name() + ": " + demo.summary());
       for (Parameter parameter : demo.parameters()) {
         out.println(line(parameter.key(), parameter.defaultValue(), parameter.what()));

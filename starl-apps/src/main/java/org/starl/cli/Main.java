@@ -2,7 +2,10 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Demos;
 import org.starl.sim.BadInput;
 import org.starl.sim.Version;
 import picocli.CommandLine;
@@ -12,6 +15,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.ScopeType;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** {@code starl}: programs, simulates and checks distributed robots. */
 @Command(
@@ -38,7 +42,11 @@ public final class Main implements Runnable {
 
   @Spec private @Nullable CommandSpec spec;
 
-  private Main() {}
+  private final Demos demos;
+
+  private Main(Demos demos) {
+    this.demos = demos;
+  }
 
   public static void main(String[] args) {
     PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
@@ -48,7 +56,12 @@ public final class Main implements Runnable {
 
   /** Runs a command line and returns its exit status. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
-    Main main = new Main();
+    return run(Demos.STANDARD, out, err, args);
+  }
+
+  /** The same, with other apps. */
+  static int run(Demos demos, PrintWriter out, PrintWriter err, String... args) {
+    Main main = new Main(demos);
     CommandLine commandLine = new CommandLine(main);
     commandLine.setOut(out).setErr(err);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
@@ -61,22 +74,42 @@ public final class Main implements Runnable {
     return status;
   }
 
+  /** The apps that the command line of {@code spec} knows. */
+  static Demos demos(CommandSpec spec) {
+    return ((Main) spec.root().userObject()).demos;
+  }
+
   @Override
   public void run() {
     if (spec != null) {
-      throw new ParameterException(spec.commandLine(), "no command; see 'starl --help'");
+      throw new ParameterException(spec.commandLine(), "no command");
     }
   }
 
   private static int refuse(ParameterException error, String[] args) {
+    CommandSpec command = error.getCommandLine().getCommandSpec();
     String line = String.valueOf(error.getMessage()).lines().findFirst().orElse("bad arguments");
-    error.getCommandLine().getErr().println("starl: " + line);
+    String help = "; 'starl" + (command.parent() == null ? "" : " " + command.name()) + " --help'";
+    error.getCommandLine().getErr().println("starl: " + line + hint(error) + help + " tells more");
     return ExitStatus.BAD_INPUT;
+  }
+
+  private static String hint(ParameterException error) {
+    if (error instanceof UnmatchedArgumentException unmatched) {
+      List<String> near = unmatched.getSuggestions();
+      if (!near.isEmpty()) {
+        return ": did you mean " + String.join(" or ", near) + "?";
+      }
+      Set<String> commands = error.getCommandLine().getSubcommands().keySet();
+      return ": expected "
+          + (commands.isEmpty() ? "nothing more" : "one of " + String.join(" ", commands));
+    }
+    return "";
   }
 
   private int report(Exception error, PrintWriter err) {
     if (stacktrace) {
-      err.println(StackTraces.of(error));
+      err.print(StackTraces.of(error));
     }
     if (error instanceof BadInput) {
       err.println("starl: " + error.getMessage());

@@ -43,9 +43,15 @@ final class Outcome {
               + checks
               + " checks: "
               + String.join(" ", result.spec().lemmas()));
-    } else {
-      result.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
     }
+    lines.addAll(complaints(result));
+    return lines;
+  }
+
+  /** What went wrong; nothing if all is good. */
+  static List<String> complaints(SimResult result) {
+    List<String> lines = new ArrayList<>();
+    result.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
     if (!result.isFinished()) {
       lines.add("NOT FINISHED: " + result.unfinished());
     }

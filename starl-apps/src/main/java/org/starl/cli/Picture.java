@@ -1,6 +1,7 @@
 package org.starl.cli;
 
 import java.awt.image.BufferedImage;
+import java.io.Closeable;
 import java.io.IOException;
 import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
@@ -10,26 +11,30 @@ import org.starl.sim.record.Moment;
 import org.starl.sim.record.PictureRecorder;
 
 /** The picture of a run, for a file. */
-final class Picture {
+final class Picture implements Closeable {
 
   private final PictureRecorder recorder;
-  private final String file;
+  private final OutputFile file;
 
-  Picture(Plan plan, Moment moment, String file) {
+  /**
+   * @param option for errors: {@code --png}
+   */
+  Picture(Plan plan, Moment moment, String option, String name) {
     recorder = new PictureRecorder(plan.obstacles(), plan.layer(), moment);
-    this.file = file;
+    file = new OutputFile(option, name);
   }
 
   SimObserver recorder() {
     return recorder;
   }
 
-  /** Writes the file, after the run; nothing if an error ended the run before the picture. */
-  void write() throws IOException {
-    @Nullable BufferedImage picture = recorder.picture();
-    if (picture != null) {
-      try (OutputFile out = new OutputFile("--png", file)) {
-        ImageIO.write(picture, "png", out.stream());
+  /** Writes the file, after the run; none if an error ended the run before the picture. */
+  @Override
+  public void close() throws IOException {
+    try (file) {
+      @Nullable BufferedImage picture = recorder.picture();
+      if (picture != null) {
+        ImageIO.write(picture, "png", file.stream());
       }
     }
   }

@@ -49,17 +49,24 @@ final class RecordCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
     Moment moment = moment(when);
-    Chosen chosen = options.chosen();
+    Chosen chosen = options.chosen(Main.demos(spec));
     long seedNumber = Seeds.of(seed);
     Plan plan = chosen.plan(seedNumber);
-    plan.simulation().carriers(Carriers.chosen(null, spec.commandLine().getErr()));
     String target = file == null ? defaultFile(chosen.demo().name(), seedNumber) : file;
-    Picture picture = new Picture(plan, moment, target);
-    SimResult result = plan.simulation().observer(picture.recorder()).build().run();
-    picture.write();
+    SimResult result;
+    try (Picture picture = new Picture(plan, moment, "--out", target)) {
+      plan.simulation().observer(picture.recorder()).carriers(Carriers.chosen(null, err));
+      result = plan.simulation().build().run();
+    }
     out.println(chosen.demo().name() + ", seed " + seedNumber + ": " + target);
-    return Outcome.isGood(result) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+    if (Outcome.isGood(result)) {
+      return ExitStatus.GOOD;
+    }
+    Outcome.complaints(result).forEach(err::println);
+    err.println("replay: " + options.replay("run", seedNumber));
+    return ExitStatus.VIOLATED;
   }
 
   static String defaultFile(String app, long seed) {

@@ -2,11 +2,14 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.sim.SimResult;
+import org.starl.sim.Simulation;
+import org.starl.sim.SimulationFailed;
 import org.starl.sim.export.PositionTable;
 import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
@@ -60,18 +63,22 @@ final class RunCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
-    Chosen chosen = options.chosen();
+    Chosen chosen = options.chosen(Main.demos(spec));
     long seedNumber = Seeds.of(seed);
     Plan plan = chosen.plan(seedNumber);
-    plan.simulation().carriers(Carriers.chosen(carrier, err));
     String app = chosen.demo().name();
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber) : png;
-    Picture picture = new Picture(plan, new Moment.Best(), pictureName);
-    plan.simulation().observer(picture.recorder());
-    SimResult result = run(plan);
-    picture.write();
+    SimResult result;
+    try {
+      result = run(plan, pictureName, err);
+    } catch (SimulationFailed e) {
+      err.println("replay: " + options.replay("run", seedNumber));
+      throw e;
+    }
     if (json) {
-      out.println(Json.line(Outcome.json(app, result, plan.story().measures())));
+      Map<String, Object> object = Outcome.json(app, result, plan.story().measures());
+      object.put("picture", pictureName);
+      out.println(Json.line(object));
     } else {
       out.println(app + ", seed " + seedNumber);
       plan.story().lines().forEach(out::println);
@@ -86,11 +93,16 @@ final class RunCommand implements Callable<Integer> {
   }
 
   /** Runs it; the files that were asked for are there whatever comes of it. */
-  private SimResult run(Plan plan) throws IOException {
+  private SimResult run(Plan plan, String pictureName, PrintWriter err) throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
-        ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new)) {
-      plan.simulation().observer(traceFile.observer()).observer(csvFile.observer());
-      return plan.simulation().build().run();
+        ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
+        Picture picture = new Picture(plan, new Moment.Best(), "--png", pictureName)) {
+      plan.simulation()
+          .observer(traceFile.observer())
+          .observer(csvFile.observer())
+          .observer(picture.recorder());
+      Simulation simulation = plan.simulation().carriers(Carriers.chosen(carrier, err)).build();
+      return simulation.run();
     }
   }
 }

@@ -71,9 +71,10 @@ final class RunOptions {
       description = "Any other setting or parameter; 'starl list' names them.")
   private Map<String, String> sets = new LinkedHashMap<>();
 
-  /** What to run. */
-  Chosen chosen() {
-    return chosen(ScenarioFile.isOne(what) ? ScenarioFile.read(what) : ScenarioFile.ofApp(what));
+  /** What to run, which is one of {@code demos}. */
+  Chosen chosen(Demos demos) {
+    boolean isFile = ScenarioFile.isOne(what);
+    return chosen(demos, isFile ? ScenarioFile.read(what) : ScenarioFile.ofApp(what));
   }
 
   /** The options after the app's name that say the same again, seed aside. */
@@ -96,25 +97,30 @@ final class RunOptions {
     }
   }
 
-  private Chosen chosen(ScenarioFile file) {
-    Demo demo =
-        Demos.byName(file.app())
-            .orElseThrow(() ->
-                new BadInput(
-                    file.where()
-                        + "no app is called "
-                        + BadInput.quote(file.app())
-                        + NearMatches.hint(file.app(), Demos.names())
-                        + "; expected one of "
-                        + String.join(" ", Demos.names())));
+  private static Demo demo(Demos demos, ScenarioFile file) {
+    return demos
+        .byName(file.app())
+        .orElseThrow(() ->
+            new BadInput(
+                file.where("app")
+                    + "no app is called "
+                    + BadInput.quote(file.app())
+                    + NearMatches.hint(file.app(), demos.names())
+                    + " (a scenario file's name ends in .yaml)"));
+  }
+
+  private Chosen chosen(Demos demos, ScenarioFile file) {
+    Demo demo = demo(demos, file);
     SortedMap<String, String> parameters = new TreeMap<>();
     for (Parameter parameter : demo.parameters()) {
       parameters.put(parameter.key(), parameter.defaultValue());
     }
     Map<String, String> settings = new LinkedHashMap<>();
     settings.put(Setting.DURATION.key(), DEFAULT_DURATION);
-    file.values().forEach((key, value) -> set(file.where(), key, value, parameters, settings));
-    flags().forEach((key, value) -> set("", key, value, parameters, settings));
+    file.values().forEach((key, value) -> set(file.where(key), key, value, parameters, settings));
+    for (Flag flag : flags()) {
+      set(flag.option() + ": ", flag.key(), flag.value(), parameters, settings);
+    }
     String wanted = settings.remove(Setting.ROBOTS.key());
     if (wanted != null) {
       settings.put(Setting.ROBOTS.key(), wanted);
@@ -126,22 +132,25 @@ final class RunOptions {
         settings);
   }
 
-  /** What the flags say, by setting. */
-  private Map<String, String> flags() {
-    Map<String, String> flags = new LinkedHashMap<>();
-    put(flags, Setting.ROBOTS, robots);
-    put(flags, Setting.DURATION, duration);
-    put(flags, Setting.MESSAGE_LOSS, loss);
-    put(flags, Setting.MESSAGE_DELAY, delay);
-    put(flags, Setting.POSITION_NOISE, gpsNoise);
-    put(flags, Setting.IDEAL_MOTION, ideal ? "true" : null);
-    flags.putAll(sets);
+  private record Flag(String option, String key, String value) {}
+
+  /** What the flags say; {@code --set} has the last word. */
+  private List<Flag> flags() {
+    List<Flag> flags = new ArrayList<>();
+    add(flags, "--robots", Setting.ROBOTS, robots);
+    add(flags, "--for", Setting.DURATION, duration);
+    add(flags, "--loss", Setting.MESSAGE_LOSS, loss);
+    add(flags, "--delay", Setting.MESSAGE_DELAY, delay);
+    add(flags, "--gps-noise", Setting.POSITION_NOISE, gpsNoise);
+    add(flags, "--ideal", Setting.IDEAL_MOTION, ideal ? "true" : null);
+    sets.forEach((key, value) -> flags.add(new Flag("--set", key, value)));
     return flags;
   }
 
-  private static void put(Map<String, String> flags, Setting<?> setting, @Nullable String value) {
+  private static void add(
+      List<Flag> flags, String option, Setting<?> setting, @Nullable String value) {
     if (value != null) {
-      flags.put(setting.key(), value);
+      flags.add(new Flag(option, setting.key(), value));
     }
   }
 
@@ -162,7 +171,7 @@ final class RunOptions {
       // Only to find out whether it can be read.
       SimSettings.builder().set(key, value);
     } catch (BadInput error) {
-      throw where.isEmpty() ? error : new BadInput(where + error.getMessage());
+      throw new BadInput(where + error.getMessage());
     }
     settings.put(
         key,

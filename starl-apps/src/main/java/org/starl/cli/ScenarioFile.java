@@ -27,10 +27,14 @@ import org.starl.sim.BadInput;
  * debris: 2
  * </pre>
  *
- * @param where before an error's text; empty if there is no file
+ * @param file empty if there is none
  * @param values in the file's order, as text
+ * @param lines on which the values stand, and the app
  */
-record ScenarioFile(String where, String app, Map<String, String> values) {
+record ScenarioFile(
+    String file, String app, Map<String, String> values, Map<String, Integer> lines) {
+
+  private static final String APP = "app";
 
   private static final String EXPECTED = "expected lines such as 'app: intersection'";
 
@@ -39,12 +43,18 @@ record ScenarioFile(String where, String app, Map<String, String> values) {
   }
 
   static ScenarioFile ofApp(String app) {
-    return new ScenarioFile("", app, Map.of());
+    return new ScenarioFile("", app, Map.of(), Map.of());
+  }
+
+  /** What stands before an error in the value of {@code key}: {@code my.yaml:3: }. */
+  String where(String key) {
+    return file.isEmpty() ? "" : file + ":" + lines.getOrDefault(key, 1) + ": ";
   }
 
   /** @throws BadInput if it is missing, no text, no YAML, or not as above */
   static ScenarioFile read(String file) {
     Map<String, String> values = new LinkedHashMap<>();
+    Map<String, Integer> lines = new LinkedHashMap<>();
     try (JsonParser parser = new YAMLFactory().createParser(text(file))) {
       expect(file, parser, parser.nextToken(), JsonToken.START_OBJECT);
       while (parser.nextToken() != JsonToken.END_OBJECT) {
@@ -54,6 +64,7 @@ record ScenarioFile(String where, String app, Map<String, String> values) {
           throw new BadInput(
               at(file, parser) + key + ": expected one value, such as '" + key + ": 4'");
         }
+        lines.put(key, parser.currentTokenLocation().getLineNr());
         if (values.put(key, parser.getText()) != null) {
           throw new BadInput(at(file, parser) + key + ": expected once, stands there again");
         }
@@ -68,11 +79,11 @@ record ScenarioFile(String where, String app, Map<String, String> values) {
     } catch (IOException e) {
       throw new BadInput(file + ": cannot be read (" + e + ")");
     }
-    String app = values.remove("app");
+    String app = values.remove(APP);
     if (app == null) {
       throw new BadInput(file + ": has no 'app:'; " + EXPECTED);
     }
-    return new ScenarioFile(file + ": ", app, values);
+    return new ScenarioFile(file, app, values, lines);
   }
 
   private static void expect(
@@ -88,7 +99,10 @@ record ScenarioFile(String where, String app, Map<String, String> values) {
 
   private static String text(String file) throws IOException {
     Path path = Path.of(file);
-    if (!Files.isRegularFile(path)) {
+    if (Files.isDirectory(path)) {
+      throw new BadInput(file + ": is a folder; expected a scenario file");
+    }
+    if (!Files.exists(path)) {
       throw new BadInput(file + ": no such file; expected a scenario file");
     }
     try {

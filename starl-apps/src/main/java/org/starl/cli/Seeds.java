@@ -17,32 +17,33 @@ final class Seeds {
     if (text == null) {
       return new SecureRandom().nextInt(DRAWN_BELOW);
     }
-    try {
-      return Quantities.whole(text, Long.MIN_VALUE, Long.MAX_VALUE);
-    } catch (BadInput error) {
-      throw Quantities.in("--seed", error);
-    }
+    return Numbers.whole("--seed", text, Long.MIN_VALUE, Long.MAX_VALUE);
   }
 
   /** {@code A..B}. */
   record Range(long first, long last) {
 
+    private static final int MOST_RUNS = 10_000_000;
+
+    /** @throws BadInput if it is something else, or too many runs for one campaign */
     static Range of(String text) {
       int dots = text.indexOf("..");
+      String expected = "expected A..B with 0 <= A <= B < 2^31";
       try {
-        long first =
-            Quantities.whole(dots < 0 ? text : text.substring(0, dots), 0, Integer.MAX_VALUE);
-        long last =
-            dots < 0 ? first : Quantities.whole(text.substring(dots + 2), 0, Integer.MAX_VALUE);
-        if (first <= last) {
+        String a = dots < 0 ? text : text.substring(0, dots);
+        String b = dots < 0 ? text : text.substring(dots + 2);
+        long first = Quantities.whole(a, 0, Integer.MAX_VALUE);
+        long last = Quantities.whole(b, 0, Integer.MAX_VALUE);
+        if (first <= last && last - first < MOST_RUNS) {
           return new Range(first, last);
         }
-      } catch (BadInput notNumbers) {
-        throw new BadInput(
-            "--seeds: " + BadInput.quote(text) + ": expected A..B with 0 <= A <= B < 2^31");
+        if (first <= last) {
+          expected = "expected at most " + MOST_RUNS + " seeds";
+        }
+      } catch (BadInput noNumbers) {
+        throw new BadInput("--seeds: " + BadInput.quote(text) + ": " + expected);
       }
-      throw new BadInput(
-          "--seeds: " + BadInput.quote(text) + ": expected A..B with 0 <= A <= B < 2^31");
+      throw new BadInput("--seeds: " + BadInput.quote(text) + ": " + expected);
     }
   }
 }

@@ -2,8 +2,8 @@ package org.starl.sim;
 
 /**
  * What a person gave to a simulation (a file, a flag, a setting) is not what was expected. The
- * message is one whole line for that person: where, what, and what was expected. It is no bug and
- * carries no stack trace.
+ * message is one whole line for that person: where, what, and what was expected. It is no bug: the
+ * stack trace is for who asks how that line came about.
  */
 public final class BadInput extends RuntimeException {
 
@@ -12,7 +12,7 @@ public final class BadInput extends RuntimeException {
   private static final int LONGEST_QUOTE = 60;
 
   public BadInput(String line) {
-    super(line, null, false, false);
+    super(line);
   }
 
   /** {@code text} in quotes, fit for one line: cut where long, without control characters. */

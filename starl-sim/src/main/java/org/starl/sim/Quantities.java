@@ -1,6 +1,7 @@
 package org.starl.sim;
 
 import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.math.RoundingMode;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -16,6 +17,8 @@ public final class Quantities {
 
   private static final Pattern NUMBER_AND_UNIT =
       Pattern.compile("([+-]?[0-9]{1,19}(?:\\.[0-9]{1,18})?)\\s*([a-z]*)");
+
+  private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]{1,1000}");
 
   private static final Map<String, BigDecimal> NS_PER_UNIT = new LinkedHashMap<>();
   private static final Map<String, BigDecimal> MM_PER_UNIT = new LinkedHashMap<>();
@@ -159,6 +162,10 @@ public final class Quantities {
             ? (min == Long.MIN_VALUE ? "" : " of at least " + min)
             : " from " + min + " to " + max;
     String expected = "a whole number" + bound;
+    if (WHOLE.matcher(text.strip()).matches()
+        && new BigInteger(text.strip()).compareTo(BigInteger.valueOf(max)) > 0) {
+      throw notA(text, "a whole number from " + min + " to " + max);
+    }
     long number;
     try {
       number = Long.parseLong(text.strip());

@@ -104,8 +104,7 @@ public final class IntersectionDemo implements Demo {
           throw new BadInput(
               "scenario=" + BadInput.quote(scenario) + ": expected drawn, figure7 or legacy");
     }
-    int debris = (int) Quantities.whole(request.parameter(DEBRIS.key()), 0, MAX_DEBRIS);
-    Obstacles floor = Floor.withDebris(obstacles, crossing, debris, rng.fork("debris"));
+    Obstacles floor = Floor.withDebris(obstacles, crossing, debris(request), rng.fork("debris"));
     return simulation(crossing, cars, floor, settings);
   }
 
@@ -134,6 +133,14 @@ public final class IntersectionDemo implements Demo {
     }
     IntersectionSpec.of(XID, crossing, paths).forEach(simulation::monitor);
     return new Plan(simulation, story, new IntersectionLayer(crossing, trips), floor);
+  }
+
+  private static int debris(Request request) {
+    try {
+      return (int) Quantities.whole(request.parameter(DEBRIS.key()), 0, MAX_DEBRIS);
+    } catch (BadInput error) {
+      throw Quantities.in(DEBRIS.key(), error);
+    }
   }
 
   private static void requireCount(Request request, int cars, String scenario) {

@@ -1,0 +1,205 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** Bad input: one line that says what, where and what was expected; exit 2; nothing else. */
+class BadInputTest {
+
+  private static final String BAD_ARGUMENTS =
+      """
+      xyzzy | 'xyzzy' | expected one of list run campaign
+      rum | 'rum' | run
+      list more | 'more' | expected nothing more
+      run | APP|FILE.yaml | --help
+      run nope | 'nope' | expected one of hello, intersection
+      run intersecton | 'intersecton' | did you mean intersection?
+      run intersection hello | 'hello' | expected nothing more
+      run intersection --robots -3 | --robots | expected a whole number of at least 0
+      run intersection --robots 0 | robots: 0 | expected 1 to 12 cars
+      run intersection --robots 13 | robots: 13 | expected 1 to 12 cars
+      run intersection --robots many | 'many' | expected a whole number
+      run intersection --robots 2147483648 | '2147483648' | from 0 to 2147483647
+      run hello --robots 99999999999999999999999 | expected a whole number from 0 to 2147483647
+      run intersection --loss 7 | --loss | '7' | expected a probability from 0 to 1
+      run intersection --loss NaN | --loss | expected a probability from 0 to 1
+      run intersection --delay banana(1) | --delay | 'banana(1)' | expected a delay
+      run intersection --delay uniform(20ms,10ms) | --delay | expected
+      run intersection --delay 100 | --delay | '100' | expected
+      run intersection --gps-noise -1mm | --gps-noise | expected a distance
+      run intersection --gps-noise 5miles | --gps-noise | expected a distance
+      run intersection --for 5 | --for | '5' | expected a duration with a unit
+      run intersection --for 99999999999h | --for | expected a duration below 70 years
+      run intersection --seed seven | --seed | 'seven' | expected a whole number
+      run intersection --seed 1.5 | --seed | '1.5' | expected a whole number
+      run intersection --seed 9223372036854775808 | --seed | to 9223372036854775807
+      run intersection --seed | --seed
+      run intersection --seed 1 --seed 2 | --seed | only once
+      run intersection --sed 3 | --sed | did you mean | --seed
+      run intersection --carrier horse | --carrier | expected one of | 'horse'
+      run intersection --set debris | --set | KEY=VALUE
+      run intersection --set debris=9 | debris | '9' | from 0 to 8
+      run intersection --set debris=much | debris | 'much' | from 0 to 8
+      run intersection --set debrs=1 | 'debrs' | did you mean debris?
+      run intersection --set messageLos=1 | 'messageLos' | did you mean messageLoss?
+      run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
+      run intersection --set scenario=figure8 | 'figure8' | expected drawn, figure7 or legacy
+      run intersection --set scenario=legacy | files | expected the folder
+      run intersection --set scenario=legacy --set files=/nowhere | no such file
+      run intersection --set scenario=figure7 --robots 3 | robots: 3 | expected 4
+      run intersection --set obstacleFile=nowhere.wpt | nowhere.wpt: no such file
+      run nowhere.yaml | nowhere.yaml: no such file | expected a scenario file
+      campaign intersection | --seeds=A..B
+      campaign intersection --seeds 5..1 | '5..1' | expected A..B
+      campaign intersection --seeds a..b | 'a..b' | expected A..B
+      campaign intersection --seeds -1..4 | '-1..4' | expected A..B
+      campaign intersection --seeds 0..2147483648 | expected A..B
+      campaign intersection --seeds 0..2147483647 | expected at most 10000000 seeds
+      campaign intersection --seeds 1..4 --threads 0 | --threads | from 1 to 1024
+      campaign intersection --seeds 1..4 --robots 13 | robots: 13 | expected 1 to 12 cars
+      record intersection --png noon | --png | 'noon' | expected t=TIME
+      record intersection --png t=12 | --png | '12' | expected a duration with a unit
+      verify-determinism nope | 'nope' | expected one of
+      bench | WORKLOAD
+      bench b9 | 'b9' | expected b1 or b2
+      bench b1 --robots none | --robots | 'none' | expected a whole number
+      bench b1 --robots 0 | --robots | '0' | expected a whole number
+      bench b1 --runs 0 | --runs | '0' | expected a whole number
+      bench b1 --style lazy | --style | expected one of | 'lazy'
+      """;
+
+  private static final String BAD_FILES =
+      """
+      app: intersection\\nrobots: many | :2: | robots='many' | expected a whole number
+      app: intersection\\nrobots:\\n  most: 4 | :3: robots: | expected one value
+      app: intersection\\nrobots: [1, 2] | :2: robots: | expected one value
+      app: intersection\\nrobots: | robots: | expected one value
+      app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | again
+      robots: 4 | has no 'app:' | expected lines such as
+      app: intersection\\ndebrs: 2 | :2: | 'debrs' | did you mean debris?
+      app: crossroads | :1: | 'crossroads' | expected one of
+      - app\\n- intersection | :1: | expected lines such as
+      intersection | :1: | expected lines such as
+      app: intersection\\n---\\napp: hello | expected one document
+      app: "intersection | is no YAML | expected lines such as
+      app: intersection\\nrobots: 13 | robots: 13 | expected 1 to 12 cars
+      """;
+
+  @TempDir private Path folder;
+
+  private static void assertRefused(Cli cli, String... saying) {
+    assertThat(cli.err()).as("%s", cli).hasSize(1);
+    assertThat(cli.err().get(0)).startsWith("starl: ").contains(saying);
+    assertThat(cli.out()).isEmpty();
+    assertThat(cli.status()).isEqualTo(2);
+  }
+
+  static Stream<String> badArguments() {
+    return BAD_ARGUMENTS.lines();
+  }
+
+  @ParameterizedTest
+  @MethodSource("badArguments")
+  void isRefusedInOneLine(String line) {
+    String[] parts = line.split(" [|] ");
+    assertRefused(Cli.run(parts[0].split(" ")), Arrays.copyOfRange(parts, 1, parts.length));
+  }
+
+  @Test
+  void noCommandIsRefused() {
+    assertRefused(Cli.run(), "no command", "starl --help");
+  }
+
+  static Stream<String> badFiles() {
+    return BAD_FILES.lines();
+  }
+
+  @ParameterizedTest
+  @MethodSource("badFiles")
+  void aBrokenScenarioFileIsRefused(String line) throws IOException {
+    String[] parts = line.split(" [|] ");
+    String[] saying = Arrays.copyOfRange(parts, 1, parts.length);
+    Path file = folder.resolve("my.yaml");
+    Files.writeString(file, parts[0].replace("\\n", "\n"));
+    assertRefused(Cli.run("run", file.toString()), saying);
+    assertRefused(Cli.run("campaign", file.toString(), "--seeds", "1..3"), saying);
+  }
+
+  @Test
+  void whatIsNoTextIsRefused() throws IOException {
+    Path binary = folder.resolve("picture.yaml");
+    Files.write(binary, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, (byte) 0xFF});
+    assertRefused(Cli.run("run", binary.toString()), "picture.yaml", "is no text", "expected");
+    Path zeros = folder.resolve("zeros.yaml");
+    Files.write(zeros, new byte[100]);
+    assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "is no text", "expected");
+    Files.write(zeros, new byte[0]);
+    assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "expected lines such as");
+    Path inner = Files.createDirectory(folder.resolve("folder.yaml"));
+    assertRefused(Cli.run("run", inner.toString()), "folder.yaml", "is a folder", "expected");
+  }
+
+  @Test
+  void aBrokenLineOfAWaypointFileIsRefused() throws IOException {
+    Files.writeString(folder.resolve("start.wpt"), "WAY,2250,3500,270,bot0\n");
+    Files.writeString(folder.resolve("obstacles.wpt"), "");
+    Files.writeString(folder.resolve("dest.wpt"), "WAY,1,2,0,a\nWAY,12,x\n", StandardCharsets.UTF_8);
+    assertRefused(
+        Cli.run("run", "intersection", "--set", "scenario=legacy", "--set", "files=" + folder),
+        "dest.wpt:2: 'WAY,12,x': expected WAY,x,y,angle,name[,radius]");
+  }
+
+  @Test
+  void nothingIsLeftBehind() throws IOException {
+    String trace = folder.resolve("a.trace").toString();
+    String csv = folder.resolve("a.csv").toString();
+    String png = folder.resolve("a.png").toString();
+    Path inTheWay = Files.createDirectory(folder.resolve("inTheWay"));
+    assertRefused(
+        Cli.run("run", "hello", "--trace", trace, "--csv", csv, "--png", inTheWay.toString()),
+        "--png",
+        "expected a file's name");
+    assertRefused(
+        Cli.run("run", "hello", "--trace", trace, "--csv", trace, "--png", png),
+        "--csv",
+        "expected a file of its own");
+    String bad = "obstacleFile=nowhere";
+    assertRefused(
+        Cli.run("run", "hello", "--trace", trace, "--csv", csv, "--png", png, "--set", bad),
+        "nowhere: no such file");
+    assertRefused(
+        Cli.run("record", "hello", "--png", "end", "--out", inTheWay.toString()),
+        "--out",
+        "expected a file's name");
+    try (Stream<Path> left = Files.list(folder)) {
+      assertThat(left).containsExactly(inTheWay);
+    }
+  }
+
+  @Test
+  void aFileThatCannotBeWrittenIsRefusedBeforeTheRun() throws IOException {
+    Path file = Files.writeString(folder.resolve("file"), "text");
+    String below = file.resolve("a.trace").toString();
+    assertRefused(Cli.run("run", "hello", "--trace", below), "--trace", "cannot be written");
+    assertRefused(Cli.run("run", "hello", "--png", below), "--png", "cannot be written");
+    assertThat(file).hasContent("text");
+  }
+
+  @Test
+  void stacktraceShowsWhere() {
+    Cli cli = Cli.run("run", "intersection", "--robots", "13", "--stacktrace");
+    assertThat(cli.status()).isEqualTo(2);
+    assertThat(cli.err()).anyMatch(line -> line.contains("at org.starl.apps.intersection."));
+    assertThat(cli.err().get(cli.err().size() - 1)).contains("robots: 13: expected");
+  }
+}

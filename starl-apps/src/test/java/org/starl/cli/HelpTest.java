@@ -1,0 +1,85 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Parameter;
+import org.starl.bench.Workloads;
+import org.starl.sim.Setting;
+
+/** What tells a person what there is, and the commands with small jobs. */
+class HelpTest {
+
+  @ParameterizedTest
+  @ValueSource(strings = {"list", "run", "campaign", "verify-determinism", "record", "bench"})
+  void everyCommandHelpsWithAnExample(String command) {
+    Cli cli = Cli.run(command, "--help");
+    assertThat(cli.status()).isZero();
+    assertThat(cli.err()).isEmpty();
+    assertThat(cli.out()).anyMatch(line -> line.startsWith("Usage: starl " + command));
+    assertThat(cli.out()).anyMatch(line -> line.startsWith("Example: starl " + command));
+  }
+
+  @Test
+  void theWholeHelpsToo() {
+    Cli cli = Cli.run("--help");
+    assertThat(cli.status()).isZero();
+    assertThat(cli.text()).contains("list", "run", "campaign", "Example: starl run intersection");
+    assertThat(Cli.run("--version").text()).startsWith("StarL ");
+  }
+
+  @Test
+  void listHasALineForEach() {
+    Cli cli = Cli.run("list");
+    assertThat(cli.status()).isZero();
+    for (Demo demo : Demos.STANDARD.all()) {
+      assertThat(cli.out()).containsOnlyOnce("app " + demo.name() + ": " + demo.summary());
+      for (Parameter parameter : demo.parameters()) {
+        assertThat(cli.out()).anyMatch(line -> line.startsWith("  " + parameter.key() + "="));
+      }
+    }
+    Workloads.all()
+        .forEach(load -> assertThat(cli.out()).anyMatch(l -> l.startsWith("bench " + load.name())));
+    for (Setting<?> setting : Setting.all()) {
+      assertThat(cli.out())
+          .anyMatch(line -> line.startsWith("  " + setting.key() + "=" + setting.defaultText()));
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "b1 --robots 10 --style blocking",
+        "b1 --robots 10 --style step",
+        "b2 --robots 10 --style blocking"
+      })
+  void benchMeasures(String args) throws IOException {
+    Cli cli = Cli.run(("bench --runs 1 --json " + args).split(" "));
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.out()).hasSize(1);
+    JsonNode json = new ObjectMapper().readTree(cli.text());
+    assertThat(json.get("workload").asText()).isEqualTo(args.substring(0, 2));
+    assertThat(json.get("n").asInt()).isEqualTo(10);
+    assertThat(json.get("events").asLong()).isPositive();
+    assertThat(json.get("cpu_s").isNumber()).isTrue();
+  }
+
+  @Test
+  void determinismIsVerified() throws IOException {
+    Cli cli = Cli.run("verify-determinism", "hello", "--seed", "7");
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.text()).contains("hello, seed 7: ", "equal, byte by byte: ");
+    Cli json = Cli.run("verify-determinism", "hello", "--seed", "7", "--json");
+    JsonNode object = new ObjectMapper().readTree(json.text());
+    assertThat(object.get("equal").asBoolean()).isTrue();
+    assertThat(object.get("lines").asLong()).isPositive();
+    assertThat(object.get("runs").size()).isGreaterThanOrEqualTo(2);
+  }
+}
