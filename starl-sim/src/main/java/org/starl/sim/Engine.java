@@ -69,7 +69,8 @@ final class Engine implements SimControl, AutoCloseable {
       }
       kernel.run(plan.settings.endNs(), () -> running == 0);
     } catch (RobotError e) {
-      throw new SimulationFailed(plan.name + ", seed " + plan.seed + ": " + e.getMessage(), e);
+      throw new SimulationFailed(
+          plan.name + ", seed " + plan.seed + ": " + e.getMessage() + watchers.firstViolation(), e);
     }
     SpecReport spec = watchers.endSpecifications(kernel.nowNs());
     SimResult result =

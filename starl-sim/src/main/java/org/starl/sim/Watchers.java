@@ -51,6 +51,12 @@ final class Watchers implements TraceSink {
     return monitors.report();
   }
 
+  /** What was violated first, for the end of an error's line; empty if nothing was. */
+  String firstViolation() {
+    List<SpecReport.Violation> violations = monitors.report().violations();
+    return violations.isEmpty() ? "" : "; before that, " + violations.get(0);
+  }
+
   void finished(SimResult result) {
     observers.forEach(observer -> observer.finished(result));
   }
