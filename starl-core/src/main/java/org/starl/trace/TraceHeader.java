@@ -11,8 +11,8 @@ import org.starl.RobotId;
  *
  * @param starl the version of StarL that ran
  * @param scenario the app's or scenario's name, or its file
- * @param scenarioSeed decides the world: starts, delays, losses, faults
- * @param behaviourSeed decides what the robots draw themselves
+ * @param scenarioSeed decides the scenario: starts, routes, arrivals, obstacles
+ * @param behaviourSeed decides everything else: delays, losses, noise, what robots draw
  * @param settings every setting that differs from its default, in the order to show them
  * @param robots the robots of the deployment, in order; others may join during the run
  */
