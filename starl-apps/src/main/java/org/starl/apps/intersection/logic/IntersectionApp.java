@@ -31,11 +31,14 @@ import org.starl.primitives.registration.Registration;
  *       before a first critical zone lies behind the car.
  *   <li>The car drives on past its departure zone before it gives that back, so that the next car
  *       finds it free.
+ *   <li>To unregister takes messages, as to register does: UNREGISTER_WAIT is where a car waits for
+ *       it. Where a primitive gives up and says so ({@code failed}), the car asks again: in MUTEX_S
+ *       for its zones, in S_0 to be registered.
  * </ul>
  */
 public final class IntersectionApp extends LogicThread {
 
-  /** Figure 4's locations. */
+  /** Figure 4's locations, and UNREGISTER_WAIT. */
   public enum Location {
     S_0,
     REGISTER_WAIT,
