@@ -36,6 +36,7 @@ subprojects {
         // The simulator's carriers need java.lang; libraries under test may load agents.
         jvmArgs("--add-opens", "java.base/java.lang=ALL-UNNAMED", "-XX:+EnableDynamicAgentLoading")
         systemProperty("java.awt.headless", "true")
+        systemProperty("slf4j.internal.verbosity", "ERROR")
         systemProperty("jqwik.database", layout.buildDirectory.file("jqwik-database").get().asFile.path)
         systemProperty("jqwik.reporting.onlyfailures", "true")
     }

@@ -4,8 +4,9 @@
  * everything else. Everything of one robot runs on that robot's strand; nothing here is for use
  * from other threads.
  *
- * <p>This module is the interface and the logic layer of Figure 1 and the ports below them. It
- * imports the JDK and JSpecify only, and nothing that a phone with API level 26 lacks.
+ * <p>This module is the interface and the logic layer of Figure 1 and the ports below them.
+ *
+ * <p>May import: the JDK, as far as a phone with API level 26 has it, JSpecify, core.
  */
 @NullMarked
 package org.starl;

@@ -1,10 +1,7 @@
 package org.starl.cli;
 
-import java.awt.image.BufferedImage;
 import java.io.Closeable;
 import java.io.IOException;
-import javax.imageio.ImageIO;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.sim.SimObserver;
 import org.starl.sim.record.Moment;
@@ -32,9 +29,8 @@ final class Picture implements Closeable {
   @Override
   public void close() throws IOException {
     try (file) {
-      @Nullable BufferedImage picture = recorder.picture();
-      if (picture != null) {
-        ImageIO.write(picture, "png", file.stream());
+      if (recorder.hasPicture()) {
+        recorder.writePng(file.stream());
       }
     }
   }

@@ -1,7 +1,8 @@
 /**
  * Immutable plane geometry: millimetres, radians counter-clockwise from the x axis, y upwards. All
- * functions are exact or use {@code StrictMath}: equal inputs give equal bits on every JVM. Imports
- * the JDK only.
+ * functions are exact or use {@code StrictMath}: equal inputs give equal bits on every JVM.
+ *
+ * <p>May import: the JDK.
  */
 @NullMarked
 package org.starl.geometry;

@@ -1,6 +1,8 @@
 /**
  * Randomness that is the same on every JVM: one small generator, forked by name, with samplers over
- * {@code StrictMath}. Imports the JDK only.
+ * {@code StrictMath}.
+ *
+ * <p>May import: the JDK.
  */
 @NullMarked
 package org.starl.random;

@@ -5,7 +5,9 @@
  * what it assumes.
  *
  * <p>An implementation keeps its invariants under every fault in its envelope; progress is best
- * effort, and its failure is told, never silent. This module imports core only.
+ * effort, and its failure is told, never silent.
+ *
+ * <p>May import: core.
  */
 @NullMarked
 package org.starl.primitives;

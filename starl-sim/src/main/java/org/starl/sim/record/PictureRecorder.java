@@ -1,6 +1,9 @@
 package org.starl.sim.record;
 
 import java.awt.image.BufferedImage;
+import java.io.IOException;
+import java.io.OutputStream;
+import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.SimObserver;
@@ -62,6 +65,23 @@ public final class PictureRecorder implements SimObserver {
   /** The picture; null before it was taken. */
   public @Nullable BufferedImage picture() {
     return picture;
+  }
+
+  /** Whether the picture was taken; not if an error ended the run before. */
+  public boolean hasPicture() {
+    return picture != null;
+  }
+
+  /**
+   * Writes the picture as PNG.
+   *
+   * @throws IllegalStateException if it was not taken
+   */
+  public void writePng(OutputStream out) throws IOException {
+    if (picture == null) {
+      throw new IllegalStateException("no picture was taken");
+    }
+    ImageIO.write(picture, "png", out);
   }
 
   private void lookUntil(long timeNs) {

@@ -1,0 +1,89 @@
+package org.starl.build;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** The Maven build and the Gradle build are one: modules, dependencies, scopes, versions. */
+class BuildParityTest {
+
+  private static final Repository REPOSITORY = Repository.here();
+  private static final Build MAVEN = MavenBuild.read(REPOSITORY::text);
+  private static final Build GRADLE = GradleBuild.read(REPOSITORY::text);
+  private static final String CATALOG = "gradle/libs.versions.toml";
+
+  @Test
+  void theTwoBuildsAgree() {
+    assertThat(MAVEN.dependencies()).hasSizeGreaterThan(25);
+    // The launcher's number is JUnit's own, one major version behind; only Gradle has it.
+    assertThat(GRADLE.versions().get("junit-platform"))
+        .isEqualTo(GRADLE.versions().get("junit").replaceFirst("^5", "1"));
+    assertThat(Build.differences(MAVEN, GRADLE))
+        .containsExactly(
+            "version junit-platform: Maven has null, Gradle "
+                + GRADLE.versions().get("junit-platform"));
+  }
+
+  @Test
+  void aVersionThatDriftsIsTold() {
+    assertThat(differencesWith(CATALOG, "picocli = \"", "picocli = \"9."))
+        .anyMatch(line -> line.startsWith("version picocli: Maven has "))
+        .anyMatch(line -> line.startsWith("Gradle alone has Dependency[module=starl-apps"));
+  }
+
+  @Test
+  void aScopeThatDriftsIsTold() {
+    assertThat(
+            differencesWith(
+                "starl-apps/build.gradle.kts",
+                "testImplementation(libs.arch",
+                "implementation(libs.arch"))
+        .hasSize(3)
+        .anyMatch(line -> line.startsWith("Maven alone has ") && line.contains("scope=test"));
+  }
+
+  @Test
+  void aModuleThatIsMissingIsTold() {
+    assertThat(differencesWith("settings.gradle.kts", "include(\":starl-sim\")", ""))
+        .anyMatch(line -> line.startsWith("modules: "));
+  }
+
+  @Test
+  void anotherReleaseOfJavaIsTold() {
+    assertThat(differencesWith("build.gradle.kts", "release.set(21)", "release.set(17)"))
+        .contains("Java release: Maven has 21, Gradle 17");
+  }
+
+  @Test
+  void aLineThatIsNotUnderstoodIsRefused() {
+    assertThatThrownBy(() ->
+            differencesWith("starl-sim/build.gradle.kts", "api(libs.jspecify)", "api(\"a:b:1\")"))
+        .hasMessageContaining("not understood: api(\"a:b:1\")");
+  }
+
+  @Test
+  void theMavenPropertiesOfLibrariesAreInTheCatalog() {
+    // What Maven alone needs: the gates and the formatter.
+    assertThat(MAVEN.versions().keySet())
+        .containsAll(
+            GRADLE.versions().keySet().stream().filter(v -> !v.equals("junit-platform")).toList());
+    assertThat(MAVEN.versions().keySet())
+        .filteredOn(name -> !GRADLE.versions().containsKey(name))
+        .containsExactly("errorprone", "google-java-format", "nullaway", "project");
+  }
+
+  private static List<String> differencesWith(String file, String old, String changed) {
+    Build gradle =
+        GradleBuild.read(path -> {
+          String text = REPOSITORY.text(path);
+          if (!path.equals(file)) {
+            return text;
+          }
+          assertThat(text).contains(old);
+          return text.replace(old, changed);
+        });
+    return Build.differences(MAVEN, gradle);
+  }
+}

@@ -1,0 +1,11 @@
+package org.starl.build;
+
+/**
+ * What one module needs of another module or of a library.
+ *
+ * @param module which module needs it
+ * @param needed group and name, such as {@code org.jspecify:jspecify}
+ * @param version of a library; the project's own for a module
+ * @param scope compile or test
+ */
+record Dependency(String module, String needed, String version, String scope) {}
