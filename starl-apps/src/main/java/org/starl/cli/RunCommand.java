@@ -7,9 +7,9 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
+import org.starl.sim.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
-import org.starl.sim.SimulationFailed;
 import org.starl.sim.export.PositionTable;
 import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
@@ -71,7 +71,9 @@ final class RunCommand implements Callable<Integer> {
     SimResult result;
     try {
       result = run(plan, pictureName, err);
-    } catch (SimulationFailed e) {
+    } catch (BadInput e) {
+      throw e;
+    } catch (RuntimeException e) {
       err.println("replay: " + options.replay("run", seedNumber));
       throw e;
     }

@@ -10,6 +10,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.record.Layer;
+import org.starl.sim.record.Scene;
 
 /** {@code starl run hello}. */
 public final class HelloDemo implements Demo {
@@ -42,6 +43,14 @@ public final class HelloDemo implements Demo {
             .settings(settings)
             .robots(request.robots().orElse(settings.robots()), Hello::new)
             .observer(story);
-    return new Plan(simulation, story, new Layer() {}, Obstacles.NONE);
+    return new Plan(simulation, story, new Farthest(), Obstacles.NONE);
+  }
+
+  /** Most is to be seen when all have driven as far as they go. */
+  private static final class Farthest implements Layer {
+    @Override
+    public double interest(Scene scene) {
+      return scene.robots().stream().mapToInt(robot -> scene.trail(robot).size()).sum();
+    }
   }
 }

@@ -12,12 +12,13 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 
 class IntersectionTest {
 
-  private static Request request(long seed, int robots, Map<String, String> parameters) {
+  static Request request(long seed, int robots, Map<String, String> parameters) {
     SortedMap<String, String> all = new TreeMap<>();
     for (Parameter parameter : new IntersectionDemo().parameters()) {
       all.put(parameter.key(), parameter.defaultValue());
@@ -26,11 +27,15 @@ class IntersectionTest {
     return new Request(seed, robots == 0 ? OptionalInt.empty() : OptionalInt.of(robots), all);
   }
 
-  private static SimResult run(Request request, Map<String, String> settings) {
+  static SimResult run(
+      Request request, Map<String, String> settings, SimObserver... observers) {
     IntersectionDemo demo = new IntersectionDemo();
     SimSettings.Builder builder = demo.defaultSettings(request).set("duration", "1200s");
     settings.forEach(builder::set);
     Plan plan = demo.plan(request, builder.build());
+    for (SimObserver observer : observers) {
+      plan.simulation().observer(observer);
+    }
     SimResult result = plan.simulation().name("intersection").seed(request.seed()).build().run();
     assertThat(result.spec().violations())
         .as("seed %d %s\n%s", request.seed(), settings, String.join("\n", plan.story().lines()))

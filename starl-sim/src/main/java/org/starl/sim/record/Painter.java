@@ -26,7 +26,9 @@ public final class Painter {
   private static final int LEGEND_PX = 520;
   private static final int MARGIN_PX = 24;
   private static final int LINE_PX = 19;
+  private static final int ENTRY_GAP_PX = 16;
   private static final double WORLD_MARGIN_MM = 150;
+  private static final double HEADING_FROM = 0.62;
 
   private static final Color PAPER = new Color(0xFA, 0xFA, 0xF7);
   private static final Color INK = new Color(0x22, 0x22, 0x22);
@@ -119,12 +121,16 @@ public final class Painter {
     floor.setColor(colour.darker());
     floor.setStroke(new BasicStroke(12));
     floor.draw(disc);
+    // From outside the name to the edge.
+    double cos = StrictMath.cos(pose.headingRad());
+    double sin = StrictMath.sin(pose.headingRad());
+    double innerMm = HEADING_FROM * radiusMm;
     floor.draw(
         new Line2D.Double(
-            pose.xMm(),
-            pose.yMm(),
-            pose.xMm() + radiusMm * StrictMath.cos(pose.headingRad()),
-            pose.yMm() + radiusMm * StrictMath.sin(pose.headingRad())));
+            pose.xMm() + innerMm * cos,
+            pose.yMm() + innerMm * sin,
+            pose.xMm() + radiusMm * cos,
+            pose.yMm() + radiusMm * sin));
   }
 
   private static Path2D outline(Obstacle obstacle) {
@@ -162,16 +168,23 @@ public final class Painter {
     page.drawString(title, x, y);
     page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
     List<RobotId> robots = scene.robots();
+    y += LINE_PX + ENTRY_GAP_PX;
     for (int i = 0; i < robots.size(); i++) {
-      y += 2 * LINE_PX;
+      List<String> lines = layer.describe(robots.get(i), scene).lines().toList();
+      int heightPx = Math.max(1, lines.size()) * LINE_PX + ENTRY_GAP_PX;
+      if (y + heightPx > FLOOR_PX - LINE_PX && i + 1 < robots.size()) {
+        page.setColor(INK);
+        page.drawString("and " + (robots.size() - i) + " more", x, y);
+        return;
+      }
       page.setColor(colour(i));
       page.fillOval(x, y - 10, 11, 11);
       page.setColor(INK);
       page.drawString(robots.get(i).name(), x + 18, y);
-      for (String line : layer.describe(robots.get(i), scene).lines().toList()) {
-        page.drawString(line, x + 80, y);
-        y += LINE_PX;
+      for (int line = 0; line < lines.size(); line++) {
+        page.drawString(lines.get(line), x + 80, y + line * LINE_PX);
       }
+      y += heightPx;
     }
   }
 }

@@ -1,0 +1,138 @@
+package org.starl.apps.intersection.logic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+
+/** Figure 2: where the zones lie, and which of them each of the twelve routes needs. */
+class CrossingTest {
+
+  private static final double RADIUS_MM = 165;
+  private static final Crossing CROSSING = Crossing.STANDARD;
+
+  static Stream<Route> routes() {
+    return Route.all().stream();
+  }
+
+  @Test
+  void thePapersRoutesAreAmongTheTwelve() {
+    assertThat(Route.all()).hasSize(12).doesNotHaveDuplicates();
+    assertThat(Route.all().stream().map(Route::toString))
+        .containsExactlyInAnyOrder(
+            "A0 A A1",
+            "A0 A C C1",
+            "A0 A C D D1",
+            "C0 C C1",
+            "C0 C D D1",
+            "C0 C D B B1",
+            "D0 D D1",
+            "D0 D B B1",
+            "D0 D B A A1",
+            "B0 B B1",
+            "B0 B A A1",
+            "B0 B A C C1");
+  }
+
+  @Test
+  void criticalZonesAreTheSquaresAroundTheMiddle() {
+    assertThat(CROSSING.region(Zone.A)).isEqualTo(new Rectangle(2000, 2500, 2500, 3000));
+    assertThat(CROSSING.region(Zone.B)).isEqualTo(new Rectangle(2500, 2500, 3000, 3000));
+    assertThat(CROSSING.region(Zone.C)).isEqualTo(new Rectangle(2000, 2000, 2500, 2500));
+    assertThat(CROSSING.region(Zone.D)).isEqualTo(new Rectangle(2500, 2000, 3000, 2500));
+  }
+
+  @Test
+  void noTwoZonesOverlap() {
+    Map<String, Region> zones = new TreeMap<>(CROSSING.regions());
+    for (Zone zone : Zone.values()) {
+      zones.put(zone + "0", CROSSING.arrivalRegion(zone));
+      zones.put(zone + " exit", CROSSING.exitRegion(zone));
+    }
+    assertThat(zones).hasSize(16);
+    List<String> names = new ArrayList<>(zones.keySet());
+    for (int i = 0; i < names.size(); i++) {
+      for (int j = 0; j < i; j++) {
+        Rectangle a = (Rectangle) zones.get(names.get(i));
+        Rectangle b = (Rectangle) zones.get(names.get(j));
+        boolean apart =
+            a.xMaxMm() <= b.xMinMm()
+                || b.xMaxMm() <= a.xMinMm()
+                || a.yMaxMm() <= b.yMinMm()
+                || b.yMaxMm() <= a.yMinMm();
+        assertThat(apart).as("%s and %s", names.get(i), names.get(j)).isTrue();
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("routes")
+  void aTripHoldsItsRoutesZonesInOrder(Route route) {
+    List<String> expected = new ArrayList<>();
+    route.zones().forEach(zone -> expected.add(zone.name()));
+    expected.add(route.departure());
+    Trip trip = CROSSING.trip(route);
+    assertThat(trip.zones()).isEqualTo(expected);
+    assertThat(trip.label()).isEqualTo(route.toString());
+    for (ItemPosition station : trip.stations()) {
+      assertThat(CROSSING.region(station.name()).contains(station.at())).as("%s", station).isTrue();
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("routes")
+  void whoWaitsOrHasLeftIsClearOfWhatOthersNeed(Route route) {
+    Pose arrival = CROSSING.arrivalPose(route.from());
+    assertThat(CROSSING.arrivalRegion(route.from()).contains(arrival.at())).isTrue();
+    CROSSING
+        .regions()
+        .forEach((name, region) ->
+            assertThat(region.distanceMm(arrival.at())).as(name).isGreaterThan(RADIUS_MM));
+    Trip trip = CROSSING.trip(route);
+    ItemPosition departure = trip.stations().get(trip.stations().size() - 1);
+    for (Zone zone : Zone.values()) {
+      assertThat(CROSSING.region(zone).distanceMm(departure.at())).isGreaterThan(RADIUS_MM);
+    }
+    CROSSING
+        .regions()
+        .forEach((name, region) ->
+            assertThat(region.distanceMm(trip.exit().at())).as(name).isGreaterThan(RADIUS_MM));
+    assertThat(CROSSING.exitRegion(route.lastZone()).contains(trip.exit().at())).isTrue();
+  }
+
+  @ParameterizedTest
+  @MethodSource("routes")
+  void aStraightWayFromStationToStationTouchesOnlyTheTripsZones(Route route) {
+    Trip trip = CROSSING.trip(route);
+    Set<String> allowed = new TreeSet<>(trip.zones());
+    List<Pose> way = new ArrayList<>();
+    way.add(CROSSING.arrivalPose(route.from()));
+    trip.stations().forEach(station -> way.add(station.pose()));
+    way.add(trip.exit().pose());
+    for (int leg = 1; leg < way.size(); leg++) {
+      for (int percent = 0; percent <= 100; percent++) {
+        var from = way.get(leg - 1).at();
+        var at = from.plus(way.get(leg).at().minus(from).times(percent / 100.0));
+        CROSSING
+            .regions()
+            .forEach((name, region) -> {
+              if (region.distanceMm(at) < RADIUS_MM) {
+                assertThat(allowed).as("%s at %s", route, at).contains(name);
+              }
+            });
+      }
+    }
+  }
+}

@@ -1,0 +1,225 @@
+package org.starl.apps.intersection.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.apps.intersection.logic.Crossing;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.TraceEvent;
+
+/** Each monitor is red where its lemma does not hold, and only there. */
+class MonitorsTest {
+
+  private static final RobotId BOT0 = new RobotId("bot0");
+  private static final RobotId BOT1 = new RobotId("bot1");
+  private static final long SECOND_NS = 1_000_000_000;
+  private static final String MUTEX = "mutex/crossing";
+
+  private final List<TraceEvent> events = new ArrayList<>();
+  private long nowNs;
+
+  private void after(double seconds) {
+    nowNs += (long) (seconds * SECOND_NS);
+  }
+
+  private void mutex(RobotId robot, String name, String... args) {
+    List<String> all = new ArrayList<>(List.of(robot + "#1", "1"));
+    all.addAll(List.of(args));
+    events.add(new TraceEvent.Action(nowNs, robot, MUTEX, name, all));
+  }
+
+  private void app(RobotId robot, String name, String value) {
+    events.add(new TraceEvent.Variable(nowNs, robot, "app", name, value));
+  }
+
+  private void joins(RobotId robot, double xMm, double yMm) {
+    events.add(new TraceEvent.Joined(nowNs, robot, Pose.of(new Point(xMm, yMm), 0), 165));
+  }
+
+  private void drives(RobotId robot, double xMm, double yMm, double mmPerS) {
+    events.add(new TraceEvent.Moved(nowNs, robot, Pose.of(new Point(xMm, yMm), 0), mmPerS, 0));
+  }
+
+  private SpecReport report(Monitor monitor) {
+    Monitors monitors = new Monitors(List.of(monitor));
+    events.forEach(monitors::observe);
+    monitors.finish(nowNs);
+    monitor.lemmas().forEach(lemma ->
+        assertThat(monitors.report().checks(lemma)).as(lemma).isPositive());
+    return monitors.report();
+  }
+
+  private static void assertRed(SpecReport report, String lemma, double atS, RobotId... robots) {
+    assertThat(report.violations(lemma)).as("%s", report).isPositive();
+    Violation first =
+        report.violations().stream().filter(v -> v.lemma().equals(lemma)).findFirst().orElseThrow();
+    assertThat(first.robots()).containsExactlyInAnyOrder(robots);
+    assertThat(first.timeNs() / (double) SECOND_NS).isBetween(atS - 0.01, atS + 0.02);
+  }
+
+  private static TrafficSafety trafficSafety() {
+    return new TrafficSafety(Crossing.STANDARD.regions());
+  }
+
+  @Test
+  void oneCarAfterTheOtherIsSafe() {
+    joins(BOT0, 1700, 2250);
+    mutex(BOT0, "od_mutex", "C D D1");
+    drives(BOT0, 1700, 2250, 250);
+    after(7.4);
+    drives(BOT0, 3550, 2250, 0);
+    mutex(BOT0, "release", "C D", "D1");
+    joins(BOT1, 1700, 2250);
+    mutex(BOT1, "od_mutex", "C");
+    drives(BOT1, 1700, 2250, 250);
+    after(2);
+    drives(BOT1, 2200, 2250, 0);
+    after(1);
+    assertThat(report(trafficSafety()).holds()).isTrue();
+  }
+
+  @Test
+  void twoBodiesInOneZoneAreSeenInMidMotion() {
+    joins(BOT0, 2250, 2250);
+    mutex(BOT0, "od_mutex", "C");
+    joins(BOT1, 1600, 2250);
+    drives(BOT1, 1600, 2250, 250);
+    after(5);
+    SpecReport report = report(trafficSafety());
+    // Its front crosses the border at x = 2000 after 235 mm.
+    assertRed(report, "traffic_safety", 0.94, BOT0, BOT1);
+    assertRed(report, "occupied_is_held", 0.94, BOT1);
+  }
+
+  @Test
+  void aZoneGivenBackTooEarlyIsSeenThoughNobodyEnters() {
+    joins(BOT0, 2250, 2250);
+    mutex(BOT0, "od_mutex", "C D1");
+    after(1);
+    mutex(BOT0, "release", "C", "D1");
+    after(1);
+    SpecReport report = report(trafficSafety());
+    assertThat(report.violations("traffic_safety")).isZero();
+    assertRed(report, "occupied_is_held", 1, BOT0);
+  }
+
+  @Test
+  void whoHasLeftTheFloorOccupiesNothing() {
+    joins(BOT0, 2250, 2250);
+    mutex(BOT0, "od_mutex", "C");
+    after(1);
+    events.add(new TraceEvent.Left(nowNs, BOT0));
+    after(1);
+    joins(BOT1, 2250, 2250);
+    mutex(BOT1, "od_mutex", "C");
+    assertThat(report(trafficSafety()).violations("traffic_safety")).isZero();
+  }
+
+  @Test
+  void disjointCritSetsAreSafe() {
+    mutex(BOT0, "od_mutex", "A A1");
+    mutex(BOT1, "od_mutex", "B B1 D");
+    mutex(BOT1, "release", "D", "B B1");
+    assertThat(report(new MuxSafety()).holds()).isTrue();
+  }
+
+  @Test
+  void commonCritSetsAreNot() {
+    mutex(BOT0, "od_mutex", "A C C1");
+    after(1);
+    mutex(BOT0, "release", "A", "C C1");
+    after(1);
+    mutex(BOT1, "od_mutex", "B C");
+    assertRed(report(new MuxSafety()), "Inv_mux_safety", 2, BOT0, BOT1);
+  }
+
+  private void asksForAAndA1() {
+    app(BOT0, "location", "S_0");
+    app(BOT0, "myseq", "[A, A1]");
+    after(1);
+    app(BOT0, "location", "REGISTER_WAIT");
+    after(1);
+    mutex(BOT0, "do_mutex", "5", "A A1", "");
+    app(BOT0, "location", "MUTEX_WAIT");
+    after(1);
+  }
+
+  private static ListCrit listCrit() {
+    return new ListCrit(Map.of(BOT0, List.of("A", "A1")));
+  }
+
+  @Test
+  void whoMovesHoldsWhatIsLeftOfItsPath() {
+    asksForAAndA1();
+    mutex(BOT0, "od_mutex", "A A1");
+    after(0.1);
+    app(BOT0, "location", "MOVE_WAIT");
+    after(5);
+    mutex(BOT0, "release", "A", "A1");
+    app(BOT0, "myseq", "[A1]");
+    after(5);
+    app(BOT0, "myseq", "[]");
+    app(BOT0, "location", "S_1");
+    after(1);
+    assertThat(report(listCrit()).holds()).isTrue();
+  }
+
+  @Test
+  void whoMovesWithoutHoldingIsSeen() {
+    asksForAAndA1();
+    app(BOT0, "location", "MOVE_WAIT");
+    after(1);
+    assertRed(report(listCrit()), "Inv_list_crit", 3, BOT0);
+  }
+
+  @Test
+  void whoGivesBackWhatIsStillAheadIsSeen() {
+    asksForAAndA1();
+    mutex(BOT0, "od_mutex", "A A1");
+    app(BOT0, "location", "MOVE_WAIT");
+    after(1);
+    mutex(BOT0, "release", "A1", "A");
+    after(1);
+    assertRed(report(listCrit()), "Inv_list_crit", 4, BOT0);
+  }
+
+  @Test
+  void whoAsksForLessThanItsPathIsSeen() {
+    app(BOT0, "location", "S_0");
+    app(BOT0, "myseq", "[A, A1]");
+    after(2);
+    mutex(BOT0, "do_mutex", "5", "A", "");
+    app(BOT0, "location", "MUTEX_WAIT");
+    after(1);
+    assertRed(report(listCrit()), "Inv_list_crit", 2, BOT0);
+  }
+
+  @Test
+  void whoDepartsInTimeHasMadeProgress() {
+    joins(BOT0, 0, 0);
+    after(20);
+    events.add(new TraceEvent.Left(nowNs, BOT0));
+    after(1000);
+    assertThat(report(new TrafficProgress(1)).holds()).isTrue();
+  }
+
+  @Test
+  void whoNeverDepartsIsSeenAtTheBound() {
+    joins(BOT0, 0, 0);
+    joins(BOT1, 0, 1000);
+    after(10);
+    events.add(new TraceEvent.Left(nowNs, BOT1));
+    after(1000);
+    double boundS = TrafficProgress.boundNs(2) / (double) SECOND_NS;
+    assertRed(report(new TrafficProgress(2)), "traffic_progress", boundS, BOT0);
+  }
+}

@@ -1,0 +1,211 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.hello.HelloDemo;
+import org.starl.sim.SimSettings;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+
+/** Campaigns; and what is said where a specification is violated, or an app throws. */
+class ViolationTest {
+
+  private static final Demos BROKEN = new Demos(List.of(new Broken()));
+
+  @TempDir private Path folder;
+
+  /** Hello, with a specification that does not hold for every third seed. */
+  private static final class Broken implements Demo {
+    private final Demo hello = new HelloDemo();
+
+    @Override
+    public String name() {
+      return "broken";
+    }
+
+    @Override
+    public String summary() {
+      return "hello that stands still";
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return List.of(new Parameter("every", "3", "seeds that are bad"));
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return hello.defaultSettings(request);
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Plan plan = hello.plan(request, settings);
+      if (request.seed() % Long.parseLong(request.parameter("every")) == 0) {
+        plan.simulation().monitor(StandsStill::new);
+      }
+      return plan;
+    }
+  }
+
+  private static final class StandsStill implements Monitor {
+    @Override
+    public List<String> lemmas() {
+      return List.of("stands_still");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
+        report.violated("stands_still", event.timeNs(), List.of(event.robot()), "drives");
+      }
+    }
+  }
+
+  /** Runs what a person would paste; no word of it has a space inside. */
+  private Cli paste(String line) {
+    List<String> words = new ArrayList<>();
+    for (String word : line.substring("replay: ./starl ".length()).split(" ")) {
+      words.add(word.startsWith("'") ? word.substring(1, word.length() - 1) : word);
+    }
+    words.addAll(List.of("--png", folder.resolve("replay.png").toString()));
+    return Cli.run(BROKEN, words.toArray(String[]::new));
+  }
+
+  @Test
+  void aCampaignTellsTheFirstViolationAndHowToReplayIt() {
+    Cli cli =
+        Cli.run(
+            BROKEN,
+            "campaign broken --seeds 1..7 --loss 0.1 --delay uniform(10ms,20ms) --set robots=2"
+                .split(" "));
+    assertThat(cli.status()).isEqualTo(1);
+    assertThat(cli.text()).containsPattern("runs +7\n").containsPattern("violated +2\n");
+    String violation = cli.err().get(cli.err().size() - 2);
+    String replay = cli.err().get(cli.err().size() - 1);
+    assertThat(violation).matches("seed 3: stands_still violated at [0-9.]+ s by bot[01]: drives");
+    assertThat(replay)
+        .isEqualTo(
+            "replay: ./starl run broken --seed 3 --loss 0.1 --delay 'uniform(10ms,20ms)'"
+                + " --set robots=2");
+    Cli again = paste(replay);
+    assertThat(again.status()).isEqualTo(1);
+    assertThat(again.out()).contains("VIOLATED: " + violation.substring("seed 3: ".length()));
+    assertThat(again.err()).containsExactly(replay);
+  }
+
+  @Test
+  void recordTellsItToo() {
+    Path png = folder.resolve("a.png");
+    Cli cli = Cli.run(BROKEN, "record", "broken", "--seed", "3", "--out", png.toString());
+    assertThat(cli.status()).isEqualTo(1);
+    assertThat(cli.err()).anyMatch(line -> line.startsWith("VIOLATED: stands_still"));
+    assertThat(cli.err()).contains("replay: ./starl run broken --seed 3");
+    assertThat(png).exists();
+  }
+
+  @Test
+  void aRunThatThrowsKeepsItsTraceAndSaysHowToReplayIt() {
+    Path trace = folder.resolve("a.trace");
+    Cli cli =
+        Cli.run(
+            new Demos(List.of(new Throwing())),
+            "run throwing --seed 3 --trace %s --png %s"
+                .formatted(trace, folder.resolve("a.png"))
+                .split(" "));
+    assertThat(cli.status()).isEqualTo(1);
+    assertThat(cli.err())
+        .containsExactly(
+            "replay: ./starl run throwing --seed 3",
+            "starl: thrown on purpose (--stacktrace shows where)");
+    assertThat(trace).isNotEmptyFile();
+    assertThat(cli.out()).isEmpty();
+  }
+
+  /** A scenario with a bug. */
+  private static final class Throwing implements Demo {
+    private final Demo hello = new HelloDemo();
+
+    @Override
+    public String name() {
+      return "throwing";
+    }
+
+    @Override
+    public String summary() {
+      return "hello that ends early";
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return List.of();
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return hello.defaultSettings(request);
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Plan plan = hello.plan(request, settings);
+      plan.simulation()
+          .director(control ->
+              control.at(1_000_000_000, () -> {
+                throw new IllegalStateException("thrown on purpose");
+              }));
+      return plan;
+    }
+  }
+
+  @Test
+  void aGoodCampaignIsTheSameOnAnyNumberOfThreads() throws IOException {
+    List<String> texts = new ArrayList<>();
+    for (String threads : List.of("1", "2", "5")) {
+      Cli cli =
+          Cli.run(
+              "campaign intersection --seeds 1..6 --robots 2 --json --threads"
+                  .concat(" " + threads)
+                  .split(" "));
+      assertThat(cli.status()).as("%s", cli).isZero();
+      assertThat(cli.out()).hasSize(1);
+      texts.add(cli.text());
+    }
+    assertThat(texts).containsOnly(texts.get(0));
+    JsonNode json = new ObjectMapper().readTree(texts.get(0));
+    assertThat(json.get("app").asText()).isEqualTo("intersection");
+    assertThat(json.get("seeds").asText()).isEqualTo("1..6");
+    assertThat(json.get("good").asInt()).isEqualTo(6);
+    assertThat(json.get("violated").asInt()).isZero();
+    assertThat(json.get("completed").asInt()).isEqualTo(12);
+    assertThat(json.get("wait_p99_s").asDouble()).isPositive();
+    assertThat(json.get("datagrams_sent_p50").asDouble()).isPositive();
+    assertThat(json.has("first_bad_seed")).isFalse();
+  }
+
+  @Test
+  void aCampaignsTableHasCrossingsWaitsAndMessages() {
+    Cli cli = Cli.run("campaign intersection --seeds 1..2 --robots 2".split(" "));
+    assertThat(cli.status()).isZero();
+    assertThat(cli.text())
+        .containsPattern("runs +2\n")
+        .containsPattern("robots that got through +4\n")
+        .containsPattern("wait, median +[0-9.]+ s\n")
+        .containsPattern("datagrams_sent a run, median +[0-9]+\n");
+    assertThat(Files.exists(Path.of("out", "intersection-1.png"))).isFalse();
+  }
+}

@@ -1,0 +1,48 @@
+package org.starl.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+
+/** What {@code README.md} shows is what is compiled and tested. */
+class ReadmeTest {
+
+  private static final Path ROOT = Path.of("..");
+  private static final Path HELLO =
+      Path.of("src/main/java/org/starl/apps/hello/logic/Hello.java");
+  private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
+  private static final Pattern LINK = Pattern.compile("\\]\\(((?:docs|starl-)[^)#:]+)\\)");
+
+  private static String readme() throws IOException {
+    return Files.readString(ROOT.resolve("README.md"));
+  }
+
+  private static String withoutSpace(String code) {
+    return code.replaceAll("\\s+", "");
+  }
+
+  @Test
+  void theAppIsTheOneThatRuns() throws IOException {
+    List<String> blocks =
+        JAVA.matcher(readme())
+            .results()
+            .map(match -> match.group(1))
+            .filter(block -> block.contains("class Hello"))
+            .toList();
+    assertThat(blocks).hasSize(1);
+    assertThat(withoutSpace(Files.readString(HELLO))).contains(withoutSpace(blocks.get(0)));
+  }
+
+  @Test
+  void everyPageAndSourceThatItLinksExists() throws IOException {
+    List<String> links =
+        LINK.matcher(readme()).results().map(match -> match.group(1)).toList();
+    assertThat(links).isNotEmpty();
+    assertThat(links).allSatisfy(link -> assertThat(ROOT.resolve(link)).exists());
+  }
+}
