@@ -153,7 +153,8 @@ class BadInputTest {
   void aBrokenLineOfAWaypointFileIsRefused() throws IOException {
     Files.writeString(folder.resolve("start.wpt"), "WAY,2250,3500,270,bot0\n");
     Files.writeString(folder.resolve("obstacles.wpt"), "");
-    Files.writeString(folder.resolve("dest.wpt"), "WAY,1,2,0,a\nWAY,12,x\n", StandardCharsets.UTF_8);
+    Files.writeString(
+        folder.resolve("dest.wpt"), "WAY,1,2,0,a\nWAY,12,x\n", StandardCharsets.UTF_8);
     assertRefused(
         Cli.run("run", "intersection", "--set", "scenario=legacy", "--set", "files=" + folder),
         "dest.wpt:2: 'WAY,12,x': expected WAY,x,y,angle,name[,radius]");

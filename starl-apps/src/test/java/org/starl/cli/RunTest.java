@@ -188,7 +188,8 @@ class RunTest {
     Cli cli =
         Cli.run("run intersection --seed 7 --for 5s --png".concat(" " + file("a.png")).split(" "));
     assertThat(cli.status()).isEqualTo(1);
-    assertThat(cli.out()).anyMatch(line -> line.startsWith("NOT FINISHED: [bot0, bot1, bot2, bot3]"));
+    assertThat(cli.out())
+        .anyMatch(line -> line.startsWith("NOT FINISHED: [bot0, bot1, bot2, bot3]"));
     assertThat(cli.err()).containsExactly("replay: ./starl run intersection --seed 7 --for 5s");
   }
 
