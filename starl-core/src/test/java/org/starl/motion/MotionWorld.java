@@ -46,6 +46,9 @@ final class MotionWorld {
   double nearestToAvoidMm = Double.POSITIVE_INFINITY;
   double worstErrorPastBoundMm = Double.NEGATIVE_INFINITY;
 
+  /** The bound that stood beside the position of the latest step. */
+  double errorBoundMm = Double.POSITIVE_INFINITY;
+
   private static final long FIX_PERIOD_MS = 75;
 
   private final Rng rng;
@@ -113,6 +116,7 @@ final class MotionWorld {
     Location.Known known = filter.at(nowNs);
     if (known != null) {
       double error = known.pose().distanceMm(truth.at());
+      errorBoundMm = known.errorMm();
       worstErrorPastBoundMm = Math.max(worstErrorPastBoundMm, error - known.errorMm());
     }
     WheelCommand next = run.step(known == null ? new Location.Unknown() : known, bumps, nowNs);
