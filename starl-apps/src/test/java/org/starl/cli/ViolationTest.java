@@ -165,9 +165,11 @@ class ViolationTest {
       Plan plan = hello.plan(request, settings);
       plan.simulation()
           .director(control ->
-              control.at(1_000_000_000, () -> {
-                throw new IllegalStateException("thrown on purpose");
-              }));
+              control.at(
+                  1_000_000_000,
+                  () -> {
+                    throw new IllegalStateException("thrown on purpose");
+                  }));
       return plan;
     }
   }

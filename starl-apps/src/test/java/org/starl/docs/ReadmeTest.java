@@ -13,8 +13,7 @@ import org.junit.jupiter.api.Test;
 class ReadmeTest {
 
   private static final Path ROOT = Path.of("..");
-  private static final Path HELLO =
-      Path.of("src/main/java/org/starl/apps/hello/logic/Hello.java");
+  private static final Path HELLO = Path.of("src/main/java/org/starl/apps/hello/logic/Hello.java");
   private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
   private static final Pattern LINK = Pattern.compile("\\]\\(((?:docs|starl-)[^)#:]+)\\)");
 
@@ -40,8 +39,7 @@ class ReadmeTest {
 
   @Test
   void everyPageAndSourceThatItLinksExists() throws IOException {
-    List<String> links =
-        LINK.matcher(readme()).results().map(match -> match.group(1)).toList();
+    List<String> links = LINK.matcher(readme()).results().map(match -> match.group(1)).toList();
     assertThat(links).isNotEmpty();
     assertThat(links).allSatisfy(link -> assertThat(ROOT.resolve(link)).exists());
   }

@@ -27,8 +27,7 @@ class IntersectionTest {
     return new Request(seed, robots == 0 ? OptionalInt.empty() : OptionalInt.of(robots), all);
   }
 
-  static SimResult run(
-      Request request, Map<String, String> settings, SimObserver... observers) {
+  static SimResult run(Request request, Map<String, String> settings, SimObserver... observers) {
     IntersectionDemo demo = new IntersectionDemo();
     SimSettings.Builder builder = demo.defaultSettings(request).set("duration", "1200s");
     settings.forEach(builder::set);

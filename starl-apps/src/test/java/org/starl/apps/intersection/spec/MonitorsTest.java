@@ -53,8 +53,9 @@ class MonitorsTest {
     Monitors monitors = new Monitors(List.of(monitor));
     events.forEach(monitors::observe);
     monitors.finish(nowNs);
-    monitor.lemmas().forEach(lemma ->
-        assertThat(monitors.report().checks(lemma)).as(lemma).isPositive());
+    monitor
+        .lemmas()
+        .forEach(lemma -> assertThat(monitors.report().checks(lemma)).as(lemma).isPositive());
     return monitors.report();
   }
 
