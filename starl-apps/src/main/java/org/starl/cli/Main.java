@@ -64,6 +64,9 @@ public final class Main implements Runnable {
     Main main = new Main(demos);
     CommandLine commandLine = new CommandLine(main);
     commandLine.setOut(out).setErr(err);
+    for (CommandLine command : commandLine.getSubcommands().values()) {
+      command.getCommandSpec().version(commandLine.getCommandSpec().version());
+    }
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setParameterExceptionHandler(Main::refuse);
     commandLine.setExecutionExceptionHandler(

@@ -30,12 +30,14 @@ final class OutputFile implements Closeable {
   OutputFile(String option, String name) {
     try {
       Path path = Path.of(name).toAbsolutePath();
-      target = Files.exists(path) ? path.toRealPath() : path;
+      boolean isDevice =
+          Files.exists(path) && !Files.isRegularFile(path) && !Files.isDirectory(path);
+      target = Files.isRegularFile(path) ? path.toRealPath() : path;
       Path folder = target.getParent();
       if (name.isEmpty() || folder == null || Files.isDirectory(target)) {
         throw new BadInput(option + ": " + BadInput.quote(name) + ": expected a file's name");
       }
-      if (Files.exists(target) && !Files.isRegularFile(target)) {
+      if (isDevice) {
         written = target;
         out = new Counted(Files.newOutputStream(target, StandardOpenOption.WRITE));
         return;

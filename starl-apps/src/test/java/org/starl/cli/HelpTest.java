@@ -33,6 +33,7 @@ class HelpTest {
     assertThat(cli.status()).isZero();
     assertThat(cli.text()).contains("list", "run", "campaign", "Example: starl run intersection");
     assertThat(Cli.run("--version").text()).startsWith("StarL ");
+    assertThat(Cli.run("run", "--version").text()).startsWith("StarL ");
   }
 
   @Test

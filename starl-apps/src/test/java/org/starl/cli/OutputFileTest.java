@@ -1,0 +1,66 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** A file appears whole or not at all. */
+class OutputFileTest {
+
+  @TempDir private Path folder;
+
+  private static void write(Path path, String text) throws IOException {
+    try (OutputFile file = new OutputFile("--out", path.toString())) {
+      file.stream().write(text.getBytes(StandardCharsets.UTF_8));
+    }
+  }
+
+  @Test
+  void itIsThereOnceClosed() throws IOException {
+    Path path = folder.resolve("new/a.txt");
+    try (OutputFile file = new OutputFile("--out", path.toString())) {
+      file.stream().write('x');
+      assertThat(path).doesNotExist();
+    }
+    assertThat(path).hasContent("x");
+    write(path, "other");
+    assertThat(path).hasContent("other");
+    try (Stream<Path> all = Files.list(path.resolveSibling("."))) {
+      assertThat(all).hasSize(1);
+    }
+  }
+
+  @Test
+  void whereNothingIsWrittenNothingChanges() throws IOException {
+    Path old = Files.writeString(folder.resolve("old.txt"), "old");
+    write(old, "");
+    assertThat(old).hasContent("old");
+    write(folder.resolve("none.txt"), "");
+    assertThat(folder.resolve("none.txt")).doesNotExist();
+  }
+
+  @Test
+  void aLinkIsWrittenThrough() throws IOException {
+    Path old = Files.writeString(folder.resolve("old.txt"), "old");
+    Path link = Files.createSymbolicLink(folder.resolve("link"), old);
+    write(link, "new");
+    assertThat(old).hasContent("new");
+    assertThat(link).isSymbolicLink();
+  }
+
+  @Test
+  void aDeviceStaysADevice() throws IOException {
+    Path device = Path.of("/dev/null");
+    assumeTrue(Files.isWritable(device), "skipped: no /dev/null here");
+    write(device, "text");
+    assertThat(Files.isRegularFile(device)).isFalse();
+    assertThat(device).exists();
+  }
+}
