@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import java.util.Arrays;
+
 import org.starl.geometry.Kinematics;
 
 /**
@@ -18,15 +20,16 @@ final class Odometry {
   private static final double SLIDING = 2;
   private static final double ROLLING_MM = 100;
 
-  private final long[] atNs = new long[KNOTS];
-  private final double[] x = new double[KNOTS];
-  private final double[] y = new double[KNOTS];
-  private final double[] heading = new double[KNOTS];
-  private final double[] path = new double[KNOTS];
-  private final double[] turned = new double[KNOTS];
-  private final double[] linear = new double[KNOTS];
-  private final double[] angular = new double[KNOTS];
-  private final boolean[] touching = new boolean[KNOTS];
+  // These grow up to KNOTS: most robots of a swarm never drive.
+  private long[] atNs = {Long.MIN_VALUE};
+  private double[] x = {0};
+  private double[] y = {0};
+  private double[] heading = {0};
+  private double[] path = {0};
+  private double[] turned = {0};
+  private double[] linear = {0};
+  private double[] angular = {0};
+  private boolean[] touching = {false};
   private int newest;
   private int used = 1;
 
@@ -43,15 +46,14 @@ final class Odometry {
   private double atPath;
   private double atTurned;
 
-  Odometry() {
-    atNs[0] = Long.MIN_VALUE;
-  }
-
   void commanded(WheelCommand command, boolean bumped, double reactionS, long nowNs) {
     seek(nowNs);
     double lateMm = Math.abs(command.linearMmPerS() - linear[newest]) * reactionS;
     double lateRad = Math.abs(command.angularRadPerS() - angular[newest]) * reactionS;
     int next = (newest + 1) % KNOTS;
+    if (next == atNs.length) {
+      grow();
+    }
     atNs[next] = nowNs;
     x[next] = atX;
     y[next] = atY;
@@ -63,6 +65,19 @@ final class Odometry {
     angular[next] = command.angularRadPerS();
     newest = next;
     used = Math.min(KNOTS, used + 1);
+  }
+
+  private void grow() {
+    int knots = Math.min(KNOTS, 4 * atNs.length);
+    atNs = Arrays.copyOf(atNs, knots);
+    x = Arrays.copyOf(x, knots);
+    y = Arrays.copyOf(y, knots);
+    heading = Arrays.copyOf(heading, knots);
+    path = Arrays.copyOf(path, knots);
+    turned = Arrays.copyOf(turned, knots);
+    linear = Arrays.copyOf(linear, knots);
+    angular = Arrays.copyOf(angular, knots);
+    touching = Arrays.copyOf(touching, knots);
   }
 
   /** Whether it still knows what was commanded at {@code timeNs}. */

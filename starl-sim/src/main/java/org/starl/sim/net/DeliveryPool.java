@@ -16,7 +16,7 @@ final class DeliveryPool {
   private @Nullable Packet freePackets;
 
   DeliveryPool(SimNetwork network) {
-    nowhere = new SimRadio(network, NOBODY, new SimNetwork.Sender(0), (atNs, piece) -> {});
+    nowhere = new SimRadio(network, NOBODY, new SimNetwork.Station(NOBODY, 0), (atNs, piece) -> {});
   }
 
   Packet packet(byte[] buffer, int length) {

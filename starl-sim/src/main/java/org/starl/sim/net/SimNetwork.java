@@ -22,9 +22,8 @@ public final class SimNetwork {
   private final Clock clock;
   private final TraceSink trace;
   private final Rng root;
-  private final Map<RobotId, SimRadio> byId = new HashMap<>();
+  private final Map<RobotId, Station> stations = new HashMap<>();
   private final List<SimRadio> attached = new ArrayList<>();
-  private final Map<RobotId, Sender> senders = new HashMap<>();
   private final List<Installed> rules = new ArrayList<>();
   private final DeliveryPool pool = new DeliveryPool(this);
   private Latency latency = new Latency.Constant(0);
@@ -70,22 +69,23 @@ public final class SimNetwork {
    * @throws IllegalStateException if it has one already
    */
   public Radio attach(RobotId id, Inbox inbox) {
-    if (byId.containsKey(id)) {
+    Station station = stations.computeIfAbsent(id, this::newStation);
+    if (station.radio != null) {
       throw new IllegalStateException(id + " has a radio already");
     }
-    Sender sender = senders.computeIfAbsent(id, this::newSender);
-    SimRadio radio = new SimRadio(this, id, sender, inbox);
-    byId.put(id, radio);
+    SimRadio radio = new SimRadio(this, id, station, inbox);
+    station.radio = radio;
     attached.add(radio);
     return radio;
   }
 
   /** Takes {@code id}'s radio off the air: it sends nothing more, what is under way to it is lost. */
   public void detach(RobotId id) {
-    SimRadio radio = byId.remove(id);
-    if (radio != null) {
-      radio.close();
-      attached.remove(radio);
+    Station station = stations.get(id);
+    if (station != null && station.radio != null) {
+      station.radio.close();
+      attached.remove(station.radio);
+      station.radio = null;
     }
   }
 
@@ -103,7 +103,7 @@ public final class SimNetwork {
   void send(SimRadio from, RobotId to, byte[] buffer, int length) {
     long datagram = countSent(from, length);
     Packet packet = pool.packet(buffer, length);
-    transmit(from, to, packet, datagram);
+    transmit(from, station(to), packet, datagram);
     packet.release();
   }
 
@@ -114,14 +114,14 @@ public final class SimNetwork {
       for (int i = 0; i < attached.size(); i++) {
         SimRadio to = attached.get(i);
         if (to != from) {
-          transmit(from, to.id(), packet, datagram);
+          transmit(from, to.station(), packet, datagram);
         }
       }
     } else {
       Consumer<RobotId> toHearer =
           to -> {
             if (!to.equals(from.id())) {
-              transmit(from, to, packet, datagram);
+              transmit(from, station(to), packet, datagram);
             }
           };
       audience.forEachHearer(from.id(), toHearer);
@@ -143,30 +143,30 @@ public final class SimNetwork {
   private long countSent(SimRadio from, int length) {
     sent++;
     sentBytes += length;
-    return from.sender().nextDatagram();
+    return from.station().nextDatagram();
   }
 
-  private void transmit(SimRadio from, RobotId to, Packet packet, long datagram) {
+  private void transmit(SimRadio from, Station to, Packet packet, long datagram) {
     if (!rules.isEmpty() && decidedByRule(from, to, packet, datagram)) {
       return;
     }
     long delayNs = baseDelayNs(from, to, packet, datagram);
     if (delayNs == LinkChoice.LOST) {
-      dropped(from.id(), to, "loss");
+      dropped(from.id(), to.id, "loss");
     } else {
       deliver(from, to, packet, delayNs);
     }
   }
 
-  private boolean decidedByRule(SimRadio from, RobotId to, Packet packet, long datagram) {
+  private boolean decidedByRule(SimRadio from, Station to, Packet packet, long datagram) {
     // Rules draw from a generator of their own: one that draws and passes changes no base delay.
-    Rng rng = new Rng(~copySeed(from, to, datagram));
+    Rng rng = new Rng(~from.station().copySeed(to, datagram));
     Transmission copy =
-        new Transmission(from.id(), to, clock.nowNs(), datagram, packet.length(), rng);
+        new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
     for (int i = 0; i < rules.size(); i++) {
       Verdict verdict = rules.get(i).rule.judge(copy);
       if (verdict instanceof Verdict.Drop drop) {
-        dropped(from.id(), to, drop.why());
+        dropped(from.id(), to.id, drop.why());
         return true;
       }
       if (verdict instanceof Verdict.Deliver deliver) {
@@ -179,40 +179,37 @@ public final class SimNetwork {
     return false;
   }
 
-  private long baseDelayNs(SimRadio from, RobotId to, Packet packet, long datagram) {
+  private long baseDelayNs(SimRadio from, Station to, Packet packet, long datagram) {
     if (!seeded) {
-      Rng rng = new Rng(copySeed(from, to, datagram));
+      Rng rng = new Rng(from.station().copySeed(to, datagram));
       Transmission copy =
-          new Transmission(from.id(), to, clock.nowNs(), datagram, packet.length(), rng);
+          new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
       return choice.delayNsOrLost(copy, latency, loss);
     }
     if (loss.isCertain() && latency.isConstant()) {
       return loss.probability() > 0 ? LinkChoice.LOST : ((Latency.Constant) latency).ns();
     }
     // As LinkChoice.seeded() does, without a Transmission.
-    Rng rng = new Rng(copySeed(from, to, datagram));
+    Rng rng = new Rng(from.station().copySeed(to, datagram));
     return loss.strikes(rng) ? LinkChoice.LOST : latency.drawNs(rng);
   }
 
-  private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs) {
-    SimRadio radio = byId.get(to);
+  private void deliver(SimRadio from, Station to, Packet packet, long delayNs) {
+    SimRadio radio = to.radio;
     if (radio == null) {
-      dropped(from.id(), to, "no-such-robot");
+      dropped(from.id(), to.id, "no-such-robot");
       return;
     }
     radio.inbox().schedule(clock.nowNs() + delayNs, pool.delivery(from.id(), radio, packet));
   }
 
-  private long copySeed(SimRadio from, RobotId to, long datagram) {
-    Sender recipient = senders.get(to);
-    if (recipient == null) {
-      recipient = newSender(to);
-    }
-    return from.sender().copySeed(recipient, datagram);
+  private Station station(RobotId id) {
+    Station station = stations.get(id);
+    return station == null ? newStation(id) : station;
   }
 
-  private Sender newSender(RobotId id) {
-    return new Sender(root.fork(id.name() + "/radio").nextLong());
+  private Station newStation(RobotId id) {
+    return new Station(id, root.fork(id.name() + "/radio").nextLong());
   }
 
   /** So that one rule installed twice can be taken out once. */
@@ -224,12 +221,15 @@ public final class SimNetwork {
     }
   }
 
-  /** What of a robot's radio outlives a restart: its key, and how many datagrams it has sent. */
-  static final class Sender {
+  /** What the network knows of a robot; of this, key and number of datagrams outlive a restart. */
+  static final class Station {
+    private final RobotId id;
     private final long key;
     private long datagrams;
+    private @Nullable SimRadio radio;
 
-    Sender(long key) {
+    Station(RobotId id, long key) {
+      this.id = id;
       this.key = key;
     }
 
@@ -238,7 +238,7 @@ public final class SimNetwork {
     }
 
     /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
-    long copySeed(Sender recipient, long datagram) {
+    long copySeed(Station recipient, long datagram) {
       return key
           + Long.rotateLeft(recipient.key, 32) * 0xD1342543DE82EF95L
           + datagram * 0x2545F4914F6CDD1DL;

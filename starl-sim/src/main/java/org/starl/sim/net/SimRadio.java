@@ -9,15 +9,15 @@ final class SimRadio implements Radio {
 
   private final SimNetwork network;
   private final RobotId id;
-  private final SimNetwork.Sender sender;
+  private final SimNetwork.Station station;
   private final Inbox inbox;
   private @Nullable Receiver receiver;
   private boolean closed;
 
-  SimRadio(SimNetwork network, RobotId id, SimNetwork.Sender sender, Inbox inbox) {
+  SimRadio(SimNetwork network, RobotId id, SimNetwork.Station station, Inbox inbox) {
     this.network = network;
     this.id = id;
-    this.sender = sender;
+    this.station = station;
     this.inbox = inbox;
   }
 
@@ -64,8 +64,8 @@ final class SimRadio implements Radio {
     return id;
   }
 
-  SimNetwork.Sender sender() {
-    return sender;
+  SimNetwork.Station station() {
+    return station;
   }
 
   Inbox inbox() {
