@@ -19,6 +19,7 @@ import org.starl.sim.Simulation;
  * figures rest on wall time.
  *
  * @param coldness 0 for the first run in its JVM
+ * @param bytesPerRobot of heap, in the middle of a run of its own after the timed ones
  */
 public record Measurement(
     String workload,
@@ -29,6 +30,7 @@ public record Measurement(
     double simulatedS,
     double cpuS,
     double wallS,
+    long bytesPerRobot,
     double peakRssMb) {
 
   private static final double NS_PER_S = 1e9;
@@ -58,9 +60,17 @@ public record Measurement(
               result.endNs() / NS_PER_S,
               (threads.getCurrentThreadCpuTime() - cpuNs) / NS_PER_S,
               (System.nanoTime() - wallNs) / NS_PER_S,
+              0,
               readPeakRssMb()));
     }
+    long bytesPerRobot = Footprint.bytesPerRobot(workload, robots, style, seed);
+    taken.replaceAll(measurement -> measurement.withBytesPerRobot(bytesPerRobot));
     return taken;
+  }
+
+  private Measurement withBytesPerRobot(long bytes) {
+    return new Measurement(
+        workload, robots, style, coldness, events, simulatedS, cpuS, wallS, bytes, peakRssMb);
   }
 
   /** Events a CPU second. */
@@ -85,6 +95,7 @@ public record Measurement(
     map.put("rtf", Math.round(realTimeFactor() * 100) / 100.0);
     map.put("cpu_s", Math.round(cpuS * 1000) / 1000.0);
     map.put("wall_s", Math.round(wallS * 1000) / 1000.0);
+    map.put("bytes_per_robot", bytesPerRobot);
     map.put("peak_rss_mb", Math.round(peakRssMb * 10) / 10.0);
     map.put("jvm", Runtime.version().toString());
     return map;

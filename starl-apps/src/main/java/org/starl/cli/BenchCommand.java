@@ -70,7 +70,8 @@ final class BenchCommand implements Callable<Integer> {
   private static String line(Measurement run) {
     return String.format(
         Locale.ROOT,
-        "%s n=%d %s%s: %.2f M events/CPU-s, %.1f simulated s/CPU-s; %.2f CPU s, %.2f wall s, %.0f MB",
+        "%s n=%d %s%s: %.2f M events/CPU-s, %.1f simulated s/CPU-s; %.2f CPU s, %.2f wall s,"
+            + " %d bytes/robot, %.0f MB",
         run.workload(),
         run.robots(),
         run.style().name().toLowerCase(Locale.ROOT),
@@ -79,6 +80,7 @@ final class BenchCommand implements Callable<Integer> {
         run.realTimeFactor(),
         run.cpuS(),
         run.wallS(),
+        run.bytesPerRobot(),
         run.peakRssMb());
   }
 }
