@@ -84,6 +84,14 @@ final class Layers {
                       PLAIN_JAVA.or(CORE).or(resideInAnyPackage(PRIMITIVES, LOGIC))),
               org.starl.apps.fixture.logic.LogicImportsSimulator.class),
           new Law(
+              "an app's logic runs on Android 8",
+              noClasses()
+                  .that()
+                  .resideInAPackage(LOGIC)
+                  .should()
+                  .accessTargetWhere(AndroidGaps.ACCESS),
+              org.starl.apps.fixture.logic.LogicUsesNewJava.class),
+          new Law(
               "the kernel imports core alone: no robot, radio, world, fault or observer",
               onlyOf("org.starl.sim.kernel..", CORE.or(resideInAPackage("org.starl.sim.kernel.."))),
               org.starl.sim.kernel.fixture.KernelImportsObserver.class),
