@@ -88,7 +88,7 @@ public abstract class LogicThread {
 
   /** Gives up the strand for {@code ms} milliseconds; messages and timers are handled meanwhile. */
   protected final void sleep(long ms) {
-    gvh.plat.strand.sleepUntil(gvh.plat.clock.nowNs() + ms * NS_PER_MS);
+    gvh.plat.strand.sleepUntil(inMs(ms));
   }
 
   /** Gives up the strand until {@code condition} holds. */
@@ -102,6 +102,12 @@ public abstract class LogicThread {
    * @return whether the condition held
    */
   protected final boolean await(BooleanSupplier condition, long timeoutMs) {
-    return gvh.plat.strand.awaitUntil(condition, gvh.plat.clock.nowNs() + timeoutMs * NS_PER_MS);
+    return gvh.plat.strand.awaitUntil(condition, inMs(timeoutMs));
+  }
+
+  /** The time {@code ms} from now; never, if that is beyond what a clock can show. */
+  private long inMs(long ms) {
+    long nowNs = gvh.plat.clock.nowNs();
+    return ms > (Long.MAX_VALUE - nowNs) / NS_PER_MS ? Long.MAX_VALUE : nowNs + ms * NS_PER_MS;
   }
 }

@@ -15,6 +15,7 @@ import org.starl.random.Rng;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
+import org.starl.sim.world.SimStable;
 import org.starl.sim.world.World;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceHeader;
@@ -33,6 +34,8 @@ final class Engine implements SimControl, AutoCloseable {
   private final Participants deployment;
   private final Obstacles knownObstacles;
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
+  // A robot that left and joins again is another incarnation, and finds what it had stored.
+  private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
   private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
   private int running;
   private int brought;
@@ -68,9 +71,13 @@ final class Engine implements SimControl, AutoCloseable {
         plan.director.direct(this);
       }
       kernel.run(plan.settings.endNs(), () -> running == 0);
+    } catch (BadInput e) {
+      throw e;
     } catch (RobotError e) {
-      throw new SimulationFailed(
-          plan.name + ", seed " + plan.seed + ": " + e.getMessage() + watchers.firstViolation(), e);
+      throw failed(String.valueOf(e.getMessage()), e);
+    } catch (RuntimeException e) {
+      // Of the world, a director or an observer: no robot's.
+      throw failed("at " + kernel.nowNs() + " ns: " + e, e);
     }
     SpecReport spec = watchers.endSpecifications(kernel.nowNs());
     SimResult result =
@@ -85,6 +92,11 @@ final class Engine implements SimControl, AutoCloseable {
             spec);
     watchers.finished(result);
     return result;
+  }
+
+  private SimulationFailed failed(String what, RuntimeException cause) {
+    return new SimulationFailed(
+        plan.name + ", seed " + plan.seed + ": " + what + watchers.firstViolation(), cause);
   }
 
   private TraceHeader header() {
@@ -106,7 +118,11 @@ final class Engine implements SimControl, AutoCloseable {
 
   @Override
   public void close() {
-    kernel.close();
+    try {
+      kernel.close();
+    } catch (RobotError e) {
+      throw failed(String.valueOf(e.getMessage()), e);
+    }
   }
 
   @Override
@@ -129,7 +145,10 @@ final class Engine implements SimControl, AutoCloseable {
     if (robots.containsKey(spec.id())) {
       throw new BadInput("robot " + spec.id() + " is there already");
     }
-    SimRobot robot = new SimRobot(spec, this, brought);
+    SimStable stable =
+        stables.computeIfAbsent(
+            spec.id(), id -> new SimStable(kernel, plan.settings.stableDelayNs()));
+    SimRobot robot = new SimRobot(spec, this, stable, brought);
     brought++;
     robots.put(spec.id(), robot);
     running++;

@@ -2,10 +2,12 @@ package org.starl.sim;
 
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
 import org.starl.RobotId;
+import org.starl.motion.CollisionPolicy;
 import org.starl.motion.MotionParameters;
 import org.starl.sim.net.Latency;
 
@@ -29,7 +31,7 @@ public final class Setting<T> {
   public static final Setting<Duration> DURATION =
       duration("duration", 0, "simulated time after which the run ends; 0ms for no limit");
   public static final Setting<Double> SPEED =
-      number("speed", 5, "simulated seconds per real second in the viewer; 0 for no limit");
+      number("speed", 5, "for a viewer: simulated seconds per real second; 0 for no limit");
 
   // The floor.
   public static final Setting<Double> FLOOR_WIDTH =
@@ -37,9 +39,9 @@ public final class Setting<T> {
   public static final Setting<Double> FLOOR_HEIGHT =
       distance("floorHeight", 3000, "extent of the floor along y");
   public static final Setting<String> WAYPOINT_FILE =
-      text("waypointFile", "", "file of waypoints (WAY lines); empty for none");
+      text("waypointFile", "", "for apps with goals: file of WAY lines; empty for none");
   public static final Setting<String> SENSE_POINT_FILE =
-      text("sensePointFile", "", "file of things to find (SENSE lines); empty for none");
+      text("sensePointFile", "", "for apps that search: file of SENSE lines; empty for none");
   public static final Setting<String> OBSTACLE_FILE =
       text("obstacleFile", "", "file of obstacles (Obstacle and Hidden lines); empty for none");
   public static final Setting<String> START_FILE =
@@ -72,6 +74,16 @@ public final class Setting<T> {
           Quantities::speedText,
           value -> value > 0,
           "a speed above 0");
+  public static final Setting<CollisionPolicy> COLLISION_POLICY =
+      new Setting<>(
+          "collisionPolicy",
+          CollisionPolicy.class,
+          CollisionPolicy.STOP_ON_COLLISION,
+          "what a bump does: BUMPERCARS, STOP_ON_COLLISION, USE_COLAVOID or USE_COLBACK",
+          Setting::collisionPolicy,
+          CollisionPolicy::name,
+          value -> true,
+          "a collision policy");
   public static final Setting<Double> SPEED_ERROR =
       probability("speedError", "wheel speeds are off by up to this fraction, per command");
 
@@ -124,19 +136,19 @@ public final class Setting<T> {
           MotionParameters.DEFAULT.contactMarkMm(),
           "side of the square that a bump leaves on a robot's map");
 
-  // What the viewer shows.
+  // For a viewer; runs without a window do not read them.
   public static final Setting<Boolean> DRAW_TRAILS =
-      yesOrNo("drawTrails", false, "the viewer shows where robots have been");
+      yesOrNo("drawTrails", false, "for a viewer: whether it shows where robots have been");
   public static final Setting<Integer> TRAIL_LENGTH =
-      whole("trailLength", 128, 1, "how many points a trail has");
+      whole("trailLength", 128, 1, "for a viewer: how many points a trail has");
   public static final Setting<Boolean> DRAW_WAYPOINTS =
-      yesOrNo("drawWaypoints", true, "the viewer shows waypoints");
+      yesOrNo("drawWaypoints", true, "for a viewer: whether it shows waypoints");
   public static final Setting<Boolean> DRAW_WAYPOINT_NAMES =
-      yesOrNo("drawWaypointNames", true, "the viewer names waypoints");
+      yesOrNo("drawWaypointNames", true, "for a viewer: whether it names waypoints");
   public static final Setting<Boolean> DRAW_OBSTACLES =
-      yesOrNo("drawObstacles", true, "the viewer shows obstacles");
+      yesOrNo("drawObstacles", true, "for a viewer: whether it shows obstacles");
   public static final Setting<Integer> MAX_FPS =
-      whole("maxFps", 30, 1, "the viewer draws at most so many pictures a second");
+      whole("maxFps", 30, 1, "for a viewer: pictures a second at most");
 
   private final String key;
   private final Class<T> type;
@@ -299,6 +311,16 @@ public final class Setting<T> {
   private static Setting<String> text(String key, String initial, String meaning) {
     return new Setting<>(
         key, String.class, initial, meaning, String::strip, text -> text, value -> true, "a text");
+  }
+
+  private static CollisionPolicy collisionPolicy(String text) {
+    for (CollisionPolicy policy : CollisionPolicy.values()) {
+      if (policy.name().equals(text.strip())) {
+        return policy;
+      }
+    }
+    throw new BadInput(
+        BadInput.quote(text) + ": expected one of " + Arrays.toString(CollisionPolicy.values()));
   }
 
   private static boolean isAmount(double value) {

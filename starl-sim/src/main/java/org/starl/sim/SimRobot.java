@@ -28,9 +28,10 @@ final class SimRobot {
   private @Nullable Body body;
 
   /**
+   * @param stable what survives of the robot's earlier incarnations
    * @param index how many robots were brought up before it
    */
-  SimRobot(RobotSpec spec, Engine engine, int index) {
+  SimRobot(RobotSpec spec, Engine engine, SimStable stable, int index) {
     this.spec = spec;
     this.engine = engine;
     SimSettings settings = engine.settings();
@@ -39,7 +40,6 @@ final class SimRobot {
     strand = kernel.strand(spec.id().name());
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
     positioning = positioning(settings, kernel, rng.fork("positioning"));
-    SimStable stable = new SimStable(kernel, settings.stableDelayNs());
     stable.restart(strand);
     Platform platform =
         new Platform(

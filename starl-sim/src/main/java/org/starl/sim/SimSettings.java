@@ -114,16 +114,18 @@ public final class SimSettings {
         .robotRadiusMm(robotRadiusMm())
         .contactMarkMm(get(Setting.CONTACT_MARK))
         .robotType(robotType(index))
+        .collisionPolicy(get(Setting.COLLISION_POLICY))
         .build();
   }
 
+  /** The last of the robots explore and wander; all others, late ones too, go to their goals. */
   private RobotType robotType(int index) {
-    if (index < goalRobots()) {
-      return RobotType.GOAL;
+    int firstDiscovery = goalRobots();
+    int firstRandom = firstDiscovery + get(Setting.DISCOVERY_ROBOTS);
+    if (index >= firstRandom && index < robots()) {
+      return RobotType.RANDOM_MOVER;
     }
-    return index < goalRobots() + get(Setting.DISCOVERY_ROBOTS)
-        ? RobotType.DISCOVERY
-        : RobotType.RANDOM_MOVER;
+    return index >= firstDiscovery && index < firstRandom ? RobotType.DISCOVERY : RobotType.GOAL;
   }
 
   /** Robots are called so, with their number behind. */

@@ -204,6 +204,54 @@ class SimulationTest {
   }
 
   @Test
+  void aRobotThatLeftAndJoinsAgainIsAnotherIncarnation() {
+    List<Integer> boots = new ArrayList<>();
+    RobotSpec robot =
+        new RobotSpec(
+            new RobotId("bot0"),
+            new Pose(0, 0, 0),
+            true,
+            gvh -> {
+              boots.add(gvh.id.boot());
+              return new Greeter(gvh);
+            });
+    SimResult result =
+        Simulation.builder()
+            .robot(robot)
+            .robot(new RobotSpec(new RobotId("bot1"), new Pose(0, 900, 0), true, Greeter::new))
+            .settings(SimSettings.builder().duration(Duration.ofSeconds(20)).build())
+            .director(control -> {
+              control.at(1_000_000_000, () -> control.leave(robot.id()));
+              control.at(1_000_000_001, () -> control.join(robot));
+            })
+            .build()
+            .run();
+    assertThat(boots).containsExactly(1, 2);
+    assertThat(result.isFinished()).isTrue();
+  }
+
+  @Test
+  void anErrorOfADirectorNamesTheSeedToo() {
+    Simulation simulation =
+        Simulation.builder()
+            .name("directed")
+            .seed(5)
+            .robot(new RobotSpec(new RobotId("bot0"), new Pose(0, 0, 0), true, Greeter::new))
+            .director(control ->
+                control.at(
+                    100,
+                    () -> {
+                      throw new IllegalStateException("director");
+                    }))
+            .build();
+    assertThatThrownBy(simulation::run)
+        .isInstanceOf(SimulationFailed.class)
+        .hasMessageContaining("seed 5")
+        .hasMessageContaining("100 ns")
+        .hasMessageContaining("director");
+  }
+
+  @Test
   void theTimeLimitEndsARunAndNamesWhoHasNotFinished() {
     SimResult result =
         greeters(1)

@@ -56,9 +56,14 @@ final class LegacyFiles {
     for (Waypoint start : starts.waypoints()) {
       int number = cars.size();
       List<ItemPosition> points = waypointsOf(number);
-      Trip trip =
-          points.isEmpty() ? Trip.parked(start.position()) : trip(start.position().name(), points);
-      RobotId id = new RobotId(start.position().name());
+      Trip trip = points.isEmpty() ? Trip.parked(start.position()) : trip(start.name(), points);
+      if (!RobotId.isValid(start.name())) {
+        throw new BadInput(
+            "start.wpt: "
+                + BadInput.quote(start.name())
+                + ": expected a robot's name, such as bot0");
+      }
+      RobotId id = new RobotId(start.name());
       cars.add(new Car(id, id.name(), start.position().pose(), trip, 0));
     }
     return cars;
@@ -79,7 +84,7 @@ final class LegacyFiles {
     for (ItemPosition point : points) {
       Zone critical = criticalZone(point);
       if (critical != null) {
-        stations.add(new ItemPosition(critical.name(), point.pose()));
+        addZone(robot, stations, new ItemPosition(critical.name(), point.pose()));
       } else if (!stations.isEmpty()) {
         String last = stations.get(stations.size() - 1).name();
         if (last.length() == 1) {
@@ -93,6 +98,20 @@ final class LegacyFiles {
     StringBuilder label = new StringBuilder("legacy");
     stations.forEach(station -> label.append(' ').append(station.name()));
     return new Trip(label.toString(), stations, points.get(points.size() - 1));
+  }
+
+  /** A zone is asked for once and given back once: several waypoints in it are one station. */
+  private static void addZone(String robot, List<ItemPosition> stations, ItemPosition next) {
+    for (int i = 0; i < stations.size(); i++) {
+      if (stations.get(i).name().equals(next.name())) {
+        if (i < stations.size() - 1) {
+          throw new BadInput(
+              robot + ": its waypoints come back to zone " + next.name() + ": expected each once");
+        }
+        return;
+      }
+    }
+    stations.add(next);
   }
 
   private @Nullable Zone criticalZone(ItemPosition point) {

@@ -285,10 +285,12 @@ class RegistrationProtocol {
       givenUp.add(me);
       port.givesUp(me);
       takeFreshId();
-    } else if (phase == Phase.LEAVING && !listed) {
+    } else if ((phase == Phase.LEAVING || phase == Phase.LEFT_HALFWAY) && !listed) {
+      // What was given up at its deadline has come about after all: nobody need ask again.
       settle(Phase.OUT);
       unregistered = true;
-    } else if ((phase == Phase.IN || phase == Phase.LEFT_HALFWAY) && !listed) {
+      failed = false;
+    } else if (phase == Phase.IN && !listed) {
       settle(Phase.OUT);
     }
     suspense.learned(learned.number(), nowNs);

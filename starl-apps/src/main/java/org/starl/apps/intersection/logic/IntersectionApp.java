@@ -17,8 +17,8 @@ import org.starl.primitives.registration.RegPrim;
 import org.starl.primitives.registration.Registration;
 
 /**
- * One car at the automatic intersection: the paper's Figure 4, with the locations that PVS proves
- * things about. What lies between two sleeps is one atomic action.
+ * One car at the automatic intersection: the paper's Figure 4, with its locations, which are
+ * those of the PVS theory in Figure 5. What lies between two sleeps is one atomic action.
  *
  * <p>Where it must differ from the figure to be safe:
  *
