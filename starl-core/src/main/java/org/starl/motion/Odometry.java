@@ -1,7 +1,6 @@
 package org.starl.motion;
 
 import java.util.Arrays;
-
 import org.starl.geometry.Kinematics;
 
 /**
