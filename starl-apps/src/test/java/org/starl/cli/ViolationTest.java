@@ -131,7 +131,8 @@ class ViolationTest {
     assertThat(cli.err())
         .containsExactly(
             "replay: ./starl run throwing --seed 3",
-            "starl: thrown on purpose (--stacktrace shows where)");
+            "starl: throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
+                + " purpose (--stacktrace shows where)");
     assertThat(trace).isNotEmptyFile();
     assertThat(cli.out()).isEmpty();
   }

@@ -7,10 +7,12 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.deploy.contract.Ground;
@@ -22,7 +24,13 @@ import org.starl.platform.Stable;
 class FileStableTest extends StableContract {
 
   @TempDir private Path directory;
-  private FileStable stable;
+  private final List<FileStable> stables = new ArrayList<>();
+
+  /** Before the folder goes: a disk's thread that still writes would put files into it. */
+  @AfterEach
+  void closeAll() {
+    stables.forEach(FileStable::close);
+  }
 
   @Override
   protected Ground newGround() {
@@ -31,14 +39,13 @@ class FileStableTest extends StableContract {
 
   @Override
   protected Stable open(Ground ground) {
-    stable = open(ground, ground.errors()::add);
-    return stable;
+    return open(ground, ground.errors()::add);
   }
 
   // A thread cannot be killed as a crash would: this crash comes right after the last flush.
   @Override
   protected Stable crashAndReopen(Ground ground) {
-    stable.close();
+    stables.get(stables.size() - 1).close();
     return open(ground);
   }
 
@@ -123,7 +130,9 @@ class FileStableTest extends StableContract {
 
   private FileStable open(Ground ground, Consumer<IOException> onFailure) {
     try {
-      return FileStable.open(directory.resolve("robot0"), ground.strand(), onFailure);
+      FileStable stable = FileStable.open(directory.resolve("robot0"), ground.strand(), onFailure);
+      stables.add(stable);
+      return stable;
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
