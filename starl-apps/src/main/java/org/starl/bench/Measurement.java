@@ -8,8 +8,11 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.starl.sim.BadInput;
+import org.starl.sim.Director;
+import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 
@@ -18,6 +21,7 @@ import org.starl.sim.Simulation;
  * virtual threads that is everything; robots on platform threads are not counted in, so their
  * figures rest on wall time.
  *
+ * @param setUpS wall time from the plan until all robots are up; in none of the other figures
  * @param coldness 0 for the first run in its JVM
  * @param bytesPerRobot of heap, in the middle of a run of its own after the timed ones
  */
@@ -28,6 +32,7 @@ public record Measurement(
     int coldness,
     long events,
     double simulatedS,
+    double setUpS,
     double cpuS,
     double wallS,
     long bytesPerRobot,
@@ -46,20 +51,21 @@ public record Measurement(
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     List<Measurement> taken = new ArrayList<>();
     for (int i = 0; i < runs; i++) {
-      Simulation simulation = workload.plan(robots, style, seed).build();
-      long cpuNs = threads.getCurrentThreadCpuTime();
-      long wallNs = System.nanoTime();
-      SimResult result = simulation.run();
+      Start start = new Start();
+      Simulation.Builder plan = workload.plan(robots, style, seed);
+      long setUpNs = System.nanoTime();
+      SimResult result = plan.director(start).build().run();
       taken.add(
           new Measurement(
               workload.name(),
               robots,
               style,
               i,
-              result.events(),
+              result.events() - start.events,
               result.endNs() / NS_PER_S,
-              (threads.getCurrentThreadCpuTime() - cpuNs) / NS_PER_S,
-              (System.nanoTime() - wallNs) / NS_PER_S,
+              (start.wallNs - setUpNs) / NS_PER_S,
+              (threads.getCurrentThreadCpuTime() - start.cpuNs) / NS_PER_S,
+              (System.nanoTime() - start.wallNs) / NS_PER_S,
               0,
               readPeakRssMb()));
     }
@@ -70,7 +76,17 @@ public record Measurement(
 
   private Measurement withBytesPerRobot(long bytes) {
     return new Measurement(
-        workload, robots, style, coldness, events, simulatedS, cpuS, wallS, bytes, peakRssMb);
+        workload,
+        robots,
+        style,
+        coldness,
+        events,
+        simulatedS,
+        setUpS,
+        cpuS,
+        wallS,
+        bytes,
+        peakRssMb);
   }
 
   /** Events a CPU second. */
@@ -88,17 +104,36 @@ public record Measurement(
     Map<String, Object> map = new LinkedHashMap<>();
     map.put("workload", workload);
     map.put("n", robots);
-    map.put("style", style.name().toLowerCase(java.util.Locale.ROOT));
+    map.put("style", style.name().toLowerCase(Locale.ROOT));
     map.put("run", coldness);
     map.put("events", events);
     map.put("ev_per_cpu_s", Math.round(eventsPerCpuS()));
     map.put("rtf", Math.round(realTimeFactor() * 100) / 100.0);
+    map.put("set_up_s", Math.round(setUpS * 1000) / 1000.0);
     map.put("cpu_s", Math.round(cpuS * 1000) / 1000.0);
     map.put("wall_s", Math.round(wallS * 1000) / 1000.0);
     map.put("bytes_per_robot", bytesPerRobot);
     map.put("peak_rss_mb", Math.round(peakRssMb * 10) / 10.0);
     map.put("jvm", Runtime.version().toString());
     return map;
+  }
+
+  /** Looks at the clocks when all robots have come up, which they do at time 0. */
+  private static final class Start implements Director {
+    private long cpuNs;
+    private long wallNs;
+    private long events;
+
+    @Override
+    public void direct(SimControl control) {
+      control.at(
+          1,
+          () -> {
+            events = control.events();
+            wallNs = System.nanoTime();
+            cpuNs = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+          });
+    }
   }
 
   /** As the kernel of the machine counts it; -1 where it does not say. */

@@ -131,6 +131,11 @@ final class Engine implements SimControl, AutoCloseable {
   }
 
   @Override
+  public long events() {
+    return kernel.events();
+  }
+
+  @Override
   public void at(long atNs, Runnable action) {
     kernel.schedule(Math.max(atNs, kernel.nowNs()), action);
   }

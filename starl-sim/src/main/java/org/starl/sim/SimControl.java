@@ -11,6 +11,9 @@ public interface SimControl {
 
   long nowNs();
 
+  /** How many events the kernel has run so far. */
+  long events();
+
   /** Runs {@code action} at {@code atNs}, or now, later in order, if that is past. */
   void at(long atNs, Runnable action);
 
