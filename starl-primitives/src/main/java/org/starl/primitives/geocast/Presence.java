@@ -63,7 +63,7 @@ final class Presence {
     while (alwaysDeep || !everIn) {
       Point at = bodies.poseAt(robot, checkedNs).at();
       double outsideMm = area.distanceMm(at) - TOLERANCE_MM;
-      double deeperMm = area.depthMm(at) - deepMm + TOLERANCE_MM;
+      double deeperMm = area.depthMm(at) - deepMm - TOLERANCE_MM;
       everIn |= outsideMm <= minStepMm;
       alwaysDeep &= deeperMm > minStepMm;
       double safeMm =

@@ -32,6 +32,13 @@ class GeocastAdversaryTest {
     assertThat(report.violations()).isEmpty();
   }
 
+  @Test
+  void whoIsOutsideOwesNothingHoweverWellPositionsAreKnown() {
+    for (long seed = 0; seed < 20; seed++) {
+      assertThat(run(new Rng(seed), 0.001, 0, Mutant.NONE).violations()).isEmpty();
+    }
+  }
+
   /** Not every run delivers something: some networks are too bad. Most do. */
   @Test
   void theContractIsPutToTheTest() {
