@@ -73,6 +73,8 @@ public final class Participants implements Iterable<RobotId> {
 
   /** A hash table with open addressing, at most half full. */
   private static final class Names {
+    private static final int GOLDEN_RATIO = 0x9E3779B9;
+
     private final @Nullable RobotId[] slots;
 
     Names(List<RobotId> ids) {
@@ -100,8 +102,12 @@ public final class Participants implements Iterable<RobotId> {
       return id;
     }
 
+    /**
+     * Fibonacci hashing (Knuth, "The Art of Computer Programming", section 6.4): names that differ in
+     * their last digits have neighbouring hashes, which would fill long runs of slots.
+     */
     private int slot(int hash) {
-      return (hash ^ (hash >>> 16)) & (slots.length - 1);
+      return (hash * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(slots.length) + 1);
     }
   }
 }
