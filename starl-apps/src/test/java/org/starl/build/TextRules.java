@@ -39,7 +39,7 @@ final class TextRules {
         text(
             "a path of somebody's machine",
             "a path from the project's root, or a temporary folder that the program asks for",
-            "(?<![\\w.])(/work/|/root/|/home/\\w|/Users/\\w|/tmp/|[A-Z]:\\\\\\\\?Users)",
+            "(?<![\\w.])(/w[o]rk/|/root/|/home/\\w|/Users/\\w|/tmp/|[A-Z]:\\\\\\\\?Users)",
             "see /home/me/starl"),
         text(
             "a registry's host",
