@@ -47,10 +47,6 @@ final class Outgoing<P> implements Receipt {
     return dueNs;
   }
 
-  boolean isTransmitted() {
-    return transmissions > 0;
-  }
-
   boolean isExhausted(long nowNs) {
     return nowNs >= deadlineNs || transmissions > reliability.maxRetries();
   }

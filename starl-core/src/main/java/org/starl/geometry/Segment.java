@@ -3,10 +3,6 @@ package org.starl.geometry;
 /** The closed line between two points; one point if they are equal. */
 public record Segment(Point from, Point to) {
 
-  public double lengthMm() {
-    return from.distanceMm(to);
-  }
-
   /** The point of the segment that is nearest to {@code point}. */
   public Point nearest(Point point) {
     Point along = to.minus(from);

@@ -25,10 +25,6 @@ public record RegistrationSettings(
     }
   }
 
-  public RegistrationSettings withTiming(SynodTiming newTiming) {
-    return new RegistrationSettings(newTiming, deadlineMs, nullMs, queryMs, initialView);
-  }
-
   public RegistrationSettings withDeadlineMs(long newDeadlineMs) {
     return new RegistrationSettings(timing, newDeadlineMs, nullMs, queryMs, initialView);
   }
