@@ -13,10 +13,10 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
-import org.starl.sim.BadInput;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.input.BadInput;
 
 /**
  * B1: N robots, each 100 times: wait 100 ms, send one message to a random other robot with an

@@ -10,11 +10,11 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import org.starl.sim.BadInput;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
+import org.starl.sim.input.BadInput;
 
 /**
  * One run of a workload, in numbers. CPU time is that of the thread which ran the simulation: with

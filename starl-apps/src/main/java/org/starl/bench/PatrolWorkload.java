@@ -11,10 +11,10 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
-import org.starl.sim.BadInput;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.input.BadInput;
 
 /**
  * B2, PATROL: the whole stack. N robots on a square grid 2 m apart drive to and fro 600 mm to either

@@ -20,7 +20,7 @@ public interface Workload {
   /**
    * The same simulation for the same arguments.
    *
-   * @throws org.starl.sim.BadInput if it cannot be run with so many robots or in this style
+   * @throws org.starl.sim.input.BadInput if it cannot be run with so many robots or in this style
    */
   Simulation.Builder plan(int robots, Style style, long seed);
 }

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.bench.Measurement;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
-import org.starl.sim.BadInput;
+import org.starl.sim.input.BadInput;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;

@@ -2,7 +2,7 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import org.jspecify.annotations.Nullable;
-import org.starl.sim.BadInput;
+import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 
 /** Which carriers to run on. */

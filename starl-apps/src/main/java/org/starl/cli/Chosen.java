@@ -23,7 +23,7 @@ record Chosen(
   /**
    * The simulation of one seed, a fresh one at each call.
    *
-   * @throws org.starl.sim.BadInput if a value cannot be used
+   * @throws org.starl.sim.input.BadInput if a value cannot be used
    */
   Plan plan(long seed) {
     Request request = new Request(seed, robots, parameters);

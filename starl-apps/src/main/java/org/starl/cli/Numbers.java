@@ -1,7 +1,7 @@
 package org.starl.cli;
 
-import org.starl.sim.BadInput;
-import org.starl.sim.Quantities;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
 
 /** Numbers that options give. */
 final class Numbers {

@@ -11,7 +11,7 @@ import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
-import org.starl.sim.BadInput;
+import org.starl.sim.input.BadInput;
 
 /**
  * A file that appears whole or not at all: what is written goes beside it, under a name of its own,

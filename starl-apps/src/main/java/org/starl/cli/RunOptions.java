@@ -12,11 +12,11 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
-import org.starl.sim.BadInput;
-import org.starl.sim.NearMatches;
-import org.starl.sim.Quantities;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.NearMatches;
+import org.starl.sim.input.Quantities;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

@@ -14,7 +14,7 @@ import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.starl.sim.BadInput;
+import org.starl.sim.input.BadInput;
 
 /**
  * A scenario in YAML: {@code app:} and then any settings and parameters, one a line.

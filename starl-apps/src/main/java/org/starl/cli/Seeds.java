@@ -2,8 +2,8 @@ package org.starl.cli;
 
 import java.security.SecureRandom;
 import org.jspecify.annotations.Nullable;
-import org.starl.sim.BadInput;
-import org.starl.sim.Quantities;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
 
 /** Seeds as people give them. */
 final class Seeds {

@@ -96,6 +96,16 @@ final class Layers {
               onlyOf("org.starl.sim.kernel..", CORE.or(resideInAPackage("org.starl.sim.kernel.."))),
               org.starl.sim.kernel.fixture.KernelImportsObserver.class),
           new Law(
+              "a part of the simulator does not know the facade that joins the parts",
+              noClasses()
+                  .that()
+                  .resideInAnyPackage(
+                      "org.starl.sim.input..", "org.starl.sim.net..", "org.starl.sim.world..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.starl.sim"),
+              org.starl.sim.net.fixture.NetImportsFacade.class),
+          new Law(
               "the desktop is drawn on in views alone",
               noClasses()
                   .that()

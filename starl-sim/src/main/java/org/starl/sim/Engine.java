@@ -12,6 +12,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
+import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;

@@ -9,6 +9,8 @@ import java.util.function.Function;
 import org.starl.RobotId;
 import org.starl.motion.CollisionPolicy;
 import org.starl.motion.MotionParameters;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
 import org.starl.sim.net.Latency;
 
 /**
@@ -254,7 +256,7 @@ public final class Setting<T> {
         initial,
         meaning,
         Quantities::number,
-        Quantities::plain,
+        Quantities::numberText,
         Setting::isAmount,
         "a number of at least 0");
   }
@@ -279,7 +281,7 @@ public final class Setting<T> {
         0.0,
         meaning,
         Quantities::probability,
-        Quantities::plain,
+        Quantities::numberText,
         value -> value >= 0 && value <= 1,
         "a number from 0 to 1");
   }

@@ -9,6 +9,8 @@ import java.util.Map;
 import org.starl.motion.MotionParameters;
 import org.starl.motion.MotionStyle;
 import org.starl.motion.RobotType;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.NearMatches;
 import org.starl.sim.net.Latency;
 import org.starl.sim.net.Loss;
 import org.starl.sim.world.PositionNoise;

@@ -15,6 +15,7 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
+import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.world.WaypointFiles;

@@ -3,8 +3,8 @@
  * The parts lie in sub-packages, none of which knows the insides of another.
  *
  * <p>May import: {@code org.starl} core, and the sub-packages of {@code org.starl.sim} that the
- * facade joins. Sub-packages import nothing of this package but {@link org.starl.sim.BadInput},
- * {@link org.starl.sim.Quantities} and, where they are built from a run, its settings and results.
+ * facade joins. Of this package the sub-packages that watch or repeat a run ({@code check}, {@code
+ * export}, {@code record}) import its observers, settings and results; the others import nothing.
  */
 @NullMarked
 package org.starl.sim;

@@ -16,12 +16,12 @@ import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.random.Rng;
-import org.starl.sim.BadInput;
-import org.starl.sim.Quantities;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
 
 /** The paper's section 3: {@code starl run intersection}. */
 public final class IntersectionDemo implements Demo {

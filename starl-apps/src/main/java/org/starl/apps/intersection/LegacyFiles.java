@@ -10,7 +10,7 @@ import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
-import org.starl.sim.BadInput;
+import org.starl.sim.input.BadInput;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFile;
 import org.starl.sim.world.WaypointFiles;

@@ -3,8 +3,8 @@ package org.starl.sim.net;
 import java.util.Arrays;
 import java.util.List;
 import org.starl.random.Rng;
-import org.starl.sim.BadInput;
-import org.starl.sim.Quantities;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
 
 /**
  * How long a datagram takes: a distribution of delays in ns, none below 0. Its text is what {@link

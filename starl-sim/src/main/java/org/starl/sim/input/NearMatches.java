@@ -1,4 +1,4 @@
-package org.starl.sim;
+package org.starl.sim.input;
 
 import java.util.ArrayList;
 import java.util.Collection;

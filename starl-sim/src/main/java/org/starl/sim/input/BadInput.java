@@ -1,4 +1,4 @@
-package org.starl.sim;
+package org.starl.sim.input;
 
 /**
  * What a person gave to a simulation (a file, a flag, a setting) is not what was expected. The

@@ -1,4 +1,4 @@
-package org.starl.sim;
+package org.starl.sim.input;
 
 import java.math.BigDecimal;
 import java.math.BigInteger;
@@ -92,7 +92,7 @@ public final class Quantities {
 
   /** The text that {@link #distanceMm} reads as {@code mm}: {@code 165mm}. */
   public static String distanceText(double mm) {
-    return plain(mm) + "mm";
+    return numberText(mm) + "mm";
   }
 
   /** A speed of at least 0, in mm/s: {@code 500}, {@code 500mm/s}, {@code 0.5m/s}. */
@@ -141,7 +141,7 @@ public final class Quantities {
 
   /** The text that {@link #angleRad} reads as {@code rad}: {@code 0.05rad}. */
   public static String angleText(double rad) {
-    return plain(rad) + "rad";
+    return numberText(rad) + "rad";
   }
 
   /** A probability from 0 to 1. */
@@ -193,7 +193,7 @@ public final class Quantities {
   }
 
   /** A finite number without an exponent, so that every reader here reads it back. */
-  static String plain(double number) {
+  public static String numberText(double number) {
     return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
   }
 

@@ -1,4 +1,4 @@
-package org.starl.sim;
+package org.starl.sim.input;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
