@@ -12,6 +12,11 @@ public interface Demo {
   /** One line. */
   String summary();
 
+  /** The app's scenarios, for {@code --set scenario=NAME}; empty if it has but one. */
+  default List<Scenario> scenarios() {
+    return List.of();
+  }
+
   /** What {@code --set} may change besides the simulator's settings. */
   List<Parameter> parameters();
 

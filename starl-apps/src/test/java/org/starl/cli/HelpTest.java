@@ -5,12 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.fasterxml.jackson.databind.JsonNode;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.io.IOException;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
+import org.starl.apps.Scenario;
 import org.starl.bench.Workloads;
 import org.starl.sim.Setting;
 
@@ -42,6 +45,10 @@ class HelpTest {
     assertThat(cli.status()).isZero();
     for (Demo demo : Demos.STANDARD.all()) {
       assertThat(cli.out()).containsOnlyOnce("app " + demo.name() + ": " + demo.summary());
+      for (Scenario scenario : demo.scenarios()) {
+        assertThat(cli.out())
+            .containsOnlyOnce("  scenario " + scenario.name() + ": " + scenario.what());
+      }
       for (Parameter parameter : demo.parameters()) {
         assertThat(cli.out()).anyMatch(line -> line.startsWith("  " + parameter.key() + "="));
       }
@@ -82,5 +89,22 @@ class HelpTest {
     assertThat(object.get("equal").asBoolean()).isTrue();
     assertThat(object.get("lines").asLong()).isPositive();
     assertThat(object.get("runs").size()).isGreaterThanOrEqualTo(2);
+  }
+
+  @Test
+  void listAsJsonHasAnObjectForEach() throws IOException {
+    Cli plain = Cli.run("list");
+    Cli json = Cli.run("list", "--json");
+    assertThat(json.status()).isZero();
+    // The plain list has a line of its own before the settings.
+    assertThat(json.out()).hasSize(plain.out().size() - 1);
+    List<String> names = new ArrayList<>();
+    for (String line : json.out()) {
+      JsonNode item = new ObjectMapper().readTree(line);
+      assertThat(item.path("what").asText()).as(line).isNotEmpty();
+      names.add(item.path("kind").asText() + " " + item.path("name").asText());
+    }
+    assertThat(names)
+        .contains("app intersection", "scenario figure7", "parameter debris", "setting robots");
   }
 }

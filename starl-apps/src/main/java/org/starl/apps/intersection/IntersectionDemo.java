@@ -9,6 +9,7 @@ import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.Scenario;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Trip;
@@ -35,8 +36,13 @@ public final class IntersectionDemo implements Demo {
       new Parameter(
           "scenario",
           "drawn",
-          "drawn (1 to 12 cars on any of the twelve routes, from the seed), figure7 (the paper's four"
-              + " cars) or legacy (the original StarL's files)");
+          "one of the scenarios above");
+  private static final List<Scenario> SCENARIOS =
+      List.of(
+          new Scenario("drawn", "1 to 12 cars on any of the twelve routes, from the seed"),
+          new Scenario("figure7", "the paper's four cars, with 100 ms mean delay"),
+          new Scenario("legacy", "the original StarL's files; needs files=FOLDER"));
+
   private static final Parameter DEBRIS =
       new Parameter(
           "debris",
@@ -55,6 +61,11 @@ public final class IntersectionDemo implements Demo {
   @Override
   public String summary() {
     return "cars register, ask for their zones, cross and release (paper, section 3)";
+  }
+
+  @Override
+  public List<Scenario> scenarios() {
+    return SCENARIOS;
   }
 
   @Override

@@ -16,7 +16,8 @@ import org.starl.sim.SimControl;
 
 /**
  * Cars come and go: a car appears at the head of its lane once it is ready and nobody is left in the
- * arrival zone; one that has come to a stand at the end of a road leaves the floor.
+ * arrival zone; one that has come to a stand at the end of a road, has given back all its zones and
+ * so has stopped its motion ({@code IDLE}) leaves the floor.
  */
 final class Traffic implements Director {
 
@@ -72,8 +73,7 @@ final class Traffic implements Director {
 
   private boolean leaves(SimControl control, Car car) {
     RobotId id = car.id();
-    MotionFlag flag = control.motionflag(id);
-    if (flag == MotionFlag.MOVING || flag == MotionFlag.FAIL) {
+    if (control.motionflag(id) != MotionFlag.IDLE) {
       return false;
     }
     for (Region exit : exits) {

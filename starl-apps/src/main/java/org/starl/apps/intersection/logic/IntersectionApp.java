@@ -11,6 +11,7 @@ import org.starl.Participants;
 import org.starl.geometry.ItemPosition;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.mutex.M_Mutex;
+import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.RList;
 import org.starl.primitives.registration.RegPrim;
@@ -33,7 +34,7 @@ import org.starl.primitives.registration.Registration;
  *       finds it free.
  *   <li>To unregister takes messages, as to register does: UNREGISTER_WAIT is where a car waits for
  *       it. Where a primitive gives up and says so ({@code failed}), the car asks again: in MUTEX_S
- *       for its zones, in S_0 to be registered.
+ *       for its zones, in S_0 to be registered, also where the mutex failed because it is no longer.
  * </ul>
  */
 public final class IntersectionApp extends LogicThread {
@@ -115,7 +116,7 @@ public final class IntersectionApp extends LogicThread {
             gvh.plat.moat.doMove(myseq.element());
             location.set(Location.MOVE_WAIT);
           } else if (mutex.failed().get()) {
-            location.set(Location.MUTEX_S);
+            location.set(isListed() ? Location.MUTEX_S : Location.S_0);
           }
         }
         case MOVE_WAIT -> {
@@ -153,6 +154,12 @@ public final class IntersectionApp extends LogicThread {
       sleep(PERIOD_MS);
     }
     return returnResults();
+  }
+
+  /** Whether the mutex failed for another reason than that this car is in no view (any more). */
+  private boolean isListed() {
+    MutexFailure why = mutex.failure().get();
+    return why != MutexFailure.NOT_REGISTERED && why != MutexFailure.REMOVED;
   }
 
   /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */
