@@ -33,10 +33,7 @@ public final class IntersectionDemo implements Demo {
   private static final int MAX_DEBRIS = 8;
 
   private static final Parameter SCENARIO =
-      new Parameter(
-          "scenario",
-          "drawn",
-          "one of the scenarios above");
+      new Parameter("scenario", "drawn", "one of the scenarios above");
   private static final List<Scenario> SCENARIOS =
       List.of(
           new Scenario("drawn", "1 to 12 cars on any of the twelve routes, from the seed"),
