@@ -60,6 +60,7 @@ final class EventParser {
           case "moved" -> moved(line, timeNs, robot);
           case "joined" -> joined(line, timeNs, robot);
           case "left" -> new TraceEvent.Left(timeNs, robot);
+          case "fault" -> fault(line, timeNs, robot);
           default -> throw line.unknown("kind", kind);
         };
     end(line);
@@ -122,6 +123,12 @@ final class EventParser {
     Pose pose = pose(line);
     double radiusMm = decimal(line, ",\"radiusMm\":", Decimals.MM);
     return new TraceEvent.Joined(timeNs, robot, pose, radiusMm);
+  }
+
+  private static TraceEvent fault(LineParser line, long timeNs, RobotId robot)
+      throws TraceFormatException {
+    String name = text(line, ",\"name\":");
+    return new TraceEvent.Fault(timeNs, robot, name, text(line, ",\"detail\":"));
   }
 
   private static Pose pose(LineParser line) throws TraceFormatException {

@@ -8,6 +8,7 @@ import org.starl.geometry.Pose;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
@@ -133,6 +134,10 @@ public final class TraceCodec {
         decimal(out, ",\"radiusMm\":", joined.radiusMm(), Decimals.MM);
       }
       case Left left -> {}
+      case Fault fault -> {
+        text(out, ",\"name\":", fault.name());
+        text(out, ",\"detail\":", fault.detail());
+      }
     }
     out.ascii('}');
   }
@@ -147,6 +152,7 @@ public final class TraceCodec {
       case Moved moved -> "moved";
       case Joined joined -> "joined";
       case Left left -> "left";
+      case Fault fault -> "fault";
     };
   }
 

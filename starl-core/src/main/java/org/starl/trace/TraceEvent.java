@@ -60,4 +60,33 @@ public sealed interface TraceEvent {
 
   /** The robot's body is off the floor from now on. */
   record Left(long timeNs, RobotId robot) implements TraceEvent {}
+
+  /**
+   * Something goes wrong that is nobody's doing, or is well again.
+   *
+   * @param robot whom it befalls, or {@link #WORLD}
+   * @param name {@link #CRASH}, {@link #RESTART}, {@link #BEGIN}, {@link #END} or {@link #HEALED}
+   * @param detail the fault in the grammar of {@code --fault}; of a restart, what became of writes
+   *     that were not flushed; else empty
+   */
+  record Fault(long timeNs, RobotId robot, String name, String detail) implements TraceEvent {
+
+    /** Stands for everybody: no robot is called so. */
+    public static final RobotId WORLD = new RobotId("world");
+
+    /** The robot's program is gone from now on; its body stands where it is. */
+    public static final String CRASH = "crash";
+
+    /** The robot's program begins anew, as another incarnation. */
+    public static final String RESTART = "restart";
+
+    /** From now on the fault does harm. */
+    public static final String BEGIN = "begin";
+
+    /** The fault does no more harm. */
+    public static final String END = "end";
+
+    /** All faults have ended and none will begin: from now on progress is owed. */
+    public static final String HEALED = "healed";
+  }
 }

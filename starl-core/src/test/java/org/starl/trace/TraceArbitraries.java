@@ -65,7 +65,7 @@ final class TraceArbitraries {
 
   static Arbitrary<TraceEvent> events() {
     return Combinators.combine(
-            Arbitraries.integers().between(0, 7),
+            Arbitraries.integers().between(0, 8),
             Arbitraries.longs(),
             robots(),
             strings().list().ofSize(3),
@@ -104,6 +104,7 @@ final class TraceArbitraries {
       case 4 -> new TraceEvent.Dropped(number, robot, a, b);
       case 5 -> new TraceEvent.Moved(number, robot, pose, values.get(3), values.get(4));
       case 6 -> new TraceEvent.Joined(number, robot, pose, values.get(3));
+      case 7 -> new TraceEvent.Fault(number, robot, a, b);
       default -> new TraceEvent.Left(number, robot);
     };
   }

@@ -3,11 +3,13 @@ package org.starl.sim;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.Participants;
 import org.starl.RobotId;
+import org.starl.RobotRunner;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
@@ -17,8 +19,10 @@ import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.SimStable;
+import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
 import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceHeader;
 
 /** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
@@ -38,7 +42,9 @@ final class Engine implements SimControl, AutoCloseable {
   // A robot that left and joins again is another incarnation, and finds what it had stored.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
   private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
+  // Apps that have not ended, and restarts that are to come: for these the run waits.
   private int running;
+  private int restartsDue;
   private int brought;
 
   Engine(Simulation.Builder plan) {
@@ -71,7 +77,7 @@ final class Engine implements SimControl, AutoCloseable {
       if (plan.director != null) {
         plan.director.direct(this);
       }
-      kernel.run(plan.settings.endNs(), () -> running == 0);
+      kernel.run(plan.settings.endNs(), () -> running == 0 && restartsDue == 0);
     } catch (BadInput e) {
       throw e;
     } catch (RobotError e) {
@@ -110,7 +116,7 @@ final class Engine implements SimControl, AutoCloseable {
   private List<RobotId> unfinished() {
     List<RobotId> unfinished = new ArrayList<>();
     robots.forEach((id, robot) -> {
-      if (!robot.isFinished()) {
+      if (robot.isAwaited()) {
         unfinished.add(id);
       }
     });
@@ -148,6 +154,9 @@ final class Engine implements SimControl, AutoCloseable {
 
   @Override
   public void join(RobotSpec spec) {
+    if (spec.id().equals(Fault.WORLD)) {
+      throw new BadInput("no robot may be called " + Fault.WORLD);
+    }
     if (robots.containsKey(spec.id())) {
       throw new BadInput("robot " + spec.id() + " is there already");
     }
@@ -168,16 +177,86 @@ final class Engine implements SimControl, AutoCloseable {
   public void leave(RobotId id) {
     SimRobot robot = robot(id);
     takeOffFloor(id);
-    network.detach(id);
-    robot.end();
+    if (!robot.isDown()) {
+      end(robot, false);
+    }
     robots.remove(id);
+  }
+
+  @Override
+  public List<RobotId> robots() {
+    return List.copyOf(robots.keySet());
+  }
+
+  @Override
+  public boolean isUp(RobotId id) {
+    SimRobot robot = robots.get(id);
+    return robot != null && !robot.isDown();
+  }
+
+  @Override
+  public void crash(RobotId id) {
+    crash(robot(id), false);
+  }
+
+  @Override
+  public void crash(RobotId id, long downNs, Unsynced unsynced) {
+    SimRobot crashed = robot(id);
+    crash(crashed, true);
+    restartsDue++;
+    at(
+        nowNs() + downNs,
+        () -> {
+          restartsDue--;
+          if (robots.get(id) == crashed) {
+            restart(id, unsynced);
+          }
+        });
+  }
+
+  private void crash(SimRobot robot, boolean isDueBack) {
+    RobotId id = robot.spec().id();
+    if (robot.isDown()) {
+      throw new IllegalStateException(id + " has crashed already");
+    }
+    tell(id, Fault.CRASH, "");
+    end(robot, isDueBack);
+  }
+
+  @Override
+  public void restart(RobotId id, Unsynced unsynced) {
+    SimRobot crashed = robot(id);
+    if (!crashed.isDown()) {
+      throw new IllegalStateException(id + " is up: only a crashed robot restarts");
+    }
+    tell(id, Fault.RESTART, unsynced.name().toLowerCase(Locale.ROOT));
+    SimRobot robot = crashed.nextIncarnation(unsynced);
+    robots.put(id, robot);
+    results.remove(id);
+    running++;
+    robot.start();
+  }
+
+  private void end(SimRobot robot, boolean isDueBack) {
+    network.detach(robot.spec().id());
     if (!robot.isFinished()) {
       running--;
+    }
+    robot.end(isDueBack);
+  }
+
+  private void tell(RobotId robot, String name, String detail) {
+    if (watchers.isOn()) {
+      watchers.record(new Fault(nowNs(), robot, name, detail));
     }
   }
 
   /** Called on the strand of {@code robot} when its app has come to its end. */
-  void appEnded(RobotId id, List<Object> result) {
+  void appEnded(RobotId id, RobotRunner runner) {
+    List<Object> result = runner.results();
+    if (result == null) {
+      throw new IllegalStateException(id + " ended without results");
+    }
     results.put(id, result);
     running--;
   }

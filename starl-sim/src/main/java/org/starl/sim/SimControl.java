@@ -1,10 +1,12 @@
 package org.starl.sim;
 
+import java.util.List;
 import org.starl.RobotId;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
 import org.starl.sim.net.SimNetwork;
+import org.starl.sim.world.Unsynced;
 
 /** A {@link Director}'s hands. Times in ns from the start of the run. */
 public interface SimControl {
@@ -22,6 +24,33 @@ public interface SimControl {
 
   /** Brings a robot up in mid-run. */
   void join(RobotSpec robot);
+
+  /** The robots that are there, crashed ones included, in the order in which they came. */
+  List<RobotId> robots();
+
+  /** Whether the robot's program runs: it is there, and has not crashed. */
+  boolean isUp(RobotId robot);
+
+  /**
+   * Ends the program of a robot that is up, for good unless {@link #restart} is called: nothing of
+   * it runs any more, and it says nothing more. What it had sent may still arrive. Its body stays
+   * where it is, wheels stopped. The run does not wait for it.
+   */
+  void crash(RobotId robot);
+
+  /**
+   * The same, and {@link #restart} after {@code downNs}, for which the run waits; unless somebody
+   * has restarted it, or made it leave, meanwhile.
+   */
+  void crash(RobotId robot, long downNs, Unsynced unsynced);
+
+  /**
+   * Starts a crashed robot's program anew: another incarnation of the same app with the same body
+   * and the same stable storage.
+   *
+   * @param unsynced what the crash did to writes that were not flushed
+   */
+  void restart(RobotId robot, Unsynced unsynced);
 
   /** Ends a robot's program at once and takes its body away: it says nothing more. */
   void leave(RobotId robot);

@@ -14,7 +14,8 @@ import org.starl.spec.SpecReport;
  * @param endNs virtual time of the end
  * @param events that the kernel processed
  * @param results of the apps that came to their end
- * @param unfinished robots whose apps did not; those that were made to leave owe no end
+ * @param unfinished robots whose apps did not; those that were made to leave, or crashed for good, owe
+ *     no end
  * @param spec what the monitors found
  */
 public record SimResult(

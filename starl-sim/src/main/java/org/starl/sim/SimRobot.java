@@ -1,11 +1,11 @@
 package org.starl.sim;
 
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.RobotRunner;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
+import org.starl.platform.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.SimStrand;
@@ -13,34 +13,60 @@ import org.starl.sim.world.Body;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.SimStable;
+import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
+import org.starl.trace.TraceEvent;
 
-/** One robot of a run: its program on a simulated platform, and its body while on the floor. */
-final class SimRobot {
+/**
+ * One robot of a run in one incarnation: its program on a simulated platform, and its body while on
+ * the floor. It is the program's trace as well: a program that is unwound says nothing any more.
+ */
+final class SimRobot implements TraceSink {
 
   private final RobotSpec spec;
+  private final int index;
+  private final int incarnation;
+  private final SimStable stable;
   private final SimStrand strand;
   private final SimChassis chassis;
   private final SimPositioning positioning;
   private final RobotRunner runner;
   private final Engine engine;
   private boolean finished;
+  private boolean dueBack;
   private @Nullable Body body;
 
   /**
-   * @param stable what survives of the robot's earlier incarnations
+   * The first incarnation since it joined.
+   *
+   * @param stable what survives of the robot from before it left
    * @param index how many robots were brought up before it
    */
   SimRobot(RobotSpec spec, Engine engine, SimStable stable, int index) {
+    this(spec, engine, stable, index, 1, 0);
+  }
+
+  private SimRobot(
+      RobotSpec spec,
+      Engine engine,
+      SimStable stable,
+      int index,
+      int incarnation,
+      int survivingWrites) {
     this.spec = spec;
     this.engine = engine;
+    this.index = index;
+    this.incarnation = incarnation;
+    this.stable = stable;
     SimSettings settings = engine.settings();
     Kernel kernel = engine.kernel();
-    Rng rng = engine.behaviourRng(spec.id());
+    Rng robotRng = engine.behaviourRng(spec.id());
+    // A robot that starts again draws otherwise; what measures it stands outside, and goes on.
+    Rng rng = incarnation == 1 ? robotRng : robotRng.fork("incarnation" + incarnation);
     strand = kernel.strand(spec.id().name());
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
-    positioning = positioning(settings, kernel, rng.fork("positioning"));
-    stable.restart(strand);
+    positioning = positioning(settings, kernel, robotRng, rng);
+    stable.restart(strand, survivingWrites);
     Platform platform =
         new Platform(
             spec.id(),
@@ -54,18 +80,22 @@ final class SimRobot {
             stable,
             rng::fork,
             engine.watchers().logOf(spec.id()),
-            engine.watchers(),
+            this,
             engine.knownObstacles(),
             settings.motionParameters(index));
     runner = new RobotRunner(platform, spec.app(), this::appEnded);
   }
 
-  private SimPositioning positioning(SimSettings settings, Kernel kernel, Rng rng) {
+  private SimPositioning positioning(
+      SimSettings settings, Kernel kernel, Rng robotRng, Rng incarnationRng) {
     long periodNs = settings.positionPeriodNs();
     long phaseNs =
-        settings.get(Setting.POSITION_IN_PHASE) ? 0 : SimPositioning.drawnPhaseNs(rng, periodNs);
+        settings.get(Setting.POSITION_IN_PHASE)
+            ? 0
+            : SimPositioning.drawnPhaseNs(robotRng.fork("positioning"), periodNs);
+    Rng noise = incarnationRng.fork("positioning");
     return new SimPositioning(
-        kernel, kernel, strand, rng, settings.positionNoise(), periodNs, phaseNs);
+        kernel, kernel, strand, noise, settings.positionNoise(), periodNs, phaseNs);
   }
 
   RobotSpec spec() {
@@ -76,9 +106,49 @@ final class SimRobot {
     runner.start();
   }
 
-  /** Ends the program: nothing of it runs any more. */
-  void end() {
+  /**
+   * Ends the program: nothing of it runs any more, and what is unwound has no effect. Its body stays
+   * where it is and stands still.
+   *
+   * @param isDueBack whether a restart is planned
+   */
+  void end(boolean isDueBack) {
+    dueBack = isDueBack;
+    chassis.halt();
+    positioning.unmount();
+    stable.halt();
     strand.close();
+  }
+
+  /** Whether its program was ended: it crashed, or the robot left. */
+  boolean isDown() {
+    return strand.isClosed();
+  }
+
+  /** Whether its app still owes its end: not if the robot crashed for good. */
+  boolean isAwaited() {
+    return !finished && (dueBack || !isDown());
+  }
+
+  /** The same robot with its program anew, not started yet; this one has ended. */
+  SimRobot nextIncarnation(Unsynced unsynced) {
+    int next = incarnation + 1;
+    int survivingWrites =
+        switch (unsynced) {
+          case LOST -> 0;
+          case KEPT -> stable.unflushed();
+          case SOME ->
+              (int)
+                  engine
+                      .behaviourRng(spec.id())
+                      .fork("stable" + next)
+                      .nextLong(0, stable.unflushed());
+        };
+    SimRobot robot = new SimRobot(spec, engine, stable, index, next, survivingWrites);
+    if (body != null) {
+      robot.putOnFloor(body);
+    }
+    return robot;
   }
 
   boolean isFinished() {
@@ -87,7 +157,7 @@ final class SimRobot {
 
   MotionFlag motionflag() {
     GlobalVarHolder gvh = runner.gvh();
-    return gvh == null ? MotionFlag.IDLE : gvh.plat.moat.motionflag().get();
+    return gvh == null || isDown() ? MotionFlag.IDLE : gvh.plat.moat.motionflag().get();
   }
 
   boolean isOnFloor() {
@@ -103,8 +173,10 @@ final class SimRobot {
 
   void putOnFloor(Body newBody) {
     body = newBody;
-    chassis.mount(newBody);
-    positioning.mount(newBody);
+    if (!isDown()) {
+      chassis.mount(newBody);
+      positioning.mount(newBody);
+    }
   }
 
   void takeOffFloor(World world) {
@@ -116,12 +188,23 @@ final class SimRobot {
     }
   }
 
-  private void appEnded() {
-    List<Object> results = runner.results();
-    if (results == null) {
-      throw new IllegalStateException(spec.id() + " ended without results");
+  @Override
+  public boolean isOn() {
+    return engine.watchers().isOn();
+  }
+
+  @Override
+  public void record(TraceEvent event) {
+    if (!isDown()) {
+      engine.watchers().record(event);
     }
-    finished = true;
-    engine.appEnded(spec.id(), results);
+  }
+
+  // An app that is unwound may return as if it had come to its end.
+  private void appEnded() {
+    if (!isDown()) {
+      finished = true;
+      engine.appEnded(spec.id(), runner);
+    }
   }
 }

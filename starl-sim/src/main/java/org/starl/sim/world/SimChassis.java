@@ -51,6 +51,14 @@ public final class SimChassis implements Chassis {
     body = null;
   }
 
+  /** The program is gone: the wheels stop, and nothing that it still says moves them. */
+  public void halt() {
+    if (body != null) {
+      body.drive(WheelCommand.STOP);
+      body = null;
+    }
+  }
+
   @Override
   public void drive(WheelCommand newCommand) {
     if (newCommand.equals(command)) {

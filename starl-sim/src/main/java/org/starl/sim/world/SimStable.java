@@ -23,6 +23,7 @@ public final class SimStable implements Stable {
   private long flushDelayNs;
   private long lastDueNs;
   private @Nullable Timer timer;
+  private boolean isHalted;
 
   /**
    * @param clock the run's true time
@@ -33,15 +34,43 @@ public final class SimStable implements Stable {
     setFlushDelay(flushDelayNs);
   }
 
-  /** Serves a new incarnation from now on; what was not flushed is lost. */
-  public void restart(Timers strandTimers) {
+  /**
+   * The program is gone: nothing is flushed any more, and what the program still writes while it is
+   * unwound is not written.
+   */
+  public void halt() {
+    isHalted = true;
     if (timer != null) {
       timer.cancel();
+    }
+  }
+
+  /** How many writes are not flushed. */
+  public int unflushed() {
+    return pending.size();
+  }
+
+  /** Serves a new incarnation from now on; what was not flushed is lost. */
+  public void restart(Timers strandTimers) {
+    restart(strandTimers, 0);
+  }
+
+  /**
+   * Serves a new incarnation from now on.
+   *
+   * @param surviving so many of the writes that were not flushed survive, the earliest; at most
+   *     {@link #unflushed}
+   */
+  public void restart(Timers strandTimers, int surviving) {
+    halt();
+    for (int i = 0; i < surviving; i++) {
+      apply(pending.remove());
     }
     pending.clear();
     written.clear();
     written.putAll(flushed);
     timer = strandTimers.timer(this::flush);
+    isHalted = false;
   }
 
   /** How long later writes take; they still come after earlier ones. */
@@ -61,13 +90,11 @@ public final class SimStable implements Stable {
   @Override
   public void put(String key, byte[] value, Runnable onFlushed) {
     byte[] copy = value.clone();
-    written.put(key, copy);
     enqueue(new Write(key, copy, onFlushed, dueNs()));
   }
 
   @Override
   public void remove(String key) {
-    written.remove(key);
     enqueue(new Write(key, null, () -> {}, dueNs()));
   }
 
@@ -80,6 +107,14 @@ public final class SimStable implements Stable {
     if (timer == null) {
       throw new IllegalStateException("stable storage is used before restart gave it a strand");
     }
+    if (isHalted) {
+      return;
+    }
+    if (write.value == null) {
+      written.remove(write.key);
+    } else {
+      written.put(write.key, write.value);
+    }
     pending.add(write);
     if (pending.size() == 1) {
       timer.set(write.dueNs);
@@ -89,16 +124,20 @@ public final class SimStable implements Stable {
   // One write a piece: what a callback writes is not flushed in the same piece.
   private void flush() {
     Write write = pending.remove();
-    if (write.value == null) {
-      flushed.remove(write.key);
-    } else {
-      flushed.put(write.key, write.value);
-    }
+    apply(write);
     Write next = pending.peek();
     if (next != null && timer != null) {
       timer.set(next.dueNs);
     }
     write.onFlushed.run();
+  }
+
+  private void apply(Write write) {
+    if (write.value == null) {
+      flushed.remove(write.key);
+    } else {
+      flushed.put(write.key, write.value);
+    }
   }
 
   private static final class Write {
