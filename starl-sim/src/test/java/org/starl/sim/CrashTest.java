@@ -122,17 +122,18 @@ class CrashTest {
   void aCrashedRobotDoesNothingMoreAndStandsStill(CarrierKind carriers) {
     Pose[] atCrash = new Pose[1];
     SimResult result =
-        beaters(control -> {
-              control.at(
-                  2 * S,
-                  () -> {
-                    control.crash(BOT0);
-                    atCrash[0] = control.truePose(BOT0);
-                    assertThat(control.isUp(BOT0)).isFalse();
-                    assertThat(control.robots()).containsExactly(BOT0, BOT1);
-                  });
-              control.at(4 * S, () -> assertThat(control.truePose(BOT0)).isEqualTo(atCrash[0]));
-            })
+        beaters(
+                control -> {
+                  control.at(
+                      2 * S,
+                      () -> {
+                        control.crash(BOT0);
+                        atCrash[0] = control.truePose(BOT0);
+                        assertThat(control.isUp(BOT0)).isFalse();
+                        assertThat(control.robots()).containsExactly(BOT0, BOT1);
+                      });
+                  control.at(4 * S, () -> assertThat(control.truePose(BOT0)).isEqualTo(atCrash[0]));
+                })
             .carriers(carriers)
             .build()
             .run();
@@ -151,10 +152,11 @@ class CrashTest {
   @Test
   void whatACrashedRobotHadInTheAirStillArrives() {
     beaters(control -> control.at(2 * S, () -> control.crash(BOT0))).build().run();
-    long lastSentNs = of(TraceEvent.Sent.class, BOT0, 0).stream()
-        .mapToLong(TraceEvent::timeNs)
-        .max()
-        .orElseThrow();
+    long lastSentNs =
+        of(TraceEvent.Sent.class, BOT0, 0).stream()
+            .mapToLong(TraceEvent::timeNs)
+            .max()
+            .orElseThrow();
     assertThat(lastSentNs).isGreaterThan(2 * S - 50 * MS);
     assertThat(of(TraceEvent.Delivered.class, BOT1, 2 * S))
         .extracting(TraceEvent::timeNs)
@@ -194,11 +196,12 @@ class CrashTest {
   @Test
   void anAppThatHadEndedRunsAnewAfterARestart() {
     SimResult result =
-        beaters(control -> {
-              control.at(4 * S, () -> control.crash(BOT1, 20 * S, Unsynced.LOST));
-              control.at(10 * S, () -> assertThat(control.isFinished(BOT0)).isTrue());
-              control.at(10 * S, () -> control.crash(BOT0, 5 * S, Unsynced.LOST));
-            })
+        beaters(
+                control -> {
+                  control.at(4 * S, () -> control.crash(BOT1, 20 * S, Unsynced.LOST));
+                  control.at(10 * S, () -> assertThat(control.isFinished(BOT0)).isTrue());
+                  control.at(10 * S, () -> control.crash(BOT0, 5 * S, Unsynced.LOST));
+                })
             .build()
             .run();
     assertThat(result.isFinished()).isTrue();
@@ -208,24 +211,27 @@ class CrashTest {
 
   @Test
   void crashesAndRestartsThatMakeNoSenseAreBugs() {
-    assertThatThrownBy(
-            beaters(control -> control.restart(BOT0, Unsynced.LOST)).build()::run)
+    assertThatThrownBy(beaters(control -> control.restart(BOT0, Unsynced.LOST)).build()::run)
         .hasMessageContaining("bot0 is up");
     assertThatThrownBy(
-            beaters(control -> {
-              control.crash(BOT0);
-              control.crash(BOT0);
-            }).build()::run)
+            beaters(
+                        control -> {
+                          control.crash(BOT0);
+                          control.crash(BOT0);
+                        })
+                    .build()
+                ::run)
         .hasMessageContaining("bot0 has crashed already");
   }
 
   @Test
   void aCrashedRobotCanLeave() {
     SimResult result =
-        beaters(control -> {
-              control.at(2 * S, () -> control.crash(BOT0, S, Unsynced.LOST));
-              control.at(2 * S + 1, () -> control.leave(BOT0));
-            })
+        beaters(
+                control -> {
+                  control.at(2 * S, () -> control.crash(BOT0, S, Unsynced.LOST));
+                  control.at(2 * S + 1, () -> control.leave(BOT0));
+                })
             .build()
             .run();
     assertThat(result.isFinished()).isTrue();
@@ -264,8 +270,7 @@ class CrashTest {
   })
   void writesThatWereNotFlushedAreLostOrKept(
       long crashMs, Unsynced unsynced, boolean first, boolean second) {
-    SimResult result =
-        writer(1, crashMs, unsynced).build().run();
+    SimResult result = writer(1, crashMs, unsynced).build().run();
     assertThat(result.results().get(BOT0)).containsExactly(2, first, second, false);
   }
 
@@ -276,7 +281,9 @@ class CrashTest {
       List<Object> found = writer(seed, 170, Unsynced.SOME).build().run().results().get(BOT0);
       seen.add(found.get(1) + " " + found.get(2));
     }
-    assertThat(seen).contains("false false", "true false", "true true").doesNotContain("false true");
+    assertThat(seen)
+        .contains("false false", "true false", "true true")
+        .doesNotContain("false true");
   }
 
   private static Simulation.Builder writer(long seed, long crashMs, Unsynced unsynced) {
@@ -284,8 +291,8 @@ class CrashTest {
         .seed(seed)
         .robot(new RobotSpec(BOT0, new Pose(0, 0, 0), true, Writer::new))
         .settings(SimSettings.builder().set("stableDelay", "100ms").build())
-        .director(control ->
-            control.at(crashMs * MS, () -> control.crash(BOT0, 10 * MS, unsynced)));
+        .director(
+            control -> control.at(crashMs * MS, () -> control.crash(BOT0, 10 * MS, unsynced)));
   }
 
   @Test
