@@ -6,6 +6,7 @@ description = "Coordination primitives, each with its specification"
 
 dependencies {
     api(project(":starl-core"))
+    implementation(libs.jts.core)
     testImplementation(project(":starl-sim"))
     api(libs.jspecify)
     testImplementation(libs.junit.jupiter)

@@ -41,7 +41,8 @@ public final class GlobalVarHolder {
             platform.timers(),
             platform.strand(),
             platform.stable(),
-            platform.entropy());
+            platform.entropy(),
+            platform.background());
   }
 
   /** A new variable of the gvh, and the right to write it. */

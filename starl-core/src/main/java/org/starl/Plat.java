@@ -1,6 +1,8 @@
 package org.starl;
 
+import java.util.function.Supplier;
 import org.starl.motion.MotionControl;
+import org.starl.platform.Background;
 import org.starl.platform.Clock;
 import org.starl.platform.Entropy;
 import org.starl.platform.Stable;
@@ -18,6 +20,7 @@ public final class Plat {
   public final Strand strand;
   public final Stable stable;
   public final Entropy entropy;
+  private final Background background;
 
   Plat(
       MotionControl moat,
@@ -25,12 +28,23 @@ public final class Plat {
       Timers timers,
       Strand strand,
       Stable stable,
-      Entropy entropy) {
+      Entropy entropy,
+      Background background) {
     this.moat = moat;
     this.clock = clock;
     this.timers = timers;
     this.strand = strand;
     this.stable = stable;
     this.entropy = entropy;
+    this.background = background;
+  }
+
+  /**
+   * Computes off the strand: {@code var path = gvh.plat.compute(() -> planner.plan(task));
+   * await(path::isDone);}. The task reads nothing but immutable values that it was given; it touches
+   * neither gvh nor primitives.
+   */
+  public <T> Computation<T> compute(Supplier<T> task) {
+    return Computation.start(background, task);
   }
 }

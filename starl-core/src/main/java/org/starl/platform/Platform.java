@@ -25,6 +25,7 @@ public record Platform(
     Chassis chassis,
     Stable stable,
     Entropy entropy,
+    Background background,
     LogSink log,
     TraceSink trace,
     Obstacles knownObstacles,

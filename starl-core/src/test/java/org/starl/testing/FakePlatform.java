@@ -62,6 +62,7 @@ public final class FakePlatform {
             new FakeChassis(),
             new FakeStable(),
             name -> new Rng(42).fork(id.name()).fork(name),
+            this::compute,
             (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
             new FakeTrace(),
             Obstacles.NONE,
@@ -95,6 +96,11 @@ public final class FakePlatform {
       Radio.Receiver receiver = radioReceiver;
       piece(() -> receiver.received(buffer, length));
     }
+  }
+
+  private void compute(Runnable task, Runnable done) {
+    task.run();
+    post(done);
   }
 
   private void post(Runnable action) {

@@ -116,6 +116,8 @@ public final class Setting<T> {
       yesOrNo("positionInPhase", false, "all robots get their fixes at the same instants");
   public static final Setting<Duration> STABLE_DELAY =
       duration("stableDelay", 0, "time until a write to stable storage survives a crash");
+  public static final Setting<Duration> COMPUTE_TIME =
+      duration("computeTime", 0, "time that a robot's long computation, such as a plan, takes");
 
   // The air.
   public static final Setting<Latency> MESSAGE_DELAY =

@@ -8,6 +8,7 @@ import org.starl.platform.Platform;
 import org.starl.platform.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.Kernel;
+import org.starl.sim.kernel.SimBackground;
 import org.starl.sim.kernel.SimStrand;
 import org.starl.sim.world.Body;
 import org.starl.sim.world.SimChassis;
@@ -79,6 +80,7 @@ final class SimRobot implements TraceSink {
             chassis,
             stable,
             rng::fork,
+            new SimBackground(kernel, strand, settings.computeTimeNs()),
             engine.watchers().logOf(spec.id()),
             this,
             engine.knownObstacles(),

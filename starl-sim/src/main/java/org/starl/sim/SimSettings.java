@@ -140,6 +140,11 @@ public final class SimSettings {
     return get(Setting.STABLE_DELAY).toNanos();
   }
 
+  /** What a computation off the strand costs. */
+  public long computeTimeNs() {
+    return get(Setting.COMPUTE_TIME).toNanos();
+  }
+
   /** Wheels' error; none with ideal motion. */
   public double speedError() {
     return get(Setting.IDEAL_MOTION) ? 0 : get(Setting.SPEED_ERROR);

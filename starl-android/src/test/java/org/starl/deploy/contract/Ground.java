@@ -21,6 +21,9 @@ public interface Ground extends AutoCloseable {
   /** Lets time pass until {@code done} is open; fails after long, or when nothing can open it. */
   void runUntil(CountDownLatch done);
 
+  /** Lets time pass until something has come out of a piece or of the app. */
+  void runUntilError();
+
   /** What came out of pieces and of the app so far, unless {@link #runUntil} has thrown it. */
   List<Throwable> errors();
 

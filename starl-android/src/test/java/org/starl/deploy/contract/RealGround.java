@@ -15,11 +15,12 @@ import org.starl.platform.Timers;
 public final class RealGround implements Ground {
 
   private final List<Throwable> errors = new CopyOnWriteArrayList<>();
+  private final CountDownLatch failed = new CountDownLatch(1);
   private final Clock clock = new RealClock();
   private final RealStrand strand;
 
   public RealGround(String name) {
-    strand = new RealStrand(name, clock, errors::add);
+    strand = new RealStrand(name, clock, this::failed);
   }
 
   @Override
@@ -52,6 +53,11 @@ public final class RealGround implements Ground {
   }
 
   @Override
+  public void runUntilError() {
+    runUntil(failed);
+  }
+
+  @Override
   public List<Throwable> errors() {
     return errors;
   }
@@ -59,5 +65,10 @@ public final class RealGround implements Ground {
   @Override
   public void close() {
     strand.close();
+  }
+
+  private void failed(Throwable error) {
+    errors.add(error);
+    failed.countDown();
   }
 }

@@ -65,6 +65,12 @@ public final class SimGround implements Ground {
   }
 
   @Override
+  public void runUntilError() {
+    ending(() -> kernel.run(3_600_000_000_000L, () -> false));
+    assertThat(errors).isNotEmpty();
+  }
+
+  @Override
   public List<Throwable> errors() {
     return errors;
   }

@@ -1,0 +1,53 @@
+package org.starl.sim.kernel;
+
+import org.starl.platform.Background;
+
+/**
+ * Computes at once, and hands the result back after a fixed virtual time per task: one worker, as on
+ * hardware, so that a task waits for those before it.
+ */
+public final class SimBackground implements Background {
+
+  private final Kernel kernel;
+  private final SimStrand strand;
+  private final long costNs;
+  private long freeNs;
+
+  /**
+   * @param costNs what a task costs, at least 0
+   */
+  public SimBackground(Kernel kernel, SimStrand strand, long costNs) {
+    if (costNs < 0) {
+      throw new IllegalArgumentException("cost " + costNs + " ns: expected at least 0");
+    }
+    this.kernel = kernel;
+    this.strand = strand;
+    this.costNs = costNs;
+  }
+
+  @Override
+  public void submit(Runnable task, Runnable done) {
+    if (strand.isClosed()) {
+      return;
+    }
+    Runnable outcome = compute(task, done);
+    freeNs = Math.max(freeNs, kernel.nowNs()) + costNs;
+    strand.schedule(freeNs, outcome);
+  }
+
+  /** While it computes no strand is current: a task that waits or says it is on one is found out. */
+  private Runnable compute(Runnable task, Runnable done) {
+    SimStrand caller = kernel.current();
+    kernel.setCurrent(null);
+    try {
+      task.run();
+      return done;
+    } catch (RuntimeException | Error e) {
+      return () -> {
+        throw e;
+      };
+    } finally {
+      kernel.setCurrent(caller);
+    }
+  }
+}
