@@ -39,11 +39,13 @@ public abstract class BackgroundContract {
   void theTaskRunsOffTheStrandAndWhatFollowsOnIt() {
     ground
         .strand()
-        .post(
-            () -> background.submit(() -> log.add("task on strand: " + onStrand()), () -> {
-              log.add("done on strand: " + onStrand());
-              done.countDown();
-            }));
+        .post(() ->
+            background.submit(
+                () -> log.add("task on strand: " + onStrand()),
+                () -> {
+                  log.add("done on strand: " + onStrand());
+                  done.countDown();
+                }));
     ground.runUntil(done);
     assertThat(log).containsExactly("task on strand: false", "done on strand: true");
   }
@@ -51,14 +53,18 @@ public abstract class BackgroundContract {
   @Test
   void theResultNeverComesInsideTheCall() {
     AtomicBoolean inside = new AtomicBoolean();
-    ground.strand().post(() -> {
-      inside.set(true);
-      background.submit(() -> {}, () -> {
-        log.add("inside: " + inside.get());
-        done.countDown();
-      });
-      inside.set(false);
-    });
+    ground
+        .strand()
+        .post(() -> {
+          inside.set(true);
+          background.submit(
+              () -> {},
+              () -> {
+                log.add("inside: " + inside.get());
+                done.countDown();
+              });
+          inside.set(false);
+        });
     ground.runUntil(done);
     assertThat(log).containsExactly("inside: false");
   }
@@ -66,14 +72,16 @@ public abstract class BackgroundContract {
   @Test
   void tasksAreDoneInTheOrderOfTheirSubmissionAndShowWhatTheyWrote() {
     List<Integer> written = new ArrayList<>();
-    ground.strand().post(() -> {
-      for (int i = 0; i < 20; i++) {
-        int number = i;
-        background.submit(
-            () -> written.add(number), () -> log.add(number + " of " + written.get(number)));
-      }
-      background.submit(() -> {}, done::countDown);
-    });
+    ground
+        .strand()
+        .post(() -> {
+          for (int i = 0; i < 20; i++) {
+            int number = i;
+            background.submit(
+                () -> written.add(number), () -> log.add(number + " of " + written.get(number)));
+          }
+          background.submit(() -> {}, done::countDown);
+        });
     ground.runUntil(done);
     assertThat(log).hasSize(20).startsWith("0 of 0", "1 of 1").endsWith("18 of 18", "19 of 19");
   }
@@ -81,12 +89,14 @@ public abstract class BackgroundContract {
   @Test
   void anAppAwaitsTheResult() {
     List<String> results = new ArrayList<>();
-    ground.strand().start(() -> {
-      background.submit(() -> {}, () -> results.add("path"));
-      boolean came = ground.strand().awaitUntil(() -> !results.isEmpty(), Long.MAX_VALUE);
-      log.add(came + " " + results);
-      done.countDown();
-    });
+    ground
+        .strand()
+        .start(() -> {
+          background.submit(() -> {}, () -> results.add("path"));
+          boolean came = ground.strand().awaitUntil(() -> !results.isEmpty(), Long.MAX_VALUE);
+          log.add(came + " " + results);
+          done.countDown();
+        });
     ground.runUntil(done);
     assertThat(log).containsExactly("true [path]");
   }
@@ -94,14 +104,16 @@ public abstract class BackgroundContract {
   @Test
   void anExceptionOfATaskLeavesThroughTheStrandInPlaceOfTheResult() {
     IllegalStateException bug = new IllegalStateException("planted");
-    ground.strand().post(() -> {
-      background.submit(
-          () -> {
-            throw bug;
-          },
-          () -> log.add("done"));
-      background.submit(() -> {}, () -> log.add("after"));
-    });
+    ground
+        .strand()
+        .post(() -> {
+          background.submit(
+              () -> {
+                throw bug;
+              },
+              () -> log.add("done"));
+          background.submit(() -> {}, () -> log.add("after"));
+        });
     ground.runUntilError();
     assertThat(ground.errors()).containsExactly(bug);
     assertThat(log).isEmpty();

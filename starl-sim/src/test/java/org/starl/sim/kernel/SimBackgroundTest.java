@@ -15,10 +15,12 @@ class SimBackgroundTest {
   @Test
   void aTaskTakesItsTimeAndTheNextOneWaitsForTheWorker() {
     SimBackground background = new SimBackground(kernel, strand, 100);
-    strand.schedule(1000, () -> {
-      background.submit(() -> note("task"), () -> note("done"));
-      background.submit(() -> note("task"), () -> note("done"));
-    });
+    strand.schedule(
+        1000,
+        () -> {
+          background.submit(() -> note("task"), () -> note("done"));
+          background.submit(() -> note("task"), () -> note("done"));
+        });
     strand.schedule(1250, () -> background.submit(() -> note("task"), () -> note("done")));
     run();
     assertThat(log)
@@ -29,10 +31,12 @@ class SimBackgroundTest {
   @Test
   void aTaskOfNoCostIsDoneInTheNextPieceAtTheSameTime() {
     SimBackground background = new SimBackground(kernel, strand, 0);
-    strand.schedule(1000, () -> {
-      background.submit(() -> note("task"), () -> note("done"));
-      note("piece is over");
-    });
+    strand.schedule(
+        1000,
+        () -> {
+          background.submit(() -> note("task"), () -> note("done"));
+          note("piece is over");
+        });
     run();
     assertThat(log).containsExactly("task 1000", "piece is over 1000", "done 1000");
   }
