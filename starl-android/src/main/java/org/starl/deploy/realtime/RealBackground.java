@@ -6,7 +6,7 @@ import org.starl.platform.Background;
 import org.starl.platform.Strand;
 
 /**
- * Computes on one worker thread, a daemon of low priority, and posts what is done to the strand. The
+ * Computes on one worker thread, a daemon, and posts what is done to the strand. The
  * strand goes on meanwhile.
  */
 public final class RealBackground implements Background, AutoCloseable {
@@ -26,7 +26,6 @@ public final class RealBackground implements Background, AutoCloseable {
     this.strand = strand;
     worker = new Thread(this::loop, name + " background");
     worker.setDaemon(true);
-    worker.setPriority(Thread.MIN_PRIORITY);
     worker.start();
   }
 
