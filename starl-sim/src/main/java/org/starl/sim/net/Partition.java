@@ -9,7 +9,8 @@ import org.starl.RobotId;
 
 /**
  * Splits the air: datagrams pass within a group and between robots that are in no group, and
- * nowhere else. Install it to split, uninstall it to heal.
+ * nowhere else; or, split one way, from anywhere to anywhere but from one group to the other.
+ * Install it to split, uninstall it to heal.
  */
 public final class Partition implements LinkRule {
 
@@ -17,8 +18,10 @@ public final class Partition implements LinkRule {
   private static final int NO_GROUP = -1;
 
   private final List<Set<RobotId>> groups = new ArrayList<>();
+  private final boolean oneWay;
 
-  private Partition(List<? extends Collection<RobotId>> groups) {
+  private Partition(List<? extends Collection<RobotId>> groups, boolean oneWay) {
+    this.oneWay = oneWay;
     for (Collection<RobotId> group : groups) {
       this.groups.add(new HashSet<>(group));
     }
@@ -26,17 +29,26 @@ public final class Partition implements LinkRule {
 
   /** These groups, and all others as one more. A robot in two groups belongs to the first. */
   public static Partition of(List<? extends Collection<RobotId>> groups) {
-    return new Partition(groups);
+    return new Partition(groups, false);
   }
 
   /** These robots on one side, everyone else on the other. */
   public static Partition isolating(RobotId... robots) {
-    return new Partition(List.of(List.of(robots)));
+    return new Partition(List.of(List.of(robots)), false);
+  }
+
+  /** Nothing from {@code from} reaches {@code to}; the other way everything does. */
+  public static Partition oneWay(Collection<RobotId> from, Collection<RobotId> to) {
+    return new Partition(List.of(from, to), true);
   }
 
   @Override
   public Verdict judge(Transmission copy) {
-    return groupOf(copy.from()) == groupOf(copy.to()) ? Verdict.PASS : CUT;
+    boolean isCut =
+        oneWay
+            ? groups.get(0).contains(copy.from()) && groups.get(1).contains(copy.to())
+            : groupOf(copy.from()) != groupOf(copy.to());
+    return isCut ? CUT : Verdict.PASS;
   }
 
   private int groupOf(RobotId robot) {

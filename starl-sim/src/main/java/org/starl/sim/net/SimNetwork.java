@@ -147,7 +147,8 @@ public final class SimNetwork {
   }
 
   private void transmit(SimRadio from, Station to, Packet packet, long datagram) {
-    if (!rules.isEmpty() && decidedByRule(from, to, packet, datagram)) {
+    if (!rules.isEmpty()) {
+      transmitByRules(from, to, packet, datagram);
       return;
     }
     long delayNs = baseDelayNs(from, to, packet, datagram);
@@ -158,25 +159,44 @@ public final class SimNetwork {
     }
   }
 
-  private boolean decidedByRule(SimRadio from, Station to, Packet packet, long datagram) {
+  private void transmitByRules(SimRadio from, Station to, Packet packet, long datagram) {
     // Rules draw from a generator of their own: one that draws and passes changes no base delay.
     Rng rng = new Rng(~from.station().copySeed(to, datagram));
     Transmission copy =
         new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
+    long laterNs = 0;
+    List<Long> againNs = new ArrayList<>(0);
     for (int i = 0; i < rules.size(); i++) {
-      Verdict verdict = rules.get(i).rule.judge(copy);
-      if (verdict instanceof Verdict.Drop drop) {
-        dropped(from.id(), to.id, drop.why());
-        return true;
-      }
-      if (verdict instanceof Verdict.Deliver deliver) {
-        for (int again = 0; again < deliver.copies(); again++) {
-          deliver(from, to, packet, deliver.delayNs(again));
+      switch (rules.get(i).rule.judge(copy)) {
+        case Verdict.Pass pass -> {}
+        case Verdict.Later later -> laterNs += later.extraNs();
+        case Verdict.Again again -> againNs.add(again.afterNs());
+        case Verdict.Drop drop -> {
+          dropped(from.id(), to.id, drop.why());
+          return;
         }
-        return true;
+        case Verdict.Deliver deliver -> {
+          for (int k = 0; k < deliver.copies(); k++) {
+            deliver(from, to, packet, deliver.delayNs(k) + laterNs, againNs);
+          }
+          return;
+        }
       }
     }
-    return false;
+    long delayNs = baseDelayNs(from, to, packet, datagram);
+    if (delayNs == LinkChoice.LOST) {
+      dropped(from.id(), to.id, "loss");
+    } else {
+      deliver(from, to, packet, delayNs + laterNs, againNs);
+    }
+  }
+
+  private void deliver(
+      SimRadio from, Station to, Packet packet, long delayNs, List<Long> againNs) {
+    deliver(from, to, packet, delayNs);
+    for (long afterNs : againNs) {
+      deliver(from, to, packet, delayNs + afterNs);
+    }
   }
 
   private long baseDelayNs(SimRadio from, Station to, Packet packet, long datagram) {

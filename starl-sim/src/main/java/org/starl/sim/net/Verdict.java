@@ -19,8 +19,38 @@ public sealed interface Verdict {
     return new Deliver(delaysNs.clone());
   }
 
+  /** The next rule decides; if the copy arrives, so much later than it would. */
+  static Verdict later(long extraNs) {
+    return new Later(extraNs);
+  }
+
+  /** The next rule decides; if the copy arrives, it does so once more, so much after that. */
+  static Verdict again(long afterNs) {
+    return new Again(afterNs);
+  }
+
   /** See {@link #PASS}. */
   record Pass() implements Verdict {}
+
+  /** See {@link #later}. */
+  record Later(long extraNs) implements Verdict {
+    public Later {
+      requireDelay(extraNs);
+    }
+  }
+
+  /** See {@link #again}. */
+  record Again(long afterNs) implements Verdict {
+    public Again {
+      requireDelay(afterNs);
+    }
+  }
+
+  private static void requireDelay(long delayNs) {
+    if (delayNs < 0) {
+      throw new IllegalArgumentException("delay " + delayNs + " ns: expected at least 0");
+    }
+  }
 
   /**
    * It arrives nowhere.
@@ -38,9 +68,7 @@ public sealed interface Verdict {
         throw new IllegalArgumentException("no delay: expected at least one");
       }
       for (long delayNs : delaysNs) {
-        if (delayNs < 0) {
-          throw new IllegalArgumentException("delay " + delayNs + " ns: expected at least 0");
-        }
+        requireDelay(delayNs);
       }
       this.delaysNs = delaysNs;
     }

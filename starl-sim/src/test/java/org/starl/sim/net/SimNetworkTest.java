@@ -212,6 +212,36 @@ final class SimNetworkTest {
   }
 
   @Test
+  void rulesThatDelayAndRepeatAddToWhatLaterRulesAndTheBaseDecide() {
+    Air air = new Air(2);
+    air.network.base(new Latency.Constant(5 * MS), Loss.NONE);
+    LinkRule.Handle dropping = air.network.install(copy -> Verdict.drop("rule"));
+    air.network.install(copy -> Verdict.again(2 * MS));
+    air.network.install(copy -> Verdict.later(10 * MS));
+    air.network.install(copy -> Verdict.later(20 * MS));
+    air.send("bot0", "bot1", "dropped");
+    dropping.uninstall();
+    air.send("bot0", "bot1", "twice");
+    air.time.runFor(1);
+    assertThat(air.log("bot1")).containsExactly(35 * MS + " twice", 37 * MS + " twice");
+    assertThat(air.network.statistics().lost()).isEqualTo(1);
+  }
+
+  @Test
+  void aOneWayPartitionCutsOneDirection() {
+    Air air = new Air(3);
+    air.network.install(
+        Partition.oneWay(List.of(new RobotId("bot0")), List.of(new RobotId("bot1"))));
+    for (String from : List.of("bot0", "bot1", "bot2")) {
+      air.broadcast(from, from);
+    }
+    air.time.runFor(1);
+    assertThat(air.log("bot0")).containsExactly("0 bot1", "0 bot2");
+    assertThat(air.log("bot1")).containsExactly("0 bot2");
+    assertThat(air.log("bot2")).containsExactly("0 bot0", "0 bot1");
+  }
+
+  @Test
   void whoLeavesReceivesAndSendsNothingMore() {
     Air air = new Air(3);
     air.network.base(new Latency.Constant(10 * MS), Loss.NONE);
