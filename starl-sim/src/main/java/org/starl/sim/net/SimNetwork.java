@@ -191,8 +191,7 @@ public final class SimNetwork {
     }
   }
 
-  private void deliver(
-      SimRadio from, Station to, Packet packet, long delayNs, List<Long> againNs) {
+  private void deliver(SimRadio from, Station to, Packet packet, long delayNs, List<Long> againNs) {
     deliver(from, to, packet, delayNs);
     for (long afterNs : againNs) {
       deliver(from, to, packet, delayNs + afterNs);
