@@ -8,10 +8,11 @@ import org.starl.geometry.Region;
 
 /**
  * Keeps the whole body out of a region (paper, section 4.1, safety). A command is let through only
- * if the disc around every position that it can lead to, until the step after it takes effect, lies
- * outside: the position's error bound, the heading's, and the commanded speed are in it. Since a
- * body that stops stays where it is, and the last command let through was safe until now, stopping
- * is always safe. Pure.
+ * if the disc around every position that it can lead to, until the next step's is in effect for
+ * certain, lies outside. In it are: the error bounds of position and heading, the wheels' speed
+ * error, what they may still do of older commands, and sliding along what the body touches. Stopping
+ * is always safe: whatever the wheels may do until it is in effect was in the check of the commands
+ * that they follow. Pure.
  */
 final class AvoidGuard {
 
@@ -23,12 +24,16 @@ final class AvoidGuard {
 
   private final Region avoid;
   private final double bodyMm;
+  private final double reactionS;
   private final double horizonS;
+  private final double mostSpeed;
 
   AvoidGuard(Region avoid, MotionParameters p) {
     this.avoid = avoid;
     this.bodyMm = p.robotRadiusMm();
-    this.horizonS = (p.automatonPeriodMs() + p.reactionMs()) / 1e3;
+    this.reactionS = p.reactionMs() / 1e3;
+    this.horizonS = p.horizonS();
+    this.mostSpeed = 1 + p.speedError();
   }
 
   /** Whether the body would be in the region at {@code target}. */
@@ -37,7 +42,7 @@ final class AvoidGuard {
   }
 
   /** The command, or a slower one of the same arc, or STOP. */
-  WheelCommand limit(WheelCommand command, Location.Known at) {
+  WheelCommand limit(WheelCommand command, Location.Known at, Bumps bumps, Lingering lingering) {
     if (avoid instanceof Nowhere || command.linearMmPerS() == 0) {
       return command;
     }
@@ -47,29 +52,48 @@ final class AvoidGuard {
           part == 1
               ? command
               : new WheelCommand(command.linearMmPerS() * part, command.angularRadPerS() * part);
-      if (isSafe(slower, at, nearMm)) {
+      if (isSafe(slower, at, nearMm, bumps, lingering)) {
         return slower;
       }
     }
     return WheelCommand.STOP;
   }
 
-  private boolean isSafe(WheelCommand command, Location.Known at, double nearMm) {
-    double neededMm = bodyMm + at.errorMm();
-    double pathMm = Math.abs(command.linearMmPerS()) * horizonS;
+  private boolean isSafe(
+      WheelCommand command, Location.Known at, double nearMm, Bumps bumps, Lingering lingering) {
+    double mmPerS = Math.abs(command.linearMmPerS());
+    double pathMm = mostSpeed * mmPerS * horizonS;
+    // Without a contact now it slides at most from the next one until the stop that it brings.
+    double slideMm = mostSpeed * mmPerS * (bumps.any() ? horizonS : reactionS);
+    double lateMm = mostSpeed * lingering.beyondMmPerS(command.linearMmPerS()) * reactionS;
+    double neededMm = bodyMm + at.errorMm() + slideMm + lateMm;
     if (nearMm - pathMm > neededMm) {
       return true;
     }
+    double turnRad = Math.abs(command.angularRadPerS()) * horizonS;
+    double lateRad = lingering.beyondRadPerS(command.angularRadPerS()) * reactionS;
+    double offRad = at.errorRad() + mostSpeed * (turnRad + lateRad);
+    return isWayClear(command, at.pose(), nearMm, pathMm, neededMm, offRad);
+  }
+
+  /** Along the commanded arc, each point of which the body reaches with its heading so far off. */
+  private boolean isWayClear(
+      WheelCommand command,
+      Pose from,
+      double nearMm,
+      double pathMm,
+      double neededMm,
+      double offRad) {
     double stepMm = pathMm / SAMPLES;
-    double swingRad = Math.min(StrictMath.PI, at.errorRad());
+    double stepS = mostSpeed * horizonS / SAMPLES;
+    double chord = 2 * StrictMath.sin(Math.min(StrictMath.PI, offRad) / 2);
     double before = nearMm;
     for (int i = 1; i <= SAMPLES; i++) {
       Pose ahead =
-          Kinematics.after(
-              at.pose(), command.linearMmPerS(), command.angularRadPerS(), horizonS * i / SAMPLES);
+          Kinematics.after(from, command.linearMmPerS(), command.angularRadPerS(), stepS * i);
       double after = avoid.distanceMm(ahead.at());
       // Turned by the heading's error, this position lies off by at most its chord.
-      double swingMm = 2 * StrictMath.sin(swingRad / 2) * stepMm * i;
+      double swingMm = chord * stepMm * i;
       if ((before + after - stepMm) / 2 - swingMm <= neededMm) {
         return false;
       }

@@ -110,7 +110,7 @@ final class CollisionManeuver {
   private WheelCommand turnToWanted(Pose pose, long nowNs) {
     double offRad = Angles.difference(wantedRad, pose.headingRad());
     if (Math.abs(offRad) > p.smallTurnAngleRad()) {
-      double speed = Math.min(p.turnSpeedMaxRadPerS(), Math.abs(offRad) / p.periodS());
+      double speed = Math.min(p.turnSpeedMaxRadPerS(), Math.abs(offRad) / p.reachS());
       return new WheelCommand(0, StrictMath.copySign(speed, offRad));
     }
     if (p.robotType() == RobotType.DISCOVERY) {

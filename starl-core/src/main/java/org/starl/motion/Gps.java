@@ -18,10 +18,14 @@ import org.starl.platform.Platform;
  * what its wheels are told (paper, section 5.1). Strand only.
  *
  * <p>Every position comes with a bound that holds for certain as long as each fix's own bound does
- * and the body moves no faster than commanded; see {@link #errorMm}. Millimetres, radians
- * counter-clockwise, on the robot's own clock.
+ * and the body follows its commands as {@link MotionParameters} states: {@code speedError}, {@code
+ * reactionMs}; see {@link #errorMm}. A fix that contradicts all before is counted and not believed,
+ * and until one fits again the bound holds its place as well. Millimetres, radians counter-clockwise,
+ * on the robot's own clock.
  */
 public final class Gps {
+
+  private static final long NS_PER_MS = 1_000_000;
 
   private final Clock clock;
   private final Trace trace;
@@ -29,6 +33,7 @@ public final class Gps {
   private final LocationVariable currentlocation = new LocationVariable(this);
   private final KnownObstacles knownObstacles;
   private final List<Runnable> listeners = new ArrayList<>();
+  private final long knownFromNs;
   private boolean tracesFixes;
   private long fixes;
 
@@ -37,6 +42,10 @@ public final class Gps {
     trace = gvh.trace;
     knownObstacles = new KnownObstacles(platform.knownObstacles());
     gvh.register(currentlocation);
+    MotionParameters parameters = platform.motionParameters();
+    assume(parameters);
+    // Until then the wheels may follow what an earlier start of this program had told them.
+    knownFromNs = clock.nowNs() + parameters.reactionMs() * NS_PER_MS;
     platform.positioning().onFix(this::fixed);
   }
 
@@ -146,23 +155,34 @@ public final class Gps {
     return fixes;
   }
 
-  /** Fixes that contradicted all before and were not believed: jumps farther than the speed allows. */
+  /** Fixes that contradicted all before, in position or heading, and were not believed at once. */
   public long contradictions() {
     return filter.contradictions();
   }
 
-  /** Fixes not used because a newer one was there before, or because they came from the future. */
+  /** Fixes not used because a newer one was there before, or because they come from the future. */
   public long outdated() {
     return filter.outdated();
   }
 
-  void commanded(WheelCommand command, boolean bumped, long reactionNs) {
-    filter.commanded(command, bumped, reactionNs, clock.nowNs());
+  /** The body is one that these parameters speak of, from now on. */
+  void assume(MotionParameters parameters) {
+    filter.assume(parameters.speedError(), parameters.reactionMs() * NS_PER_MS);
+  }
+
+  /** The wheels are told this now, while a bump sensor is closed or not. */
+  void commanded(WheelCommand command, boolean bumped) {
+    filter.commanded(command, bumped, clock.nowNs());
+  }
+
+  /** What the wheels may go on doing when they are told something else now. */
+  Lingering lingering() {
+    return filter.lingering(clock.nowNs());
   }
 
   private void fixed(Fix fix) {
     fixes++;
-    boolean believed = filter.fixed(fix, clock.nowNs());
+    boolean believed = fix.timeNs() >= knownFromNs && filter.fixed(fix, clock.nowNs());
     if (tracesFixes && trace.isOn()) {
       trace.variable(currentlocation.source(), currentlocation.name(), location());
     }

@@ -67,10 +67,10 @@ final class IdealAutomaton implements MotionAutomaton {
     onLastLeg = false;
     if (turns) {
       state = MotionState.TURN;
-      return new WheelCommand(0, offRad / p.periodS());
+      return new WheelCommand(0, offRad / p.reachS());
     }
     state = MotionState.STRAIGHT;
-    double speed = Math.min(p.linSpeedMaxMmPerS(), aheadMm / p.periodS());
+    double speed = Math.min(p.linSpeedMaxMmPerS(), aheadMm / p.reachS());
     onLastLeg = speed < p.linSpeedMaxMmPerS();
     return new WheelCommand(speed, 0);
   }
@@ -81,7 +81,7 @@ final class IdealAutomaton implements MotionAutomaton {
       return arrive();
     }
     state = MotionState.TURN;
-    return new WheelCommand(0, offRad / p.periodS());
+    return new WheelCommand(0, offRad / p.reachS());
   }
 
   private boolean isOff(double offRad, double distanceMm) {

@@ -8,7 +8,9 @@ import org.starl.Log;
 import org.starl.Trace;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
+import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
 import org.starl.platform.Chassis;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
@@ -73,7 +75,9 @@ public final class MotionControl {
    * place of whatever it did before. The target's heading is of no account.
    */
   public void doMove(ItemPosition target, Region avoid) {
-    trace.action(SOURCE, "doMove", target, avoid);
+    if (trace.isOn()) {
+      trace.action(SOURCE, "doMove", MotionTask.text(target), RegionText.format(avoid));
+    }
     begin(
         new MotionTask.GoTo(target, avoid),
         MotionRun.goTo(target.at(), avoid, parameters, rng, clock.nowNs()));
@@ -81,7 +85,7 @@ public final class MotionControl {
 
   /** Turns on the spot until the robot faces {@code target}, in place of what it did before. */
   public void turnTo(ItemPosition target) {
-    trace.action(SOURCE, "turnTo", target);
+    trace.action(SOURCE, "turnTo", MotionTask.text(target));
     begin(
         new MotionTask.TurnTo(target),
         MotionRun.turnTo(target.at(), new Nowhere(), parameters, rng, clock.nowNs()));
@@ -133,6 +137,7 @@ public final class MotionControl {
   private void begin(MotionTask newTask, MotionRun newRun) {
     run = newRun;
     inUse = parameters;
+    gps.assume(inUse);
     task.set(newTask);
     motionflag.set(MotionFlag.MOVING);
     dueNs = clock.nowNs();
@@ -157,17 +162,27 @@ public final class MotionControl {
     if (run == null) {
       return;
     }
-    drive(run.step(gps.location(), chassis.bumps(), nowNs));
-    if (run.status() == MotionFlag.FAIL && motionflag.get() == MotionFlag.MOVING) {
-      log.i(SOURCE, "failed: " + run.failure());
+    drive(run.step(gps.location(), chassis.bumps(), gps.lingering(), nowNs));
+    if (motionflag.get() == MotionFlag.MOVING && run.status() != MotionFlag.MOVING) {
+      tellTheEnd(run);
     }
     motionflag.set(run.status());
+  }
+
+  private void tellTheEnd(MotionRun ended) {
+    if (ended.status() == MotionFlag.FAIL) {
+      log.i(SOURCE, "failed: " + ended.failure());
+      trace.action(SOURCE, "failed", ended.failure());
+    } else if (trace.isOn()) {
+      Pose at = gps.pose();
+      trace.action(SOURCE, "arrived", at.xMm(), at.yMm(), gps.errorMm());
+    }
   }
 
   private void drive(WheelCommand command) {
     if (!command.equals(commanded)) {
       commanded = command;
-      gps.commanded(command, bumped, inUse.reactionMs() * NS_PER_MS);
+      gps.commanded(command, bumped);
       chassis.drive(command);
     }
   }
@@ -175,7 +190,7 @@ public final class MotionControl {
   private void bumpsChanged() {
     Bumps bumps = chassis.bumps();
     bumped = bumps.any();
-    gps.commanded(commanded, bumped, 0);
+    gps.commanded(commanded, bumped);
     if (run != null && run.needsSteps()) {
       if (bumped && marksContacts()) {
         mark(bumps);

@@ -29,11 +29,16 @@ import org.starl.geometry.Angles;
  * @param collisionStraightMs how long it drives straight after a collision
  * @param collisionBackMs how long it backs off after a collision
  * @param collisionTurnMs how long, at least, it turns away after a collision
- * @param reactionMs a new command reaches the wheels within this time
+ * @param speedError the body drives and turns from not at all (held up) to 1 + speedError times as
+ *     fast as commanded, each on its own; the drift of the robot's clock is in it
+ * @param reactionMs what a step commands is in effect, the old speed braked down, within this time
+ *     from when the step was due: what the step is late, the way to the wheels and braking are in it
  * @param maxFixAgeMs an older fix stops the wheels until a newer one comes
- * @param failFixAgeMs without a fix for so long the motion fails
+ * @param maxErrorMm a position that is less certain stops the wheels until a fix makes it better
+ * @param failFixAgeMs without a fix, or without a certain position, for so long the motion fails
  * @param stuckAfterMs wheels that turn but move nothing for so long fail
  * @param noProgressMs no nearer to the target for so long fails
+ * @param slowestMmPerS slower on the whole than this fails; see {@link #longestMs}
  * @param avoidPatienceMs kept from moving for so long by the region to avoid fails
  * @param contactMarkMm side of the square that a contact leaves on the map
  */
@@ -61,11 +66,14 @@ public record MotionParameters(
     long collisionStraightMs,
     long collisionBackMs,
     long collisionTurnMs,
+    double speedError,
     long reactionMs,
     long maxFixAgeMs,
+    double maxErrorMm,
     long failFixAgeMs,
     long stuckAfterMs,
     long noProgressMs,
+    double slowestMmPerS,
     long avoidPatienceMs,
     double contactMarkMm) {
 
@@ -92,11 +100,15 @@ public record MotionParameters(
     MotionLimits.notNegative("collisionStraightMs", collisionStraightMs);
     MotionLimits.notNegative("collisionBackMs", collisionBackMs);
     MotionLimits.notNegative("collisionTurnMs", collisionTurnMs);
+    MotionLimits.notNegative("speedError", speedError);
+    MotionLimits.below("speedError", speedError, 1);
     MotionLimits.notNegative("reactionMs", reactionMs);
     MotionLimits.positive("maxFixAgeMs", maxFixAgeMs);
+    MotionLimits.positive("maxErrorMm", maxErrorMm);
     MotionLimits.ordered("fix ages", maxFixAgeMs, failFixAgeMs);
     MotionLimits.positive("stuckAfterMs", stuckAfterMs);
     MotionLimits.positive("noProgressMs", noProgressMs);
+    MotionLimits.positive("slowestMmPerS", slowestMmPerS);
     MotionLimits.notNegative("avoidPatienceMs", avoidPatienceMs);
     MotionLimits.positive("contactMarkMm", contactMarkMm);
   }
@@ -111,8 +123,19 @@ public record MotionParameters(
     return new Builder(this);
   }
 
-  double periodS() {
-    return automatonPeriodMs / 1e3;
+  /** A motion over this distance has ended, DONE or FAIL, after this time at the latest. */
+  public long longestMs(double distanceMm) {
+    return failFixAgeMs + noProgressMs + (long) StrictMath.ceil(1e3 * distanceMm / slowestMmPerS);
+  }
+
+  /** A step's command may be in effect for so long. */
+  double horizonS() {
+    return (automatonPeriodMs + reactionMs) / 1e3;
+  }
+
+  /** What a command does in one step at most, in seconds at the commanded speed. */
+  double reachS() {
+    return (1 + speedError) * horizonS();
   }
 
   /** Collects parameters; {@link #build} checks them. */
@@ -140,11 +163,14 @@ public record MotionParameters(
     private long collisionStraightMs = 1250;
     private long collisionBackMs = 800;
     private long collisionTurnMs = 500;
+    private double speedError = 0;
     private long reactionMs = 0;
     private long maxFixAgeMs = 300;
+    private double maxErrorMm = 500;
     private long failFixAgeMs = 2000;
     private long stuckAfterMs = 5000;
     private long noProgressMs = 20000;
+    private double slowestMmPerS = 25;
     private long avoidPatienceMs = 300;
     private double contactMarkMm = 1;
 
@@ -174,11 +200,14 @@ public record MotionParameters(
       collisionStraightMs = p.collisionStraightMs;
       collisionBackMs = p.collisionBackMs;
       collisionTurnMs = p.collisionTurnMs;
+      speedError = p.speedError;
       reactionMs = p.reactionMs;
       maxFixAgeMs = p.maxFixAgeMs;
+      maxErrorMm = p.maxErrorMm;
       failFixAgeMs = p.failFixAgeMs;
       stuckAfterMs = p.stuckAfterMs;
       noProgressMs = p.noProgressMs;
+      slowestMmPerS = p.slowestMmPerS;
       avoidPatienceMs = p.avoidPatienceMs;
       contactMarkMm = p.contactMarkMm;
     }
@@ -298,6 +327,11 @@ public record MotionParameters(
       return this;
     }
 
+    public Builder speedError(double value) {
+      speedError = value;
+      return this;
+    }
+
     public Builder reactionMs(long value) {
       reactionMs = value;
       return this;
@@ -305,6 +339,11 @@ public record MotionParameters(
 
     public Builder maxFixAgeMs(long value) {
       maxFixAgeMs = value;
+      return this;
+    }
+
+    public Builder maxErrorMm(double value) {
+      maxErrorMm = value;
       return this;
     }
 
@@ -320,6 +359,11 @@ public record MotionParameters(
 
     public Builder noProgressMs(long value) {
       noProgressMs = value;
+      return this;
+    }
+
+    public Builder slowestMmPerS(double value) {
+      slowestMmPerS = value;
       return this;
     }
 
@@ -363,11 +407,14 @@ public record MotionParameters(
           collisionStraightMs,
           collisionBackMs,
           collisionTurnMs,
+          speedError,
           reactionMs,
           maxFixAgeMs,
+          maxErrorMm,
           failFixAgeMs,
           stuckAfterMs,
           noProgressMs,
+          slowestMmPerS,
           avoidPatienceMs,
           contactMarkMm);
     }

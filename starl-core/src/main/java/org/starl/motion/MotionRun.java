@@ -8,8 +8,9 @@ import org.starl.random.Rng;
 
 /**
  * One motion command with all that doubts it: the automaton believes its pose; this class stops the
- * wheels while there is no recent fix, keeps the body out of the region to avoid, and fails where
- * the robot gets nowhere. Pure: what a step returns depends on the arguments of the steps so far.
+ * wheels while there is no recent fix or no certain position, keeps the body out of the region to
+ * avoid, and fails where the robot gets nowhere or is too slow, so that every motion ends. Pure: what
+ * a step returns depends on the arguments of the steps so far.
  */
 final class MotionRun {
 
@@ -25,6 +26,8 @@ final class MotionRun {
   private MotionFlag status = MotionFlag.MOVING;
   private String failure = "";
   private long lastStepNs;
+  private long lastCertainNs;
+  private long deadlineNs = Long.MAX_VALUE;
   private boolean heldBack;
   private long heldBackNs;
   private boolean wheelsTurn;
@@ -38,6 +41,7 @@ final class MotionRun {
     this.watch = new ProgressWatch(p);
     this.startNs = nowNs;
     this.lastStepNs = nowNs;
+    this.lastCertainNs = nowNs;
   }
 
   static MotionRun goTo(Point target, Region avoid, MotionParameters p, Rng rng, long nowNs) {
@@ -70,9 +74,14 @@ final class MotionRun {
     return status == MotionFlag.MOVING || wheelsTurn;
   }
 
-  WheelCommand step(Location location, Bumps bumps, long nowNs) {
+  /**
+   * What the wheels shall do until the next step.
+   *
+   * @param lingering what they may still do of earlier commands
+   */
+  WheelCommand step(Location location, Bumps bumps, Lingering lingering, long nowNs) {
     WheelCommand command =
-        status == MotionFlag.FAIL ? WheelCommand.STOP : decide(location, bumps, nowNs);
+        status == MotionFlag.FAIL ? WheelCommand.STOP : decide(location, bumps, lingering, nowNs);
     if (command.isStop()) {
       watch.excuse(nowNs - lastStepNs);
     }
@@ -81,15 +90,23 @@ final class MotionRun {
     return command;
   }
 
-  private WheelCommand decide(Location location, Bumps bumps, long nowNs) {
+  private WheelCommand decide(
+      Location location, Bumps bumps, Lingering lingering, long nowNs) {
     if (status == MotionFlag.DONE && (!wheelsTurn || bumps.any())) {
       return WheelCommand.STOP;
     }
     if (!(location instanceof Location.Known at)) {
-      return waitForFix(nowNs - startNs);
+      return waitForFix(nowNs - startNs, "no position fix");
     }
+    if (isLate(at)) {
+      return fail("too slow");
+    }
+    if (at.errorMm() > p.maxErrorMm()) {
+      return waitForFix(nowNs - lastCertainNs, "the position is too uncertain");
+    }
+    lastCertainNs = nowNs;
     if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
-      return waitForFix(Math.min(at.fixAgeNs(), nowNs - startNs));
+      return waitForFix(Math.min(at.fixAgeNs(), nowNs - startNs), "no position fix");
     }
     WheelCommand wanted = automaton.step(at.pose(), bumps, nowNs);
     if (automaton.status() == MotionFlag.FAIL) {
@@ -100,13 +117,20 @@ final class MotionRun {
     }
     return status == MotionFlag.MOVING && isStuck(at)
         ? fail("no progress")
-        : keepOut(wanted, at, nowNs);
+        : keepOut(guard.limit(wanted, at, bumps, lingering), wanted, nowNs);
   }
 
-  private WheelCommand waitForFix(long ageNs) {
-    return ageNs >= p.failFixAgeMs() * NS_PER_MS && status == MotionFlag.MOVING
-        ? fail("no position fix")
+  private WheelCommand waitForFix(long sinceNs, String why) {
+    return sinceNs >= p.failFixAgeMs() * NS_PER_MS && status == MotionFlag.MOVING
+        ? fail(why)
         : WheelCommand.STOP;
+  }
+
+  private boolean isLate(Location.Known at) {
+    if (deadlineNs == Long.MAX_VALUE) {
+      deadlineNs = startNs + p.longestMs(at.pose().distanceMm(target)) * NS_PER_MS;
+    }
+    return status == MotionFlag.MOVING && at.timeNs() >= deadlineNs;
   }
 
   private boolean isStuck(Location.Known at) {
@@ -116,8 +140,7 @@ final class MotionRun {
     return watch.isStuck(at, way.normMm(), bearingRad);
   }
 
-  private WheelCommand keepOut(WheelCommand wanted, Location.Known at, long nowNs) {
-    WheelCommand limited = guard.limit(wanted, at);
+  private WheelCommand keepOut(WheelCommand limited, WheelCommand wanted, long nowNs) {
     if (!limited.isStop() || wanted.isStop()) {
       heldBack = false;
       return limited;

@@ -2,6 +2,7 @@ package org.starl.motion;
 
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
 
 /** What the robot was told to do last: the paper's pair {@code (target, avoid)}. */
 public sealed interface MotionTask {
@@ -18,7 +19,7 @@ public sealed interface MotionTask {
   record GoTo(ItemPosition target, Region avoid) implements MotionTask {
     @Override
     public String toString() {
-      return "(" + named(target) + ", " + avoid + ")";
+      return "(" + text(target) + ", " + RegionText.format(avoid) + ")";
     }
   }
 
@@ -26,11 +27,12 @@ public sealed interface MotionTask {
   record TurnTo(ItemPosition target) implements MotionTask {
     @Override
     public String toString() {
-      return "face " + named(target);
+      return "face " + text(target);
     }
   }
 
-  private static String named(ItemPosition target) {
+  /** A target as the trace writes it: {@code name@x,y}. */
+  static String text(ItemPosition target) {
     return target.name() + "@" + target.pose().xMm() + "," + target.pose().yMm();
   }
 }

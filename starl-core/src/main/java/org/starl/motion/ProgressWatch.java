@@ -30,10 +30,9 @@ final class ProgressWatch {
     this.p = parameters;
   }
 
-  /** Time passed in which the wheels were stopped on purpose: it does not count. */
+  /** Time passed in which the wheels were stopped on purpose: who stands then is not stuck. */
   void excuse(long ns) {
     movedNs += ns;
-    nearerNs += ns;
   }
 
   /**

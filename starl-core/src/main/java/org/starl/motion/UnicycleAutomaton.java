@@ -9,7 +9,8 @@ import org.starl.random.Rng;
  * The original StarL's motion automaton: turn on the spot, then straight on, with small turns on the
  * way, or an arc from near by. Its states, parameters and transitions are kept. Differences: no step
  * commands more than what leads to the target or to the wanted heading, because 175 mm/s for 60 ms
- * are 10.5 mm and would orbit a goal radius of 10 mm; a bump is never an arrival.
+ * are 10.5 mm and would orbit a goal radius of 10 mm, the wheels' error and reaction being in it; a
+ * bump is never an arrival.
  */
 final class UnicycleAutomaton implements MotionAutomaton {
 
@@ -165,7 +166,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
             p.slowTurnAngleRad(),
             p.turnSpeedMinRadPerS(),
             p.turnSpeedMaxRadPerS());
-    return StrictMath.copySign(Math.min(speed, off / p.periodS()), bearingRad);
+    return StrictMath.copySign(Math.min(speed, off / p.reachS()), bearingRad);
   }
 
   /** From the maximum far from the target to the minimum at it, and never past it. */
@@ -177,14 +178,14 @@ final class UnicycleAutomaton implements MotionAutomaton {
             p.slowFwdRadiusMm(),
             p.linSpeedMinMmPerS(),
             p.linSpeedMaxMmPerS());
-    return Math.min(Math.min(speed, maxMmPerS), distanceMm / p.periodS());
+    return Math.min(Math.min(speed, maxMmPerS), distanceMm / p.reachS());
   }
 
   /** On a circle whose radius is {@code part} of that of the circle which leads to the target. */
   private WheelCommand arc(double part, double maxMmPerS) {
     double speed = forwardSpeed(maxMmPerS);
     double turn = speed * 2 * StrictMath.sin(bearingRad) / (distanceMm * part);
-    double most = Math.min(p.turnSpeedMaxRadPerS(), 2 * Math.abs(bearingRad) / p.periodS());
+    double most = Math.min(p.turnSpeedMaxRadPerS(), 2 * Math.abs(bearingRad) / p.reachS());
     return new WheelCommand(speed, Math.max(-most, Math.min(most, turn)));
   }
 

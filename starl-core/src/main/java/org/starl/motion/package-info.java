@@ -5,9 +5,14 @@
  * <p>Motion control: (a) safety: the body is always outside the region to avoid; (b) progress: {@code
  * motionflag} is DONE only within the goal radius of the target by the robot's own position, hence
  * within goal radius plus error bound in truth, and FAIL, wheels stopped, where it cannot get there:
- * a bump, no fix, no progress, the region in the way. Both rest on fixes whose error bounds are
- * true, and on a body that runs along the commanded arcs, no faster and at most {@code reactionMs}
- * late; it may be held up, and while a bump sensor is closed it may slide. Nobody pushes it.
+ * a bump, no fix, no certain position, no progress, too slow, the region in the way. It is one of the
+ * two within {@link org.starl.motion.MotionParameters#longestMs}.
+ *
+ * <p>Envelope: fixes whose error bounds are true, whenever they come, and any that are so far off
+ * that they contradict the others, except the first and those that confirm each other for two
+ * seconds; a body that does from none to {@code 1 + speedError} times of what is commanded, at most
+ * {@code reactionMs} late; while a bump sensor is closed it may slide. Nobody pushes it. A region
+ * that begins nearer to a body in motion than that stops within {@code reactionMs} is beyond it.
  *
  * <p>All that decides is pure and knows no port: {@link org.starl.motion.MotionAutomaton} (two
  * styles), {@code MotionRun} (what doubts it), {@code AvoidGuard}, {@code ProgressWatch}, {@code

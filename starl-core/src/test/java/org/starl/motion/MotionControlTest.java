@@ -58,15 +58,16 @@ class MotionControlTest {
 
   @Test
   void doMoveDrivesAtOnceAndArrives() {
-    fix(0, 0, 0);
+    fix(900, 0, 0);
     moat.doMove(AHEAD);
     assertThat(moat.inMotion()).isTrue();
-    assertThat(last()).isEqualTo(new WheelCommand(250, 0));
+    assertThat(last().linearMmPerS()).isBetween(175.0, 250.0);
     world.runMs(100);
-    fix(980, 0, 0);
-    fix(980, 0, 0);
+    assertThat(moat.inMotion()).isTrue();
+    fix(930, 0, 0);
     world.runMs(60);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.DONE);
+    assertThat(traced()).containsSubsequence("arrived", "motionflag=DONE");
     assertThat(moat.inMotion()).isFalse();
     assertThat(last()).isEqualTo(WheelCommand.STOP);
   }
@@ -107,6 +108,7 @@ class MotionControlTest {
     assertThat(last()).isEqualTo(WheelCommand.STOP);
     assertThat(moat.failed()).isTrue();
     assertThat(moat.failure()).isEqualTo("bumped into something");
+    assertThat(traced()).containsSubsequence("failed", "motionflag=FAIL");
     assertThat(gvh.gps.knownObstacles().all().distanceMm(new Point(167.5, 0))).isLessThan(1);
     assertThat(gvh.gps.knownObstacles().learned()).isEqualTo(1);
   }
@@ -145,8 +147,7 @@ class MotionControlTest {
     assertThat(traced())
         .containsSubsequence(
             "doMove",
-            "(target, avoid)=(ahead@1000.0,0.0, Circle[center=Point[xMm=0.0, yMm=900.0],"
-                + " radiusMm=10.0])",
+            "(target, avoid)=(ahead@1000.0,0.0, circle(0.0 900.0 10.0))",
             "motionflag=MOVING",
             "motion_stop",
             "(target, avoid)=none",
@@ -163,15 +164,15 @@ class MotionControlTest {
 
   @Test
   void turnToTurnsOnTheSpot() {
-    fix(0, 0, 0);
+    fix(0, 0, StrictMath.PI / 2 - 0.2);
     moat.turnTo(new ItemPosition("left", 0, 1000));
     assertThat(last().linearMmPerS()).isZero();
     assertThat(last().angularRadPerS()).isPositive();
-    world.runMs(60);
-    fix(0, 0, StrictMath.PI / 2 - 0.2);
+    world.runMs(59);
+    fix(0, 0, StrictMath.PI / 2 - 0.1);
     world.runMs(60);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.MOVING);
-    fix(0, 0, StrictMath.PI / 2);
+    fix(0, 0, StrictMath.PI / 2 - 0.04);
     world.runMs(60);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.DONE);
   }
@@ -211,6 +212,21 @@ class MotionControlTest {
     // Farther by its path if it drove, no farther if it was held up: the bound takes the latter.
     assertThat(gvh.gps.clearanceMm(zone, 165)).isEqualTo(before);
     assertThat(gvh.gps.ageNs()).isEqualTo(50_000_000);
+  }
+
+  @Test
+  void aFixOfATimeWhenTheWheelsMayHaveFollowedAnEarlierProgramIsNotUsed() {
+    FakeWorld elsewhere = new FakeWorld("bot1");
+    FakePlatform late = elsewhere.boot("bot1");
+    MotionParameters lateWheels = MotionParameters.builder().reactionMs(50).build();
+    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1).gps;
+    late.fix(new Fix(new Pose(0, 0, 0), 49_000_000, 4, 0));
+    elsewhere.runMs(60);
+    assertThat(gps.hasFix()).isFalse();
+    late.fix(new Fix(new Pose(0, 0, 0), 50_000_000, 4, 0));
+    elsewhere.runMs(0);
+    assertThat(gps.hasFix()).isTrue();
+    assertThat(gps.fixes()).isEqualTo(2);
   }
 
   @Test

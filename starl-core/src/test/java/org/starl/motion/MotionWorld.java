@@ -1,8 +1,8 @@
 package org.starl.motion;
 
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
-import org.starl.geometry.Kinematics;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -10,8 +10,8 @@ import org.starl.geometry.Region;
 import org.starl.random.Rng;
 
 /**
- * One body with exact kinematics, its fixes and its motion, without any port: what the motion's
- * promises are tested in. The true error of a fix is uniform in the disc that its bound states.
+ * One body, its wheels, its fixes and its motion, without any port: what the motion's promises are
+ * tested in. The true error of a fix is uniform in the disc that its bound states, or on its border.
  */
 final class MotionWorld {
 
@@ -27,11 +27,30 @@ final class MotionWorld {
   double noiseMm;
 
   double noiseRad;
+
+  /** What a fix states as its bound, in parts of what is true: below 1 it lies. */
+  double honesty = 1;
+
+  long fixPeriodMs = 75;
   long fixDelayMs;
   boolean fixesCome = true;
 
+  /** How often a fix does not come, and how often it is far off. */
+  double dropouts;
+
+  double jumps;
+
   /** The body does this part of what is commanded: 0 for stuck wheels. */
   double mobility = 1;
+
+  /** What else is wrong with its wheels; set before the first motion. */
+  double heldUp;
+
+  double speedError;
+  long reactionMs;
+
+  /** Steps come late by up to this. */
+  long stepLateMs;
 
   /** No part of the body gets past x = wallMm; the bump sensors tell of it if they work. */
   double wallMm = Double.POSITIVE_INFINITY;
@@ -49,20 +68,21 @@ final class MotionWorld {
   /** The bound that stood beside the position of the latest step. */
   double errorBoundMm = Double.POSITIVE_INFINITY;
 
-  private static final long FIX_PERIOD_MS = 75;
-
   private final Rng rng;
   private final TreeMap<Long, Pose> past = new TreeMap<>();
+  private @Nullable Wheels wheels;
   private Region avoid = new Nowhere();
   private Bumps bumps = Bumps.NONE;
   private MotionRun run;
   private long nextFixNs;
   private long nextStepNs;
+  private long lateNs;
 
   MotionWorld(long seed, MotionParameters parameters, Pose start) {
     this.rng = new Rng(seed);
     this.parameters = parameters;
     this.truth = start;
+    filter.assume(parameters.speedError(), parameters.reactionMs() * NS_PER_MS);
     past.put(0L, start);
     run = MotionRun.turnTo(start.at(), avoid, parameters, rng.fork("moat"), 0);
   }
@@ -86,6 +106,7 @@ final class MotionWorld {
     nearestToAvoidMm = avoid.distanceMm(truth.at());
     run = MotionRun.goTo(target, region, parameters, rng.fork("moat"), nowNs);
     nextStepNs = nowNs;
+    lateNs = 0;
   }
 
   MotionFlag runFor(long timeoutMs) {
@@ -96,20 +117,38 @@ final class MotionWorld {
     return run.status();
   }
 
+  /** Goes on, whatever the motion's flag is. */
+  void idle(long ms) {
+    long endNs = nowNs + ms * NS_PER_MS;
+    while (nowNs < endNs) {
+      tick();
+    }
+  }
+
   /** Until the next fix or step, whichever is first. */
   void tick() {
-    long untilNs = Math.min(nextFixNs, nextStepNs);
+    long untilNs = Math.min(nextFixNs, nextStepNs + lateNs);
     advance(untilNs);
     if (nextFixNs == untilNs) {
-      if (fixesCome) {
+      if (fixesCome && !rng.nextBoolean(dropouts)) {
         fix();
       }
-      nextFixNs += FIX_PERIOD_MS * NS_PER_MS;
+      nextFixNs += fixPeriodMs * NS_PER_MS;
     }
-    if (nextStepNs == untilNs) {
+    if (nextStepNs + lateNs == untilNs) {
       step();
       nextStepNs += parameters.automatonPeriodMs() * NS_PER_MS;
+      lateNs = stepLateMs == 0 ? 0 : rng.nextLong(0, stepLateMs * NS_PER_MS);
     }
+  }
+
+  private Wheels wheels() {
+    if (wheels == null) {
+      wheels = new Wheels(speedError, reactionMs * NS_PER_MS, rng.fork("wheels"));
+      wheels.heldUp = heldUp;
+    }
+    wheels.mobility = mobility;
+    return wheels;
   }
 
   private void step() {
@@ -119,10 +158,12 @@ final class MotionWorld {
       errorBoundMm = known.errorMm();
       worstErrorPastBoundMm = Math.max(worstErrorPastBoundMm, error - known.errorMm());
     }
-    WheelCommand next = run.step(known == null ? new Location.Unknown() : known, bumps, nowNs);
+    WheelCommand next = run.step(
+            known == null ? new Location.Unknown() : known, bumps, filter.lingering(nowNs), nowNs);
     if (!next.equals(command)) {
       command = next;
-      filter.commanded(next, bumps.any(), 0, nowNs);
+      filter.commanded(next, bumps.any(), nowNs);
+      wheels().command(next, nowNs);
     }
   }
 
@@ -130,19 +171,22 @@ final class MotionWorld {
     long agoNs = Math.min(fixDelayMs * NS_PER_MS, nowNs);
     Pose then = past.ceilingEntry(nowNs - agoNs).getValue();
     double angle = 2 * StrictMath.PI * rng.nextDouble();
-    double radius = noiseMm * StrictMath.sqrt(rng.nextDouble());
+    double radius = noiseMm * (rng.nextBoolean(0.2) ? 1 : StrictMath.sqrt(rng.nextDouble()));
+    // What nothing contradicts would have to be believed: the very first fix tells the truth.
+    radius += filter.hasFix() && rng.nextBoolean(jumps) ? 1500 + 3000 * rng.nextDouble() : 0;
     Pose measured =
         new Pose(
             then.xMm() + radius * StrictMath.cos(angle),
             then.yMm() + radius * StrictMath.sin(angle),
             then.headingRad() + noiseRad * (2 * rng.nextDouble() - 1));
-    filter.fixed(new Fix(measured, nowNs - agoNs, noiseMm, noiseRad), nowNs);
+    filter.fixed(
+        new Fix(measured, nowNs - agoNs, honesty * noiseMm, honesty * noiseRad), nowNs);
   }
 
   private void advance(long toNs) {
     while (nowNs < toNs) {
       long nextNs = Math.min(nowNs + GRAIN_NS - nowNs % GRAIN_NS, toNs);
-      moveFor((nextNs - nowNs) / 1e9);
+      moveUntil(nextNs);
       nowNs = nextNs;
       past.put(nowNs, truth);
       past.headMap(nowNs - 1_000 * NS_PER_MS).clear();
@@ -150,16 +194,20 @@ final class MotionWorld {
     }
   }
 
-  private void moveFor(double seconds) {
-    double linear = command.linearMmPerS() * mobility;
-    double angular = command.angularRadPerS() * mobility;
-    Pose free = Kinematics.after(truth, linear, angular, seconds);
+  private void moveUntil(long nextNs) {
+    Pose free = wheels().drive(truth, nowNs, nextNs);
     boolean blocked = free.xMm() + parameters.robotRadiusMm() > wallMm && free.xMm() > truth.xMm();
     Bumps felt = blocked && bumpSensorsWork ? Bumps.BOTH : Bumps.NONE;
-    truth = blocked ? new Pose(truth.xMm(), truth.yMm(), free.headingRad()) : free;
     if (felt != bumps) {
       bumps = felt;
-      filter.commanded(command, bumps.any(), 0, nowNs);
+      filter.commanded(command, bumps.any(), nowNs);
+      step();
+    } else if (blocked) {
+      // Whoever is known to touch something may slide along it.
+      double yMm = bumpSensorsWork ? free.yMm() : truth.yMm();
+      truth = new Pose(truth.xMm(), yMm, free.headingRad());
+    } else {
+      truth = free;
     }
   }
 }

@@ -40,6 +40,7 @@ public final class FakePlatform {
 
   private final FakeWorld world;
   private final RobotId id;
+  private final Participants deployment;
   private boolean inPiece;
   private Bumps bumps = Bumps.NONE;
   private Runnable bumpReceiver = () -> {};
@@ -49,9 +50,14 @@ public final class FakePlatform {
   FakePlatform(FakeWorld world, RobotId id, Participants deployment, Map<String, byte[]> stored) {
     this.world = world;
     this.id = id;
+    this.deployment = deployment;
     this.stored = stored;
-    platform =
-        new Platform(
+    platform = platform(MotionParameters.DEFAULT);
+  }
+
+  /** The same ports, with a body of this kind. */
+  public Platform platform(MotionParameters parameters) {
+    return new Platform(
             id,
             deployment,
             world::nowNs,
@@ -66,7 +72,7 @@ public final class FakePlatform {
             (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
             new FakeTrace(),
             Obstacles.NONE,
-            MotionParameters.DEFAULT);
+            parameters);
   }
 
   /** The bundle of ports. */

@@ -115,6 +115,7 @@ public final class SimSettings {
         .style(get(Setting.IDEAL_MOTION) ? MotionStyle.IDEAL : MotionStyle.UNICYCLE)
         .robotRadiusMm(robotRadiusMm())
         .contactMarkMm(get(Setting.CONTACT_MARK))
+        .speedError(speedError())
         .robotType(robotType(index))
         .collisionPolicy(get(Setting.COLLISION_POLICY))
         .build();

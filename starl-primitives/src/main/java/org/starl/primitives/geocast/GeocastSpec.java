@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
+import org.starl.geometry.RegionText;
 import org.starl.primitives.geocast.CastRecord.Copy;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;

@@ -11,6 +11,7 @@ import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
 import org.starl.motion.Location;
 import org.starl.platform.Timer;
 

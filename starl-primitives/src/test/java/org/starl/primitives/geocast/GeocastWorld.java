@@ -14,6 +14,7 @@ import org.starl.geometry.Kinematics;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
 import org.starl.random.Rng;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;

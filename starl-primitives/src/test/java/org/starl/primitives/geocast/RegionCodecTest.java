@@ -23,6 +23,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
 import org.starl.geometry.Union;
 
 class RegionCodecTest {

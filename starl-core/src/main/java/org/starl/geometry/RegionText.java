@@ -1,22 +1,14 @@
-package org.starl.primitives.geocast;
+package org.starl.geometry;
 
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Collectors;
-import org.starl.geometry.Circle;
-import org.starl.geometry.Everywhere;
-import org.starl.geometry.Nowhere;
-import org.starl.geometry.Point;
-import org.starl.geometry.Polygon;
-import org.starl.geometry.Rectangle;
-import org.starl.geometry.Region;
-import org.starl.geometry.Union;
 
 /**
  * Regions as the trace writes them: {@code everywhere}, {@code circle(0.0 0.0 500.0)}, {@code
  * union(rectangle(0.0 0.0 1.0 1.0) nowhere)}; numbers in mm, to the last bit.
  */
-final class RegionText {
+public final class RegionText {
 
   private static final String CIRCLE = "circle";
   private static final String RECTANGLE = "rectangle";
@@ -32,7 +24,8 @@ final class RegionText {
     this.text = text;
   }
 
-  static String format(Region region) {
+  /** The region as text; {@link #parse} reads it back. */
+  public static String format(Region region) {
     return switch (region) {
       case Nowhere nowhere -> NOWHERE;
       case Everywhere everywhere -> EVERYWHERE;
@@ -52,7 +45,7 @@ final class RegionText {
    *
    * @throws IllegalArgumentException on anything else
    */
-  static Region parse(String text) {
+  public static Region parse(String text) {
     RegionText parser = new RegionText(text);
     Region region = parser.region();
     parser.expect(parser.position == text.length());
