@@ -4,8 +4,7 @@ package org.starl.motion;
  * The commands that the wheels may still follow, because a new one takes effect late: the hull of
  * their speeds and of standing still.
  */
-record Lingering(
-    double leastMmPerS, double mostMmPerS, double leastRadPerS, double mostRadPerS) {
+record Lingering(double leastMmPerS, double mostMmPerS, double leastRadPerS, double mostRadPerS) {
 
   static final Lingering NONE = new Lingering(0, 0, 0, 0);
 

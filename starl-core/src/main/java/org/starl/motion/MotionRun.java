@@ -90,8 +90,7 @@ final class MotionRun {
     return command;
   }
 
-  private WheelCommand decide(
-      Location location, Bumps bumps, Lingering lingering, long nowNs) {
+  private WheelCommand decide(Location location, Bumps bumps, Lingering lingering, long nowNs) {
     if (status == MotionFlag.DONE && (!wheelsTurn || bumps.any())) {
       return WheelCommand.STOP;
     }

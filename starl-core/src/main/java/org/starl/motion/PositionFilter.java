@@ -139,8 +139,7 @@ final class PositionFilter {
 
   private Location.Known ahead(Belief from, long nowNs) {
     odometry.locate(from.atNs(), nowNs);
-    Pose pose =
-        new Pose(from.aheadXMm(odometry), from.aheadYMm(odometry), from.aheadRad(odometry));
+    Pose pose = new Pose(from.aheadXMm(odometry), from.aheadYMm(odometry), from.aheadRad(odometry));
     double errorMm =
         odometry.reaches(from.atNs()) ? from.aheadRadiusMm(odometry) : Double.POSITIVE_INFINITY;
     return new Location.Known(pose, errorMm, from.aheadSpreadRad(odometry), nowNs, fixNs);

@@ -119,7 +119,8 @@ class MotionEnvelopeTest {
     }
     double distanceMm = world.truth.distanceMm(drive.target);
     MotionParameters told = world.parameters;
-    long longestMs = told.longestMs(distanceMm + drive.noiseMm) + 2 * told.automatonPeriodMs() + 200;
+    long longestMs =
+        told.longestMs(distanceMm + drive.noiseMm) + 2 * told.automatonPeriodMs() + 200;
     MotionFlag end = world.goTo(drive.target, drive.region, longestMs);
     assertThat(end).as("it ends").isIn(MotionFlag.DONE, MotionFlag.FAIL);
     if (end == MotionFlag.DONE) {

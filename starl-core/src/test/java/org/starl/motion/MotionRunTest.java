@@ -148,7 +148,12 @@ class MotionRunTest {
               ? new Location.Unknown()
               : new Location.Known(pose, 5, 0.01, nowNs, nowNs);
       Bumps bumps = rng.nextBoolean(0.1) ? Bumps.values()[rng.nextInt(4)] : Bumps.NONE;
-      commands.add(run.step(location, bumps, Lingering.NONE, nowNs) + " " + run.status() + " " + run.state());
+      commands.add(
+          run.step(location, bumps, Lingering.NONE, nowNs)
+              + " "
+              + run.status()
+              + " "
+              + run.state());
       nowNs += rng.nextLong(1, 100_000_000);
     }
     return commands;

@@ -158,7 +158,8 @@ final class MotionWorld {
       errorBoundMm = known.errorMm();
       worstErrorPastBoundMm = Math.max(worstErrorPastBoundMm, error - known.errorMm());
     }
-    WheelCommand next = run.step(
+    WheelCommand next =
+        run.step(
             known == null ? new Location.Unknown() : known, bumps, filter.lingering(nowNs), nowNs);
     if (!next.equals(command)) {
       command = next;
@@ -179,8 +180,7 @@ final class MotionWorld {
             then.xMm() + radius * StrictMath.cos(angle),
             then.yMm() + radius * StrictMath.sin(angle),
             then.headingRad() + noiseRad * (2 * rng.nextDouble() - 1));
-    filter.fixed(
-        new Fix(measured, nowNs - agoNs, honesty * noiseMm, honesty * noiseRad), nowNs);
+    filter.fixed(new Fix(measured, nowNs - agoNs, honesty * noiseMm, honesty * noiseRad), nowNs);
   }
 
   private void advance(long toNs) {

@@ -58,21 +58,21 @@ public final class FakePlatform {
   /** The same ports, with a body of this kind. */
   public Platform platform(MotionParameters parameters) {
     return new Platform(
-            id,
-            deployment,
-            world::nowNs,
-            FakeTimer::new,
-            new FakeStrand(),
-            new FakeRadio(),
-            receiver -> fixReceiver = receiver,
-            new FakeChassis(),
-            new FakeStable(),
-            name -> new Rng(42).fork(id.name()).fork(name),
-            this::compute,
-            (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
-            new FakeTrace(),
-            Obstacles.NONE,
-            parameters);
+        id,
+        deployment,
+        world::nowNs,
+        FakeTimer::new,
+        new FakeStrand(),
+        new FakeRadio(),
+        receiver -> fixReceiver = receiver,
+        new FakeChassis(),
+        new FakeStable(),
+        name -> new Rng(42).fork(id.name()).fork(name),
+        this::compute,
+        (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
+        new FakeTrace(),
+        Obstacles.NONE,
+        parameters);
   }
 
   /** The bundle of ports. */
