@@ -1,0 +1,69 @@
+package org.starl.spec;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+
+class CircumstancesTest {
+
+  private static final RobotId A = new RobotId("a");
+
+  private final Circumstances circumstances = new Circumstances();
+
+  @Test
+  void everybodyIsUpAndTheWorldFairUntilToldOtherwise() {
+    assertThat(circumstances.isUp(A)).isTrue();
+    assertThat(circumstances.isFair()).isTrue();
+  }
+
+  @Test
+  void whoCrashesIsDownUntilItRestarts() {
+    assertThat(sees(A, Fault.CRASH, "")).isTrue();
+    assertThat(circumstances.isUp(A)).isFalse();
+    assertThat(circumstances.isFair()).as("a crash is counted by who is up").isTrue();
+    assertThat(sees(A, Fault.RESTART, "lost")).isTrue();
+    assertThat(circumstances.isUp(A)).isTrue();
+  }
+
+  @Test
+  void whoLeavesIsNotCountedOnUntilItJoins() {
+    assertThat(circumstances.observe(new Left(1, A))).isTrue();
+    assertThat(circumstances.isUp(A)).isFalse();
+    assertThat(circumstances.observe(new Joined(2, A, new Pose(0, 0, 0), 165))).isTrue();
+    assertThat(circumstances.isUp(A)).isTrue();
+  }
+
+  @Test
+  void theWorldIsFairOnceEveryFaultHasEnded() {
+    sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
+    sees(A, Fault.BEGIN, "slow");
+    assertThat(sees(Fault.WORLD, Fault.END, "loss 0.3")).isTrue();
+    assertThat(circumstances.isFair()).isFalse();
+    assertThat(sees(A, Fault.END, "slow")).isTrue();
+    assertThat(circumstances.isFair()).isTrue();
+  }
+
+  @Test
+  void healingEndsAllFaultsAndRestartsNobody() {
+    sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
+    sees(A, Fault.CRASH, "");
+    assertThat(sees(Fault.WORLD, Fault.HEALED, "")).isTrue();
+    assertThat(circumstances.isFair()).isTrue();
+    assertThat(circumstances.isUp(A)).isFalse();
+  }
+
+  @Test
+  void whatSaysNothingOfFaultsChangesNothing() {
+    assertThat(circumstances.observe(new TraceEvent.Dropped(1, A, "b", "loss"))).isFalse();
+  }
+
+  private boolean sees(RobotId robot, String name, String detail) {
+    return circumstances.observe(new Fault(1, robot, name, detail));
+  }
+}

@@ -1,0 +1,172 @@
+package org.starl.primitives.election;
+
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.GvhVariable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodWire;
+
+/**
+ * The election of one robot: {@link ElectionProtocol} on its gvh. Constructing it makes this robot
+ * vote, if it is a participant, and learn who leads; {@link #do_election} makes it a candidate.
+ * Strand only.
+ */
+public final class Election implements ElectionPrim {
+
+  private final GlobalVarHolder gvh;
+  private final String source;
+  private final ProcessId me;
+  private final Endpoint<ElectionMessage> endpoint;
+  private final SynodWire wire;
+  private final ElectionProtocol protocol;
+  private final GvhCell<Leader> leader;
+  private final GvhCell<Boolean> failed;
+  private boolean closed;
+
+  /** Among all robots of the deployment. */
+  public Election(GlobalVarHolder gvh, String xid) {
+    this(gvh, xid, gvh.id.participants());
+  }
+
+  /**
+   * Among a list of participants, as the paper has it.
+   *
+   * @param participants the same on every robot, for ever; a majority of them must be in reach for
+   *     anybody to be elected
+   */
+  public Election(GlobalVarHolder gvh, String xid, Participants participants) {
+    this(gvh, xid, participants, ElectionSettings.DEFAULT);
+  }
+
+  public Election(
+      GlobalVarHolder gvh, String xid, Participants participants, ElectionSettings settings) {
+    this.gvh = gvh;
+    ElectionCodec codec = new ElectionCodec();
+    Channel<ElectionMessage> channel = new Channel<>(ElectionTrace.PRIMITIVE, xid, codec);
+    source = channel.name();
+    leader = gvh.variable(source, ElectionTrace.LEADER, Leader.NONE);
+    failed = gvh.variable(source, ElectionTrace.FAILED, false);
+    me = gvh.id.freshProcess();
+    wire = new SynodWire(gvh, new Channel<>(ElectionTrace.SYNOD, xid, new SynodCodec(codec)));
+    protocol =
+        new ElectionProtocol(
+            me,
+            participants,
+            settings,
+            gvh.plat.entropy.fork(source),
+            wire.record(),
+            new Port(),
+            gvh.plat.clock.nowNs());
+    gvh.trace.action(source, ElectionTrace.ELECTION, participants.size(), me);
+    endpoint = gvh.comms.open(channel, this::received);
+    wire.start(new Client());
+  }
+
+  @Override
+  public void do_election() {
+    gvh.trace.action(source, ElectionTrace.DO_ELECTION, me);
+    wire.call(() -> protocol.do_election(gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public GvhVariable<Leader> Leader() {
+    return leader;
+  }
+
+  @Override
+  public GvhVariable<Boolean> failed() {
+    return failed;
+  }
+
+  /** This robot's participant: whom {@link #Leader} names if this robot is elected. */
+  public ProcessId me() {
+    return me;
+  }
+
+  /** Whether this robot knows itself as the leader. */
+  public boolean isLeader() {
+    return leader.get() instanceof Leader.Name name && name.id().equals(me);
+  }
+
+  @Override
+  public String source() {
+    return source;
+  }
+
+  @Override
+  public void close() {
+    if (!closed) {
+      closed = true;
+      wire.close();
+      endpoint.close();
+    }
+  }
+
+  private void received(RobotId from, ElectionMessage message) {
+    // Nobody speaks for another robot.
+    if (message.from().robot().equals(from)) {
+      wire.call(() -> protocol.received(message, gvh.plat.clock.nowNs()));
+    }
+  }
+
+  private final class Client implements SynodWire.Client {
+    @Override
+    public void received(RobotId from, SynodMessage message, long nowNs) {
+      protocol.received(from, message, nowNs);
+    }
+
+    @Override
+    public void flushed(long version, long nowNs) {
+      protocol.flushed(version, nowNs);
+    }
+
+    @Override
+    public void timer(long nowNs) {
+      protocol.timer(nowNs);
+    }
+
+    @Override
+    public long wakeAtNs() {
+      return protocol.wakeAtNs();
+    }
+
+    @Override
+    public void settled() {
+      leader.set(protocol.leader());
+      failed.set(protocol.leader() instanceof Leader.Fail);
+    }
+  }
+
+  private final class Port implements ElectionPort {
+    @Override
+    public void send(RobotId to, ElectionMessage message) {
+      endpoint.send(to, message);
+    }
+
+    @Override
+    public void broadcast(ElectionMessage message) {
+      endpoint.broadcast(message);
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      wire.send(to, message);
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      wire.persist(version, record);
+    }
+
+    @Override
+    public void candidate(long term) {
+      gvh.trace.action(source, ElectionTrace.CANDIDATE, term, me);
+    }
+  }
+}

@@ -1,0 +1,183 @@
+package org.starl.primitives.election;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.spec.Circumstances;
+import org.starl.spec.Monitor;
+import org.starl.spec.Within;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * What every election of a run owes, as the package's contract has it: {@code Agreement}, {@code
+ * Soundness}, and, where bounds are given, {@code Elected} and {@code Told}. Instances are told apart
+ * by their names.
+ */
+public final class ElectionSpec implements Monitor {
+
+  static final String AGREEMENT = "Agreement";
+  static final String SOUNDNESS = "Soundness";
+  static final String ELECTED = "Elected";
+  static final String TOLD = "Told";
+
+  private final @Nullable Within<Seat> elected;
+  private final @Nullable Within<Seat> told;
+  private final Circumstances circumstances = new Circumstances();
+  private final Map<String, Ballots> elections = new TreeMap<>();
+
+  /** Safety only. */
+  public ElectionSpec() {
+    elected = null;
+    told = null;
+  }
+
+  /**
+   * Safety, and progress within bounds.
+   *
+   * @param electedWithinNs while a majority of the participants is up and no fault is under way: from
+   *     {@code do_election}, or from the loss of the leader, until the live leader of the latest term
+   *     is known to whoever takes part, in ns
+   * @param toldWithinNs {@code Leader} is null no longer on end for whoever takes part, whatever
+   *     happens, in ns: the elections' deadline
+   */
+  public ElectionSpec(long electedWithinNs, long toldWithinNs) {
+    elected = new Within<>(electedWithinNs);
+    told = new Within<>(toldWithinNs);
+  }
+
+  /** One robot's place in one election. */
+  private record Seat(String source, RobotId robot) {}
+
+  @Override
+  public List<String> lemmas() {
+    return elected == null
+        ? List.of(AGREEMENT, SOUNDNESS)
+        : List.of(AGREEMENT, SOUNDNESS, ELECTED, TOLD);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    expire(event.timeNs(), report);
+    boolean changed = circumstances.observe(event);
+    switch (event) {
+      case Action action when ElectionTrace.isElection(action.source()) -> {
+        acted(action);
+        changed = true;
+      }
+      case Variable variable
+          when ElectionTrace.isElection(variable.source())
+              && variable.name().equals(ElectionTrace.LEADER) -> {
+        ballots(variable.source()).shown(variable, report);
+        changed = true;
+      }
+      case Fault fault when fault.name().equals(Fault.CRASH) -> forget(fault.robot());
+      case Left left -> forget(left.robot());
+      default -> {
+        // Of no concern here.
+      }
+    }
+    if (changed) {
+      owe(event.timeNs(), report);
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    expire(endNs, report);
+  }
+
+  private void acted(Action action) {
+    Ballots ballots = ballots(action.source());
+    switch (action.name()) {
+      case ElectionTrace.ELECTION ->
+          ballots.made(
+              Integer.parseInt(action.args().get(0)), ProcessId.parse(action.args().get(1)));
+      case ElectionTrace.DO_ELECTION -> ballots.takesPart(action.robot());
+      case ElectionTrace.CANDIDATE ->
+          ballots.candidate(
+              Long.parseLong(action.args().get(0)), ProcessId.parse(action.args().get(1)));
+      default -> {
+        // Not an action of this specification.
+      }
+    }
+  }
+
+  private void forget(RobotId robot) {
+    elections.values().forEach(ballots -> ballots.crashed(robot));
+  }
+
+  /** Brings all debts up to date. */
+  private void owe(long nowNs, Report report) {
+    if (elected == null || told == null) {
+      return;
+    }
+    elections.forEach(
+        (source, ballots) -> {
+          boolean assumed = circumstances.isFair() && ballots.hasMajorityUp();
+          for (RobotId robot : ballots.robots()) {
+            Seat seat = new Seat(source, robot);
+            switch (ballots.standing(robot)) {
+              case OUT -> {
+                elected.settle(seat);
+                told.settle(seat);
+              }
+              case FAILED -> {
+                elected.settle(seat);
+                met(told, seat, TOLD, report);
+              }
+              case SERVED -> {
+                met(elected, seat, ELECTED, report);
+                met(told, seat, TOLD, report);
+              }
+              case MISLED -> {
+                elected.owe(seat, nowNs);
+                met(told, seat, TOLD, report);
+              }
+              case WAITING -> {
+                elected.owe(seat, nowNs);
+                told.owe(seat, nowNs);
+              }
+            }
+            elected.assume(seat, assumed, nowNs);
+          }
+        });
+  }
+
+  private static void met(Within<Seat> debts, Seat seat, String lemma, Report report) {
+    if (debts.settle(seat)) {
+      report.checked(lemma);
+    }
+  }
+
+  private void expire(long nowNs, Report report) {
+    expire(elected, ELECTED, "knows no live leader of the latest term", nowNs, report);
+    expire(told, TOLD, "Leader is null", nowNs, report);
+  }
+
+  private static void expire(
+      @Nullable Within<Seat> debts, String lemma, String what, long nowNs, Report report) {
+    if (debts != null) {
+      debts.expire(
+          nowNs,
+          (seat, sinceNs, deadlineNs) -> {
+            report.checked(lemma);
+            report.violated(
+                lemma,
+                deadlineNs,
+                List.of(seat.robot()),
+                seat.source() + ": " + what + " since " + sinceNs + " ns");
+          });
+    }
+  }
+
+  private Ballots ballots(String source) {
+    return elections.computeIfAbsent(source, s -> new Ballots(s, circumstances));
+  }
+}

@@ -1,0 +1,35 @@
+package org.starl.primitives.election;
+
+/**
+ * The names under which elections appear in a trace. A monitor decides everything from these: ids as
+ * {@link org.starl.ProcessId#parse} reads them.
+ */
+final class ElectionTrace {
+
+  static final String PRIMITIVE = "election";
+
+  /** The Synod's own channel. */
+  static final String SYNOD = "election.synod";
+
+  /** Action with the number of participants, and the id under which this robot is one. */
+  static final String ELECTION = "Election";
+
+  /** Action: the app's call, with the id that takes part from now on. */
+  static final String DO_ELECTION = "do_election";
+
+  /** Action with a term and the id that may be elected in it from now on. */
+  static final String CANDIDATE = "candidate";
+
+  /** Variable: {@code null}, {@code fail}, or term and id, as in {@code 3:bot1#4294967297}. */
+  static final String LEADER = "Leader";
+
+  /** Variable: whether {@code Leader} is {@code fail}. */
+  static final String FAILED = "failed";
+
+  private ElectionTrace() {}
+
+  /** Whether {@code source} is an election, as in {@code election/convoy}. */
+  static boolean isElection(String source) {
+    return source.startsWith(PRIMITIVE + "/");
+  }
+}

@@ -1,0 +1,61 @@
+package org.starl.primitives.election;
+
+import org.starl.ProcessId;
+
+/** The paper's {@code Leader} (section 4.4): an identity, null, or fail. */
+public sealed interface Leader {
+
+  /** The paper's null: no election yet, or one is in progress. */
+  Leader NONE = new None();
+
+  /** The paper's fail: the election in progress has met its deadline. */
+  Leader FAIL = new Fail();
+
+  /** Whether there is a name. */
+  boolean isElected();
+
+  /**
+   * Who was elected.
+   *
+   * @param id one incarnation of one robot; a robot that has restarted is somebody else
+   * @param term from 1; equal terms of one instance mean equal leaders, always
+   */
+  record Name(ProcessId id, long term) implements Leader {
+    @Override
+    public boolean isElected() {
+      return true;
+    }
+
+    /** {@code 3:bot1#4294967297}: term, then who. */
+    @Override
+    public String toString() {
+      return term + ":" + id;
+    }
+  }
+
+  /** Nobody, so far. */
+  record None() implements Leader {
+    @Override
+    public boolean isElected() {
+      return false;
+    }
+
+    @Override
+    public String toString() {
+      return "null";
+    }
+  }
+
+  /** Nobody in time. If the election is decided after all, the name takes its place. */
+  record Fail() implements Leader {
+    @Override
+    public boolean isElected() {
+      return false;
+    }
+
+    @Override
+    public String toString() {
+      return "fail";
+    }
+  }
+}

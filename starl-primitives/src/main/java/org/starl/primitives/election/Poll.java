@@ -1,0 +1,74 @@
+package org.starl.primitives.election;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.starl.ProcessId;
+
+/** Who stands for election in the present term, as far as this robot has heard. */
+final class Poll {
+
+  private final ProcessId me;
+  private final long beganNs;
+  private final long deltaNs;
+  private final TreeMap<ProcessId, Standing> standings = new TreeMap<>();
+
+  private record Standing(long draw, long heardNs) {}
+
+  /**
+   * @param beganNs when this robot began to stand in this term
+   * @param deltaNs how long a message may take, in ns
+   */
+  Poll(ProcessId me, long draw, long beganNs, long deltaNs) {
+    this.me = me;
+    this.beganNs = beganNs;
+    this.deltaNs = deltaNs;
+    standings.put(me, new Standing(draw, Long.MAX_VALUE));
+  }
+
+  /** Hears of a candidate, once more or for the first time; returns whether it is the first. */
+  boolean heard(ProcessId candidate, long draw, long nowNs) {
+    return !candidate.equals(me) && standings.put(candidate, new Standing(draw, nowNs)) == null;
+  }
+
+  /** The candidate is known to be dead. */
+  void strike(ProcessId candidate) {
+    standings.remove(candidate);
+  }
+
+  ProcessId me() {
+    return me;
+  }
+
+  long beganNs() {
+    return beganNs;
+  }
+
+  /** That many message delays, in ns. */
+  long delaysNs(long count) {
+    return count * deltaNs;
+  }
+
+  /** Whether one of a higher id has been heard at or after {@code sinceNs}. */
+  boolean hasHigherThanMe(long sinceNs) {
+    return standings.tailMap(me, false).values().stream().anyMatch(s -> s.heardNs() >= sinceNs);
+  }
+
+  /** Those heard at or after {@code sinceNs}, and this robot: highest draw first, then highest id. */
+  List<ProcessId> byDraw(long sinceNs) {
+    List<Map.Entry<ProcessId, Standing>> entries = new ArrayList<>(standings.entrySet());
+    entries.sort(
+        Comparator.comparingLong((Map.Entry<ProcessId, Standing> entry) -> entry.getValue().draw())
+            .thenComparing(Map.Entry::getKey)
+            .reversed());
+    List<ProcessId> heard = new ArrayList<>();
+    for (Map.Entry<ProcessId, Standing> entry : entries) {
+      if (entry.getValue().heardNs() >= sinceNs) {
+        heard.add(entry.getKey());
+      }
+    }
+    return heard;
+  }
+}

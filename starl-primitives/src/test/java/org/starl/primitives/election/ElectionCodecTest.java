@@ -1,0 +1,82 @@
+package org.starl.primitives.election;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import java.util.HexFormat;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.LongRange;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.primitives.agreement.Value;
+import org.starl.primitives.election.ElectionMessage.Candidacy;
+import org.starl.primitives.election.ElectionMessage.Elected;
+
+class ElectionCodecTest {
+
+  private static final ElectionCodec CODEC = new ElectionCodec();
+  private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 5);
+  private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 6);
+
+  /** The bytes of {@code docs/wire-format.md}, Election messages. */
+  @Test
+  void theBytesAreAsDocumented() {
+    assertThat(hex(new Candidacy(B1, 7, -2)))
+        .isEqualTo("01" + "026231" + "0000000000000005" + "0000000000000007" + "fffffffffffffffe");
+    assertThat(hex(new Elected(B1, 7, B2)))
+        .isEqualTo(
+            "02" + "026231" + "0000000000000005" + "0000000000000007" + "026232"
+                + "0000000000000006");
+    assertThat(HexFormat.of().formatHex(ElectionCodec.value(B2).bytes()))
+        .isEqualTo("026232" + "0000000000000006");
+  }
+
+  @Property(tries = 100)
+  void whatIsWrittenIsReadBack(
+      @ForAll @LongRange(min = 1) long term, @ForAll long draw, @ForAll boolean isCandidacy) {
+    ElectionMessage message =
+        isCandidacy ? new Candidacy(B1, term, draw) : new Elected(B1, term, B2);
+    assertThat(CODEC.read(new WireReader(bytes(message)))).isEqualTo(message);
+  }
+
+  @Test
+  void whatIsNoMessageIsRefused() {
+    byte[] termZero = bytes(new Candidacy(B1, 1, 2));
+    termZero[19] = 0;
+    byte[] otherKind = bytes(new Candidacy(B1, 1, 2));
+    otherKind[0] = 3;
+    for (byte[] bad : new byte[][] {termZero, otherKind, {1}, {}}) {
+      assertThatThrownBy(() -> CODEC.read(new WireReader(bad)))
+          .isInstanceOf(WireFormatException.class);
+    }
+  }
+
+  @Test
+  void onlyALeaderIsAValueAndNothingIsAWish() {
+    CODEC.checkValue(ElectionCodec.value(B1));
+    CODEC.checkWish(Value.EMPTY);
+    byte[] tooLong = Arrays.copyOf(ElectionCodec.value(B1).bytes(), 12);
+    assertThatThrownBy(() -> CODEC.checkValue(Value.of(tooLong)))
+        .isInstanceOf(WireFormatException.class);
+    assertThatThrownBy(() -> CODEC.checkValue(Value.EMPTY)).isInstanceOf(WireFormatException.class);
+    assertThatThrownBy(() -> CODEC.checkWish(ElectionCodec.value(B1)))
+        .isInstanceOf(WireFormatException.class);
+  }
+
+  private static String hex(ElectionMessage message) {
+    return HexFormat.of().formatHex(bytes(message));
+  }
+
+  private static byte[] bytes(ElectionMessage message) {
+    byte[] buffer = new byte[100];
+    WireWriter out = new WireWriter(buffer);
+    CODEC.write(message, out);
+    return Arrays.copyOf(buffer, out.length());
+  }
+}

@@ -1,0 +1,138 @@
+package org.starl.primitives.election;
+
+import org.jspecify.annotations.Nullable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.lives.LiveRobot;
+import org.starl.random.Rng;
+
+/** One robot of a {@link Convoy}. */
+final class Voter extends LiveRobot {
+
+  private static final ElectionCodec CODEC = new ElectionCodec();
+  private static final SynodCodec SYNOD_CODEC = new SynodCodec(CODEC);
+
+  private final Convoy convoy;
+
+  Voter(Convoy convoy, RobotId name) {
+    super(convoy.world, Convoy.SOURCE, name);
+    this.convoy = convoy;
+  }
+
+  ElectionProtocol protocol() {
+    return ((Ballot) running()).protocol;
+  }
+
+  Leader leader() {
+    return protocol().leader();
+  }
+
+  /** Whether its present program has called do_election. */
+  boolean takesPart() {
+    return ((Ballot) running()).takesPart;
+  }
+
+  void do_election() {
+    Ballot ballot = (Ballot) running();
+    ballot.call(ballot::do_election);
+  }
+
+  @Override
+  protected Program program(ProcessId me, byte @Nullable [] record) {
+    return new Ballot(me, record);
+  }
+
+  /** Makes a robot's protocol; mutants make another one. */
+  interface Maker {
+    ElectionProtocol make(
+        ProcessId me,
+        Participants participants,
+        ElectionSettings settings,
+        Rng rng,
+        byte @Nullable [] record,
+        ElectionPort port,
+        long nowNs);
+  }
+
+  private final class Ballot extends Program implements ElectionPort {
+    private final ElectionProtocol protocol;
+    private boolean takesPart;
+
+    Ballot(ProcessId me, byte @Nullable [] record) {
+      show("Leader", Leader.NONE);
+      act("Election", convoy.world.robots.size(), me);
+      protocol =
+          convoy.maker.make(
+              me,
+              convoy.participants(),
+              convoy.settings,
+              convoy.world.rng.fork(me.toString()),
+              record,
+              this,
+              convoy.world.nowNs());
+    }
+
+    void do_election() {
+      takesPart = true;
+      act("do_election", protocol.me());
+      protocol.do_election(convoy.world.nowNs());
+    }
+
+    @Override
+    protected long wakeAtNs() {
+      return protocol.wakeAtNs();
+    }
+
+    @Override
+    protected void timer(long nowNs) {
+      protocol.timer(nowNs);
+    }
+
+    @Override
+    protected void flushed(long version, long nowNs) {
+      protocol.flushed(version, nowNs);
+    }
+
+    @Override
+    protected void settled() {
+      show("Leader", protocol.leader());
+    }
+
+    @Override
+    public void send(RobotId to, ElectionMessage message) {
+      transmit(to, message, CODEC, Ballot::receive);
+    }
+
+    @Override
+    public void broadcast(ElectionMessage message) {
+      broadcast(message, CODEC, Ballot::receive);
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      RobotId from = name;
+      transmit(
+          to,
+          message,
+          SYNOD_CODEC,
+          (program, m) -> ((Ballot) program).protocol.received(from, m, convoy.world.nowNs()));
+    }
+
+    private static void receive(Program program, ElectionMessage message) {
+      Ballot receiver = (Ballot) program;
+      receiver.protocol.received(message, receiver.nowNs());
+    }
+
+    private long nowNs() {
+      return convoy.world.nowNs();
+    }
+
+    @Override
+    public void candidate(long term) {
+      act("candidate", term, protocol.me());
+    }
+  }
+}

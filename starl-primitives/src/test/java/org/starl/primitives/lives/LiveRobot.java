@@ -1,0 +1,179 @@
+package org.starl.primitives.lives;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.BiConsumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Codec;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.trace.TraceEvent;
+
+/** One robot of a {@link LiveWorld}: its disk, which survives, and its program, which may not. */
+public abstract class LiveRobot {
+
+  private static final int DATAGRAM_BYTES = 1400;
+
+  private final LiveWorld<? extends LiveRobot> world;
+  private final String source;
+  public final RobotId name;
+  private byte @Nullable [] disk;
+  private int boot;
+  private @Nullable Program program;
+
+  /** Whether writes are said to be stable before they are, and lost. */
+  public boolean diskForgets;
+
+  protected LiveRobot(LiveWorld<? extends LiveRobot> world, String source, RobotId name) {
+    this.world = world;
+    this.source = source;
+    this.name = name;
+  }
+
+  /** Makes the program anew, over what its acceptor has last written. */
+  protected abstract Program program(ProcessId me, byte @Nullable [] record);
+
+  public boolean isUp() {
+    return program != null;
+  }
+
+  /** The program; it must be up. */
+  public Program running() {
+    Program up = program;
+    if (up == null) {
+      throw new IllegalStateException(name + " is down");
+    }
+    return up;
+  }
+
+  public void start() {
+    boot++;
+    if (boot > 1) {
+      fault(TraceEvent.Fault.RESTART);
+    }
+    byte[] found = diskForgets || disk == null ? null : disk.clone();
+    Program begun = program(new ProcessId(name, ((long) boot << 32) + 1), found);
+    program = begun;
+    begun.settle();
+  }
+
+  public void crash() {
+    program = null;
+    fault(TraceEvent.Fault.CRASH);
+  }
+
+  private void fault(String what) {
+    world.record(new TraceEvent.Fault(world.nowNs(), name, what, ""));
+  }
+
+  /** One run of the robot's program. */
+  public abstract class Program {
+
+    private final Map<String, String> shown = new TreeMap<>();
+    private long timerSetForNs = Long.MAX_VALUE;
+    private long lastFlushNs;
+
+    protected abstract long wakeAtNs();
+
+    protected abstract void timer(long nowNs);
+
+    protected abstract void flushed(long version, long nowNs);
+
+    /** Shows all variables, through {@link #show}. */
+    protected abstract void settled();
+
+    /** An input from outside. */
+    public void call(Runnable input) {
+      input.run();
+      settle();
+    }
+
+    /** A variable's value, which the trace sees if it differs from the one before. */
+    protected void show(String variable, Object value) {
+      String text = value.toString();
+      if (!text.equals(shown.put(variable, text))) {
+        world.record(new TraceEvent.Variable(world.nowNs(), name, source, variable, text));
+      }
+    }
+
+    protected void act(String action, Object... args) {
+      List<String> texts = Arrays.stream(args).map(Object::toString).toList();
+      world.record(new TraceEvent.Action(world.nowNs(), name, source, action, texts));
+    }
+
+    /** Sends over wire and network; {@code handler} runs on the receiver's program, if it is up. */
+    protected <M> void transmit(
+        RobotId to, M message, Codec<M> codec, BiConsumer<Program, M> handler) {
+      M read = overTheWire(message, codec);
+      LiveRobot receiver = world.robot(to);
+      world.transmit(name, to, () -> receiver.arrived(read, handler));
+    }
+
+    protected <M> void broadcast(M message, Codec<M> codec, BiConsumer<Program, M> handler) {
+      for (LiveRobot other : world.robots) {
+        if (other != LiveRobot.this) {
+          transmit(other.name, message, codec, handler);
+        }
+      }
+    }
+
+    public void persist(long version, byte[] record) {
+      long flushMs = world.rng.nextLong(0, world.weather().maxFlushMs());
+      lastFlushNs = Math.max(lastFlushNs, world.nowNs() + flushMs * LiveWorld.NS_PER_MS);
+      byte[] written = record.clone();
+      world.at(
+          lastFlushNs,
+          () -> {
+            if (isCurrent()) {
+              disk = written;
+              call(() -> flushed(version, world.nowNs()));
+            }
+          });
+    }
+
+    private boolean isCurrent() {
+      return program == this;
+    }
+
+    private void settle() {
+      settled();
+      long wakeAtNs = wakeAtNs();
+      if (wakeAtNs != timerSetForNs) {
+        timerSetForNs = wakeAtNs;
+        if (wakeAtNs != Long.MAX_VALUE) {
+          world.at(wakeAtNs, () -> expired(wakeAtNs));
+        }
+      }
+    }
+
+    private void expired(long setForNs) {
+      if (isCurrent() && timerSetForNs == setForNs) {
+        timerSetForNs = Long.MAX_VALUE;
+        call(() -> timer(world.nowNs()));
+      }
+    }
+  }
+
+  private <M> void arrived(M message, BiConsumer<Program, M> handler) {
+    Program up = program;
+    if (up != null) {
+      up.call(() -> handler.accept(up, message));
+    }
+  }
+
+  private static <M> M overTheWire(M message, Codec<M> codec) {
+    byte[] buffer = new byte[DATAGRAM_BYTES];
+    WireWriter out = new WireWriter(buffer);
+    codec.write(message, out);
+    WireReader in = new WireReader(Arrays.copyOf(buffer, out.length()));
+    M read = codec.read(in);
+    if (in.remaining() != 0 || !read.equals(message)) {
+      throw new IllegalStateException(message + " came back as " + read);
+    }
+    return read;
+  }
+}
