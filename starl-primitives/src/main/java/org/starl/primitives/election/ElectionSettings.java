@@ -32,12 +32,10 @@ public record ElectionSettings(
   }
 
   public ElectionSettings withStrategy(ElectionStrategy newStrategy) {
-    return new ElectionSettings(
-        newStrategy, timing, deltaMs, heartbeatMs, silenceMs, deadlineMs);
+    return new ElectionSettings(newStrategy, timing, deltaMs, heartbeatMs, silenceMs, deadlineMs);
   }
 
   public ElectionSettings withDeadlineMs(long newDeadlineMs) {
-    return new ElectionSettings(
-        strategy, timing, deltaMs, heartbeatMs, silenceMs, newDeadlineMs);
+    return new ElectionSettings(strategy, timing, deltaMs, heartbeatMs, silenceMs, newDeadlineMs);
   }
 }

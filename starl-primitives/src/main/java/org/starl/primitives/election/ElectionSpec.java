@@ -118,36 +118,35 @@ public final class ElectionSpec implements Monitor {
     if (elected == null || told == null) {
       return;
     }
-    elections.forEach(
-        (source, ballots) -> {
-          boolean assumed = circumstances.isFair() && ballots.hasMajorityUp();
-          for (RobotId robot : ballots.robots()) {
-            Seat seat = new Seat(source, robot);
-            switch (ballots.standing(robot)) {
-              case OUT -> {
-                elected.settle(seat);
-                told.settle(seat);
-              }
-              case FAILED -> {
-                elected.settle(seat);
-                met(told, seat, TOLD, report);
-              }
-              case SERVED -> {
-                met(elected, seat, ELECTED, report);
-                met(told, seat, TOLD, report);
-              }
-              case MISLED -> {
-                elected.owe(seat, nowNs);
-                met(told, seat, TOLD, report);
-              }
-              case WAITING -> {
-                elected.owe(seat, nowNs);
-                told.owe(seat, nowNs);
-              }
-            }
-            elected.assume(seat, assumed, nowNs);
+    elections.forEach((source, ballots) -> {
+      boolean assumed = circumstances.isFair() && ballots.hasMajorityUp();
+      for (RobotId robot : ballots.robots()) {
+        Seat seat = new Seat(source, robot);
+        switch (ballots.standing(robot)) {
+          case OUT -> {
+            elected.settle(seat);
+            told.settle(seat);
           }
-        });
+          case FAILED -> {
+            elected.settle(seat);
+            met(told, seat, TOLD, report);
+          }
+          case SERVED -> {
+            met(elected, seat, ELECTED, report);
+            met(told, seat, TOLD, report);
+          }
+          case MISLED -> {
+            elected.owe(seat, nowNs);
+            met(told, seat, TOLD, report);
+          }
+          case WAITING -> {
+            elected.owe(seat, nowNs);
+            told.owe(seat, nowNs);
+          }
+        }
+        elected.assume(seat, assumed, nowNs);
+      }
+    });
   }
 
   private static void met(Within<Seat> debts, Seat seat, String lemma, Report report) {

@@ -31,7 +31,11 @@ class ElectionCodecTest {
         .isEqualTo("01" + "026231" + "0000000000000005" + "0000000000000007" + "fffffffffffffffe");
     assertThat(hex(new Elected(B1, 7, B2)))
         .isEqualTo(
-            "02" + "026231" + "0000000000000005" + "0000000000000007" + "026232"
+            "02"
+                + "026231"
+                + "0000000000000005"
+                + "0000000000000007"
+                + "026232"
                 + "0000000000000006");
     assertThat(HexFormat.of().formatHex(ElectionCodec.value(B2).bytes()))
         .isEqualTo("026232" + "0000000000000006");

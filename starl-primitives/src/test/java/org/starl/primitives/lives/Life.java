@@ -62,7 +62,8 @@ public final class Life<R extends LiveRobot> {
     world.afterMs(
         rng.nextLong(500, 15_000),
         () -> {
-          boolean mayCrash = restarts || world.robots.stream().filter(LiveRobot::isUp).count() > majority();
+          boolean mayCrash =
+              restarts || world.robots.stream().filter(LiveRobot::isUp).count() > majority();
           if (foul && robot.isUp() && mayCrash) {
             robot.crash();
             if (restarts) {
