@@ -25,7 +25,7 @@ public final class SynodWire {
   /** Opens the channel; before {@link #start}, the protocol may read and persist its record. */
   public SynodWire(GlobalVarHolder gvh, Channel<SynodMessage> channel) {
     this.gvh = gvh;
-    this.stableKey = "synod." + channel.primitive() + "." + channel.instance();
+    this.stableKey = "synod/" + channel.name(); // names may have dots, but no slash
     this.timer = gvh.plat.timers.timer(this::expired);
     this.endpoint = gvh.comms.open(channel, this::received);
   }

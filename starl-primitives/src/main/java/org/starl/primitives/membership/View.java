@@ -6,33 +6,64 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 
 /**
  * A numbered list of participants. For one instance, equal numbers mean equal lists (agreement), and
- * a list holds everyone admitted before who has not left (inclusion).
+ * a list holds everyone admitted before who has neither left nor been confined (inclusion).
  *
  * @param number from 1; 0 is {@link #NONE}, what is known before any view is
- * @param admitted each participant, with the number of the view that admitted it
+ * @param admitted each participant that is free to act, with the number of the view that admitted it
+ * @param ghosts those that were admitted and given up since, because they seemed to have crashed
+ *     while they may hold something
  */
-public record View(long number, SortedMap<ProcessId, Long> admitted) {
+public record View(
+    long number, SortedMap<ProcessId, Long> admitted, SortedMap<ProcessId, Ghost> ghosts) {
 
   public static final View NONE = new View(0, new TreeMap<>());
+
+  /**
+   * A participant of which others know that it holds no more than {@code sections}, and never will.
+   *
+   * @param admittedBy the number of the view that had admitted it
+   * @param sections at least one
+   */
+  public record Ghost(long admittedBy, SortedSet<String> sections) {
+
+    public Ghost {
+      sections = Sections.copyOf(sections);
+      if (sections.isEmpty()) {
+        throw new IllegalArgumentException("a ghost of no section: expected it to be gone");
+      }
+    }
+  }
 
   public View {
     if (number < 0) {
       throw new IllegalArgumentException("view number " + number + ": expected 0 or above");
     }
+    admitted = Collections.unmodifiableSortedMap(new TreeMap<>(admitted));
+    ghosts = Collections.unmodifiableSortedMap(new TreeMap<>(ghosts));
     for (Map.Entry<ProcessId, Long> entry : admitted.entrySet()) {
-      if (entry.getValue() > number || entry.getValue() < 1) {
-        throw new IllegalArgumentException(
-            "view " + number + " lists " + entry.getKey() + " admitted by " + entry.getValue());
+      requireBefore(number, entry.getKey(), entry.getValue());
+    }
+    for (Map.Entry<ProcessId, Ghost> entry : ghosts.entrySet()) {
+      requireBefore(number, entry.getKey(), entry.getValue().admittedBy());
+      if (admitted.containsKey(entry.getKey())) {
+        throw new IllegalArgumentException("view " + number + " lists " + entry.getKey() + " twice");
       }
     }
-    admitted = Collections.unmodifiableSortedMap(new TreeMap<>(admitted));
+  }
+
+  /** A view without ghosts. */
+  public View(long number, SortedMap<ProcessId, Long> admitted) {
+    this(number, admitted, new TreeMap<>());
   }
 
   /** View 1 of a closed group: {@code ids}, all admitted by it. */
@@ -44,11 +75,21 @@ public record View(long number, SortedMap<ProcessId, Long> admitted) {
     return new View(1, admitted);
   }
 
+  /** Whether {@code id} is listed as free to act. */
   public boolean contains(ProcessId id) {
     return admitted.containsKey(id);
   }
 
-  /** The number of the view that admitted {@code id}, which this view must list. */
+  /** Whether {@code id} is free or a ghost. */
+  public boolean mentions(ProcessId id) {
+    return admitted.containsKey(id) || ghosts.containsKey(id);
+  }
+
+  public @Nullable Ghost ghost(ProcessId id) {
+    return ghosts.get(id);
+  }
+
+  /** The number of the view that admitted {@code id}, which this view must list as free. */
   public long admittedBy(ProcessId id) {
     Long by = admitted.get(id);
     if (by == null) {
@@ -57,12 +98,19 @@ public record View(long number, SortedMap<ProcessId, Long> admitted) {
     return by;
   }
 
-  /** The participants in order. */
+  /** Those that are free, in order. */
   public List<ProcessId> ids() {
     return List.copyOf(admitted.keySet());
   }
 
-  /** The participants' robots. */
+  /** Those that are free and those that are ghosts, in order. */
+  public SortedSet<ProcessId> mentioned() {
+    SortedSet<ProcessId> all = new TreeSet<>(admitted.keySet());
+    all.addAll(ghosts.keySet());
+    return all;
+  }
+
+  /** The robots of those that are free. */
   public Participants participants() {
     List<RobotId> robots = new ArrayList<>();
     for (ProcessId id : admitted.keySet()) {
@@ -71,13 +119,70 @@ public record View(long number, SortedMap<ProcessId, Long> admitted) {
     return Participants.of(robots);
   }
 
-  /** {@code 3:bot0#4294967297@1,bot2#4294967297@3}: number, then who, each {@code @} its view. */
+  // Steps from one view to the next.
+
+  /** The same under the next number. */
+  public View next() {
+    return new View(number + 1, admitted, ghosts);
+  }
+
+  /** With {@code id}, admitted by this very view, unless it is mentioned already. */
+  public View with(ProcessId id) {
+    if (mentions(id)) {
+      return this;
+    }
+    SortedMap<ProcessId, Long> free = new TreeMap<>(admitted);
+    free.put(id, number);
+    return new View(number, free, ghosts);
+  }
+
+  /** Without any mention of {@code id}. */
+  public View without(ProcessId id) {
+    SortedMap<ProcessId, Long> free = new TreeMap<>(admitted);
+    SortedMap<ProcessId, Ghost> others = new TreeMap<>(ghosts);
+    free.remove(id);
+    others.remove(id);
+    return new View(number, free, others);
+  }
+
+  /**
+   * With {@code id}, if this view mentions it, as a ghost of {@code sections}; as a ghost already, of
+   * what it was a ghost of and {@code sections} have in common. A ghost of nothing is gone.
+   */
+  public View confined(ProcessId id, SortedSet<String> sections) {
+    if (!mentions(id)) {
+      return this;
+    }
+    Ghost before = ghosts.get(id);
+    SortedSet<String> left = before == null ? sections : Sections.common(before.sections(), sections);
+    View rest = without(id);
+    if (left.isEmpty()) {
+      return rest;
+    }
+    SortedMap<ProcessId, Ghost> others = new TreeMap<>(rest.ghosts());
+    others.put(id, new Ghost(before == null ? admittedBy(id) : before.admittedBy(), left));
+    return new View(number, rest.admitted(), others);
+  }
+
+  // Text.
+
+  /**
+   * {@code 3:bot0#4294967297@1,bot2#4294967297@3|bot1#4294967297@2[A B]}: number, then who is free,
+   * each {@code @} its view, then, if there are ghosts, a bar, and each with its sections.
+   */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder().append(number).append(':');
     String separator = "";
     for (Map.Entry<ProcessId, Long> entry : admitted.entrySet()) {
       text.append(separator).append(entry.getKey()).append('@').append(entry.getValue());
+      separator = ",";
+    }
+    separator = "|";
+    for (Map.Entry<ProcessId, Ghost> entry : ghosts.entrySet()) {
+      Ghost ghost = entry.getValue();
+      text.append(separator).append(entry.getKey()).append('@').append(ghost.admittedBy());
+      text.append('[').append(Sections.text(ghost.sections())).append(']');
       separator = ",";
     }
     return text.toString();
@@ -93,18 +198,44 @@ public record View(long number, SortedMap<ProcessId, Long> admitted) {
     if (colon < 0) {
       throw new IllegalArgumentException("view '" + text + "': expected number:id@number,...");
     }
+    int bar = text.indexOf('|');
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-    String entries = text.substring(colon + 1);
-    if (!entries.isEmpty()) {
-      for (String entry : entries.split(",", -1)) {
-        int at = entry.lastIndexOf('@');
-        if (at < 0) {
-          throw new IllegalArgumentException("view entry '" + entry + "': expected id@number");
-        }
-        ProcessId id = ProcessId.parse(entry.substring(0, at));
-        admitted.put(id, Long.parseLong(entry.substring(at + 1)));
-      }
+    for (String entry : entries(text.substring(colon + 1, bar < 0 ? text.length() : bar))) {
+      int at = at(entry);
+      admitted.put(
+          ProcessId.parse(entry.substring(0, at)), Long.parseLong(entry.substring(at + 1)));
     }
-    return new View(Long.parseLong(text.substring(0, colon)), admitted);
+    SortedMap<ProcessId, Ghost> ghosts = new TreeMap<>();
+    for (String entry : entries(bar < 0 ? "" : text.substring(bar + 1))) {
+      int at = at(entry);
+      int bracket = entry.indexOf('[');
+      if (bracket < at || !entry.endsWith("]")) {
+        throw new IllegalArgumentException("ghost '" + entry + "': expected id@number[sections]");
+      }
+      Ghost ghost =
+          new Ghost(
+              Long.parseLong(entry.substring(at + 1, bracket)),
+              Sections.parse(entry.substring(bracket + 1, entry.length() - 1)));
+      ghosts.put(ProcessId.parse(entry.substring(0, at)), ghost);
+    }
+    return new View(Long.parseLong(text.substring(0, colon)), admitted, ghosts);
+  }
+
+  private static List<String> entries(String text) {
+    return text.isEmpty() ? List.of() : List.of(text.split(",", -1));
+  }
+
+  private static int at(String entry) {
+    int at = entry.indexOf('@');
+    if (at < 0) {
+      throw new IllegalArgumentException("view entry '" + entry + "': expected id@number");
+    }
+    return at;
+  }
+
+  private static void requireBefore(long number, ProcessId id, long by) {
+    if (by > number || by < 1) {
+      throw new IllegalArgumentException("view " + number + " lists " + id + " admitted by " + by);
+    }
   }
 }

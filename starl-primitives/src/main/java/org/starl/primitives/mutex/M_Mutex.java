@@ -1,10 +1,14 @@
 package org.starl.primitives.mutex;
 
+import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.Map;
+import java.util.Queue;
 import java.util.Set;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -16,9 +20,13 @@ import org.starl.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.platform.Timer;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
+import org.starl.primitives.mutex.MutexProtocol.Self;
+import org.starl.random.Rng;
 
 /**
  * The mutex of one robot: {@link MutexProtocol} on its gvh. Make it at the start of the app, before
@@ -33,6 +41,7 @@ public final class M_Mutex implements MutexPrim {
   private final GlobalVarHolder gvh;
   private final Membership membership;
   private final MutexTimes times;
+  private final Rng rng;
   private final String source;
   private final Endpoint<MutexMessage> endpoint;
   private final Timer timer;
@@ -42,7 +51,10 @@ public final class M_Mutex implements MutexPrim {
 
   private MutexProtocol current;
   private @Nullable MutexProtocol lingering;
-  private final Set<ProcessId> retired = new TreeSet<>();
+  // Older ids, idle for ever, each with those to whom it has vowed to grant nothing.
+  private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();
+  // What the protocol wants of the membership, which may call back: done after the protocol's step.
+  private final Queue<Runnable> wishes = new ArrayDeque<>();
   private long scheduledNs = Long.MAX_VALUE;
   private boolean closed;
 
@@ -82,6 +94,8 @@ public final class M_Mutex implements MutexPrim {
     failed = gvh.variable(source, "failed", false);
     failure = gvh.variable(source, "failure", MutexFailure.NONE);
     timer = gvh.plat.timers.timer(this::timerExpired);
+    rng = gvh.plat.entropy.fork(source);
+    membership.join(this::leave);
     current = participant(membership.me());
     follow();
     endpoint = gvh.comms.open(channel, this::received);
@@ -111,7 +125,7 @@ public final class M_Mutex implements MutexPrim {
       failure.set(MutexFailure.NONE);
     }
     current.request(want, gvh.plat.clock.nowNs());
-    schedule();
+    settle();
   }
 
   @Override
@@ -153,16 +167,25 @@ public final class M_Mutex implements MutexPrim {
     requireOpen();
     holder().release(Sections.copyOf(sections));
     if (lingering != null && lingering.phase() == Phase.IDLE) {
-      retired.add(lingering.me());
+      retire(lingering);
       lingering = null;
     }
+    settle();
   }
 
   @Override
   public void withdraw() {
     requireOpen();
     current.withdraw(MutexFailure.WITHDRAWN);
-    schedule();
+    settle();
+  }
+
+  @Override
+  public void standsIn(Collection<String> sections) {
+    requireOpen();
+    SortedSet<String> checked = Sections.copyOf(sections);
+    MutexTrace.write(gvh.trace, source, new MutexEvent.StandsIn(membership.me(), checked));
+    membership.standsIn(checked);
   }
 
   @Override
@@ -190,7 +213,13 @@ public final class M_Mutex implements MutexPrim {
   }
 
   private MutexProtocol participant(ProcessId me) {
-    return new MutexProtocol(me, gvh.comms.lamportClock(), times, new Wiring(me));
+    Rng its = rng.fork(me.toString());
+    return new MutexProtocol(
+        new Self(me, gvh.comms.lamportClock(), times, its, membership.confines()), new Wiring(me));
+  }
+
+  private void retire(MutexProtocol participant) {
+    retired.put(participant.me(), participant.fenced());
   }
 
   private void membershipChanged() {
@@ -200,48 +229,73 @@ public final class M_Mutex implements MutexPrim {
     if (!membership.me().equals(current.me())) {
       current.withdraw(MutexFailure.REMOVED);
       if (current.phase() == Phase.IDLE) {
-        retired.add(current.me());
+        retire(current);
       } else {
         lingering = current;
       }
       current = participant(membership.me());
     }
     follow();
-    schedule();
+    settle();
   }
 
   /** Brings the current participant up to what the membership says. */
   private void follow() {
     current.learn(membership.view());
     if (current.mayRequest() && !membership.mayRequest()) {
-      current.withdraw(MutexFailure.REMOVED);
-      if (current.phase() != Phase.IDLE) {
-        throw new IllegalStateException(
-            source + ": unregister while holding " + current.held() + ": release it first");
-      }
-      current.beginLeave();
+      leave();
     }
+  }
+
+  /** This robot is about to leave. */
+  private void leave() {
+    if (closed) {
+      return;
+    }
+    if (!holder().held().isEmpty()) {
+      throw new IllegalStateException(
+          source + ": unregister while holding " + holder().held() + ": release it first");
+    }
+    current.withdraw(MutexFailure.REMOVED);
+    current.beginLeave();
   }
 
   private void received(RobotId from, MutexMessage message) {
     if (!message.from().robot().equals(from)) {
       return; // nobody speaks for another robot
     }
+    long nowNs = gvh.plat.clock.nowNs();
     if (message.to().equals(current.me())) {
-      current.receive(message);
-      schedule();
+      current.receive(message, nowNs);
+      settle();
     } else if (lingering != null && message.to().equals(lingering.me())) {
-      lingering.receive(message);
-    } else if (message instanceof MutexMessage.Req req && retired.contains(req.to())) {
-      // Idle for ever, so it owes consent to everybody, and nothing can make it less.
+      lingering.receive(message, nowNs);
+      settle();
+    } else if (message instanceof MutexMessage.Req req) {
+      answerAsRetired(req);
+    }
+  }
+
+  // Idle for ever, so it owes consent to everybody, and nothing can make it less; but for its vows.
+  private void answerAsRetired(MutexMessage.Req req) {
+    Set<ProcessId> vows = retired.get(req.to());
+    if (vows != null && !vows.contains(req.from())) {
       gvh.comms.lamportClock().witness(req.ts());
-      endpoint.send(from, new MutexMessage.Ok(req.to(), req.from(), req.num()));
+      endpoint.send(req.from().robot(), new MutexMessage.Ok(req.to(), req.from(), req.num()));
     }
   }
 
   private void timerExpired() {
     scheduledNs = Long.MAX_VALUE;
     current.timer(gvh.plat.clock.nowNs());
+    settle();
+  }
+
+  /** The protocol's step is done: now what it wants of others. */
+  private void settle() {
+    while (!wishes.isEmpty()) {
+      wishes.remove().run();
+    }
     schedule();
   }
 
@@ -274,7 +328,7 @@ public final class M_Mutex implements MutexPrim {
   }
 
   /** Carries out what one participant wants, and traces it. */
-  private final class Wiring implements MutexProtocol.Effects {
+  private final class Wiring implements MutexEffects {
     private final ProcessId me;
 
     Wiring(ProcessId me) {
@@ -330,6 +384,36 @@ public final class M_Mutex implements MutexPrim {
       }
       failed.set(true);
       failure.set(why);
+    }
+
+    @Override
+    public void learned(View view) {
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.Learned(me, view));
+      }
+    }
+
+    @Override
+    public void fenced(ProcessId suspect, SortedSet<String> open) {
+      gvh.log.w(source, "takes " + suspect + " for crashed");
+      if (gvh.trace.isOn()) {
+        trace(new MutexEvent.Fence(me, suspect, open));
+      }
+    }
+
+    @Override
+    public void propose(Confinement confinement) {
+      wishes.add(() -> membership.propose(confinement));
+    }
+
+    @Override
+    public void refresh() {
+      wishes.add(membership::refresh);
+    }
+
+    @Override
+    public void idleForEver() {
+      wishes.add(() -> membership.isIdleForEver(me));
     }
 
     private void trace(MutexEvent event) {

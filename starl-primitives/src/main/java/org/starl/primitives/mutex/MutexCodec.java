@@ -1,23 +1,23 @@
 package org.starl.primitives.mutex;
 
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.ProcessId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
+import org.starl.primitives.membership.Sections;
 
-/**
- * The bytes of {@link MutexMessage}: kind (u8), from, to (process), num (i64); then of a request
- * admittedBy, ts (i64) and its sections, of a rest its sections. Sections are their number (u8) and
- * their names in ascending order.
- */
+/** The bytes of {@link MutexMessage}, as {@code docs/wire-format.md} has them. */
 final class MutexCodec implements Codec<MutexMessage> {
 
   private static final int REQ = 1;
   private static final int OK = 2;
   private static final int REM = 3;
+  private static final int NOTED = 4;
+  private static final int FENCE_Q = 5;
+  private static final int FENCE = 6;
+  private static final int FENCED = 7;
 
   /** As in datagrams' headers: nothing that arrives drives a clock to its overflow. */
   private static final long MAX_TS = (1L << 62) - 1;
@@ -26,16 +26,36 @@ final class MutexCodec implements Codec<MutexMessage> {
   public void write(MutexMessage message, WireWriter out) {
     switch (message) {
       case MutexMessage.Req req -> {
-        head(REQ, req, req.num(), out);
+        head(REQ, req, out);
+        out.i64(req.num());
         out.i64(req.admittedBy());
         out.i64(req.ts());
-        sections(req.want(), out);
+        Sections.write(req.want(), out);
       }
-      case MutexMessage.Ok ok -> head(OK, ok, ok.num(), out);
+      case MutexMessage.Ok ok -> {
+        head(OK, ok, out);
+        out.i64(ok.num());
+      }
       case MutexMessage.Rem rem -> {
-        head(REM, rem, rem.num(), out);
-        sections(rem.left(), out);
+        head(REM, rem, out);
+        out.i64(rem.num());
+        Sections.write(rem.left(), out);
       }
+      case MutexMessage.Noted noted -> {
+        head(NOTED, noted, out);
+        out.i64(noted.num());
+      }
+      case MutexMessage.FenceQ question -> {
+        head(FENCE_Q, question, out);
+        out.process(question.suspect());
+        out.i64(question.admittedBy());
+      }
+      case MutexMessage.Fence fence -> {
+        head(FENCE, fence, out);
+        out.process(fence.suspect());
+        Sections.write(fence.open(), out);
+      }
+      case MutexMessage.Fenced fenced -> head(FENCED, fenced, out);
     }
   }
 
@@ -47,55 +67,50 @@ final class MutexCodec implements Codec<MutexMessage> {
     if (from.equals(to)) {
       throw new WireFormatException("a message of " + from + " to itself");
     }
-    long num = positive(in.i64(), "request number");
     return switch (kind) {
       case REQ -> {
-        long admittedBy = positive(in.i64(), "view number");
+        long num = num(in);
+        long admittedBy = admittedBy(in);
         long ts = positive(in.i64(), "logical time");
         if (ts > MAX_TS) {
           throw new WireFormatException("logical time " + ts);
         }
-        SortedSet<String> want = sections(in);
+        SortedSet<String> want = Sections.read(in);
         if (want.isEmpty()) {
           throw new WireFormatException("a request for nothing");
         }
         yield new MutexMessage.Req(from, to, num, admittedBy, ts, want);
       }
-      case OK -> new MutexMessage.Ok(from, to, num);
-      case REM -> new MutexMessage.Rem(from, to, num, sections(in));
+      case OK -> new MutexMessage.Ok(from, to, num(in));
+      case REM -> new MutexMessage.Rem(from, to, num(in), Sections.read(in));
+      case NOTED -> new MutexMessage.Noted(from, to, num(in));
+      case FENCE_Q -> new MutexMessage.FenceQ(from, to, suspect(in, from), admittedBy(in));
+      case FENCE -> new MutexMessage.Fence(from, to, suspect(in, from), Sections.read(in));
+      case FENCED -> new MutexMessage.Fenced(from, to);
       default -> throw new WireFormatException("message kind " + kind);
     };
   }
 
-  private static void head(int kind, MutexMessage message, long num, WireWriter out) {
+  private static void head(int kind, MutexMessage message, WireWriter out) {
     out.u8(kind);
     out.process(message.from());
     out.process(message.to());
-    out.i64(num);
   }
 
-  private static void sections(SortedSet<String> names, WireWriter out) {
-    out.u8(names.size());
-    for (String name : names) {
-      out.string(name);
+  private static ProcessId suspect(WireReader in, ProcessId from) {
+    ProcessId suspect = in.process();
+    if (suspect.equals(from)) {
+      throw new WireFormatException(from + " suspects itself");
     }
+    return suspect;
   }
 
-  // Only the ascending order is accepted, so that every message has one spelling.
-  private static SortedSet<String> sections(WireReader in) {
-    int count = in.u8();
-    if (count > Sections.MAX_COUNT) {
-      throw new WireFormatException(count + " sections");
-    }
-    TreeSet<String> names = new TreeSet<>();
-    for (int i = 0; i < count; i++) {
-      String name = in.string();
-      if (!Sections.isValid(name) || (!names.isEmpty() && names.last().compareTo(name) >= 0)) {
-        throw new WireFormatException("section name");
-      }
-      names.add(name);
-    }
-    return Sections.copyOf(names);
+  private static long num(WireReader in) {
+    return positive(in.i64(), "request number");
+  }
+
+  private static long admittedBy(WireReader in) {
+    return positive(in.i64(), "view number");
   }
 
   private static long positive(long value, String what) {

@@ -64,6 +64,13 @@ public interface MutexPrim extends StarLPrimitive {
   /** Gives up what it waits for: {@link #failed} becomes true. If it does not wait, nothing. */
   void withdraw();
 
+  /**
+   * For a robot whose program has started anew: who it was before may still be thought to hold what it
+   * held. This is its own word that its body is in no other section than these; say less as it goes
+   * on, and in the end nothing. What it says it stands in is its own to ask for.
+   */
+  void standsIn(Collection<String> sections);
+
   /** What this robot has access to now. */
   SortedSet<String> held();
 

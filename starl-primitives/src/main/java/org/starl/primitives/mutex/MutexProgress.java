@@ -8,6 +8,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.Requests.Request;
 import org.starl.spec.Monitor.Report;
 import org.starl.spec.Within;

@@ -1,18 +1,22 @@
 package org.starl.primitives.mutex;
 
-import java.util.ArrayList;
-import java.util.LinkedHashMap;
-import java.util.List;
-import java.util.Map;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.ProcessId;
 import org.starl.comms.LamportClock;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexMessage.Fence;
+import org.starl.primitives.mutex.MutexMessage.FenceQ;
+import org.starl.primitives.mutex.MutexMessage.Fenced;
+import org.starl.primitives.mutex.MutexMessage.Noted;
 import org.starl.primitives.mutex.MutexMessage.Ok;
 import org.starl.primitives.mutex.MutexMessage.Rem;
 import org.starl.primitives.mutex.MutexMessage.Req;
+import org.starl.random.Rng;
 
 /**
  * One participant of the mutex: Ricart and Agrawala ("An optimal algorithm for mutual exclusion in
@@ -26,9 +30,7 @@ import org.starl.primitives.mutex.MutexMessage.Req;
  * through a learned view that lists itself and not the other. So of two participants the younger one
  * has a view with the elder in it, and asks; the elder learns of it by being asked, and asks back.
  */
-class MutexProtocol {
-
-  private static final long NS_PER_MS = 1_000_000;
+class MutexProtocol implements Fences.Owner {
 
   /** What a process does with the sections that it named last. */
   enum Phase {
@@ -37,48 +39,13 @@ class MutexProtocol {
     CRITICAL
   }
 
-  /** Takes messages and outcomes, inside the call that brings them about; must not call back. */
-  interface Effects {
-
-    void send(MutexMessage message);
-
-    /** A request begins, and {@code known} is whom it needs. */
-    void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known);
-
-    /** Whom the current request needs, or would need if it began now, has changed to this. */
-    void known(long num, SortedSet<ProcessId> known);
-
-    /** Request {@code num} of {@code to} is granted for the first time. */
-    void granted(ProcessId to, long num);
-
-    void entered(long num, SortedSet<String> held);
-
-    void released(long num, SortedSet<String> given, SortedSet<String> left);
-
-    /** The request ended without access; number 0 if it did not even begin. */
-    void failed(long num, MutexFailure why);
-  }
-
-  /** What is remembered of another participant: its newest request, and what became of it. */
-  private static final class Peer {
-    private long seen;
-    private boolean granted;
-    private boolean done;
-    // The part of what was granted that the other may still hold.
-    private SortedSet<String> open = Sections.NONE;
-
-    private void isNowAt(long num) {
-      seen = num;
-      granted = false;
-      done = false;
-      open = Sections.NONE;
-    }
-  }
+  /** Who a participant is, and what it works with. */
+  record Self(ProcessId me, LamportClock clock, MutexTimes times, Rng rng, boolean canConfine) {}
 
   private final ProcessId me;
   private final LamportClock clock;
-  private final MutexTimes times;
-  private final Effects effects;
+  private final boolean canConfine;
+  private final MutexEffects effects;
 
   private View view = View.NONE;
   // The view that admitted me; 0: none that I have learned.
@@ -92,28 +59,34 @@ class MutexProtocol {
   // Whom the current request was sent to, and those of them whose answer is needed and not there.
   private final TreeSet<ProcessId> asked = new TreeSet<>();
   private final TreeSet<ProcessId> missing = new TreeSet<>();
-  private long deadlineNs = Long.MAX_VALUE;
-  private long resendAtNs = Long.MAX_VALUE;
-  private long resendNs;
+  private final Patience patience;
 
   // Those heard from that were admitted after the latest view, with the number of that view.
   private final TreeMap<ProcessId, Long> heard = new TreeMap<>();
-  private final TreeMap<ProcessId, Peer> peers = new TreeMap<>();
-  private final Map<ProcessId, Req> pending = new LinkedHashMap<>();
+  private final Peers peers = new Peers();
+  private final Fences fences;
 
-  MutexProtocol(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
-    this.me = me;
-    this.clock = clock;
-    this.times = times;
+  MutexProtocol(Self self, MutexEffects effects) {
+    this.me = self.me();
+    this.clock = self.clock();
+    this.canConfine = self.canConfine();
     this.effects = effects;
+    this.fences = new Fences(this, self.rng());
+    this.patience = new Patience(self.times());
   }
 
-  ProcessId me() {
+  @Override
+  public ProcessId me() {
     return me;
   }
 
   Phase phase() {
     return phase;
+  }
+
+  @Override
+  public View view() {
+    return view;
   }
 
   /** The logical time of its newest request. */
@@ -128,7 +101,8 @@ class MutexProtocol {
 
   /** When {@link #timer} has something to do; {@code Long.MAX_VALUE}: never. */
   long nextTimerNs() {
-    return phase == Phase.TRYING ? Math.min(deadlineNs, resendAtNs) : Long.MAX_VALUE;
+    long requestNs = phase == Phase.TRYING ? patience.wakeAtNs() : Long.MAX_VALUE;
+    return Math.min(requestNs, fences.wakeAtNs());
   }
 
   /** Whether it stands in the latest view that it learned, and may go on requesting. */
@@ -136,17 +110,28 @@ class MutexProtocol {
     return !over && view.contains(me);
   }
 
+  /** Those to whom it must never grant anything, also when all else of it is forgotten. */
+  Set<ProcessId> fenced() {
+    return fences.all();
+  }
+
+  /** Those whose answers are needed and not there. */
+  SortedSet<ProcessId> missing() {
+    return new TreeSet<>(missing);
+  }
+
   /**
    * The part of {@code peer}'s newest request that this process granted and that {@code peer} may
    * still hold.
    */
-  SortedSet<String> open(ProcessId peer) {
-    Peer known = peers.get(peer);
-    return known == null ? Sections.NONE : known.open;
+  @Override
+  public SortedSet<String> open(ProcessId peer) {
+    return peers.open(peer);
   }
 
   /** Everybody whose answer a request needs now. */
-  SortedSet<ProcessId> known() {
+  @Override
+  public SortedSet<ProcessId> known() {
     TreeSet<ProcessId> all = new TreeSet<>(view.admitted().keySet());
     all.addAll(heard.keySet());
     all.remove(me);
@@ -176,9 +161,7 @@ class MutexProtocol {
     asked.addAll(known());
     missing.clear();
     missing.addAll(asked);
-    deadlineNs = nowNs + times.deadlineMs() * NS_PER_MS;
-    resendNs = times.resendMs() * NS_PER_MS;
-    resendAtNs = nowNs + resendNs;
+    patience.begin(nowNs);
     effects.requested(num, ts, want, asked);
     sendRequests();
     enter();
@@ -196,6 +179,9 @@ class MutexProtocol {
     effects.released(num, sections, want);
     tellRest();
     answerPending();
+    if (over && phase == Phase.IDLE) {
+      effects.idleForEver();
+    }
   }
 
   /** Gives up what it waits for; if it does not wait, nothing. */
@@ -206,6 +192,7 @@ class MutexProtocol {
     phase = Phase.IDLE;
     want = Sections.NONE;
     missing.clear();
+    patience.needsOnly(missing);
     effects.failed(num, why);
     tellRest();
     answerPending();
@@ -217,6 +204,7 @@ class MutexProtocol {
       throw new IllegalStateException("leaves while " + phase + " for " + want);
     }
     over = true;
+    fences.end();
   }
 
   /** Learns a view, if it is later than the one known; numbers may be skipped. */
@@ -225,84 +213,109 @@ class MutexProtocol {
       return;
     }
     view = later;
+    effects.learned(view);
     heard.values().removeIf(by -> by <= view.number());
-    forgetTheGone();
+    // Who has left is idle for ever or dead: nothing it asked is open, and what it sends late is
+    // answered like anything else, which binds nobody. A ghost may still shrink.
+    peers.forget(id -> !view.mentions(id) && !heard.containsKey(id));
     if (view.contains(me)) {
       admittedBy = view.admittedBy(me);
     } else if (admittedBy > 0) {
       removed();
     }
+    fences.look();
     if (phase != Phase.IDLE) {
       knownChanged();
     }
   }
 
-  /** Repeats the request, or gives it up, if it is time. */
+  /** Repeats the request, or gives it up, or goes on with whom it suspects, if it is time. */
   void timer(long nowNs) {
-    if (phase != Phase.TRYING) {
-      return;
-    }
-    if (nowNs >= deadlineNs) {
-      withdraw(MutexFailure.DEADLINE);
-    } else if (nowNs >= resendAtNs) {
-      double longerNs = (double) resendNs * times.backoff();
-      resendNs = Math.min((long) longerNs, times.maxResendMs() * NS_PER_MS);
-      resendAtNs = nowNs + resendNs;
+    if (phase == Phase.TRYING && patience.isOver(nowNs)) {
+      withdraw(missing.isEmpty() ? MutexFailure.OCCUPIED : MutexFailure.DEADLINE);
+    } else if (phase == Phase.TRYING && patience.resends(nowNs)) {
       sendRequests();
+      if (canConfine && !missing.isEmpty()) {
+        patience.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
+        if (patience.wantsNews()) {
+          effects.refresh();
+        }
+      }
+    }
+    fences.timer(nowNs);
+  }
+
+  /** Takes {@code peer}, whose answer it needs, for crashed; it may be wrong. */
+  final void suspect(ProcessId peer, long nowNs) {
+    if (canConfine && missing.contains(peer) && mayRequest()) {
+      Long by = heard.get(peer);
+      fences.suspect(peer, by == null ? view.admittedBy(peer) : by, nowNs);
     }
   }
 
   // --------------------------------------------------------------- messages
 
   /** Takes a message whose addressee is this participant. */
-  final void receive(MutexMessage message) {
+  final void receive(MutexMessage message, long nowNs) {
     if (!message.to().equals(me) || message.from().equals(me)) {
       throw new IllegalArgumentException(message + " is not for " + me);
     }
+    patience.heard(message.from(), nowNs);
+    fences.heardFrom(message.from());
     switch (message) {
       case Req req -> hear(req);
       case Ok ok -> hearOk(ok);
       case Rem rem -> hearRem(rem);
+      case Noted noted -> {
+        // That it has come says all: its sender is alive.
+      }
+      case FenceQ question -> fences.asked(question, nowNs);
+      case Fence fence -> fences.answered(fence);
+      case Fenced fenced -> givenUp();
     }
   }
 
   private void hear(Req req) {
     witness(req.ts());
     noteHeard(req.from(), req.admittedBy());
-    Peer peer = peers.computeIfAbsent(req.from(), id -> new Peer());
-    if (req.num() < peer.seen || (req.num() == peer.seen && peer.done)) {
-      return; // stale or withdrawn: never answered
+    Peers.Peer peer = peers.hear(req);
+    if (peer == null) {
+      return;
     }
-    if (req.num() > peer.seen) {
-      peer.isNowAt(req.num());
-      pending.remove(req.from());
-    }
-    if (peer.granted) {
+    if (peer.isGranted()) {
       effects.send(new Ok(me, req.from(), req.num()));
+    } else if (refuses(req.from())) {
+      effects.send(new Fenced(me, req.from()));
     } else if (keepsBack(req)) {
-      pending.put(req.from(), req);
+      if (peers.keepBack(req)) {
+        effects.send(new Noted(me, req.from(), req.num()));
+      }
     } else {
       grant(req, peer);
     }
+    lookAtGhost(req.from());
   }
 
   private void hearOk(Ok ok) {
     if (phase == Phase.TRYING && answersMyRequest(ok) && missing.remove(ok.from())) {
+      patience.needsOnly(missing);
       enter();
     }
   }
 
   private void hearRem(Rem rem) {
-    Peer peer = peers.computeIfAbsent(rem.from(), id -> new Peer());
-    if (rem.num() > peer.seen && rem.left().isEmpty()) {
-      peer.isNowAt(rem.num());
-      peer.done = true;
-      pending.remove(rem.from());
-    } else if (rem.num() == peer.seen) {
-      peer.open = Sections.common(peer.open, rem.left());
-      if (rem.left().isEmpty()) {
-        peer.done = true;
-        pending.remove(rem.from());
+    peers.hearRem(rem);
+    lookAtGhost(rem.from());
+  }
+
+  /** Others have given me up, as crashed: I shall never get all the answers that I need. */
+  private void givenUp() {
+    if (mayRequest()) {
+      over = true;
+      fences.end();
+      withdraw(MutexFailure.FENCED);
+      if (phase == Phase.IDLE) {
+        effects.idleForEver();
       }
     }
   }
@@ -315,6 +328,20 @@ class MutexProtocol {
         && Sections.meet(want, req.want())
         // By rule, not by clock: a newcomer's clock may be low.
         && (phase == Phase.CRITICAL || isBefore(ts, me, req.ts(), req.from()));
+  }
+
+  /** Whether it grants {@code peer} nothing, ever. */
+  boolean refuses(ProcessId peer) {
+    return fences.isFenced(peer) || view.ghost(peer) != null;
+  }
+
+  /**
+   * Whether {@code suspect} cannot enter without my consent: because every view that lists it lists
+   * me, or because it has asked me.
+   */
+  @Override
+  public boolean hasSayOver(ProcessId suspect, long itsAdmittedBy) {
+    return mayRequest() && (admittedBy <= itsAdmittedBy || peers.hasAsked(suspect));
   }
 
   /** Logical clocks: whoever hears of a request requests later than it. */
@@ -341,10 +368,23 @@ class MutexProtocol {
     return missing.isEmpty();
   }
 
-  /** A view without this participant came after one with it. */
+  /** A view without this participant, or with its ghost, came after one with it. */
   void removed() {
+    boolean isNew = !over;
     over = true;
+    fences.end();
     withdraw(MutexFailure.REMOVED);
+    if (isNew && phase == Phase.IDLE) {
+      effects.idleForEver();
+    }
+  }
+
+  /** Whether a ghost may stand in a section that is wanted; my own robot does not block itself. */
+  boolean isOccupied() {
+    return view.ghosts().entrySet().stream()
+        .anyMatch(ghost ->
+            !ghost.getKey().robot().equals(me.robot())
+                && Sections.meet(ghost.getValue().sections(), want));
   }
 
   static boolean isBefore(long ts, ProcessId id, long otherTs, ProcessId other) {
@@ -353,26 +393,24 @@ class MutexProtocol {
 
   // ------------------------------------------------------------------ steps
 
-  private void enter() {
-    if (phase == Phase.TRYING && hasAllAnswers()) {
+  /** Enters, if nothing is in the way; called whenever something may have gone out of it. */
+  final void enter() {
+    if (phase == Phase.TRYING && hasAllAnswers() && !isOccupied()) {
       phase = Phase.CRITICAL;
       effects.entered(num, want);
     }
   }
 
-  private void grant(Req req, Peer peer) {
-    peer.granted = true;
-    peer.open = req.want();
+  private void grant(Req req, Peers.Peer peer) {
+    peers.grant(req, peer);
     effects.granted(req.from(), req.num());
     effects.send(new Ok(me, req.from(), req.num()));
   }
 
   private void answerPending() {
-    List<Req> waiting = new ArrayList<>(pending.values());
-    for (Req req : waiting) {
-      Peer peer = peers.get(req.from());
-      if (peer != null && !keepsBack(req)) {
-        pending.remove(req.from());
+    for (Req req : peers.takePending(each -> !keepsBack(each))) {
+      Peers.Peer peer = peers.find(req.from());
+      if (peer != null && !refuses(req.from())) {
         grant(req, peer);
       }
     }
@@ -384,6 +422,7 @@ class MutexProtocol {
     effects.known(num, now);
     if (phase == Phase.TRYING) {
       missing.retainAll(now);
+      patience.needsOnly(missing);
       for (ProcessId other : now) {
         if (asked.add(other)) {
           missing.add(other);
@@ -394,15 +433,10 @@ class MutexProtocol {
     }
   }
 
-  // Who has left is idle for ever or dead: nothing it asked is open, and what it sends late is
-  // answered like anything else, which binds nobody.
-  private void forgetTheGone() {
-    peers.keySet().removeIf(this::isGone);
-    pending.keySet().removeIf(this::isGone);
-  }
-
-  private boolean isGone(ProcessId other) {
-    return !view.contains(other) && !heard.containsKey(other);
+  private void lookAtGhost(ProcessId peer) {
+    if (view.ghost(peer) != null) {
+      fences.look();
+    }
   }
 
   private void sendRequests() {
@@ -430,19 +464,29 @@ class MutexProtocol {
     text.append(clock.now()).append(' ').append(this);
     text.append(over ? " over " : " ").append(num).append(' ').append(ts);
     text.append(' ').append(asked).append(missing).append(heard);
-    peers.forEach((id, peer) ->
-        text.append(' ')
-            .append(id)
-            .append(':')
-            .append(peer.seen)
-            .append(peer.granted ? "g" : "")
-            .append(peer.done ? "d" : "")
-            .append(peer.open));
-    return text.append(' ').append(pending).toString();
+    return text.append(peers).append(fences).toString();
   }
 
   @Override
   public String toString() {
     return me + " " + phase + " " + want + " in view " + view.number();
+  }
+
+  // ------------------------------------------------------ what its fences do
+
+  @Override
+  public final void fenced(ProcessId suspect) {
+    peers.dropPending(suspect);
+    effects.fenced(suspect, peers.open(suspect));
+  }
+
+  @Override
+  public final void send(MutexMessage message) {
+    effects.send(message);
+  }
+
+  @Override
+  public final void propose(Confinement confinement) {
+    effects.propose(confinement);
   }
 }

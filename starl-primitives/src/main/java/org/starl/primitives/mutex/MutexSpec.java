@@ -3,10 +3,14 @@ package org.starl.primitives.mutex;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
@@ -14,12 +18,15 @@ import org.starl.trace.TraceEvent;
  * The specification of one mutex instance, over its trace.
  *
  * <ul>
- *   <li>{@code Exclusive} (the paper's {@code Inv_mux_safety}): what two participants hold is
- *       disjoint. Who crashed, left or closed its mutex without a release holds for ever: its body
- *       may still be there.
+ *   <li>{@code Exclusive} (the paper's {@code Inv_mux_safety}): what participants of two robots hold
+ *       is disjoint. Who crashed, left or closed its mutex without a release holds on: its body may
+ *       still be there; until its robot's next start says otherwise.
  *   <li>{@code Promise}: of two participants with open requests that meet, one that has the other's
  *       consent comes before it.
- *   <li>{@code Connected}: of two participants with open requests, one needs the other's consent.
+ *   <li>{@code Connected}: of two participants with open requests that the latest view lists, one
+ *       needs the other's consent.
+ *   <li>{@code Kept}: who was listed and is not any more holds nothing but what its ghost stands for.
+ *   <li>{@code Complete}: who holds anything was listed.
  *   <li>{@code Served}, if there are bounds: a request has access, or has ended, within d2; owed
  *       while nobody has held for longer than d1.
  *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while nobody holds,
@@ -38,10 +45,18 @@ public final class MutexSpec implements Monitor {
   static final String PROMISE = "Promise";
   static final String CONNECTED = "Connected";
 
+  static final String KEPT = "Kept";
+  static final String COMPLETE = "Complete";
+
   private final String source;
-  private final List<String> lemmas = new ArrayList<>(List.of(EXCLUSIVE, PROMISE, CONNECTED));
+  private final List<String> lemmas =
+      new ArrayList<>(List.of(EXCLUSIVE, PROMISE, CONNECTED, KEPT, COMPLETE));
   private final @Nullable MutexProgress progress;
   private final Requests requests = new Requests();
+
+  // The latest view that anybody has learned, and all that any view listed.
+  private View last = View.NONE;
+  private final Set<ProcessId> listed = new TreeSet<>();
 
   /** Safety only. */
   public MutexSpec(String xid) {
@@ -101,6 +116,7 @@ public final class MutexSpec implements Monitor {
       case MutexEvent.OdMutex e -> {
         requests.enter(request, e.held());
         checkExclusive(request, nowNs, report);
+        checkListed(request, nowNs, report);
         if (progress != null) {
           progress.entered(request, nowNs, report);
         }
@@ -113,6 +129,11 @@ public final class MutexSpec implements Monitor {
       }
       case MutexEvent.Withdraw e -> withdrew(request, nowNs);
       case MutexEvent.Grant e -> granted(requests.of(e.to()), e, nowNs, report);
+      case MutexEvent.Learned e -> learned(e.view(), nowNs, report);
+      case MutexEvent.StandsIn e -> startedAnew(e, nowNs);
+      case MutexEvent.Fence e -> {
+        // A vow by itself changes nothing.
+      }
       case MutexEvent.Known e -> {
         request.known = e.known();
         checkConnected(request, nowNs, report);
@@ -120,6 +141,53 @@ public final class MutexSpec implements Monitor {
           progress.needsOthers(request, nowNs);
         }
       }
+    }
+  }
+
+  private void learned(View view, long nowNs, Report report) {
+    listed.addAll(view.ids());
+    if (view.number() > last.number()) {
+      last = view;
+      for (Requests.Request request : requests.active()) {
+        if (request.critical) {
+          checkListed(request, nowNs, report);
+        }
+      }
+    }
+  }
+
+  /** What earlier starts of the robot's program held, or waited for, was theirs. */
+  private void startedAnew(MutexEvent.StandsIn word, long nowNs) {
+    for (Requests.Request request : new ArrayList<>(requests.active())) {
+      if (request.who.robot().equals(word.who().robot()) && isOfEarlierStart(request, word)) {
+        SortedSet<String> before = request.want;
+        requests.shrink(
+            request,
+            request.critical ? Sections.common(before, word.sections()) : Sections.NONE);
+        if (progress != null) {
+          progress.shrank(request, Sections.without(before, request.want), nowNs);
+        }
+      }
+    }
+  }
+
+  private static boolean isOfEarlierStart(Requests.Request request, MutexEvent.StandsIn word) {
+    return request.who.inc() >>> Integer.SIZE < word.who().inc() >>> Integer.SIZE;
+  }
+
+  private void checkListed(Requests.Request holder, long nowNs, Report report) {
+    boolean wasListed = listed.contains(holder.who);
+    String lemma = wasListed ? KEPT : COMPLETE;
+    report.checked(KEPT);
+    report.checked(COMPLETE);
+    View.Ghost ghost = last.ghost(holder.who);
+    SortedSet<String> atMost = ghost == null ? Sections.NONE : ghost.sections();
+    if (!last.contains(holder.who) && !atMost.containsAll(holder.want)) {
+      report.violated(
+          lemma,
+          nowNs,
+          List.of(holder.who.robot()),
+          holder.who + " holds " + holder.want + ", but view " + last + " has it hold " + atMost);
     }
   }
 
@@ -138,7 +206,7 @@ public final class MutexSpec implements Monitor {
     report.checked(EXCLUSIVE);
     for (String section : entering.want) {
       for (Requests.Request other : requests.contendersFor(section)) {
-        if (other != entering && other.critical) {
+        if (other.critical && !other.who.robot().equals(entering.who.robot())) {
           report.violated(
               EXCLUSIVE,
               nowNs,
@@ -176,12 +244,13 @@ public final class MutexSpec implements Monitor {
   }
 
   private void checkConnected(Requests.Request request, long nowNs, Report report) {
-    if (!request.isActive()) {
+    if (!request.isActive() || !last.contains(request.who)) {
       return;
     }
     report.checked(CONNECTED);
     for (Requests.Request other : requests.active()) {
       if (other != request
+          && last.contains(other.who)
           && !request.known.contains(other.who)
           && !other.known.contains(request.who)) {
         report.violated(

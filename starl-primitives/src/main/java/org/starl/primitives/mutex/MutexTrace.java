@@ -9,6 +9,8 @@ import java.util.TreeSet;
 import java.util.function.Function;
 import org.starl.ProcessId;
 import org.starl.Trace;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -21,9 +23,13 @@ import org.starl.trace.TraceEvent;
  * withdraw  who num why
  * grant     who to num
  * known     who num known
+ * view      who view
+ * fence     who suspect open
+ * stands_in who sections
  * </pre>
  *
- * Sections and participants are names with single spaces between them, in order.
+ * Sections and participants are names with single spaces between them, in order; a view is as {@link
+ * View#toString} writes it.
  */
 public final class MutexTrace {
 
@@ -36,6 +42,9 @@ public final class MutexTrace {
   private static final String WITHDRAW = "withdraw";
   private static final String GRANT = "grant";
   private static final String KNOWN = "known";
+  private static final String VIEW = "view";
+  private static final String FENCE = "fence";
+  private static final String STANDS_IN = "stands_in";
 
   private MutexTrace() {}
 
@@ -71,6 +80,9 @@ public final class MutexTrace {
       case MutexEvent.Withdraw e -> WITHDRAW;
       case MutexEvent.Grant e -> GRANT;
       case MutexEvent.Known e -> KNOWN;
+      case MutexEvent.Learned e -> VIEW;
+      case MutexEvent.Fence e -> FENCE;
+      case MutexEvent.StandsIn e -> STANDS_IN;
     };
   }
 
@@ -84,6 +96,9 @@ public final class MutexTrace {
       case MutexEvent.Withdraw e -> List.of(who, text(e.num()), e.why().name());
       case MutexEvent.Grant e -> List.of(who, e.to().toString(), text(e.num()));
       case MutexEvent.Known e -> List.of(who, text(e.num()), text(e.known()));
+      case MutexEvent.Learned e -> List.of(who, e.view().toString());
+      case MutexEvent.Fence e -> List.of(who, e.suspect().toString(), text(e.open()));
+      case MutexEvent.StandsIn e -> List.of(who, text(e.sections()));
     };
   }
 
@@ -102,6 +117,9 @@ public final class MutexTrace {
             new MutexEvent.Withdraw(who, number(args, 1), MutexFailure.valueOf(args.get(2)));
         case GRANT -> new MutexEvent.Grant(who, ProcessId.parse(args.get(1)), number(args, 2));
         case KNOWN -> new MutexEvent.Known(who, number(args, 1), processes(args, 2));
+        case VIEW -> new MutexEvent.Learned(who, View.parse(args.get(1)));
+        case FENCE -> new MutexEvent.Fence(who, ProcessId.parse(args.get(1)), sections(args, 2));
+        case STANDS_IN -> new MutexEvent.StandsIn(who, sections(args, 1));
         default -> throw new IllegalArgumentException("unknown action");
       };
     } catch (IllegalArgumentException | IndexOutOfBoundsException e) {

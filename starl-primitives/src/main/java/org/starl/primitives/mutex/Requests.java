@@ -12,6 +12,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.ProcessId;
+import org.starl.primitives.membership.Sections;
 
 /** The open requests of one mutex, as its trace tells of them. */
 final class Requests {

@@ -28,19 +28,41 @@
  * org.starl.primitives.mutex.MutexTimes} as messages are lost in a row.
  *
  * <p><b>Envelope.</b> Safety holds under every loss, delay, duplication, reordering and partition,
- * and whenever robots crash and restart; it depends on no clock. Messages are not forged (a message
- * in another robot's name is dropped). Where participants come and go it rests on the views of {@link
- * org.starl.primitives.membership.Membership}: equal numbers are equal lists, a list holds everybody
- * admitted before who has not left, nobody who left is admitted again, and nobody leaves who is not
- * idle. Then of any two participants with open requests one needs the other's consent ({@code
- * Connected}), and consent is a promise to come later ({@code Promise}).
+ * whenever robots crash and restart, and whoever is taken for crashed, rightly or not; it depends on
+ * no clock. Messages are not forged (a message in another robot's name is dropped). Where participants
+ * come and go it rests on the views of {@link org.starl.primitives.membership.Membership}: equal
+ * numbers are equal lists, a list holds everybody admitted before who has neither left nor been
+ * confined, nobody who is out is admitted again, and nobody leaves who is not idle. Then of any two
+ * participants with open requests one needs the other's consent ({@code Connected}), and consent is a
+ * promise to come later ({@code Promise}).
  *
- * <p><b>What it does not do.</b> A robot that crashes does not consent to anything, and keeps what it
- * held: requests that need its consent fail at their deadline until a view is without it, also those
- * with other sections. Requesting in one instance while holding in another can deadlock, which
- * the deadline ends: make it one instance, or request in the same order everywhere.
+ * <p><b>Crash: confinement.</b> Whoever waits for f and hears nothing of it for Ts asks all for a
+ * <em>fence</em>: the vow never to grant f anything again, and the part of f's newest request that f
+ * may still hold by the fencer's consent. Only one has a say without whom f cannot enter: who is listed
+ * wherever f is (as old as f or older), or was asked by f. What the fences have in common bounds what
+ * f holds and ever will ({@code Kept}); a view confines f to that. Those who learn it need f's answer
+ * no more; requests that meet the rest wait, and fail as {@code OCCUPIED}; all others go on. Why it
+ * takes a view: two that suspect each other may both vow, but views are in order, and f may do without
+ * its fencer only by a view that lists f and not the fencer. A fence counts only while its fencer is
+ * listed. The ghost shrinks as fencers know better, when f says itself that it is done, and by the own
+ * word of its robot's next start ({@code standsIn}). Who was taken for crashed wrongly is told ({@code
+ * FENCED} or {@code REMOVED}), keeps what it holds until it releases it, and registers anew.
  *
- * <p>May import: core, {@code org.starl.primitives}, {@code org.starl.primitives.membership}.
+ * <p>After a crash, a request that waited for the dead one has access after Ts + 9 delta more, if a
+ * majority of the registration's acceptors is in reach and no ghost is in its way.
+ *
+ * <p><b>Beside the model.</b> {@code Noted}: who keeps an answer back says so to one who asks again,
+ * which takes the place of the link's acknowledgement, and grants nothing. Who sees a ghost smaller
+ * than the view has it vows and proposes at once, unasked. Who is a ghost in the latest view is
+ * granted nothing, which is as if the grant were lost. An id that has retired keeps its vows.
+ *
+ * <p><b>What it does not do.</b> Where all who had a say over a dead one have gone too (it was alone, or
+ * the others left), nobody knows what it holds: requests that need it fail at their deadline until its
+ * robot starts anew and says where it stands. A closed group gives nobody up, for the same reason.
+ * Requesting in one instance while holding in another can deadlock, which the deadline ends: make it
+ * one instance, or request in the same order everywhere. One mutex stands on one registration.
+ *
+ * <p>May import: core, {@code org.starl.primitives}, its {@code membership} and {@code suspicion}.
  */
 @NullMarked
 package org.starl.primitives.mutex;

@@ -3,62 +3,43 @@ package org.starl.primitives.registration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 
 /**
- * What one robot wants different in the next view: its own ids only.
+ * What one robot wants different in the next view.
  *
  * @param join who wants to be in, or null; an id that has never stood in any view
- * @param leave who wants to be out; ids that will never request anything again
+ * @param leave who wants to be out; ids of the robot's own that will never request anything again
+ * @param confine who is to be given up
  */
-record Change(@Nullable ProcessId join, List<ProcessId> leave) {
+record Change(@Nullable ProcessId join, List<ProcessId> leave, List<Confinement> confine) {
 
-  static final Change NONE = new Change(null, List.of());
+  static final Change NONE = new Change(null, List.of(), List.of());
+
+  /** A wish with more confinements leaves the rest for later: it is a hint. */
+  private static final int MAX_WISH_BYTES = 350;
 
   Change {
     leave = List.copyOf(leave);
+    confine = List.copyOf(confine);
   }
 
   /** Whether {@code view} already is as wanted. */
   boolean isVoidIn(View view) {
     boolean joins = join != null && !view.contains(join);
-    for (ProcessId id : leave) {
-      if (view.contains(id)) {
-        return false;
-      }
-    }
-    return !joins;
+    return !joins
+        && leave.stream().noneMatch(view::mentions)
+        && confine.stream().noneMatch(each -> each.changes(view));
   }
 
-  /** The model's {@code Change}: the view after {@code decided}, so changed. */
-  View apply(View decided) {
-    return applyTo(decided.number() + 1, decided.admitted());
-  }
-
-  /** Further changes of a view that is not decided yet: {@code number} stays. */
-  View alsoApply(View proposed) {
-    return applyTo(proposed.number(), proposed.admitted());
-  }
-
-  private View applyTo(long number, SortedMap<ProcessId, Long> before) {
-    SortedMap<ProcessId, Long> after = new TreeMap<>(before);
-    for (ProcessId id : leave) {
-      after.remove(id);
-    }
-    if (join != null) {
-      after.putIfAbsent(join, number);
-    }
-    return new View(number, after);
-  }
-
+  /** This as a wish, which others may fulfil: as much of it as fits. */
   Value toValue() {
     byte[] buffer = new byte[Value.MAX_BYTES];
     WireWriter out = new WireWriter(buffer);
@@ -70,6 +51,16 @@ record Change(@Nullable ProcessId join, List<ProcessId> leave) {
     for (ProcessId id : leave) {
       out.process(id);
     }
+    List<Confinement> fitting = new ArrayList<>();
+    int bytes = out.length() + 1;
+    for (Confinement each : confine) {
+      bytes += each.bytes();
+      if (bytes <= MAX_WISH_BYTES) {
+        fitting.add(each);
+      }
+    }
+    out.u8(fitting.size());
+    fitting.forEach(each -> each.write(out));
     return Value.of(Arrays.copyOf(buffer, out.length()));
   }
 
@@ -82,9 +73,14 @@ record Change(@Nullable ProcessId join, List<ProcessId> leave) {
     for (int i = 0; i < count; i++) {
       leave.add(in.process());
     }
+    count = in.u8();
+    List<Confinement> confine = new ArrayList<>(count);
+    for (int i = 0; i < count; i++) {
+      confine.add(Confinement.read(in));
+    }
     if (in.remaining() > 0) {
       throw new WireFormatException(in.remaining() + " bytes after a change");
     }
-    return new Change(join, leave);
+    return new Change(join, leave, confine);
   }
 }

@@ -10,6 +10,9 @@ public interface RegPrim extends StarLPrimitive {
    * Asks to be in. {@link #rList} is null at once, and a list that lists this robot once registered;
    * or {@link #failed} becomes true at the deadline.
    *
+   * <p>If others took this robot for crashed, wrongly, it is not registered any more, {@link #rList} is
+   * null, and this is how it comes back.
+   *
    * @throws IllegalStateException if this robot is registered, registering or unregistering
    */
   void do_register();
@@ -30,12 +33,11 @@ public interface RegPrim extends StarLPrimitive {
   GvhVariable<Boolean> failed();
 
   /**
-   * Asks to be out. Call it only when idle in every mutex over this registration, and request
-   * nothing from then on until registered anew; that is the app's duty. {@link #rList} is null at
-   * once. If it is given up, {@link #failed} is told: call it again, or {@link #do_register}, which
-   * leaves the old id behind.
+   * Asks to be out. A request that waits in the mutex over this registration fails. {@link #rList} is
+   * null at once. If it is given up, {@link #failed} is told: call it again, or {@link #do_register},
+   * which leaves the old id behind. Right also for a robot that others have taken for crashed.
    *
-   * @throws IllegalStateException if this robot is not registered
+   * @throws IllegalStateException if this robot is not registered, or holds something
    */
   void unregister();
 

@@ -2,6 +2,8 @@ package org.starl.primitives.registration;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedSet;
+import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhCell;
 import org.starl.GvhVariable;
@@ -12,6 +14,7 @@ import org.starl.comms.Channel;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodWire;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
 
@@ -32,6 +35,7 @@ public final class Registration implements RegPrim, Membership {
   private final List<Runnable> listeners = new ArrayList<>();
   private ProcessId shownMe;
   private boolean shownMayRequest;
+  private @Nullable Member member;
 
   /** With all robots of the deployment as acceptors. */
   public Registration(GlobalVarHolder gvh, String xid) {
@@ -77,6 +81,11 @@ public final class Registration implements RegPrim, Membership {
 
   @Override
   public void unregister() {
+    protocol.requireMayUnregister();
+    Member asked = member;
+    if (asked != null) {
+      asked.leaves();
+    }
     wire.call(() -> protocol.unregister(gvh.plat.clock.nowNs()));
   }
 
@@ -123,6 +132,35 @@ public final class Registration implements RegPrim, Membership {
   @Override
   public void onChange(Runnable listener) {
     listeners.add(listener);
+  }
+
+  @Override
+  public void join(Member newMember) {
+    if (member != null) {
+      throw new IllegalStateException(
+          source + " has a mutex already: give each one a registration of its own");
+    }
+    member = newMember;
+  }
+
+  @Override
+  public boolean confines() {
+    return true;
+  }
+
+  @Override
+  public void propose(Confinement confinement) {
+    wire.call(() -> protocol.confine(confinement, gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public void isIdleForEver(ProcessId id) {
+    wire.call(() -> protocol.isIdleForEver(id, gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public void standsIn(SortedSet<String> sections) {
+    wire.call(() -> protocol.standsIn(sections, gvh.plat.clock.nowNs()));
   }
 
   @Override
@@ -218,6 +256,12 @@ public final class Registration implements RegPrim, Membership {
     @Override
     public void unregisters(ProcessId id) {
       gvh.trace.action(source, RegistrationTrace.UNREGISTER, id);
+    }
+
+    @Override
+    public void confines(Confinement confinement) {
+      List<String> args = confinement.args();
+      gvh.trace.action(source, RegistrationTrace.CONFINE, args.toArray());
     }
 
     @Override

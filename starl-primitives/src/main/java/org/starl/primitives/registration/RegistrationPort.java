@@ -3,6 +3,7 @@ package org.starl.primitives.registration;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 
 /** Where a {@link RegistrationProtocol}'s effects go. */
@@ -29,6 +30,9 @@ interface RegistrationPort {
   /** This robot asks for {@code id} to be out, which will never request anything again. */
   void unregisters(ProcessId id);
 
-  /** {@code id} was asked in, but never requested anything and never will: it may be taken out. */
+  /** This robot works for {@code confinement}. */
+  void confines(Confinement confinement);
+
+  /** {@code id} was asked in, but requests nothing and never will again: it may be taken out. */
   void givesUp(ProcessId id);
 }

@@ -1,8 +1,8 @@
 package org.starl.primitives.registration;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
@@ -12,6 +12,7 @@ import org.starl.primitives.agreement.Synod;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodPort;
 import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 
@@ -53,6 +54,8 @@ class RegistrationProtocol {
   private boolean failed;
   private boolean unregistered;
 
+  private Change worksFor = Change.NONE;
+
   // The number of the latest proposal that would let me in; 0 for none.
   private long askedIn;
 
@@ -61,8 +64,10 @@ class RegistrationProtocol {
   private int nextQueried;
   private long nowNs;
 
-  // Ids of mine that never requested anything and never will: whoever let them in wasted a place.
-  private final Set<ProcessId> givenUp = new TreeSet<>();
+  private final Wants wants;
+
+  // Whether others gave up who I was: I need not unregister, and may register anew.
+  private boolean wasPutOut;
 
   /**
    * @param record what this robot's acceptor has last written, or null
@@ -84,7 +89,8 @@ class RegistrationProtocol {
     this.settings = settings;
     this.port = port;
     this.suspense = new Suspense(settings.nullMs() * NS_PER_MS, rng.fork("suspense"));
-    this.me = port.freshProcess();
+    this.wants = new Wants(self, port);
+    this.me = freshProcess();
     this.synod = new Synod(self, acceptors, me, settings.timing(), rng, record, new SynodEffects());
     start(isFirstStart);
   }
@@ -97,6 +103,7 @@ class RegistrationProtocol {
     for (ProcessId id : initial.ids()) {
       if (isFirstStart && id.robot().equals(self)) {
         me = id;
+        wants.isMine(id);
         settle(Phase.IN);
       }
     }
@@ -117,10 +124,11 @@ class RegistrationProtocol {
       throw new IllegalStateException("do_register while " + phase + ": unregister first");
     }
     if (phase == Phase.LEFT_HALFWAY) {
-      givenUp.add(me);
+      wants.isIdle(me);
     }
     failed = false;
     unregistered = false;
+    wasPutOut = false;
     phase = Phase.JOINING;
     deadlineNs = now + settings.deadlineMs() * NS_PER_MS;
     takeFreshId();
@@ -129,16 +137,51 @@ class RegistrationProtocol {
 
   void unregister(long now) {
     nowNs = now;
-    if (phase != Phase.IN && phase != Phase.LEFT_HALFWAY) {
-      throw new IllegalStateException("unregister while " + phase + ": register first");
-    }
+    requireMayUnregister();
     if (phase == Phase.IN) {
       port.unregisters(me);
     }
     failed = false;
+    if (wasPutOut && !view.mentions(me)) {
+      isOut();
+      return;
+    }
     phase = Phase.LEAVING;
     deadlineNs = now + settings.deadlineMs() * NS_PER_MS;
     change();
+  }
+
+  void requireMayUnregister() {
+    boolean isOut = phase == Phase.OUT && !wasPutOut;
+    if (isOut || phase == Phase.JOINING || phase == Phase.LEAVING) {
+      throw new IllegalStateException("unregister while " + phase + ": register first");
+    }
+  }
+
+  /** Works for {@code confinement} until it is done or void. */
+  void confine(Confinement confinement, long now) {
+    nowNs = now;
+    wants.confine(confinement);
+    changeIfNew();
+  }
+
+  /** An id of mine requests nothing any more, and holds nothing. */
+  void isIdleForEver(ProcessId id, long now) {
+    nowNs = now;
+    wants.isIdle(id);
+    port.givesUp(id);
+    if (id.equals(me) && phase == Phase.IN) {
+      wasPutOut = true;
+      settle(Phase.OUT);
+    }
+    changeIfNew();
+  }
+
+  /** The ids of earlier starts of this program are dead, and no body of theirs is elsewhere. */
+  void standsIn(SortedSet<String> sections, long now) {
+    nowNs = now;
+    wants.standsIn(sections);
+    changeIfNew();
   }
 
   /** Asks all acceptors for the latest view. */
@@ -205,7 +248,7 @@ class RegistrationProtocol {
   }
 
   boolean isUnregistered() {
-    return unregistered && news.isOut();
+    return unregistered && news.isOut() && !wants.lingersIn(view);
   }
 
   RList rList() {
@@ -216,16 +259,25 @@ class RegistrationProtocol {
 
   // The protocol.
 
+  /** The same as {@link #change}, unless that is what it works for. */
+  private void changeIfNew() {
+    if (!wanted().equals(worksFor)) {
+      change();
+    }
+  }
+
   /** Works for what this robot wants different in the latest view, if anything. */
   private void change() {
     Change wanted = wanted();
+    worksFor = wanted;
     if (wanted.isVoidIn(view)) {
       synod.stop();
       return;
     }
     View base = view;
-    if (wanted.join() != null) {
-      if (!ViewFormat.fits(wanted.apply(base))) {
+    ProcessId join = wanted.join();
+    if (join != null) {
+      if (!new Proposal(base).add(wanted).view().contains(join)) {
         giveUp();
         return;
       }
@@ -245,7 +297,7 @@ class RegistrationProtocol {
    */
   private void complete() {
     if (phase == Phase.IN && !synod.isProposing()) {
-      View same = new View(view.number() + 1, view.admitted());
+      View same = view.next();
       synod.propose(
           same.number(), Change.NONE.toValue(), wishes -> ViewFormat.toValue(same), nowNs);
     }
@@ -253,25 +305,16 @@ class RegistrationProtocol {
 
   /** The next view: always derived from the decided one. */
   View proposal(View decided, Change wanted, List<Value> wishes) {
-    View proposed = wanted.apply(decided);
+    Proposal proposal = new Proposal(decided).add(wanted);
     for (Value wish : wishes) {
-      View more = Change.fromValue(wish).alsoApply(proposed);
-      proposed = ViewFormat.fits(more) ? more : proposed;
+      proposal.add(Change.fromValue(wish));
     }
-    return proposed;
+    return proposal.view();
   }
 
   private Change wanted() {
-    List<ProcessId> leave = new ArrayList<>();
-    for (ProcessId id : givenUp) {
-      if (view.contains(id)) {
-        leave.add(id);
-      }
-    }
-    if (phase == Phase.LEAVING) {
-      leave.add(me);
-    }
-    return new Change(phase == Phase.JOINING ? me : null, leave);
+    return wants.in(
+        view, phase == Phase.JOINING ? me : null, phase == Phase.LEAVING ? me : null);
   }
 
   private void learn(View learned) {
@@ -282,15 +325,14 @@ class RegistrationProtocol {
       settle(Phase.IN);
     } else if (phase == Phase.JOINING && skippedFrom > 0 && learned.number() > skippedFrom) {
       // A view that I never saw may have let me in, and a later one put me out again.
-      givenUp.add(me);
+      wants.isIdle(me);
       port.givesUp(me);
       takeFreshId();
-    } else if ((phase == Phase.LEAVING || phase == Phase.LEFT_HALFWAY) && !listed) {
+    } else if ((phase == Phase.LEAVING || phase == Phase.LEFT_HALFWAY) && !learned.mentions(me)) {
       // What was given up at its deadline has come about after all: nobody need ask again.
-      settle(Phase.OUT);
-      unregistered = true;
-      failed = false;
+      isOut();
     } else if (phase == Phase.IN && !listed) {
+      wasPutOut = true;
       settle(Phase.OUT);
     }
     suspense.learned(learned.number(), nowNs);
@@ -301,9 +343,9 @@ class RegistrationProtocol {
   private void giveUp() {
     failed = true;
     if (phase == Phase.JOINING) {
-      givenUp.add(me);
+      wants.isIdle(me);
       port.givesUp(me);
-      me = port.freshProcess();
+      me = freshProcess();
       askedIn = 0;
       settle(Phase.OUT);
     } else {
@@ -319,10 +361,23 @@ class RegistrationProtocol {
     queryAtNs = next == Phase.OUT ? Long.MAX_VALUE : nowNs + settings.queryMs() * NS_PER_MS;
   }
 
+  private void isOut() {
+    settle(Phase.OUT);
+    unregistered = true;
+    wasPutOut = false;
+    failed = false;
+  }
+
   private void takeFreshId() {
-    me = port.freshProcess();
+    me = freshProcess();
     askedIn = 0;
     port.asksFor(me);
+  }
+
+  private ProcessId freshProcess() {
+    ProcessId id = port.freshProcess();
+    wants.isMine(id);
+    return id;
   }
 
   private final class SynodEffects implements SynodPort {
@@ -339,8 +394,8 @@ class RegistrationProtocol {
     @Override
     public void chosen(long number, Value value) {
       Set<RobotId> concerned = new TreeSet<>(acceptors);
-      concerned.addAll(view.participants().asList());
-      concerned.addAll(ViewFormat.read(number, value).participants().asList());
+      view.mentioned().forEach(id -> concerned.add(id.robot()));
+      ViewFormat.read(number, value).mentioned().forEach(id -> concerned.add(id.robot()));
       concerned.remove(self);
       news.begin(number, concerned.size(), nowNs);
       for (RobotId robot : concerned) {

@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
@@ -87,6 +88,9 @@ public final class RegistrationSpec implements Monitor {
       }
       case RegistrationTrace.FIRST_VIEW ->
           history(action.source()).isGiven(View.parse(action.args().get(0)));
+      case RegistrationTrace.CONFINE ->
+          history(action.source())
+              .mayBeConfined(action.robot(), Confinement.parse(action.args()));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
           history(action.source()).mayLeave(action.robot(), id(action));
       default -> {

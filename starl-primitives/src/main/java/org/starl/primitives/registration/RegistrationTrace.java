@@ -18,7 +18,13 @@ final class RegistrationTrace {
   /** Action with the id that asks to be out. */
   static final String UNREGISTER = "unregister";
 
-  /** Action with an id that was asked in, never requested anything, and never will. */
+  /**
+   * Action with who is to be given up, the sections that it may hold, and those who vouch for it, as
+   * {@link org.starl.primitives.membership.Confinement#parse} reads them.
+   */
+  static final String CONFINE = "confine";
+
+  /** Action with an id that was asked in, and requests nothing any more. */
   static final String GIVE_UP = "give_up";
 
   /** Variable: {@code null}, or time stamp and list, as in {@code 3:[bot0, bot2]}. */

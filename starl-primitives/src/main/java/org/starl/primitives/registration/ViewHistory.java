@@ -1,13 +1,17 @@
 package org.starl.primitives.registration;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent.Variable;
@@ -24,6 +28,7 @@ final class ViewHistory {
   private final Set<ProcessId> asked = new TreeSet<>();
   private final Map<RobotId, ProcessId> latestAsked = new TreeMap<>();
   private final Set<ProcessId> mayLeave = new TreeSet<>();
+  private final Map<ProcessId, List<Confinement>> confined = new TreeMap<>();
 
   ViewHistory(String source) {
     this.source = source;
@@ -45,6 +50,13 @@ final class ViewHistory {
   void mayLeave(RobotId robot, ProcessId id) {
     if (id.robot().equals(robot)) {
       mayLeave.add(id);
+    }
+  }
+
+  /** Somebody works for {@code confinement}; without fencers it counts only by its own robot's word. */
+  void mayBeConfined(RobotId robot, Confinement confinement) {
+    if (!confinement.fencers().isEmpty() || confinement.who().robot().equals(robot)) {
+      confined.computeIfAbsent(confinement.who(), id -> new ArrayList<>()).add(confinement);
     }
   }
 
@@ -92,18 +104,18 @@ final class ViewHistory {
 
   private void follows(Variable event, View before, View after, Report report) {
     report.checked(RegistrationSpec.KEEPS);
-    for (ProcessId id : before.ids()) {
-      if (!after.contains(id) && !mayLeave.contains(id)) {
-        violated(
-            RegistrationSpec.KEEPS,
-            event,
-            report,
-            after + " lacks " + id + ", listed in " + before);
+    for (ProcessId id : before.mentioned()) {
+      String wrong = after.contains(id) || mayLeave.contains(id) ? "" : loss(id, before, after);
+      if (!wrong.isEmpty()) {
+        violated(RegistrationSpec.KEEPS, event, report, after + " after " + before + ": " + wrong);
       }
     }
     report.checked(RegistrationSpec.FRESH);
-    for (ProcessId id : after.ids()) {
-      if (after.admittedBy(id) <= before.number() && !before.contains(id)) {
+    for (ProcessId id : after.mentioned()) {
+      View.Ghost ghost = after.ghost(id);
+      long by = ghost == null ? after.admittedBy(id) : ghost.admittedBy();
+      boolean isBack = ghost == null ? !before.contains(id) : !before.mentions(id);
+      if (by <= before.number() && isBack) {
         violated(
             RegistrationSpec.FRESH,
             event,
@@ -113,16 +125,44 @@ final class ViewHistory {
     }
   }
 
+  /** What is wrong with how {@code after} treats {@code id}, which has not left; empty for nothing. */
+  private String loss(ProcessId id, View before, View after) {
+    View.Ghost was = before.ghost(id);
+    View.Ghost is = after.ghost(id);
+    SortedSet<String> left = is == null ? Sections.NONE : is.sections();
+    if (was != null && left.equals(was.sections())) {
+      return "";
+    }
+    if (was != null && !was.sections().containsAll(left)) {
+      return "the ghost of " + id + " has grown";
+    }
+    SortedSet<String> vouched = was == null ? null : was.sections();
+    boolean isVouchedFor = after.number() > before.number() + 1;
+    for (Confinement each : confined.getOrDefault(id, List.of())) {
+      vouched = vouched == null ? each.sections() : Sections.common(vouched, each.sections());
+      isVouchedFor |= each.isVouchedForIn(before) && each.isVouchedForIn(after);
+    }
+    if (vouched == null) {
+      return id + " is lost";
+    }
+    if (!left.containsAll(vouched)) {
+      return id + " may hold " + vouched;
+    }
+    return isVouchedFor ? "" : "nobody who vouches for " + id + " is in both";
+  }
+
   private void entriesAreSound(Variable event, View view, Report report) {
     report.checked(RegistrationSpec.SOUNDNESS);
     report.checked(RegistrationSpec.FRESH);
-    for (ProcessId id : view.ids()) {
+    for (ProcessId id : view.mentioned()) {
       if (!asked.contains(id)) {
         violated(
             RegistrationSpec.SOUNDNESS, event, report, view + " lists " + id + ", who never asked");
       }
-      long by = admittedBy.computeIfAbsent(id, view::admittedBy);
-      if (by != view.admittedBy(id)) {
+      View.Ghost ghost = view.ghost(id);
+      long said = ghost == null ? view.admittedBy(id) : ghost.admittedBy();
+      long by = admittedBy.computeIfAbsent(id, first -> said);
+      if (by != said) {
         violated(
             RegistrationSpec.FRESH,
             event,

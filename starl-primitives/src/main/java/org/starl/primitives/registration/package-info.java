@@ -15,8 +15,9 @@
  *   <li>{@code Agreement}: equal view numbers of one instance mean equal lists, always. The paper's
  *       "time stamps within d of each other" does not carry the intersection, since a newcomer might
  *       then never ask a car that is still crossing; {@code ts} is therefore the view number.
- *   <li>{@code Keeps} (inclusion): a list holds every id of the lists before it that has not asked to
- *       leave.
+ *   <li>{@code Keeps} (inclusion): a list holds every id of the lists before it that has neither asked
+ *       to leave nor been confined, by the word of somebody who is free in the list before and in this
+ *       one. Who is confined to sections stays in the list as a ghost of these, which only shrinks.
  *   <li>{@code Fresh}: an id enters at most once; having left, it never comes back.
  *   <li>{@code Soundness}: an id stands in a list only if its robot invoked {@code do_register} under
  *       it.
@@ -37,11 +38,24 @@
  * and is gone before anybody knows is forgotten within seconds, as long as a majority of acceptors is
  * in reach.
  *
+ * <p><b>Crash, restart, wrong suspicion.</b> A registration by itself suspects nobody: a crashed id
+ * stays in the lists until the {@link org.starl.primitives.mutex} over it, which waits for that id,
+ * proposes its confinement, or its own robot's next start says where its body is ({@link
+ * org.starl.primitives.membership.Membership#standsIn}). A robot that was confined while it lived sees
+ * {@code rList} null, and may call {@code do_register} at once; {@code unregister} is then right too,
+ * and ends once no list mentions it. A restarted robot is another id, and registers anew.
+ *
+ * <p><b>Beside the model.</b> One view may serve several changes: those of its proposer, and wishes
+ * that others sent along. It is as if they were made one view each, of which nobody ever learned the
+ * ones between; only that who vouches in one of them may not leave or be confined by another, so that
+ * it is free before and after. What does not fit is left to the next view. A ghost keeps the number of
+ * the view that admitted it, for those who may vouch for less of it later.
+ *
  * <p>(c) <b>Assumptions.</b> Those of {@link org.starl.primitives.agreement}. Acceptors are by default
- * all robots of the deployment, each of which must construct the registration to serve, whether it
- * takes part or not. A robot unregisters only when idle in every mutex over the registration. An id
- * whose robot has crashed stays in the lists: nobody else takes it out. A list has room for about 40
- * ids; beyond that, {@code do_register} fails.
+ * all robots of the deployment, on open roads a few fixed roadside units; each must construct the
+ * registration to serve, whether it takes part or not. One mutex stands on a registration, and is
+ * asked before a robot unregisters. A list has room for about 40 ids; beyond that, {@code do_register}
+ * fails.
  *
  * <p>May import: core, {@code org.starl.primitives}, its {@code agreement} and {@code membership}.
  */

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
@@ -15,7 +16,9 @@ import org.starl.LogicThread;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.Registration;
 import org.starl.random.Rng;
@@ -209,6 +212,36 @@ class M_MutexTest {
     @Override
     public void onChange(Runnable listener) {
       listeners.add(listener);
+    }
+
+    @Override
+    public void join(Member member) {
+      // Nobody leaves.
+    }
+
+    @Override
+    public void refresh() {
+      // There is nobody to ask.
+    }
+
+    @Override
+    public boolean confines() {
+      return false;
+    }
+
+    @Override
+    public void propose(Confinement confinement) {
+      throw new IllegalStateException("not in this test");
+    }
+
+    @Override
+    public void isIdleForEver(ProcessId id) {
+      // It stays in the view.
+    }
+
+    @Override
+    public void standsIn(SortedSet<String> sections) {
+      throw new IllegalStateException("not in this test");
     }
   }
 

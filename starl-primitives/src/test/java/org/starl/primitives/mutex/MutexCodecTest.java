@@ -21,6 +21,11 @@ import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.platform.Radio;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.mutex.MutexMessage.Fence;
+import org.starl.primitives.mutex.MutexMessage.FenceQ;
+import org.starl.primitives.mutex.MutexMessage.Fenced;
+import org.starl.primitives.mutex.MutexMessage.Noted;
 import org.starl.primitives.mutex.MutexMessage.Ok;
 import org.starl.primitives.mutex.MutexMessage.Rem;
 import org.starl.primitives.mutex.MutexMessage.Req;
@@ -77,6 +82,7 @@ class MutexCodecTest {
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1, Sections.NONE)))
         .hasMessage("a request for nothing");
     assertThatThrownBy(() -> read(new Ok(ONE, ONE, 1))).hasMessage("a message of one#1 to itself");
+    assertThatThrownBy(() -> read(new FenceQ(ONE, TWO, ONE, 1))).hasMessage("one#1 suspects itself");
     assertThatThrownBy(() -> read(new Ok(ONE, TWO, 0))).hasMessage("request number 0");
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1L << 62, req.want())))
         .hasMessageStartingWith("logical time");
@@ -114,7 +120,13 @@ class MutexCodecTest {
           TreeSet<String> want = new TreeSet<>(left);
           want.add("Z");
           return Arbitraries.of(
-              new Req(f, t, num, by, ts, want), new Ok(f, t, num), new Rem(f, t, num, left));
+              new Req(f, t, num, by, ts, want),
+              new Ok(f, t, num),
+              new Rem(f, t, num, left),
+              new Noted(f, t, num),
+              new FenceQ(f, t, id("three", num), by),
+              new Fence(f, t, id("three", num), left),
+              new Fenced(f, t));
         });
   }
 

@@ -8,7 +8,6 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
-import org.starl.comms.LamportClock;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexExplorer.Outcome;
 import org.starl.primitives.mutex.MutexExplorer.Shape;
@@ -61,8 +60,8 @@ class MutexExplorationTest {
 
   /** Never asks back whoever its view does not list. */
   private static final class Deaf extends MutexProtocol {
-    Deaf(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
-      super(me, clock, times, effects);
+    Deaf(Self self, MutexEffects effects) {
+      super(self, effects);
     }
 
     @Override

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.ProcessId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 
@@ -116,7 +117,7 @@ final class MutexExplorer {
       for (MutexMessage message : messages.values()) {
         for (MutexNode node : nodes) {
           if (node.id.equals(message.to())) {
-            all.add(step(message.toString(), () -> node.protocol.receive(message)));
+            all.add(step(message.toString(), () -> node.protocol.receive(message, 0)));
           }
         }
       }

@@ -1,23 +1,28 @@
 package org.starl.primitives.mutex;
 
+import java.util.LinkedHashSet;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 import org.starl.ProcessId;
 import org.starl.comms.LamportClock;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
+import org.starl.random.Rng;
 
 /** One participant under test, with what an all-seeing observer notes of it. */
-final class MutexNode implements MutexProtocol.Effects {
+final class MutexNode implements MutexEffects {
 
   /** Makes the protocol under test: the real one, or a mutant. */
   @FunctionalInterface
   interface Kind {
-    MutexProtocol make(
-        ProcessId me, LamportClock clock, MutexTimes times, MutexProtocol.Effects effects);
+    MutexProtocol make(MutexProtocol.Self self, MutexEffects effects);
   }
 
-  static final MutexTimes TIMES = new MutexTimes(250, 1.5, 1_000, 1_000_000);
+  static final MutexTimes TIMES = new MutexTimes(250, 1.5, 1_000, 1_000_000, 1_000_000);
 
   final ProcessId id;
   final MutexProtocol protocol;
@@ -28,13 +33,29 @@ final class MutexNode implements MutexProtocol.Effects {
   long ts;
   SortedSet<String> want = Sections.NONE;
   final TreeMap<ProcessId, Long> consentedTo = new TreeMap<>();
+  // What it would have the next view say.
+  final Set<Confinement> proposed = new LinkedHashSet<>();
+  boolean isDone;
   boolean dead;
+  SortedSet<String> bodyIn = Sections.NONE;
 
   MutexNode(ProcessId id, Kind kind, Consumer<MutexMessage> net, Consumer<MutexEvent> trace) {
     this.id = id;
     this.net = net;
     this.trace = trace;
-    this.protocol = kind.make(id, new LamportClock(), TIMES, this);
+    this.protocol =
+        kind.make(
+            new MutexProtocol.Self(id, new LamportClock(), TIMES, new Rng(id.inc()), true), this);
+  }
+
+  /** What it holds; of one that is dead, what its robot's next start has not denied. */
+  SortedSet<String> held() {
+    return Sections.common(protocol.held(), dead ? bodyIn : protocol.held());
+  }
+
+  void diesHolding() {
+    dead = true;
+    bodyIn = protocol.held();
   }
 
   boolean isIn(MutexProtocol.Phase phase) {
@@ -85,5 +106,30 @@ final class MutexNode implements MutexProtocol.Effects {
   public void failed(long ofNum, MutexFailure why) {
     want = Sections.NONE;
     trace.accept(new MutexEvent.Withdraw(id, ofNum, why));
+  }
+
+  @Override
+  public void learned(View view) {
+    trace.accept(new MutexEvent.Learned(id, view));
+  }
+
+  @Override
+  public void fenced(ProcessId suspect, SortedSet<String> open) {
+    trace.accept(new MutexEvent.Fence(id, suspect, open));
+  }
+
+  @Override
+  public void propose(Confinement confinement) {
+    proposed.add(confinement);
+  }
+
+  @Override
+  public void refresh() {
+    // The world tells of views as it likes.
+  }
+
+  @Override
+  public void idleForEver() {
+    isDone = true;
   }
 }

@@ -4,7 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.SortedSet;
 import org.starl.ProcessId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 
 /** The model's invariants, read off the participants' states. Independent of the monitors. */
@@ -24,9 +26,15 @@ final class MutexOracle {
     List<String> found = new ArrayList<>();
     for (MutexNode i : nodes) {
       for (MutexNode j : nodes) {
-        if (i != j && Sections.meet(i.protocol.held(), j.protocol.held())) {
+        // A robot that has started anew may hold what its ghost stands in.
+        if (!i.id.robot().equals(j.id.robot()) && Sections.meet(i.held(), j.held())) {
           found.add("Exclusive: " + i.protocol + " and " + j.protocol);
         }
+      }
+      View.Ghost ghost = last.ghost(i.id);
+      SortedSet<String> atMost = ghost == null ? Sections.NONE : ghost.sections();
+      if (!last.contains(i.id) && !atMost.containsAll(i.held())) {
+        found.add("Kept: " + i.protocol + " in " + last);
       }
     }
     for (int a = 0; a < active.size(); a++) {

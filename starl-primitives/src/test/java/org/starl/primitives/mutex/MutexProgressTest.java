@@ -3,8 +3,6 @@ package org.starl.primitives.mutex;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.starl.ProcessId;
-import org.starl.comms.LamportClock;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
 import org.starl.spec.SpecReport;
 
@@ -24,6 +22,22 @@ class MutexProgressTest {
       assertThat(world.heal(6 * 10)).as("rounds to serve all, seed %d", seed).isNotNegative();
       assertThat(world.failures).as("failures, seed %d", seed).isEqualTo(failures);
     }
+  }
+
+  @Test
+  void onceTheNetworkBehavesWhoSurvivesIsServedOrToldOfAGhost() {
+    MutexWorld.Shape shape = new MutexWorld.Shape(3, 3, 3, 2, 4, ViewFault.NONE);
+    long confinements = 0;
+    for (long seed = 0; seed < 400; seed++) {
+      MutexWorld world = new MutexWorld(shape, MutexProtocol::new, seed);
+      assertThat(world.run(300)).as("seed %d", seed).isEmpty();
+      long before = world.confinements;
+      // Questions for fences are repeated after up to 32 s, which are 128 rounds.
+      assertThat(world.heal(300)).as("rounds to serve all, seed %d", seed).isNotNegative();
+      assertThat(world.monitors.report().violations()).as("seed %d", seed).isEmpty();
+      confinements += world.confinements - before;
+    }
+    assertThat(confinements).as("confinements after healing").isGreaterThan(50);
   }
 
   @Test
@@ -76,8 +90,8 @@ class MutexProgressTest {
 
   /** One lock for all sections: safe, and against the contract's (c). */
   private static class OneLock extends MutexProtocol {
-    OneLock(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
-      super(me, clock, times, effects);
+    OneLock(Self self, MutexEffects effects) {
+      super(self, effects);
     }
 
     @Override
@@ -91,8 +105,8 @@ class MutexProgressTest {
   private static class Forgetful extends MutexProtocol {
     private boolean hasKeptBack;
 
-    Forgetful(ProcessId me, LamportClock clock, MutexTimes times, Effects effects) {
-      super(me, clock, times, effects);
+    Forgetful(Self self, MutexEffects effects) {
+      super(self, effects);
     }
 
     @Override

@@ -11,6 +11,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexMessage.Ok;
 import org.starl.primitives.mutex.MutexMessage.Rem;
@@ -55,10 +56,10 @@ class MutexProtocolTest {
     assertThat(sent)
         .containsExactly(
             new Req(B, A, 1, 1, 1, sections("x", "y")), new Req(B, C, 1, 1, 1, sections("x", "y")));
-    b.receive(new Ok(A, B, 1));
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
-    b.receive(new Ok(C, B, 1));
+    hears(new Ok(C, B, 1));
     assertThat(b.held()).containsExactly("x", "y");
   }
 
@@ -68,9 +69,9 @@ class MutexProtocolTest {
     b.request(sections("x"), 0);
     b.withdraw(MutexFailure.WITHDRAWN);
     b.request(sections("x"), 0);
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
-    b.receive(new Ok(A, B, 2));
+    hears(new Ok(A, B, 2));
     assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
   }
 
@@ -79,12 +80,12 @@ class MutexProtocolTest {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
     sent.clear();
-    b.receive(new Req(C, B, 1, 1, 1, sections("x")));
+    hears(new Req(C, B, 1, 1, 1, sections("x")));
     assertThat(sent).as("equal times: the name decides").isEmpty();
-    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
     assertThat(sent).containsExactly(new Ok(B, A, 1));
-    b.receive(new Ok(A, B, 1));
-    b.receive(new Ok(C, B, 1));
+    hears(new Ok(A, B, 1));
+    hears(new Ok(C, B, 1));
     sent.clear();
     b.release(sections("x"));
     assertThat(sent)
@@ -95,8 +96,8 @@ class MutexProtocolTest {
   @Test
   void aPartialReleaseAnswersThoseWhoseSectionsAreFree() {
     holds("x", "y", "z");
-    b.receive(new Req(A, B, 1, 1, 9, sections("x")));
-    b.receive(new Req(C, B, 1, 1, 9, sections("x", "y")));
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
+    hears(new Req(C, B, 1, 1, 9, sections("x", "y")));
     assertThat(sent).isEmpty();
     b.release(sections("x"));
     assertThat(sent).contains(new Ok(B, A, 1), new Rem(B, A, 1, sections("y", "z")));
@@ -110,15 +111,15 @@ class MutexProtocolTest {
   @Test
   void aHolderKeepsBackWhatComesWithALowerTime() {
     holds("x");
-    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
     assertThat(sent).isEmpty();
   }
 
   @Test
   void aRequestForOtherSectionsIsAnsweredAtOnceAndAgainWhenRepeated() {
     holds("x");
-    b.receive(new Req(A, B, 1, 1, 9, sections("y")));
-    b.receive(new Req(A, B, 1, 1, 9, sections("y")));
+    hears(new Req(A, B, 1, 1, 9, sections("y")));
+    hears(new Req(A, B, 1, 1, 9, sections("y")));
     assertThat(sent).containsExactly(new Ok(B, A, 1), new Ok(B, A, 1));
     assertThat(b.open(A)).containsExactly("y");
   }
@@ -126,19 +127,19 @@ class MutexProtocolTest {
   @Test
   void staleAndWithdrawnRequestsAreNeverAnswered() {
     b.learn(View.closed(List.of(A, B)));
-    b.receive(new Rem(A, B, 3, Sections.NONE));
-    b.receive(new Req(A, B, 2, 1, 5, sections("x")));
-    b.receive(new Req(A, B, 3, 1, 6, sections("x")));
+    hears(new Rem(A, B, 3, Sections.NONE));
+    hears(new Req(A, B, 2, 1, 5, sections("x")));
+    hears(new Req(A, B, 3, 1, 6, sections("x")));
     assertThat(sent).isEmpty();
-    b.receive(new Req(A, B, 4, 1, 7, sections("x")));
+    hears(new Req(A, B, 4, 1, 7, sections("x")));
     assertThat(sent).containsExactly(new Ok(B, A, 4));
   }
 
   @Test
   void aWithdrawnRequestIsNotAnsweredAtTheRelease() {
     holds("x");
-    b.receive(new Req(A, B, 1, 1, 9, sections("x")));
-    b.receive(new Rem(A, B, 1, Sections.NONE));
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
+    hears(new Rem(A, B, 1, Sections.NONE));
     b.release(sections("x"));
     assertThat(sent).doesNotContain(new Ok(B, A, 1));
   }
@@ -146,9 +147,9 @@ class MutexProtocolTest {
   @Test
   void theRestOfARequestShrinksWhatIsOpen() {
     b.learn(View.closed(List.of(A, B)));
-    b.receive(new Req(A, B, 1, 1, 5, sections("x", "y", "z")));
-    b.receive(new Rem(A, B, 1, sections("y")));
-    b.receive(new Rem(A, B, 1, sections("x", "y")));
+    hears(new Req(A, B, 1, 1, 5, sections("x", "y", "z")));
+    hears(new Rem(A, B, 1, sections("y")));
+    hears(new Rem(A, B, 1, sections("x", "y")));
     assertThat(b.open(A)).as("whatever the order of arrival").containsExactly("y");
   }
 
@@ -156,18 +157,18 @@ class MutexProtocolTest {
   void aNewcomerThatAsksIsAskedBackEvenIfNoViewOfMineListsIt() {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 0);
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
     b.release(sections("x"));
-    b.receive(new Req(C, B, 1, 2, 1, sections("x")));
+    hears(new Req(C, B, 1, 2, 1, sections("x")));
     assertThat(b.known()).containsExactly(A, C);
     sent.clear();
 
     b.request(sections("x"), 0);
     assertThat(sent).hasSize(2);
-    b.receive(new Ok(A, B, 2));
+    hears(new Ok(A, B, 2));
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
-    b.receive(new Ok(C, B, 2));
+    hears(new Ok(C, B, 2));
     assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
   }
 
@@ -176,9 +177,9 @@ class MutexProtocolTest {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 0);
     sent.clear();
-    b.receive(new Req(C, B, 1, 2, 9, sections("y")));
+    hears(new Req(C, B, 1, 2, 9, sections("y")));
     assertThat(sent).containsExactly(new Req(B, C, 1, 1, 1, sections("x")), new Ok(B, C, 1));
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
   }
 
@@ -186,7 +187,7 @@ class MutexProtocolTest {
   void aViewFreesItFromThoseWhoAreNotListed() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     b.learn(view(4, A, B));
     assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
   }
@@ -213,11 +214,11 @@ class MutexProtocolTest {
   void aHolderThatIsRemovedKeepsWhatItHoldsUntilItReleases() {
     holds("x");
     b.learn(view(2, A, C));
-    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
     assertThat(sent).isEmpty();
     assertThat(b.held()).containsExactly("x");
     b.release(sections("x"));
-    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
     assertThat(sent).contains(new Ok(B, A, 1));
   }
 
@@ -227,7 +228,7 @@ class MutexProtocolTest {
     b.beginLeave();
     b.request(sections("x"), 0);
     assertThat(b.phase()).isEqualTo(Phase.IDLE);
-    b.receive(new Req(A, B, 1, 1, 1, sections("x")));
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
     assertThat(sent).containsExactly(new Ok(B, A, 1));
   }
 
@@ -235,7 +236,7 @@ class MutexProtocolTest {
   void aRequestIsRepeatedToThoseWhoHaveNotAnsweredMoreAndMoreSlowly() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     sent.clear();
     List<Long> repeatedAtMs = new ArrayList<>();
     for (long ms = 0; ms < 4_000; ms++) {
@@ -254,7 +255,7 @@ class MutexProtocolTest {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 5 * MS);
     long deadlineNs = (5 + MutexNode.TIMES.deadlineMs()) * MS;
-    b.receive(new Req(A, B, 1, 1, 9, sections("x")));
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
     sent.clear();
     b.timer(deadlineNs - 1);
     assertThat(b.phase()).isEqualTo(Phase.TRYING);
@@ -271,7 +272,7 @@ class MutexProtocolTest {
     assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
     b.request(sections("x"), 5 * MS);
     assertThat(b.nextTimerNs()).isEqualTo(255 * MS);
-    b.receive(new Ok(A, B, 1));
+    hears(new Ok(A, B, 1));
     assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
   }
 
@@ -286,18 +287,22 @@ class MutexProtocolTest {
         .hasMessage("release of [y] while holding [x]");
     assertThatThrownBy(() -> b.release(Sections.NONE)).isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(b::beginLeave).isInstanceOf(IllegalStateException.class);
-    assertThatThrownBy(() -> b.receive(new Ok(A, C, 1)))
+    assertThatThrownBy(() -> hears(new Ok(A, C, 1)))
         .isInstanceOf(IllegalArgumentException.class);
     b.release(sections("x"));
     assertThatThrownBy(() -> b.request(Sections.NONE, 0))
         .isInstanceOf(IllegalArgumentException.class);
   }
 
+  private void hears(MutexMessage message) {
+    b.receive(message, 0);
+  }
+
   private void holds(String... names) {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections(names), 0);
-    b.receive(new Ok(A, B, 1));
-    b.receive(new Ok(C, B, 1));
+    hears(new Ok(A, B, 1));
+    hears(new Ok(C, B, 1));
     assertThat(b.phase()).isEqualTo(Phase.CRITICAL);
     sent.clear();
   }

@@ -11,6 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
@@ -24,6 +26,10 @@ class MutexSpecTest {
 
   private final Monitors monitors =
       new Monitors(List.of(new MutexSpec("x", new MutexBounds(100, 50, 10))));
+
+  MutexSpecTest() {
+    event(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K))));
+  }
 
   @Test
   void twoHoldersOfOneSectionAreAViolation() {
@@ -54,6 +60,43 @@ class MutexSpecTest {
     ask(2, J, 2, "A");
     enter(3, J, "A");
     assertThat(finish(4).violations(MutexSpec.EXCLUSIVE)).isEqualTo(1);
+  }
+
+  @Test
+  void whoIsConfinedToLessThanItHoldsViolatesKept() {
+    ask(0, I, 1, "A B");
+    enter(1, I, "A B");
+    View first = View.closed(List.of(I, J, K)).next();
+    event(2, new MutexEvent.Learned(J, first.confined(I, set("A B"))));
+    assertThat(monitors.report().violations(MutexSpec.KEPT)).isZero();
+    event(3, new MutexEvent.Learned(J, first.next().confined(I, set("B"))));
+    assertThat(finish(4).violations(MutexSpec.KEPT)).isEqualTo(1);
+  }
+
+  @Test
+  void whoEntersAfterItWasLeftOutViolatesKeptAndWhoWasNeverListedComplete() {
+    ask(0, I, 1, "A");
+    event(2, new MutexEvent.Learned(J, View.closed(List.of(J, K)).next()));
+    enter(3, I, "A");
+    assertThat(monitors.report().violations(MutexSpec.KEPT)).isEqualTo(1);
+    ProcessId stranger = new ProcessId(new RobotId("l"), 1);
+    ask(4, stranger, 2, "B");
+    enter(5, stranger, "B");
+    assertThat(finish(6).violations(MutexSpec.COMPLETE)).isEqualTo(1);
+  }
+
+  @Test
+  void whatADeadOneHeldIsFreeByTheWordOfItsNextStartAndNoSooner() {
+    ask(0, I, 1, "A B");
+    enter(1, I, "A B");
+    ProcessId next = new ProcessId(I.robot(), (1L << 32) + 1);
+    event(2, new MutexEvent.StandsIn(next, set("B")));
+    ask(3, J, 2, "A");
+    enter(4, J, "A");
+    assertThat(monitors.report().violations(MutexSpec.EXCLUSIVE)).isZero();
+    ask(5, K, 3, "B");
+    enter(6, K, "B");
+    assertThat(finish(7).violations(MutexSpec.EXCLUSIVE)).isEqualTo(1);
   }
 
   @Test
@@ -191,6 +234,10 @@ class MutexSpecTest {
             new MutexEvent.Release(I, 1, set("B"), set("")),
             new MutexEvent.Withdraw(I, 2, MutexFailure.DEADLINE),
             new MutexEvent.Grant(I, J, 3),
+            new MutexEvent.Learned(I, View.closed(List.of(I, J)).next().confined(J, set("A B"))),
+            new MutexEvent.Fence(I, J, set("A B")),
+            new MutexEvent.Fence(I, J, set("")),
+            new MutexEvent.StandsIn(I, set("B")),
             new MutexEvent.Known(I, 1, ids(K)));
     for (MutexEvent event : all) {
       assertThat(MutexTrace.read(action(0, event))).contains(event);

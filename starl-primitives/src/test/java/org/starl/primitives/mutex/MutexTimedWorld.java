@@ -92,7 +92,7 @@ final class MutexTimedWorld {
         () ->
             nodes.stream()
                 .filter(node -> node.id.equals(message.to()))
-                .forEach(node -> node.protocol.receive(message)));
+                .forEach(node -> node.protocol.receive(message, nowNs)));
   }
 
   private void giveBack(MutexNode node, long withinMs) {

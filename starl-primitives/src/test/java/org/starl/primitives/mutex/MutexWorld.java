@@ -1,16 +1,18 @@
 package org.starl.primitives.mutex;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 import org.starl.random.Rng;
@@ -19,9 +21,10 @@ import org.starl.trace.TraceEvent;
 
 /**
  * Participants over a network that is as bad as the envelope allows: any message may be delivered at
- * any time, in any order, again, or never, also after its sender died. Views are a history to which
- * joins, departures and (valid) exclusions are appended; each participant learns of them late, and
- * may skip some. Everything follows from one seed.
+ * any time, in any order, again, or never, also after its sender died. Anybody may crash and its
+ * robot start anew, and anybody may be taken for crashed at any time, rightly or wrongly. Views are a
+ * history to which joins, departures and valid confinements are appended; each participant learns of
+ * them late, and may skip some. Everything follows from one seed.
  */
 final class MutexWorld {
 
@@ -30,20 +33,26 @@ final class MutexWorld {
     NONE,
     LOSES_A_MEMBER,
     READMITS,
-    RESTARTS_UNDER_THE_OLD_ID
+    RESTARTS_UNDER_THE_OLD_ID,
+    FENCER_GONE
   }
 
   /**
    * What a run is made of.
    *
    * @param members in view 1
-   * @param joiners who may come later, at most
+   * @param joiners who may come later, new robots or new starts of old ones, at most
    * @param sections A, B, ...
    * @param crashes how many may die, at most
-   * @param exclusions how many may be put out although they are up, at most
+   * @param suspicions how often somebody may be taken for crashed, at most
    */
   record Shape(
-      int members, int joiners, int sections, int crashes, int exclusions, ViewFault fault) {}
+      int members, int joiners, int sections, int crashes, int suspicions, ViewFault fault) {
+
+    Shape with(ViewFault other) {
+      return new Shape(members, joiners, sections, crashes, suspicions, other);
+    }
+  }
 
   private static final int MOST_IN_FLIGHT = 200;
   private static final long NS_PER_MS = 1_000_000;
@@ -54,21 +63,20 @@ final class MutexWorld {
   final Monitors monitors = new Monitors(List.of(new MutexSpec("x")));
   long entries;
   long failures;
+  long confinements;
   long nowNs;
 
   private final Shape shape;
   private final MutexNode.Kind kind;
   private final Rng rng;
-  private final List<ProcessId> leaving = new ArrayList<>();
+  private final Set<ProcessId> leaving = new LinkedHashSet<>();
   private final List<ProcessId> out = new ArrayList<>();
-  // Pairs (fencer, excluded): the first never grants the second anything again.
-  private final Set<List<ProcessId>> fences = new LinkedHashSet<>();
   // Counts whatever an invariant may depend on.
   private long changes;
   private int born;
   private int joinersLeft;
   private int crashesLeft;
-  private int exclusionsLeft;
+  private int suspicionsLeft;
 
   MutexWorld(Shape shape, MutexNode.Kind kind, long seed) {
     this.shape = shape;
@@ -76,7 +84,7 @@ final class MutexWorld {
     this.rng = new Rng(seed);
     joinersLeft = shape.joiners();
     crashesLeft = shape.crashes();
-    exclusionsLeft = shape.exclusions();
+    suspicionsLeft = shape.suspicions();
     List<ProcessId> first = new ArrayList<>();
     for (int i = 0; i < shape.members(); i++) {
       first.add(birth().id);
@@ -106,14 +114,16 @@ final class MutexWorld {
   }
 
   /**
-   * From now on all messages arrive within a round of 250 ms, everybody has learned the last view,
-   * holders release, and nobody asks for more.
+   * From now on all messages arrive within a round of 250 ms, views are decided and learned within
+   * one, holders release, nobody asks for more, and who is silent is rightly taken for crashed. Who
+   * waits for nothing but a ghost gives up, and so does who waits for a dead one of whom nobody that
+   * is left can know what it holds: because all whom it needed have gone.
    *
    * @return the rounds until nobody waits or holds, or -1 if that is not so after {@code rounds}
    */
   int heal(int rounds) {
-    nodes.forEach(node -> node.protocol.learn(last()));
     for (int round = 0; round < rounds; round++) {
+      nodes.stream().filter(node -> !node.dead).forEach(node -> node.protocol.learn(last()));
       if (nodes.stream().noneMatch(MutexNode::isActive)) {
         return round;
       }
@@ -123,35 +133,62 @@ final class MutexWorld {
       while (!arriving.isEmpty()) {
         handOver(arriving.remove(rng.nextInt(arriving.size())));
       }
+      boolean ghostsMayShrink = confineAll();
       for (MutexNode node : nodes) {
-        node.protocol.timer(nowNs);
-        if (node.isIn(Phase.CRITICAL)) {
-          node.protocol.release(someOf(node.protocol.held()));
+        if (!node.dead) {
+          goOn(node, ghostsMayShrink);
         }
       }
     }
     return -1;
   }
 
+  private void goOn(MutexNode node, boolean ghostsMayShrink) {
+    node.protocol.timer(nowNs);
+    for (MutexNode other : nodes) {
+      if (other.dead) {
+        node.protocol.suspect(other.id, nowNs);
+      }
+    }
+    if (node.isIn(Phase.CRITICAL)) {
+      node.protocol.release(someOf(node.held()));
+    } else if (node.isIn(Phase.TRYING) && node.protocol.missing().stream().anyMatch(this::isLost)) {
+      node.protocol.withdraw(MutexFailure.DEADLINE);
+    } else if (node.isIn(Phase.TRYING)
+        && node.protocol.missing().isEmpty()
+        && node.protocol.view().number() == last().number()
+        && !ghostsMayShrink) {
+      node.protocol.withdraw(MutexFailure.OCCUPIED);
+    }
+  }
+
+  private boolean isLost(ProcessId id) {
+    boolean isDead = nodes.stream().anyMatch(node -> node.dead && node.id.equals(id));
+    return isDead
+        && last().contains(id)
+        && nodes.stream()
+            .noneMatch(node -> !node.dead && node.protocol.hasSayOver(id, last().admittedBy(id)));
+  }
+
   private void step() {
     nowNs += rng.nextLong(0, 100) * NS_PER_MS;
     int dice = rng.nextInt(100);
-    if (dice < 58) {
+    if (dice < 56) {
       deliver();
-    } else if (dice < 62) {
+    } else if (dice < 60) {
       lose();
-    } else if (dice < 68) {
+    } else if (dice < 67) {
       any(node -> !node.dead).ifPresent(node -> node.protocol.timer(nowNs));
-    } else if (dice < 80) {
+    } else if (dice < 79) {
       any(node -> node.isIn(Phase.IDLE) && node.protocol.mayRequest())
           .ifPresent(node -> node.protocol.request(someSections(), nowNs));
-    } else if (dice < 86) {
+    } else if (dice < 84) {
       any(node -> node.isIn(Phase.CRITICAL))
-          .ifPresent(node -> node.protocol.release(someOf(node.protocol.held())));
-    } else if (dice < 88) {
+          .ifPresent(node -> node.protocol.release(someOf(node.held())));
+    } else if (dice < 86) {
       any(node -> node.isIn(Phase.TRYING))
           .ifPresent(node -> node.protocol.withdraw(MutexFailure.WITHDRAWN));
-    } else if (dice < 95) {
+    } else if (dice < 93) {
       learn();
     } else {
       changeMembers();
@@ -171,15 +208,11 @@ final class MutexWorld {
   }
 
   void handOver(MutexMessage message) {
-    for (MutexNode node : nodes) {
-      if (node.id.equals(message.to()) && !node.dead && !isFenced(node.id, message)) {
-        node.protocol.receive(message);
+    for (MutexNode node : new ArrayList<>(nodes)) {
+      if (node.id.equals(message.to()) && !node.dead) {
+        node.protocol.receive(message, nowNs);
       }
     }
-  }
-
-  private boolean isFenced(ProcessId by, MutexMessage message) {
-    return message instanceof MutexMessage.Req && fences.contains(List.of(by, message.from()));
   }
 
   private void lose() {
@@ -206,26 +239,31 @@ final class MutexWorld {
         .ifPresent(node -> node.protocol.learn(log.get(rng.nextInt(log.size()))));
   }
 
+  // ---------------------------------------------------------------- members
+
   private void changeMembers() {
-    switch (rng.nextInt(6)) {
+    switch (rng.nextInt(9)) {
       case 0 -> join();
       case 1 -> beginLeave();
-      case 2, 3 -> leave();
-      case 4 -> exclude();
-      default -> crash();
+      case 2 -> leave();
+      case 3 -> suspect();
+      case 4 -> crash();
+      case 5 -> startAnew();
+      default -> confine();
     }
     if (shape.fault() == ViewFault.LOSES_A_MEMBER && rng.nextBoolean(0.3)) {
-      any(node -> last().contains(node.id)).ifPresent(node -> append(node.id, false));
+      any(node -> last().contains(node.id))
+          .ifPresent(node -> append(last().next().without(node.id)));
     }
     if (shape.fault() == ViewFault.READMITS && !out.isEmpty()) {
-      append(out.get(rng.nextInt(out.size())), true);
+      append(last().next().with(out.get(rng.nextInt(out.size()))));
     }
   }
 
   private void join() {
     if (joinersLeft > 0) {
       joinersLeft--;
-      append(birth().id, true);
+      append(last().next().with(birth().id));
     }
   }
 
@@ -237,36 +275,25 @@ final class MutexWorld {
             leaving.add(node.id);
           });
     }
+    any(node -> node.isDone).ifPresent(node -> leaving.add(node.id));
   }
 
   private void leave() {
-    if (!leaving.isEmpty()) {
-      append(leaving.remove(rng.nextInt(leaving.size())), false);
+    List<ProcessId> all = new ArrayList<>(leaving);
+    if (!all.isEmpty()) {
+      append(last().next().without(all.get(rng.nextInt(all.size()))));
     }
   }
 
-  /**
-   * Puts one out although it may be up: a member that it needs, and that has granted it nothing that
-   * is open, vows never to grant it anything again; then no view is unsafe that lacks it.
-   */
-  private void exclude() {
-    if (exclusionsLeft == 0) {
-      return;
-    }
-    Optional<MutexNode> fencer = any(node -> !node.dead && last().contains(node.id));
-    Optional<MutexNode> victim = any(node -> last().contains(node.id));
-    if (fencer.isPresent() && victim.isPresent() && fencer.get() != victim.get()) {
-      ProcessId by = fencer.get().id;
-      ProcessId whom = victim.get().id;
-      boolean isElder = last().admittedBy(by) <= last().admittedBy(whom);
-      if (isElder && fencer.get().protocol.open(whom).isEmpty()) {
-        exclusionsLeft--;
-        fences.add(List.of(by, whom));
-        // Forgets what it keeps back, as if that were over.
-        long num = Math.max(1, victim.get().num);
-        fencer.get().protocol.receive(new MutexMessage.Rem(whom, by, num, Sections.NONE));
-        append(whom, false);
-      }
+  /** Takes one that it waits for to be dead, whether it is or not. */
+  private void suspect() {
+    if (suspicionsLeft > 0) {
+      any(node -> node.isIn(Phase.TRYING) && !node.protocol.missing().isEmpty())
+          .ifPresent(node -> {
+            suspicionsLeft--;
+            List<ProcessId> silent = List.copyOf(node.protocol.missing());
+            node.protocol.suspect(silent.get(rng.nextInt(silent.size())), nowNs);
+          });
     }
   }
 
@@ -278,8 +305,8 @@ final class MutexWorld {
 
   private void crash(MutexNode node) {
     crashesLeft--;
-    node.dead = true;
-    if (shape.fault() == ViewFault.RESTARTS_UNDER_THE_OLD_ID && node.protocol.held().isEmpty()) {
+    node.diesHolding();
+    if (shape.fault() == ViewFault.RESTARTS_UNDER_THE_OLD_ID && node.held().isEmpty()) {
       nodes.remove(node);
       MutexNode again = new MutexNode(node.id, kind, this::send, this::trace);
       again.protocol.learn(last());
@@ -287,28 +314,81 @@ final class MutexWorld {
     }
   }
 
+  /** A dead one's robot begins as another participant, or says once more where its body is. */
+  private void startAnew() {
+    any(node -> node.dead && isLatest(node.id)).ifPresent(node -> {
+      if (joinersLeft > 0 && shape.fault() != ViewFault.RESTARTS_UNDER_THE_OLD_ID) {
+        joinersLeft--;
+        append(last().next().with(birth(successor(node.id)).id));
+      }
+    });
+    any(node -> node.dead && !isLatest(node.id) && last().mentions(node.id)).ifPresent(node -> {
+      node.bodyIn = rng.nextBoolean(0.5) ? Sections.NONE : someOf(node.bodyIn);
+      trace(new MutexEvent.StandsIn(successor(node.id), node.bodyIn));
+      append(last().next().confined(node.id, node.bodyIn));
+    });
+  }
+
+  private boolean isLatest(ProcessId id) {
+    return nodes.stream()
+        .noneMatch(other -> other.id.robot().equals(id.robot()) && other.id.compareTo(id) > 0);
+  }
+
+  private static ProcessId successor(ProcessId id) {
+    return new ProcessId(id.robot(), id.inc() + (1L << Integer.SIZE));
+  }
+
+  private void confine() {
+    List<Confinement> all = new ArrayList<>();
+    nodes.forEach(node -> all.addAll(node.proposed));
+    if (!all.isEmpty()) {
+      confine(all.get(rng.nextInt(all.size())));
+    }
+  }
+
+  /** Does all that is proposed; returns whether anything changed, or more may be proposed yet. */
+  private boolean confineAll() {
+    boolean any = inFlight.stream().anyMatch(message -> !(message instanceof MutexMessage.Req));
+    for (MutexNode node : nodes) {
+      for (Confinement each : List.copyOf(node.proposed)) {
+        any |= confine(each);
+      }
+      node.proposed.clear();
+    }
+    return any;
+  }
+
+  /** The rule of confinement: whoever vouches is free, before and after. */
+  private boolean confine(Confinement confinement) {
+    boolean counts = confinement.isVouchedForIn(last()) || shape.fault() == ViewFault.FENCER_GONE;
+    if (!counts || !confinement.changes(last())) {
+      return false;
+    }
+    confinements++;
+    append(confinement.applyTo(last().next()));
+    return true;
+  }
+
   private View last() {
     return log.get(log.size() - 1);
   }
 
-  private void append(ProcessId id, boolean isIn) {
-    if (last().contains(id) == isIn) {
-      return;
+  private void append(View next) {
+    for (ProcessId id : last().ids()) {
+      if (!next.contains(id)) {
+        out.add(id);
+      }
     }
-    SortedMap<ProcessId, Long> admitted = new TreeMap<>(last().admitted());
-    if (isIn) {
-      admitted.put(id, last().number() + 1);
-    } else {
-      admitted.remove(id);
-      out.add(id);
-    }
-    log.add(new View(last().number() + 1, admitted));
+    log.add(next);
     changes++;
   }
 
   private MutexNode birth() {
     born++;
-    ProcessId id = new ProcessId(new RobotId("p" + born), 1);
+    return birth(new ProcessId(new RobotId("p" + born), 1));
+  }
+
+  private MutexNode birth(ProcessId id) {
     MutexNode node = new MutexNode(id, kind, this::send, this::trace);
     // Names are no order of birth, so that a newcomer may win a tie.
     nodes.add(rng.nextInt(nodes.size() + 1), node);
@@ -337,16 +417,17 @@ final class MutexWorld {
     return someOf(all);
   }
 
-  private TreeSet<String> someOf(Set<String> names) {
+  private TreeSet<String> someOf(Collection<String> names) {
     TreeSet<String> some = new TreeSet<>();
-    List<String> all = List.copyOf(new TreeSet<>(names));
+    SortedSet<String> all = new TreeSet<>(names);
     for (String name : all) {
       if (rng.nextBoolean(0.5)) {
         some.add(name);
       }
     }
-    if (some.isEmpty()) {
-      some.add(all.get(rng.nextInt(all.size())));
+    if (some.isEmpty() && !all.isEmpty()) {
+      List<String> list = List.copyOf(all);
+      some.add(list.get(rng.nextInt(list.size())));
     }
     return some;
   }

@@ -9,6 +9,7 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.trace.TraceEvent;
@@ -249,6 +250,12 @@ final class TownRobot {
     @Override
     public void unregisters(ProcessId id) {
       action("unregister", id);
+    }
+
+    @Override
+    public void confines(Confinement confinement) {
+      List<String> args = confinement.args();
+      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, "confine", args));
     }
 
     @Override

@@ -3,10 +3,13 @@ package org.starl.primitives.registration;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
@@ -19,6 +22,8 @@ import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.comms.WireFormatException;
 import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 
 class ViewFormatTest {
@@ -39,8 +44,8 @@ class ViewFormatTest {
     List<ProcessId> ids = view.ids();
     Change change =
         joins && !ids.isEmpty()
-            ? new Change(ids.get(0), ids.subList(1, ids.size()))
-            : new Change(null, ids);
+            ? new Change(ids.get(0), ids.subList(1, ids.size()), confinements(view))
+            : new Change(null, ids, confinements(view));
     assertThat(Change.fromValue(change.toValue())).isEqualTo(change);
   }
 
@@ -78,6 +83,15 @@ class ViewFormatTest {
     assertThat(ViewFormat.fits(viewOf(100))).isFalse();
   }
 
+  /** Each ghost as it would have been confined, by the first who is free. */
+  private static List<Confinement> confinements(View view) {
+    List<Confinement> all = new ArrayList<>();
+    List<ProcessId> fencers = view.ids().subList(0, Math.min(1, view.ids().size()));
+    view.ghosts().forEach((id, ghost) ->
+        all.add(new Confinement(id, ghost.sections(), new TreeSet<>(fencers))));
+    return all.subList(0, Math.min(3, all.size()));
+  }
+
   private static View viewOf(int robots) {
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
     for (int i = 0; i < robots; i++) {
@@ -92,13 +106,22 @@ class ViewFormatTest {
         Combinators.combine(
                 Arbitraries.integers().between(0, 30), Arbitraries.longs().greaterOrEqual(1))
             .as((bot, inc) -> new ProcessId(new RobotId("bot" + bot), inc));
+    Arbitrary<Set<String>> sections =
+        Arbitraries.strings().withChars("AB.:-_9").ofMinLength(1).ofMaxLength(6).set().ofMaxSize(3);
     return Combinators.combine(
             Arbitraries.longs().between(1, 1_000_000),
-            Arbitraries.maps(ids, Arbitraries.longs().between(1, 1_000_000)).ofMaxSize(20))
-        .as((number, entries) -> {
+            Arbitraries.maps(ids, Arbitraries.longs().between(1, 1_000_000)).ofMaxSize(12),
+            Arbitraries.maps(ids, sections).ofMaxSize(8))
+        .as((number, free, occupied) -> {
           SortedMap<ProcessId, Long> admitted = new TreeMap<>();
-          entries.forEach((id, by) -> admitted.put(id, Math.min(by, number)));
-          return new View(number, admitted);
+          free.forEach((id, by) -> admitted.put(id, Math.min(by, number)));
+          SortedMap<ProcessId, View.Ghost> ghosts = new TreeMap<>();
+          occupied.forEach((id, names) -> {
+            if (!admitted.containsKey(id) && !names.isEmpty()) {
+              ghosts.put(id, new View.Ghost(1 + number / 2, Sections.copyOf(names)));
+            }
+          });
+          return new View(number, admitted, ghosts);
         });
   }
 }

@@ -49,6 +49,15 @@ public final class HeldZones {
       case MutexEvent.Known known -> {
         // Nor does knowing whom to ask.
       }
+      case MutexEvent.Learned view -> {
+        // Nor does who takes part.
+      }
+      case MutexEvent.Fence vow -> {
+        // A vow takes nothing from whom it is about.
+      }
+      case MutexEvent.StandsIn word -> {
+        // A new start has no access yet.
+      }
     }
   }
 

@@ -1,0 +1,112 @@
+package org.starl.primitives.membership;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+
+/**
+ * Somebody is to be given up: {@code who} holds no more than {@code sections} and never will. The next
+ * view lists it as a ghost of these, or, if there are none, no more.
+ *
+ * <p>Each fencer has vowed never to consent to {@code who} again, which {@code who} cannot do
+ * without; so the word of one is enough. It counts only while the fencer is free, in the view that is
+ * changed and in the one that comes: a fencer that is gone is one whom {@code who} may do without.
+ *
+ * @param fencers those who vouch for it; none: it is the own word of {@code who}'s robot, whose
+ *     program has started anew, so that {@code who} is dead, and its body in no other section
+ */
+public record Confinement(
+    ProcessId who, SortedSet<String> sections, SortedSet<ProcessId> fencers) {
+
+  public Confinement {
+    sections = Sections.copyOf(sections);
+    fencers = Collections.unmodifiableSortedSet(new TreeSet<>(fencers));
+    if (fencers.contains(who)) {
+      throw new IllegalArgumentException(who + " vouches for itself");
+    }
+  }
+
+  /** Whether it says anything that {@code view} does not. */
+  public boolean changes(View view) {
+    View.Ghost ghost = view.ghost(who);
+    return view.contains(who) || (ghost != null && !sections.containsAll(ghost.sections()));
+  }
+
+  /** Whether everybody who vouches is free in {@code view}. */
+  public boolean isVouchedForIn(View view) {
+    return view.admitted().keySet().containsAll(fencers);
+  }
+
+  /** {@code view}, so changed. */
+  public View applyTo(View view) {
+    return view.confined(who, sections);
+  }
+
+  /** Writes who (process), sections, number of fencers (u8) and those (process). */
+  public void write(WireWriter out) {
+    out.process(who);
+    Sections.write(sections, out);
+    out.u8(fencers.size());
+    for (ProcessId fencer : fencers) {
+      out.process(fencer);
+    }
+  }
+
+  /** Reads what {@link #write} wrote. */
+  public static Confinement read(WireReader in) {
+    ProcessId who = in.process();
+    SortedSet<String> sections = Sections.read(in);
+    int count = in.u8();
+    TreeSet<ProcessId> fencers = new TreeSet<>();
+    for (int i = 0; i < count; i++) {
+      ProcessId fencer = in.process();
+      if (fencer.equals(who) || !fencers.add(fencer)) {
+        throw new WireFormatException("fencer " + fencer + " of " + who);
+      }
+    }
+    return new Confinement(who, sections, fencers);
+  }
+
+  /** How many bytes {@link #write} takes. */
+  public int bytes() {
+    int bytes = bytes(who) + Sections.bytes(sections) + 1;
+    for (ProcessId fencer : fencers) {
+      bytes += bytes(fencer);
+    }
+    return bytes;
+  }
+
+  /** As arguments of a trace's action: who, sections, fencers. */
+  public List<String> args() {
+    List<String> names = new ArrayList<>();
+    fencers.forEach(fencer -> names.add(fencer.toString()));
+    return List.of(who.toString(), Sections.text(sections), String.join(" ", names));
+  }
+
+  /**
+   * Reads {@link #args}.
+   *
+   * @throws IllegalArgumentException if {@code args} are nothing of the kind
+   */
+  public static Confinement parse(List<String> args) {
+    if (args.size() != 3) {
+      throw new IllegalArgumentException(args + ": expected who, sections and fencers");
+    }
+    TreeSet<ProcessId> fencers = new TreeSet<>();
+    if (!args.get(2).isEmpty()) {
+      Arrays.stream(args.get(2).split(" ", -1)).map(ProcessId::parse).forEach(fencers::add);
+    }
+    return new Confinement(ProcessId.parse(args.get(0)), Sections.parse(args.get(1)), fencers);
+  }
+
+  private static int bytes(ProcessId id) {
+    return 1 + id.robot().name().length() + Long.BYTES;
+  }
+}

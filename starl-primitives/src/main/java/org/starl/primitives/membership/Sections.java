@@ -1,0 +1,133 @@
+package org.starl.primitives.membership;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+
+/** Sets of section names: checked, in order, immutable. */
+public final class Sections {
+
+  /** As many long names as fit one datagram together with two ids. */
+  public static final int MAX_COUNT = 32;
+
+  public static final int MAX_LENGTH = 32;
+
+  public static final SortedSet<String> NONE = Collections.unmodifiableSortedSet(new TreeSet<>());
+
+  private Sections() {}
+
+  /**
+   * A copy of {@code names}.
+   *
+   * @throws IllegalArgumentException if there are too many, or one is no valid name
+   */
+  public static SortedSet<String> copyOf(Collection<String> names) {
+    TreeSet<String> copy = new TreeSet<>(names);
+    if (copy.size() > MAX_COUNT) {
+      throw new IllegalArgumentException(
+          copy.size() + " sections: expected at most " + MAX_COUNT + " in one request");
+    }
+    for (String name : copy) {
+      if (!isValid(name)) {
+        throw new IllegalArgumentException(
+            "section '" + name + "': expected 1 to 32 of A-Z a-z 0-9 _ - . :");
+      }
+    }
+    return Collections.unmodifiableSortedSet(copy);
+  }
+
+  /** Whether some name is in both. */
+  public static boolean meet(SortedSet<String> a, SortedSet<String> b) {
+    SortedSet<String> fewer = a.size() <= b.size() ? a : b;
+    SortedSet<String> more = a.size() <= b.size() ? b : a;
+    for (String name : fewer) {
+      if (more.contains(name)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  public static SortedSet<String> without(SortedSet<String> from, Collection<String> taken) {
+    TreeSet<String> rest = new TreeSet<>(from);
+    rest.removeAll(taken);
+    return Collections.unmodifiableSortedSet(rest);
+  }
+
+  public static SortedSet<String> common(SortedSet<String> a, SortedSet<String> b) {
+    TreeSet<String> both = new TreeSet<>(a);
+    both.retainAll(b);
+    return Collections.unmodifiableSortedSet(both);
+  }
+
+  /** The names with single spaces between them; nothing for none. */
+  public static String text(SortedSet<String> names) {
+    return String.join(" ", names);
+  }
+
+  /**
+   * Reads what {@link #text} wrote.
+   *
+   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   */
+  public static SortedSet<String> parse(String text) {
+    List<String> names = text.isEmpty() ? List.of() : Arrays.asList(text.split(" ", -1));
+    return copyOf(new ArrayList<>(names));
+  }
+
+  /** Writes their number (u8) and the names in ascending order. */
+  public static void write(SortedSet<String> names, WireWriter out) {
+    out.u8(names.size());
+    for (String name : names) {
+      out.string(name);
+    }
+  }
+
+  /** Reads what {@link #write} wrote; any other order is refused, so that a set has one spelling. */
+  public static SortedSet<String> read(WireReader in) {
+    int count = in.u8();
+    if (count > MAX_COUNT) {
+      throw new WireFormatException(count + " sections");
+    }
+    TreeSet<String> names = new TreeSet<>();
+    for (int i = 0; i < count; i++) {
+      String name = in.string();
+      if (!isValid(name) || (!names.isEmpty() && names.last().compareTo(name) >= 0)) {
+        throw new WireFormatException("section name");
+      }
+      names.add(name);
+    }
+    return Collections.unmodifiableSortedSet(names);
+  }
+
+  /** How many bytes {@link #write} takes. */
+  public static int bytes(SortedSet<String> names) {
+    int bytes = 1;
+    for (String name : names) {
+      bytes += 1 + name.length();
+    }
+    return bytes;
+  }
+
+  private static boolean isValid(String name) {
+    if (name.isEmpty() || name.length() > MAX_LENGTH) {
+      return false;
+    }
+    for (int i = 0; i < name.length(); i++) {
+      char c = name.charAt(i);
+      boolean letterOrDigit =
+          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+      if (!letterOrDigit && "_-.:".indexOf(c) < 0) {
+        return false;
+      }
+    }
+    return true;
+  }
+}

@@ -1,0 +1,63 @@
+package org.starl.primitives.registration;
+
+import java.util.Set;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.View;
+
+/**
+ * The next view in the making: derived from the decided one, change by change. What does not fit any
+ * more, or would break the rule of confinement, is left to a later view.
+ */
+final class Proposal {
+
+  private final View decided;
+  private View next;
+
+  // Those whose word somebody's confinement rests on: they stay.
+  private final Set<ProcessId> vouching = new TreeSet<>();
+
+  Proposal(View decided) {
+    this.decided = decided;
+    this.next = decided.next();
+  }
+
+  View view() {
+    return next;
+  }
+
+  /** Takes in as much of {@code change} as it can. */
+  Proposal add(Change change) {
+    for (ProcessId id : change.leave()) {
+      if (!vouching.contains(id)) {
+        take(next.without(id));
+      }
+    }
+    ProcessId join = change.join();
+    if (join != null && ViewFormat.fitsWithRoom(next.with(join))) {
+      next = next.with(join);
+    }
+    for (Confinement confinement : change.confine()) {
+      confine(confinement);
+    }
+    return this;
+  }
+
+  private void confine(Confinement confinement) {
+    boolean counts =
+        confinement.changes(next)
+            && !vouching.contains(confinement.who())
+            && confinement.isVouchedForIn(decided)
+            && confinement.isVouchedForIn(next);
+    if (counts && take(confinement.applyTo(next))) {
+      vouching.addAll(confinement.fencers());
+    }
+  }
+
+  private boolean take(View more) {
+    boolean fits = ViewFormat.fits(more);
+    next = fits ? more : next;
+    return fits;
+  }
+}

@@ -1,0 +1,223 @@
+package org.starl.primitives.mutex;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.LamportClock;
+import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Sections;
+import org.starl.primitives.membership.View;
+import org.starl.primitives.mutex.MutexMessage.Fence;
+import org.starl.primitives.mutex.MutexMessage.FenceQ;
+import org.starl.primitives.mutex.MutexMessage.Fenced;
+import org.starl.primitives.mutex.MutexMessage.Noted;
+import org.starl.primitives.mutex.MutexMessage.Ok;
+import org.starl.primitives.mutex.MutexMessage.Rem;
+import org.starl.primitives.mutex.MutexMessage.Req;
+import org.starl.primitives.mutex.MutexProtocol.Phase;
+import org.starl.random.Rng;
+
+/** Giving up and being given up, message by message, as seen by b. */
+class FencesTest {
+
+  private static final long S = 1_000_000_000;
+  private static final ProcessId A = id("a");
+  private static final ProcessId B = id("b");
+  private static final ProcessId C = id("c");
+  private static final View ALL = View.closed(List.of(A, B, C));
+
+  private final List<MutexMessage> sent = new ArrayList<>();
+  private final List<MutexEvent> events = new ArrayList<>();
+  private final MutexNode node = new MutexNode(B, MutexProtocol::new, sent::add, events::add);
+  private final MutexProtocol b = node.protocol;
+
+  @Test
+  void whoVowsSaysWhatItGrantedAndGrantsNothingMore() {
+    b.learn(ALL);
+    hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
+    hears(new Rem(A, B, 1, sections("y")));
+    sent.clear();
+    hears(new FenceQ(C, B, A, 1));
+    assertThat(sent).containsExactly(new Fence(B, C, A, sections("y")));
+    sent.clear();
+    hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
+    assertThat(sent).as("what was granted stays granted").containsExactly(new Ok(B, A, 1));
+    sent.clear();
+    hears(new Req(A, B, 2, 1, 5, sections("z")));
+    assertThat(sent).containsExactly(new Fenced(B, A));
+    assertThat(events).contains(new MutexEvent.Fence(B, A, sections("y")));
+  }
+
+  @Test
+  void aYoungerOneWhomTheSuspectNeverAskedHasNoSay() {
+    b.learn(new View(3, ALL.admitted()).next().without(B).with(B));
+    hears(new FenceQ(C, B, A, 1));
+    assertThat(sent).isEmpty();
+    assertThat(b.fenced()).isEmpty();
+    hears(new Req(A, B, 1, 1, 1, sections("x")));
+    sent.clear();
+    hears(new FenceQ(C, B, A, 1));
+    assertThat(sent).containsExactly(new Fence(B, C, A, sections("x")));
+  }
+
+  @Test
+  void whoSuspectsAsksEverybodyAndProposesWhatAllAnswersHaveInCommon() {
+    b.learn(ALL);
+    hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
+    b.request(sections("z"), 0);
+    sent.clear();
+    b.suspect(A, S);
+    assertThat(sent).containsExactly(new FenceQ(B, C, A, 1));
+    assertThat(node.proposed).isEmpty();
+    hears(new Fence(C, B, A, sections("y", "w")));
+    assertThat(node.proposed).containsExactly(new Confinement(A, sections("y"), ids(B, C)));
+    assertThat(b.phase()).as("a fence is no view").isEqualTo(Phase.TRYING);
+  }
+
+  @Test
+  void withoutAnswersItProposesAloneAfterARoundAndGoesOn() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    b.suspect(A, 0);
+    sent.clear();
+    for (long ms = 0; ms < 40_000; ms += 100) {
+      b.timer(ms * S / 1000);
+    }
+    assertThat(node.proposed).containsExactly(new Confinement(A, Sections.NONE, ids(B)));
+    assertThat(sent.stream().filter(FenceQ.class::isInstance)).hasSizeBetween(2, 10);
+  }
+
+  @Test
+  void whoVowedGoesOnInPlaceOfTheOneThatAskedUntilAViewIsWithoutTheSuspect() {
+    b.learn(ALL);
+    hears(new FenceQ(C, B, A, 1));
+    assertThat(b.nextTimerNs()).isBetween(3 * S, 5 * S);
+    b.timer(5 * S);
+    b.timer(20 * S);
+    assertThat(node.proposed).contains(new Confinement(A, Sections.NONE, ids(B)));
+    b.learn(ALL.next().without(A));
+    assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
+  }
+
+  @Test
+  void aGhostIsNotNeededAndStandsInTheWayOnlyOfThoseWhoWantItsSections() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    hears(new Ok(C, B, 1));
+    b.learn(ALL.next().confined(A, sections("x")));
+    assertThat(b.missing()).isEmpty();
+    assertThat(b.phase()).isEqualTo(Phase.TRYING);
+    b.timer(MutexNode.TIMES.deadlineMs() * S / 1000);
+    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.OCCUPIED));
+    b.request(sections("y"), 0);
+    hears(new Ok(C, B, 2));
+    assertThat(b.held()).containsExactly("y");
+  }
+
+  @Test
+  void theGhostOfItsOwnRobotDoesNotBlockIt() {
+    ProcessId older = new ProcessId(new RobotId("b"), 1);
+    ProcessId newer = new ProcessId(new RobotId("b"), 2);
+    MutexNode next = new MutexNode(newer, MutexProtocol::new, sent::add, events::add);
+    View views = View.closed(List.of(older)).next().with(newer).confined(older, sections("x"));
+    next.protocol.learn(views);
+    next.protocol.request(sections("x"), 0);
+    assertThat(next.protocol.held()).containsExactly("x");
+  }
+
+  @Test
+  void whoKnowsLessOfAGhostSaysSo() {
+    b.learn(ALL);
+    hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
+    b.learn(ALL.next().confined(A, sections("x", "y")));
+    assertThat(node.proposed).isEmpty();
+    hears(new Rem(A, B, 1, sections("y")));
+    assertThat(node.proposed).containsExactly(new Confinement(A, sections("y"), ids(B)));
+  }
+
+  @Test
+  void whoIsGivenUpWithdrawsAndNeverRequestsAgain() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    hears(new Fenced(A, B));
+    assertThat(events).contains(new MutexEvent.Withdraw(B, 1, MutexFailure.FENCED));
+    assertThat(node.isDone).isTrue();
+    b.request(sections("x"), 0);
+    assertThat(events).contains(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
+  }
+
+  @Test
+  void whoIsGivenUpWhileHoldingKeepsWhatItHoldsAndIsDoneAfterwards() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    hears(new Ok(A, B, 1));
+    hears(new Ok(C, B, 1));
+    hears(new Fenced(A, B));
+    assertThat(b.held()).containsExactly("x");
+    assertThat(node.isDone).isFalse();
+    b.learn(ALL.next().confined(B, sections("x")));
+    assertThat(b.held()).containsExactly("x");
+    b.release(sections("x"));
+    assertThat(node.isDone).isTrue();
+  }
+
+  @Test
+  void whoKeepsAnAnswerBackSaysThatItIsAliveWhenAskedAgain() {
+    b.learn(ALL);
+    b.request(sections("x"), 0);
+    hears(new Ok(A, B, 1));
+    hears(new Ok(C, B, 1));
+    sent.clear();
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
+    assertThat(sent).isEmpty();
+    hears(new Req(A, B, 1, 1, 9, sections("x")));
+    assertThat(sent).containsExactly(new Noted(B, A, 1));
+  }
+
+  @Test
+  void silenceIsSuspectedAndAnyMessageEndsIt() {
+    MutexTimes times = MutexNode.TIMES.withSuspectMs(10_000);
+    MutexProtocol patient =
+        new MutexProtocol(
+            new MutexProtocol.Self(
+                B,
+                new LamportClock(),
+                times,
+                new Rng(1),
+                true),
+            node);
+    patient.learn(ALL);
+    patient.request(sections("x"), 0);
+    for (long ms = 0; ms < 10_000; ms += 50) {
+      patient.timer(ms * S / 1000);
+    }
+    patient.receive(new Noted(A, B, 1), 10 * S);
+    assertThat(patient.fenced()).isEmpty();
+    for (long ms = 10_000; ms < 15_000; ms += 50) {
+      patient.timer(ms * S / 1000);
+    }
+    assertThat(patient.fenced()).containsExactly(C);
+  }
+
+  private void hears(MutexMessage message) {
+    b.receive(message, 0);
+  }
+
+  private static SortedSet<String> sections(String... names) {
+    return Sections.copyOf(List.of(names));
+  }
+
+  private static SortedSet<ProcessId> ids(ProcessId... ids) {
+    return new TreeSet<>(List.of(ids));
+  }
+
+  private static ProcessId id(String robot) {
+    return new ProcessId(new RobotId(robot), 1);
+  }
+}
