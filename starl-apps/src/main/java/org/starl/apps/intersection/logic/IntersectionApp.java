@@ -11,7 +11,6 @@ import org.starl.Participants;
 import org.starl.geometry.ItemPosition;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.mutex.M_Mutex;
-import org.starl.primitives.mutex.MutexFailure;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.RList;
 import org.starl.primitives.registration.RegPrim;
@@ -158,8 +157,7 @@ public final class IntersectionApp extends LogicThread {
 
   /** Whether the mutex failed for another reason than that this car is in no view (any more). */
   private boolean isListed() {
-    MutexFailure why = mutex.failure().get();
-    return why != MutexFailure.NOT_REGISTERED && why != MutexFailure.REMOVED;
+    return !mutex.failure().get().mustRegister();
   }
 
   /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */
