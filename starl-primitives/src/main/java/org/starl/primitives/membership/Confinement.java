@@ -22,8 +22,7 @@ import org.starl.comms.WireWriter;
  * @param fencers those who vouch for it; none: it is the own word of {@code who}'s robot, whose
  *     program has started anew, so that {@code who} is dead, and its body in no other section
  */
-public record Confinement(
-    ProcessId who, SortedSet<String> sections, SortedSet<ProcessId> fencers) {
+public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<ProcessId> fencers) {
 
   public Confinement {
     sections = Sections.copyOf(sections);

@@ -56,7 +56,8 @@ public record View(
     for (Map.Entry<ProcessId, Ghost> entry : ghosts.entrySet()) {
       requireBefore(number, entry.getKey(), entry.getValue().admittedBy());
       if (admitted.containsKey(entry.getKey())) {
-        throw new IllegalArgumentException("view " + number + " lists " + entry.getKey() + " twice");
+        throw new IllegalArgumentException(
+            "view " + number + " lists " + entry.getKey() + " twice");
       }
     }
   }
@@ -154,7 +155,8 @@ public record View(
       return this;
     }
     Ghost before = ghosts.get(id);
-    SortedSet<String> left = before == null ? sections : Sections.common(before.sections(), sections);
+    SortedSet<String> left =
+        before == null ? sections : Sections.common(before.sections(), sections);
     View rest = without(id);
     if (left.isEmpty()) {
       return rest;

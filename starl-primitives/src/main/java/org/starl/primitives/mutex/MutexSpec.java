@@ -162,8 +162,7 @@ public final class MutexSpec implements Monitor {
       if (request.who.robot().equals(word.who().robot()) && isOfEarlierStart(request, word)) {
         SortedSet<String> before = request.want;
         requests.shrink(
-            request,
-            request.critical ? Sections.common(before, word.sections()) : Sections.NONE);
+            request, request.critical ? Sections.common(before, word.sections()) : Sections.NONE);
         if (progress != null) {
           progress.shrank(request, Sections.without(before, request.want), nowNs);
         }

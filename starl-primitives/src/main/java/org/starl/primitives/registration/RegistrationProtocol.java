@@ -313,8 +313,7 @@ class RegistrationProtocol {
   }
 
   private Change wanted() {
-    return wants.in(
-        view, phase == Phase.JOINING ? me : null, phase == Phase.LEAVING ? me : null);
+    return wants.in(view, phase == Phase.JOINING ? me : null, phase == Phase.LEAVING ? me : null);
   }
 
   private void learn(View learned) {

@@ -89,8 +89,7 @@ public final class RegistrationSpec implements Monitor {
       case RegistrationTrace.FIRST_VIEW ->
           history(action.source()).isGiven(View.parse(action.args().get(0)));
       case RegistrationTrace.CONFINE ->
-          history(action.source())
-              .mayBeConfined(action.robot(), Confinement.parse(action.args()));
+          history(action.source()).mayBeConfined(action.robot(), Confinement.parse(action.args()));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
           history(action.source()).mayLeave(action.robot(), id(action));
       default -> {

@@ -185,13 +185,7 @@ class FencesTest {
     MutexTimes times = MutexNode.TIMES.withSuspectMs(10_000);
     MutexProtocol patient =
         new MutexProtocol(
-            new MutexProtocol.Self(
-                B,
-                new LamportClock(),
-                times,
-                new Rng(1),
-                true),
-            node);
+            new MutexProtocol.Self(B, new LamportClock(), times, new Rng(1), true), node);
     patient.learn(ALL);
     patient.request(sections("x"), 0);
     for (long ms = 0; ms < 10_000; ms += 50) {

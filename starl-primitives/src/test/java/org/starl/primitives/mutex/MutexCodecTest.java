@@ -82,7 +82,8 @@ class MutexCodecTest {
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1, Sections.NONE)))
         .hasMessage("a request for nothing");
     assertThatThrownBy(() -> read(new Ok(ONE, ONE, 1))).hasMessage("a message of one#1 to itself");
-    assertThatThrownBy(() -> read(new FenceQ(ONE, TWO, ONE, 1))).hasMessage("one#1 suspects itself");
+    assertThatThrownBy(() -> read(new FenceQ(ONE, TWO, ONE, 1)))
+        .hasMessage("one#1 suspects itself");
     assertThatThrownBy(() -> read(new Ok(ONE, TWO, 0))).hasMessage("request number 0");
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1L << 62, req.want())))
         .hasMessageStartingWith("logical time");

@@ -287,8 +287,7 @@ class MutexProtocolTest {
         .hasMessage("release of [y] while holding [x]");
     assertThatThrownBy(() -> b.release(Sections.NONE)).isInstanceOf(IllegalArgumentException.class);
     assertThatThrownBy(b::beginLeave).isInstanceOf(IllegalStateException.class);
-    assertThatThrownBy(() -> hears(new Ok(A, C, 1)))
-        .isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> hears(new Ok(A, C, 1))).isInstanceOf(IllegalArgumentException.class);
     b.release(sections("x"));
     assertThatThrownBy(() -> b.request(Sections.NONE, 0))
         .isInstanceOf(IllegalArgumentException.class);

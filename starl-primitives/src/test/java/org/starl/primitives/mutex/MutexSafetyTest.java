@@ -144,7 +144,8 @@ class MutexSafetyTest {
         }
       }
     }
-    throw new AssertionError("the mutant breaks nothing; but for the oracle, " + bySight + " times");
+    throw new AssertionError(
+        "the mutant breaks nothing; but for the oracle, " + bySight + " times");
   }
 
   private static class Unasked extends MutexProtocol {

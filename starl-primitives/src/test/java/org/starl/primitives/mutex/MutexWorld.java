@@ -316,17 +316,19 @@ final class MutexWorld {
 
   /** A dead one's robot begins as another participant, or says once more where its body is. */
   private void startAnew() {
-    any(node -> node.dead && isLatest(node.id)).ifPresent(node -> {
-      if (joinersLeft > 0 && shape.fault() != ViewFault.RESTARTS_UNDER_THE_OLD_ID) {
-        joinersLeft--;
-        append(last().next().with(birth(successor(node.id)).id));
-      }
-    });
-    any(node -> node.dead && !isLatest(node.id) && last().mentions(node.id)).ifPresent(node -> {
-      node.bodyIn = rng.nextBoolean(0.5) ? Sections.NONE : someOf(node.bodyIn);
-      trace(new MutexEvent.StandsIn(successor(node.id), node.bodyIn));
-      append(last().next().confined(node.id, node.bodyIn));
-    });
+    any(node -> node.dead && isLatest(node.id))
+        .ifPresent(node -> {
+          if (joinersLeft > 0 && shape.fault() != ViewFault.RESTARTS_UNDER_THE_OLD_ID) {
+            joinersLeft--;
+            append(last().next().with(birth(successor(node.id)).id));
+          }
+        });
+    any(node -> node.dead && !isLatest(node.id) && last().mentions(node.id))
+        .ifPresent(node -> {
+          node.bodyIn = rng.nextBoolean(0.5) ? Sections.NONE : someOf(node.bodyIn);
+          trace(new MutexEvent.StandsIn(successor(node.id), node.bodyIn));
+          append(last().next().confined(node.id, node.bodyIn));
+        });
   }
 
   private boolean isLatest(ProcessId id) {

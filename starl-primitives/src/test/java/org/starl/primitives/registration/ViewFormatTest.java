@@ -87,8 +87,9 @@ class ViewFormatTest {
   private static List<Confinement> confinements(View view) {
     List<Confinement> all = new ArrayList<>();
     List<ProcessId> fencers = view.ids().subList(0, Math.min(1, view.ids().size()));
-    view.ghosts().forEach((id, ghost) ->
-        all.add(new Confinement(id, ghost.sections(), new TreeSet<>(fencers))));
+    view.ghosts()
+        .forEach(
+            (id, ghost) -> all.add(new Confinement(id, ghost.sections(), new TreeSet<>(fencers))));
     return all.subList(0, Math.min(3, all.size()));
   }
 
