@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.starl.comms.Comms;
+import org.starl.comms.Workspace;
 import org.starl.motion.Gps;
 import org.starl.motion.MotionControl;
 import org.starl.platform.Platform;
@@ -27,12 +28,13 @@ public final class GlobalVarHolder {
   /**
    * @param boot how often this robot's program has started, from 1; no two gvh of a robot have the
    *     same
+   * @param workspace not used by another robot at the same time
    */
-  public GlobalVarHolder(Platform platform, int boot) {
+  public GlobalVarHolder(Platform platform, int boot, Workspace workspace) {
     log = new Log(platform.clock(), platform.log());
     trace = new Trace(platform.id(), platform.clock(), platform.trace());
     id = new Identity(platform.id(), platform.deployment(), boot);
-    comms = new Comms(platform, boot);
+    comms = new Comms(platform, boot, workspace);
     gps = new Gps(this, platform);
     plat =
         new Plat(

@@ -1,5 +1,6 @@
 package org.starl;
 
+import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Iterator;
@@ -71,35 +72,68 @@ public final class Participants implements Iterable<RobotId> {
     return ids.toString();
   }
 
-  /** A hash table with open addressing, at most half full. */
+  /**
+   * A hash table with open addressing, at most half full, over all names in one array: with thousands
+   * of robots their own strings would be cold.
+   */
   private static final class Names {
     private static final int GOLDEN_RATIO = 0x9E3779B9;
 
-    private final @Nullable RobotId[] slots;
+    private final RobotId[] ids;
 
-    Names(List<RobotId> ids) {
-      slots = new RobotId[Integer.highestOneBit(2 * ids.size() + 1) * 2];
-      for (RobotId id : ids) {
-        int slot = slot(id.name().hashCode());
-        while (slots[slot] != null) {
+    /** All names, one after another; each from {@code starts[i]} to {@code starts[i + 1]}. */
+    private final byte[] letters;
+
+    private final int[] starts;
+
+    /** Index and 1 of the robot in each slot, 0 in an empty one. */
+    private final int[] slots;
+
+    Names(List<RobotId> robots) {
+      ids = robots.toArray(new RobotId[0]);
+      starts = new int[ids.length + 1];
+      StringBuilder all = new StringBuilder();
+      slots = new int[Integer.highestOneBit(2 * ids.length + 1) * 2];
+      for (int i = 0; i < ids.length; i++) {
+        all.append(ids[i].name());
+        starts[i + 1] = all.length();
+        int slot = slot(ids[i].hashCode());
+        while (slots[slot] != 0) {
           slot = (slot + 1) & (slots.length - 1);
         }
-        slots[slot] = id;
+        slots[slot] = i + 1;
       }
+      letters = all.toString().getBytes(StandardCharsets.US_ASCII);
     }
 
     @Nullable RobotId find(byte[] bytes, int from, int length) {
       int hash = 0;
       for (int i = from; i < from + length; i++) {
-        hash = 31 * hash + bytes[i]; // as String.hashCode does
+        hash = 31 * hash + bytes[i]; // as a name's
       }
       int slot = slot(hash);
-      RobotId id = slots[slot];
-      while (id != null && !id.isNamed(bytes, from, length)) {
+      while (slots[slot] != 0) {
+        int robot = slots[slot] - 1;
+        if (isNamed(robot, bytes, from, length)) {
+          return ids[robot];
+        }
         slot = (slot + 1) & (slots.length - 1);
-        id = slots[slot];
       }
-      return id;
+      return null;
+    }
+
+    private boolean isNamed(int robot, byte[] bytes, int from, int length) {
+      int start = starts[robot];
+      if (starts[robot + 1] - start != length) {
+        return false;
+      }
+      // Names differ in their last letters: from there, most comparisons end at once.
+      for (int i = length - 1; i >= 0; i--) {
+        if (letters[start + i] != bytes[from + i]) {
+          return false;
+        }
+      }
+      return true;
     }
 
     /**

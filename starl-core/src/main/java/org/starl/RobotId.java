@@ -1,18 +1,31 @@
 package org.starl;
 
+import org.jspecify.annotations.Nullable;
+
 /**
  * A robot's name, unique in its deployment: 1 to 32 letters, digits, {@code _}, {@code -} or {@code
  * .}, beginning with a letter. Ordered as people order them: {@code bot2} before {@code bot10}.
  */
-public record RobotId(String name) implements Comparable<RobotId> {
+public final class RobotId implements Comparable<RobotId> {
 
   public static final int MAX_LENGTH = 32;
 
-  public RobotId {
+  private final String name;
+
+  // Looked up with every message: so the name itself, which is elsewhere in memory, is not read.
+  private final int hash;
+
+  public RobotId(String name) {
     if (!isValid(name)) {
       throw new IllegalArgumentException(
           "robot name '" + name + "': expected a letter, then up to 31 of A-Z a-z 0-9 _ - .");
     }
+    this.name = name;
+    this.hash = name.hashCode();
+  }
+
+  public String name() {
+    return name;
   }
 
   public static boolean isValid(String name) {
@@ -22,20 +35,6 @@ public record RobotId(String name) implements Comparable<RobotId> {
     for (int i = 1; i < name.length(); i++) {
       char c = name.charAt(i);
       if (!isLetter(c) && !isDigit(c) && c != '_' && c != '-' && c != '.') {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  /** Whether the {@code length} bytes from {@code from} on are this name in ASCII. */
-  public boolean isNamed(byte[] bytes, int from, int length) {
-    if (name.length() != length) {
-      return false;
-    }
-    // Names differ in their last letters: from there, most comparisons end at once.
-    for (int i = length - 1; i >= 0; i--) {
-      if (name.charAt(i) != bytes[from + i]) {
         return false;
       }
     }
@@ -104,6 +103,17 @@ public record RobotId(String name) implements Comparable<RobotId> {
 
   private static boolean isDigit(char c) {
     return c >= '0' && c <= '9';
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return this == other || (other instanceof RobotId that && name.equals(that.name));
+  }
+
+  /** That of the name. */
+  @Override
+  public int hashCode() {
+    return hash;
   }
 
   @Override

@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.platform.Platform;
+import org.starl.platform.TraceSink;
 import org.starl.trace.TraceEvent;
 
 /** Counts datagrams, and tells the trace and the log of them. */
@@ -13,12 +14,14 @@ final class Bookkeeping {
   private static final String ACK = "ack";
 
   private final Platform platform;
+  private final TraceSink trace;
   private long sent;
   private long received;
   private long @Nullable [] drops;
 
   Bookkeeping(Platform platform) {
     this.platform = platform;
+    this.trace = platform.trace();
   }
 
   long sent() {
@@ -40,7 +43,7 @@ final class Bookkeeping {
   /** A datagram with this message goes out; {@code to} is null for everyone. */
   void sent(@Nullable RobotId to, Channel<?> channel, long number, int bytes, Object message) {
     sent++;
-    if (platform.trace().isOn()) {
+    if (trace.isOn()) {
       traceSent(to == null ? "*" : to.name(), channel.name(), number, bytes, message.toString());
     }
   }
@@ -48,23 +51,19 @@ final class Bookkeeping {
   /** An acknowledgement of message {@code order} of {@code to} goes out. */
   void sentAcknowledgement(RobotId to, long order, long number, int bytes) {
     sent++;
-    if (platform.trace().isOn()) {
+    if (trace.isOn()) {
       traceSent(to.name(), ACK, number, bytes, ACK + " " + order);
     }
   }
 
   private void traceSent(String to, String channel, long number, int bytes, String message) {
-    platform
-        .trace()
-        .record(new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, message));
+    trace.record(new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, message));
   }
 
   void delivered(RobotId from, Channel<?> channel, long number, Object message) {
-    if (platform.trace().isOn()) {
+    if (trace.isOn()) {
       String text = message.toString();
-      platform
-          .trace()
-          .record(
+      trace.record(
               new TraceEvent.Delivered(now(), platform.id(), from, channel.name(), number, text));
     }
   }
@@ -79,10 +78,8 @@ final class Bookkeeping {
     if (drops[reason.ordinal()] == 1) {
       log(reason, "from " + sender + ": " + reason + (detail.isEmpty() ? "" : " (" + detail + ")"));
     }
-    if (platform.trace().isOn()) {
-      platform
-          .trace()
-          .record(new TraceEvent.Dropped(now(), platform.id(), sender, reason.toString()));
+    if (trace.isOn()) {
+      trace.record(new TraceEvent.Dropped(now(), platform.id(), sender, reason.toString()));
     }
   }
 

@@ -5,6 +5,7 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.platform.Platform;
+import org.starl.platform.Radio;
 
 /**
  * {@code gvh.comms}: this robot's messages. Strand only.
@@ -16,11 +17,13 @@ import org.starl.platform.Platform;
 public final class Comms {
 
   private final Platform platform;
+  private final RobotId self;
+  private final Radio radio;
   private final int boot;
   private final LamportClock lamportClock = new LamportClock();
   private final DatagramWriter writer;
-  private final Header header = new Header();
-  private final WireReader in = new WireReader();
+  private final Header header;
+  private final WireReader in;
   private final RobotNames robots;
   private final Endpoints endpoints = new Endpoints();
   private final InboundWindows inbound = new InboundWindows();
@@ -30,17 +33,22 @@ public final class Comms {
 
   /**
    * @param boot how often this robot's program has started, from 1
+   * @param workspace not used by another robot at the same time
    */
-  public Comms(Platform platform, int boot) {
+  public Comms(Platform platform, int boot, Workspace workspace) {
     if (boot <= 0) {
       throw new IllegalArgumentException("boot number " + boot + ": expected above 0");
     }
     this.platform = platform;
+    this.self = platform.id();
+    this.radio = platform.radio();
     this.boot = boot;
-    this.writer = new DatagramWriter(platform.id(), boot);
+    this.writer = new DatagramWriter(self, boot, workspace.out);
+    this.header = workspace.header;
+    this.in = workspace.in;
     this.robots = new RobotNames(platform.deployment());
     this.books = new Bookkeeping(platform);
-    platform.radio().onReceive((buffer, length) -> received(buffer, length, false));
+    radio.onReceive((buffer, length) -> received(buffer, length, false));
   }
 
   /** The robot's logical clock; every datagram carries and witnesses it. */
@@ -114,12 +122,12 @@ public final class Comms {
 
   private void emit(@Nullable RobotId to, byte[] buffer, int length) {
     if (to == null) {
-      platform.radio().broadcast(buffer, length);
-    } else if (to.equals(platform.id())) {
+      radio.broadcast(buffer, length);
+    } else if (to.equals(self)) {
       byte[] datagram = Arrays.copyOf(buffer, length);
       platform.strand().post(() -> received(datagram, datagram.length, true));
     } else {
-      platform.radio().send(to, buffer, length);
+      radio.send(to, buffer, length);
     }
   }
 
@@ -149,7 +157,7 @@ public final class Comms {
   }
 
   private @Nullable DropReason refusal(byte[] buffer, RobotId from, boolean fromSelf) {
-    if (!fromSelf && from.equals(platform.id())) {
+    if (!fromSelf && from.equals(self)) {
       return DropReason.OWN;
     }
     boolean isForUs =
@@ -236,7 +244,7 @@ public final class Comms {
   }
 
   private void acknowledge(RobotId to, int ackedBoot, long order) {
-    if (to.equals(platform.id())) {
+    if (to.equals(self)) {
       settle(to, ackedBoot, order);
       return;
     }

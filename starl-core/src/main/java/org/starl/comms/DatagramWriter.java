@@ -5,16 +5,20 @@ import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.platform.Radio;
 
-/** Writes this robot's datagrams (docs/wire-format.md), one after another into one buffer. */
+/**
+ * Writes this robot's datagrams (docs/wire-format.md), one after another into a buffer that it may
+ * share.
+ */
 final class DatagramWriter {
 
   private final int boot;
   private final byte[] sender;
-  private WireWriter out = new WireWriter();
+  private final WireWriter out;
 
-  DatagramWriter(RobotId self, int boot) {
+  DatagramWriter(RobotId self, int boot, WireWriter out) {
     this.boot = boot;
     this.sender = self.name().getBytes(StandardCharsets.US_ASCII);
+    this.out = out;
   }
 
   /** The robot's own name on the wire. */
@@ -45,7 +49,7 @@ final class DatagramWriter {
     from.channel.codec().write(message, out);
     int length = out.length();
     if (length > Radio.MAX_BYTES) {
-      out = new WireWriter();
+      out.shrink();
       throw new IllegalArgumentException(
           "channel "
               + from.channel.name()

@@ -1,6 +1,7 @@
 package org.starl.comms;
 
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.RobotId;
@@ -15,7 +16,7 @@ final class RobotNames {
   private static final int SLOTS = 32;
 
   private final Participants deployment;
-  private @Nullable RobotId @Nullable [] strangers;
+  private @Nullable Stranger @Nullable [] strangers;
 
   RobotNames(Participants deployment) {
     this.deployment = deployment;
@@ -29,19 +30,28 @@ final class RobotNames {
 
   private @Nullable RobotId stranger(byte[] bytes, int from, int length) {
     if (strangers == null) {
-      strangers = new RobotId[SLOTS];
+      strangers = new Stranger[SLOTS];
     }
     int slot = ByteNames.hash(bytes, from, length) & (SLOTS - 1);
-    RobotId stranger = strangers[slot];
-    if (stranger != null && stranger.isNamed(bytes, from, length)) {
-      return stranger;
+    Stranger stranger = strangers[slot];
+    if (stranger == null || !ByteNames.equal(stranger.letters, bytes, from, length)) {
+      String name = new String(bytes, from, length, StandardCharsets.ISO_8859_1);
+      if (!RobotId.isValid(name)) {
+        return null;
+      }
+      stranger = new Stranger(Arrays.copyOfRange(bytes, from, from + length), new RobotId(name));
+      strangers[slot] = stranger;
     }
-    String name = new String(bytes, from, length, StandardCharsets.ISO_8859_1);
-    if (!RobotId.isValid(name)) {
-      return null;
+    return stranger.id;
+  }
+
+  private static final class Stranger {
+    private final byte[] letters;
+    private final RobotId id;
+
+    Stranger(byte[] letters, RobotId id) {
+      this.letters = letters;
+      this.id = id;
     }
-    RobotId id = new RobotId(name);
-    strangers[slot] = id;
-    return id;
   }
 }

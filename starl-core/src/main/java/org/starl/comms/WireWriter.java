@@ -37,6 +37,12 @@ public final class WireWriter {
     length = position;
   }
 
+  /** Gives back the memory of a message that was far too long. */
+  void shrink() {
+    buffer = new byte[FIRST_SIZE];
+    length = 0;
+  }
+
   /** What was written lies in its first {@link #length} bytes; valid until the next write. */
   byte[] buffer() {
     return buffer;

@@ -37,7 +37,7 @@ class CommsTest {
   }
 
   private Comms comms(String name, int boot) {
-    return new Comms(world.boot(name).platform(), boot);
+    return new Comms(world.boot(name).platform(), boot, new Workspace());
   }
 
   private Endpoint<String> open(Comms comms, String as) {
@@ -384,7 +384,7 @@ class CommsTest {
   @Test
   void eachReasonIsLoggedOnce() {
     FakePlatform platform = world.boot("a");
-    Comms comms = new Comms(platform.platform(), 1);
+    Comms comms = new Comms(platform.platform(), 1, new Workspace());
 
     world.inject(A, new byte[] {1, 2, 3});
     world.inject(A, new byte[] {1, 2, 3, 4});

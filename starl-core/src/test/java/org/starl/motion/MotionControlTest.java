@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Workspace;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Fix;
 import org.starl.geometry.ItemPosition;
@@ -26,7 +27,7 @@ class MotionControlTest {
 
   private final FakeWorld world = new FakeWorld("bot0");
   private final FakePlatform robot = world.boot("bot0");
-  private final GlobalVarHolder gvh = new GlobalVarHolder(robot.platform(), 1);
+  private final GlobalVarHolder gvh = new GlobalVarHolder(robot.platform(), 1, new Workspace());
   private final MotionControl moat = gvh.plat.moat;
 
   private void fix(double x, double y, double headingRad) {

@@ -10,6 +10,7 @@ import java.util.TreeMap;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.RobotRunner;
+import org.starl.comms.Workspace;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
@@ -38,6 +39,7 @@ final class Engine implements SimControl, AutoCloseable {
   private final SimNetwork network;
   private final Participants deployment;
   private final Obstacles knownObstacles;
+  private final Workspace workspace = new Workspace();
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
   // A robot that left and joins again is another incarnation, and finds what it had stored.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
@@ -308,6 +310,11 @@ final class Engine implements SimControl, AutoCloseable {
 
   Kernel kernel() {
     return kernel;
+  }
+
+  /** All robots', of which one runs at a time. */
+  Workspace workspace() {
+    return workspace;
   }
 
   SimSettings settings() {

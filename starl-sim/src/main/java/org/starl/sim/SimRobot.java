@@ -85,7 +85,7 @@ final class SimRobot implements TraceSink {
             this,
             engine.knownObstacles(),
             settings.motionParameters(index));
-    runner = new RobotRunner(platform, spec.app(), this::appEnded);
+    runner = new RobotRunner(platform, engine.workspace(), spec.app(), this::appEnded);
   }
 
   private SimPositioning positioning(

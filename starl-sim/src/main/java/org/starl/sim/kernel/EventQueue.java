@@ -70,17 +70,17 @@ final class EventQueue {
   /** Removes the event in {@code slot}, which must not have been polled or removed. */
   void remove(int slot) {
     size--;
-    long bucketsAhead = (events.atNs[slot] >>> BUCKET_SHIFT) - openBucket;
-    if (events.place[slot] == OPEN) {
+    long bucketsAhead = (events.atNs(slot) >>> BUCKET_SHIFT) - openBucket;
+    if (events.place(slot) == OPEN) {
       events.clear(slot);
       return;
     }
     if (bucketsAhead <= 0) {
-      near.removeAt(events.place[slot]);
+      near.removeAt(events.place(slot));
     } else if (bucketsAhead < BUCKETS) {
       removeFromRing(slot);
     } else {
-      far.removeAt(events.place[slot]);
+      far.removeAt(events.place(slot));
     }
     events.release(slot);
   }
@@ -92,18 +92,18 @@ final class EventQueue {
    */
   boolean poll(long untilNs) {
     int slot = first();
-    if (slot == EventTable.NONE || events.atNs[slot] > untilNs) {
+    if (slot == EventTable.NONE || events.atNs(slot) > untilNs) {
       return false;
     }
-    if (events.place[slot] == OPEN) {
+    if (events.place(slot) == OPEN) {
       openNext++;
     } else {
       near.removeAt(0);
     }
     size--;
-    polledAtNs = events.atNs[slot];
-    polledStrand = events.strand[slot];
-    polledPiece = events.piece[slot];
+    polledAtNs = events.atNs(slot);
+    polledStrand = events.strand(slot);
+    polledPiece = events.piece(slot);
     events.release(slot);
     return true;
   }
@@ -130,7 +130,7 @@ final class EventQueue {
       int added = near.first();
       if (open != EventTable.NONE) {
         // At equal times the open bucket's event is the older one: it was there when it opened.
-        boolean overtaken = added != EventTable.NONE && events.atNs[added] < events.atNs[open];
+        boolean overtaken = added != EventTable.NONE && events.atNs(added) < events.atNs(open);
         return overtaken ? added : open;
       }
       if (added != EventTable.NONE || !openNextBucket()) {
@@ -142,7 +142,7 @@ final class EventQueue {
   private int firstOpen() {
     while (openNext < openEnd) {
       int slot = openSlots[Integer.MAX_VALUE - (int) openKeys[openNext]];
-      if (events.piece[slot] != null) {
+      if (events.piece(slot) != null) {
         return slot;
       }
       events.release(slot);
@@ -155,11 +155,11 @@ final class EventQueue {
     if (slotsInRing > 0) {
       openBucket += 1 + emptyBucketsAfter((int) openBucket & BUCKET_MASK);
     } else if (!far.isEmpty()) {
-      openBucket = events.atNs[far.first()] >>> BUCKET_SHIFT;
+      openBucket = events.atNs(far.first()) >>> BUCKET_SHIFT;
     } else {
       return false;
     }
-    while (!far.isEmpty() && (events.atNs[far.first()] >>> BUCKET_SHIFT) - openBucket < BUCKETS) {
+    while (!far.isEmpty() && (events.atNs(far.first()) >>> BUCKET_SHIFT) - openBucket < BUCKETS) {
       int slot = far.first();
       far.removeAt(0);
       addToRing(slot);
@@ -172,15 +172,15 @@ final class EventQueue {
     int bucket = (int) openBucket & BUCKET_MASK;
     occupied[bucket >>> 6] &= ~(1L << bucket);
     int count = 0;
-    for (int slot = newest[bucket]; slot != EventTable.NONE; slot = events.next[slot]) {
+    for (int slot = newest[bucket]; slot != EventTable.NONE; slot = events.next(slot)) {
       if (count == openKeys.length) {
         openKeys = Arrays.copyOf(openKeys, 2 * count);
         openSlots = Arrays.copyOf(openSlots, 2 * count);
       }
       // The list runs from the newest to the oldest, so later ones get the lower key.
-      openKeys[count] = (events.atNs[slot] & OFFSET_MASK) << 32 | (Integer.MAX_VALUE - count);
+      openKeys[count] = (events.atNs(slot) & OFFSET_MASK) << 32 | (Integer.MAX_VALUE - count);
       openSlots[count] = slot;
-      events.place[slot] = OPEN;
+      events.setPlace(slot, OPEN);
       count++;
     }
     Arrays.sort(openKeys, 0, count);
@@ -203,33 +203,33 @@ final class EventQueue {
   }
 
   private void addToRing(int slot) {
-    int bucket = (int) (events.atNs[slot] >>> BUCKET_SHIFT) & BUCKET_MASK;
+    int bucket = (int) (events.atNs(slot) >>> BUCKET_SHIFT) & BUCKET_MASK;
     long bit = 1L << bucket;
     if ((occupied[bucket >>> 6] & bit) == 0) {
       occupied[bucket >>> 6] |= bit;
-      events.next[slot] = EventTable.NONE;
+      events.setNext(slot, EventTable.NONE);
     } else {
-      events.next[slot] = newest[bucket];
-      events.place[newest[bucket]] = slot;
+      events.setNext(slot, newest[bucket]);
+      events.setPlace(newest[bucket], slot);
     }
-    events.place[slot] = EventTable.NONE;
+    events.setPlace(slot, EventTable.NONE);
     newest[bucket] = slot;
     slotsInRing++;
   }
 
   private void removeFromRing(int slot) {
-    int bucket = (int) (events.atNs[slot] >>> BUCKET_SHIFT) & BUCKET_MASK;
-    int newer = events.place[slot];
-    int older = events.next[slot];
+    int bucket = (int) (events.atNs(slot) >>> BUCKET_SHIFT) & BUCKET_MASK;
+    int newer = events.place(slot);
+    int older = events.next(slot);
     if (newer != EventTable.NONE) {
-      events.next[newer] = older;
+      events.setNext(newer, older);
     } else if (older != EventTable.NONE) {
       newest[bucket] = older;
     } else {
       occupied[bucket >>> 6] &= ~(1L << bucket);
     }
     if (older != EventTable.NONE) {
-      events.place[older] = newer;
+      events.setPlace(older, newer);
     }
     slotsInRing--;
   }

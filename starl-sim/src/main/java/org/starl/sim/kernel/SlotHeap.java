@@ -74,6 +74,6 @@ final class SlotHeap {
 
   private void put(int index, int slot) {
     slots[index] = slot;
-    events.place[slot] = index;
+    events.setPlace(slot, index);
   }
 }

@@ -85,7 +85,7 @@ final class VirtualCarrier implements Carrier, Executor {
   public void suspend() {
     isSuspended = true;
     boolean wasInterrupted = false;
-    LockSupport.park(this);
+    LockSupport.park();
     while (isSuspended) {
       // A permit that a foreign thread has left over, or an interrupt, ends a park, but not the
       // suspension; and an interrupted thread would not park again.
@@ -96,7 +96,7 @@ final class VirtualCarrier implements Carrier, Executor {
             "sleep and await do not work inside a static initialiser or a native method",
             thread.getStackTrace());
       }
-      LockSupport.park(this);
+      LockSupport.park();
     }
     if (wasInterrupted) {
       Thread.currentThread().interrupt();

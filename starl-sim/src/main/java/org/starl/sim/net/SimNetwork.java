@@ -1,9 +1,7 @@
 package org.starl.sim.net;
 
 import java.util.ArrayList;
-import java.util.HashMap;
 import java.util.List;
-import java.util.Map;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
@@ -22,7 +20,7 @@ public final class SimNetwork {
   private final Clock clock;
   private final TraceSink trace;
   private final Rng root;
-  private final Map<RobotId, Station> stations = new HashMap<>();
+  private final StationTable stations = new StationTable();
   private final List<SimRadio> attached = new ArrayList<>();
   private final List<Installed> rules = new ArrayList<>();
   private final DeliveryPool pool = new DeliveryPool(this);
@@ -69,7 +67,11 @@ public final class SimNetwork {
    * @throws IllegalStateException if it has one already
    */
   public Radio attach(RobotId id, Inbox inbox) {
-    Station station = stations.computeIfAbsent(id, this::newStation);
+    Station station = stations.find(id);
+    if (station == null) {
+      station = newStation(id);
+      stations.add(station);
+    }
     if (station.radio != null) {
       throw new IllegalStateException(id + " has a radio already");
     }
@@ -81,7 +83,7 @@ public final class SimNetwork {
 
   /** Takes {@code id}'s radio off the air: it sends nothing more, what is under way to it is lost. */
   public void detach(RobotId id) {
-    Station station = stations.get(id);
+    Station station = stations.find(id);
     if (station != null && station.radio != null) {
       station.radio.close();
       attached.remove(station.radio);
@@ -223,7 +225,7 @@ public final class SimNetwork {
   }
 
   private Station station(RobotId id) {
-    Station station = stations.get(id);
+    Station station = stations.find(id);
     return station == null ? newStation(id) : station;
   }
 
@@ -250,6 +252,10 @@ public final class SimNetwork {
     Station(RobotId id, long key) {
       this.id = id;
       this.key = key;
+    }
+
+    RobotId id() {
+      return id;
     }
 
     long nextDatagram() {
