@@ -64,7 +64,7 @@ final class Bookkeeping {
     if (trace.isOn()) {
       String text = message.toString();
       trace.record(
-              new TraceEvent.Delivered(now(), platform.id(), from, channel.name(), number, text));
+          new TraceEvent.Delivered(now(), platform.id(), from, channel.name(), number, text));
     }
   }
 
