@@ -220,7 +220,7 @@ class MotionControlTest {
     FakeWorld elsewhere = new FakeWorld("bot1");
     FakePlatform late = elsewhere.boot("bot1");
     MotionParameters lateWheels = MotionParameters.builder().reactionMs(50).build();
-    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1).gps;
+    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1, new Workspace()).gps;
     late.fix(new Fix(new Pose(0, 0, 0), 49_000_000, 4, 0));
     elsewhere.runMs(60);
     assertThat(gps.hasFix()).isFalse();
