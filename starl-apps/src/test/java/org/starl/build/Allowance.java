@@ -53,7 +53,6 @@ record Allowance(String rule, String path, String reason) {
         hash("starl-primitives" + MAIN + "primitives/geocast/CastRecord.java"),
         hash("starl-primitives" + MAIN + "primitives/geocast/GeocastProtocol.java"),
         hash("starl-sim" + MAIN + "sim/net/Partition.java"),
-        hash("starl-sim" + MAIN + "sim/net/SimNetwork.java"),
         hash("starl-sim" + MAIN + "sim/world/Placement.java"),
         new Allowance("a reminder of work that is left", BUILD_TESTS, "names what it forbids"),
         new Allowance("a path of somebody's machine", BUILD_TESTS, "names what it forbids"),
