@@ -7,7 +7,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import org.starl.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.Requests.Request;
 import org.starl.spec.Monitor.Report;
@@ -21,7 +20,18 @@ final class MutexProgress {
 
   private static final long NS_PER_MS = 1_000_000;
 
+  /** What progress rests on, beside what the requests themselves tell. */
+  interface Assumptions {
+
+    /** Whether more than the others' requests keeps it waiting: a dead one, a ghost, a fault. */
+    boolean isImpeded(Request request);
+
+    /** Whether nothing is owed to it: it is dead, or a view is without it. */
+    boolean isOut(Request request);
+  }
+
   private final Requests requests;
+  private final Assumptions assumptions;
   private final Within<Request> holding;
   private final Within<Request> served;
   private final Within<Request> undisturbed;
@@ -29,9 +39,12 @@ final class MutexProgress {
   private final Set<Request> overdue = new LinkedHashSet<>();
   // For each request that waits: who holds, or waits with priority for, one of its sections.
   private final Map<Request, Set<Request>> ahead = new LinkedHashMap<>();
+  // Those that wait for more than others' requests; while there is one, it may keep others waiting.
+  private final Set<Request> impeded = new LinkedHashSet<>();
 
-  MutexProgress(MutexBounds bounds, Requests requests) {
+  MutexProgress(MutexBounds bounds, Requests requests, Assumptions assumptions) {
     this.requests = requests;
+    this.assumptions = assumptions;
     holding = new Within<>(bounds.d1Ns());
     served = new Within<>(bounds.d2Ns());
     undisturbed = new Within<>(bounds.d3Ns());
@@ -82,6 +95,35 @@ final class MutexProgress {
     served.owe(request, nowNs);
     undisturbed.owe(request, nowNs);
     assumeAnew(request, nowNs);
+    look(nowNs);
+  }
+
+  /** Views, faults or needs have changed: brings all assumptions up to date. */
+  void look(long nowNs) {
+    for (Request request : new ArrayList<>(ahead.keySet())) {
+      if (assumptions.isOut(request)) {
+        ahead.remove(request);
+        settle(request);
+      }
+    }
+    ahead.values().forEach(before -> before.removeIf(assumptions::isOut));
+    overdue.removeIf(assumptions::isOut);
+    requests.active().stream().filter(assumptions::isOut).forEach(holding::settle);
+    impeded.clear();
+    for (Request request : ahead.keySet()) {
+      if (assumptions.isImpeded(request)) {
+        impeded.add(request);
+      }
+    }
+    assumeAll(nowNs);
+  }
+
+  private void assumeAll(long nowNs) {
+    boolean mayBeServed = overdue.isEmpty() && impeded.isEmpty();
+    ahead.forEach((request, before) -> {
+      served.assume(request, mayBeServed, nowNs);
+      undisturbed.assume(request, before.isEmpty() && !impeded.contains(request), nowNs);
+    });
   }
 
   void entered(Request request, long nowNs, Report report) {
@@ -90,6 +132,7 @@ final class MutexProgress {
       report.checked(NON_INTERFERENCE);
     }
     settle(request);
+    unimpede(request, nowNs);
     holding.owe(request, nowNs);
     for (Request other : contenders(request, request.want)) {
       standsBefore(request, other, nowNs);
@@ -101,15 +144,16 @@ final class MutexProgress {
     for (Request other : contenders(request, given)) {
       Set<Request> before = ahead.get(other);
       if (before != null && !Sections.meet(request.want, other.want) && before.remove(request)) {
-        undisturbed.assume(other, before.isEmpty(), nowNs);
+        undisturbed.assume(other, before.isEmpty() && !impeded.contains(other), nowNs);
       }
     }
     if (!request.isActive()) {
       ahead.remove(request);
       settle(request);
       holding.settle(request);
-      if (overdue.remove(request) && overdue.isEmpty()) {
-        ahead.keySet().forEach(waiting -> served.assume(waiting, true, nowNs));
+      unimpede(request, nowNs);
+      if (overdue.remove(request)) {
+        assumeAll(nowNs);
       }
     }
   }
@@ -118,14 +162,13 @@ final class MutexProgress {
   void needsOthers(Request request, long nowNs) {
     if (ahead.containsKey(request)) {
       assumeAnew(request, nowNs);
+      look(nowNs);
     }
   }
 
-  void left(RobotId robot) {
-    for (Request request : ahead.keySet()) {
-      if (request.who.robot().equals(robot)) {
-        settle(request);
-      }
+  private void unimpede(Request request, long nowNs) {
+    if (impeded.remove(request)) {
+      assumeAll(nowNs);
     }
   }
 
@@ -139,9 +182,8 @@ final class MutexProgress {
 
   private void assumeAnew(Request request, long nowNs) {
     served.assume(request, false, nowNs);
-    served.assume(request, overdue.isEmpty(), nowNs);
     undisturbed.assume(request, false, nowNs);
-    undisturbed.assume(request, ahead.getOrDefault(request, Set.of()).isEmpty(), nowNs);
+    assumeAll(nowNs);
   }
 
   private void settle(Request request) {
@@ -155,6 +197,7 @@ final class MutexProgress {
       all.addAll(requests.contendersFor(section));
     }
     all.remove(request);
+    all.removeIf(assumptions::isOut);
     return all;
   }
 }

@@ -9,6 +9,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.membership.Lives;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor;
@@ -35,9 +36,11 @@ import org.starl.trace.TraceEvent;
  *       later request for B back.)
  * </ul>
  *
- * <p>The last two are owed anew, with their whole bound, when a request comes to need the consent of
- * other participants than before, and are for runs in which everybody in a view is up and within
- * reach. The request of a robot that has left the floor is owed nothing.
+ * <p>The last two are owed only while no fault but crashes is under way, no ghost stands in a wanted
+ * section, and nobody is dead whose consent is needed; the first of them only while that is so for all
+ * who wait. They are owed anew, with their whole bound, once that is so again, and when a request comes
+ * to need the consent of other participants than before. Who is dead, has left the floor or is in no
+ * view any more is owed nothing.
  */
 public final class MutexSpec implements Monitor {
 
@@ -53,6 +56,7 @@ public final class MutexSpec implements Monitor {
       new ArrayList<>(List.of(EXCLUSIVE, PROMISE, CONNECTED, KEPT, COMPLETE));
   private final @Nullable MutexProgress progress;
   private final Requests requests = new Requests();
+  private final Lives lives = new Lives();
 
   // The latest view that anybody has learned, and all that any view listed.
   private View last = View.NONE;
@@ -66,7 +70,8 @@ public final class MutexSpec implements Monitor {
   /** Safety, and progress where there are bounds. */
   public MutexSpec(String xid, @Nullable MutexBounds bounds) {
     source = MutexTrace.source(xid);
-    progress = bounds == null ? null : new MutexProgress(bounds, requests);
+    progress =
+        bounds == null ? null : new MutexProgress(bounds, requests, new ProgressAssumptions());
     if (progress != null) {
       lemmas.add(MutexProgress.SERVED);
       lemmas.add(MutexProgress.NON_INTERFERENCE);
@@ -80,9 +85,10 @@ public final class MutexSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    if (event instanceof TraceEvent.Left left && progress != null) {
-      progress.expire(left.timeNs(), report);
-      progress.left(left.robot());
+    boolean changes = lives.observe(event);
+    if (changes && progress != null) {
+      progress.expire(event.timeNs(), report);
+      progress.look(event.timeNs());
     }
     if (event instanceof TraceEvent.Action action && action.source().equals(source)) {
       Optional<MutexEvent> read = MutexTrace.read(action);
@@ -148,6 +154,9 @@ public final class MutexSpec implements Monitor {
     listed.addAll(view.ids());
     if (view.number() > last.number()) {
       last = view;
+      if (progress != null) {
+        progress.look(nowNs);
+      }
       for (Requests.Request request : requests.active()) {
         if (request.critical) {
           checkListed(request, nowNs, report);
@@ -263,5 +272,23 @@ public final class MutexSpec implements Monitor {
 
   static List<RobotId> robots(ProcessId a, ProcessId b) {
     return List.copyOf(new TreeSet<>(List.of(a.robot(), b.robot())));
+  }
+
+  private final class ProgressAssumptions implements MutexProgress.Assumptions {
+    @Override
+    public boolean isImpeded(Requests.Request request) {
+      return !lives.isFair()
+          || request.known.stream().anyMatch(lives::isDead)
+          || last.ghosts().entrySet().stream()
+              .anyMatch(ghost ->
+                  !ghost.getKey().robot().equals(request.who.robot())
+                      && Sections.meet(ghost.getValue().sections(), request.want));
+    }
+
+    @Override
+    public boolean isOut(Requests.Request request) {
+      return (listed.contains(request.who) && !last.contains(request.who))
+          || (lives.isDead(request.who) && !request.critical);
+    }
   }
 }

@@ -59,6 +59,7 @@ public final class Registration implements RegPrim, Membership {
     rList = gvh.variable(source, RegistrationTrace.R_LIST, RList.UNKNOWN);
     failed = gvh.variable(source, RegistrationTrace.FAILED, false);
     view = gvh.variable(source, RegistrationTrace.VIEW, View.NONE);
+    gvh.trace.action(source, RegistrationTrace.ACCEPTORS, acceptors.asList().toArray());
     wire = new SynodWire(gvh, channel);
     protocol =
         new RegistrationProtocol(

@@ -1,18 +1,20 @@
 package org.starl.primitives.registration;
 
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.membership.Confinement;
+import org.starl.primitives.membership.Lives;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
@@ -31,6 +33,9 @@ public final class RegistrationSpec implements Monitor {
 
   private final @Nullable Within<Debt> progress;
   private final Map<String, ViewHistory> histories = new TreeMap<>();
+  private final Map<String, List<RobotId>> acceptors = new TreeMap<>();
+  private final Set<Debt> owed = new LinkedHashSet<>();
+  private final Lives lives = new Lives();
 
   /** Safety only. */
   public RegistrationSpec() {
@@ -38,7 +43,8 @@ public final class RegistrationSpec implements Monitor {
   }
 
   /**
-   * Safety, and progress within a bound, for runs in which the world behaves.
+   * Safety, and progress within a bound, owed while a majority of the acceptors is up and no fault but
+   * crashes is under way, and anew, with the whole bound, once that is so again.
    *
    * @param registeredWithinNs from {@code do_register} until a view lists the robot, in ns
    */
@@ -58,18 +64,31 @@ public final class RegistrationSpec implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
+    boolean changed = lives.observe(event);
     switch (event) {
       case Action action when RegistrationTrace.isRegistration(action.source()) -> acted(action);
       case Variable variable when RegistrationTrace.isRegistration(variable.source()) ->
           changed(variable, report);
-      case Left left -> {
-        for (String source : histories.keySet()) {
-          settle(source, left.robot());
-        }
-      }
       default -> {
         // Of no concern here.
       }
+    }
+    if (changed) {
+      for (String source : histories.keySet()) {
+        if (!lives.isUp(event.robot())) {
+          settle(source, event.robot());
+        }
+      }
+      owed.forEach(debt -> assume(debt, event.timeNs()));
+    }
+  }
+
+  private void assume(Debt debt, long nowNs) {
+    List<RobotId> voters = acceptors.getOrDefault(debt.source(), List.of());
+    long up = voters.stream().filter(lives::isUp).count();
+    boolean majority = voters.isEmpty() || 2 * up > voters.size();
+    if (progress != null) {
+      progress.assume(debt, majority && lives.isFair(), nowNs);
     }
   }
 
@@ -83,9 +102,14 @@ public final class RegistrationSpec implements Monitor {
       case RegistrationTrace.DO_REGISTER -> {
         history(action.source()).asked(action.robot(), id(action));
         if (progress != null) {
-          progress.owe(new Debt(action.source(), action.robot()), action.timeNs());
+          Debt debt = new Debt(action.source(), action.robot());
+          progress.owe(debt, action.timeNs());
+          owed.add(debt);
+          assume(debt, action.timeNs());
         }
       }
+      case RegistrationTrace.ACCEPTORS ->
+          acceptors.putIfAbsent(action.source(), action.args().stream().map(RobotId::new).toList());
       case RegistrationTrace.FIRST_VIEW ->
           history(action.source()).isGiven(View.parse(action.args().get(0)));
       case RegistrationTrace.CONFINE ->
@@ -130,7 +154,9 @@ public final class RegistrationSpec implements Monitor {
 
   private void settle(String source, RobotId robot) {
     if (progress != null) {
-      progress.settle(new Debt(source, robot));
+      Debt debt = new Debt(source, robot);
+      progress.settle(debt);
+      owed.remove(debt);
     }
   }
 

@@ -9,6 +9,9 @@ final class RegistrationTrace {
 
   static final String PRIMITIVE = "registration";
 
+  /** Action with the robots that vote, each an argument. */
+  static final String ACCEPTORS = "acceptors";
+
   /** Action with the first view, where the deployment gives one. */
   static final String FIRST_VIEW = "first_view";
 

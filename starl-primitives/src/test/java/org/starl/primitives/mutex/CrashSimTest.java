@@ -6,6 +6,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
@@ -52,6 +53,7 @@ class CrashSimTest {
           run(
               seed,
               60 * S,
+              MutexBounds.of(CARS.size(), 3 * S, 2 * S),
               control -> {
                 Rng rng = control.scenarioRng("crash");
                 control.at(rng.nextLong(5 * S, 15 * S), () -> control.crash(CARS.get(1)));
@@ -68,7 +70,7 @@ class CrashSimTest {
   void crashesRestartsAndWrongSuspicionsAreSafeAndAfterwardsAllGoOn() {
     long removed = 0;
     for (long seed = 0; seed < 12; seed++) {
-      SimResult result = run(seed, 150 * S, CrashSimTest::chaosFor100s);
+      SimResult result = run(seed, 150 * S, null, CrashSimTest::chaosFor100s);
       assertWell(result, seed);
       assertThat(result.results()).hasSize(CARS.size() + ROADSIDE.size());
       removed += count(MutexEvent.Fence.class);
@@ -83,6 +85,7 @@ class CrashSimTest {
         run(
             1,
             60 * S,
+            null,
             control ->
                 control.at(
                     5 * S,
@@ -125,7 +128,7 @@ class CrashSimTest {
     }
   }
 
-  private SimResult run(long seed, long untilNs, Director director) {
+  private SimResult run(long seed, long untilNs, @Nullable MutexBounds bounds, Director director) {
     story.clear();
     SimSettings settings =
         SimSettings.builder()
@@ -141,8 +144,8 @@ class CrashSimTest {
       builder.robot(new RobotSpec(car, new Pose(0, 0, 0), false, gvh -> new Car(gvh, untilNs)));
     }
     return builder
-        .monitor(() -> new MutexSpec(XID))
-        .monitor(RegistrationSpec::new)
+        .monitor(() -> new MutexSpec(XID, bounds))
+        .monitor(() -> new RegistrationSpec(20 * S))
         .observer(
             new SimObserver() {
               @Override
@@ -167,8 +170,7 @@ class CrashSimTest {
   private View lastView() {
     View last = View.NONE;
     for (MutexEvent event : story) {
-      if (event instanceof MutexEvent.Learned learned
-          && learned.view().number() > last.number()) {
+      if (event instanceof MutexEvent.Learned learned && learned.view().number() > last.number()) {
         last = learned.view();
       }
     }

@@ -206,6 +206,44 @@ class MutexSpecTest {
   }
 
   @Test
+  void nothingIsOwedThatNeedsADeadOneUntilAViewIsWithoutIt() {
+    ask(0, I, 1, "A");
+    ask(0, J, 2, "B");
+    monitors.observe(new TraceEvent.Fault(5, K.robot(), "crash", ""));
+    View without = View.closed(List.of(I, J, K)).next().without(K);
+    event(500, new MutexEvent.Learned(I, without));
+    event(500, new MutexEvent.Known(I, 1, ids(J)));
+    event(500, new MutexEvent.Known(J, 1, ids(I)));
+    enter(509, I, "A");
+    SpecReport report = finish(600);
+    assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isEqualTo(1);
+    assertThat(report.violations(MutexProgress.SERVED)).isEqualTo(1);
+    assertThat(report.violations().get(0).robots()).containsExactly(J.robot());
+  }
+
+  @Test
+  void nothingIsOwedWhereAGhostStandsAndNothingToThoseBehind() {
+    View ghost = View.closed(List.of(I, J, K)).next().confined(K, set("A"));
+    event(0, new MutexEvent.Learned(I, ghost));
+    event(0, new MutexEvent.DoMutex(I, 1, 1, set("A B"), ids(J)));
+    event(1, new MutexEvent.DoMutex(J, 1, 2, set("B"), ids(I)));
+    event(501, new MutexEvent.Withdraw(I, 1, MutexFailure.OCCUPIED));
+    SpecReport report = finish(520);
+    assertThat(report.violations(MutexProgress.NON_INTERFERENCE)).isEqualTo(1);
+    assertThat(report.violations(MutexProgress.SERVED)).isZero();
+  }
+
+  @Test
+  void nothingIsOwedWhileTheNetworkIsFoul() {
+    ask(0, I, 1, "A");
+    RobotId world = TraceEvent.Fault.WORLD;
+    monitors.observe(new TraceEvent.Fault(5, world, "begin", "loss 0.9"));
+    monitors.observe(new TraceEvent.Fault(300, world, "end", "loss 0.9"));
+    enter(310, I, "A");
+    assertThat(finish(500).violations(MutexProgress.NON_INTERFERENCE)).isZero();
+  }
+
+  @Test
   void aWithdrawnRequestAndOneOfARobotThatLeftAreOwedNothing() {
     ask(0, I, 1, "A");
     ask(0, J, 2, "B");

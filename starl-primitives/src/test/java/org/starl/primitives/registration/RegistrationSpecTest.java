@@ -8,6 +8,7 @@ import org.starl.RobotId;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 class RegistrationSpecTest {
@@ -103,11 +104,97 @@ class RegistrationSpecTest {
   }
 
   @Test
+  void nothingIsOwedWithoutAMajorityOfAcceptorsAndAllOfItAnewAfterwards() {
+    monitors.observe(new Action(0, new RobotId("a"), HERE, "acceptors", List.of("x", "y")));
+    acts(0, "a", "do_register", "a#1");
+    fault(100, "x", "crash");
+    fault(5_000, "x", "restart");
+    assertThat(report(6_001).violations())
+        .singleElement()
+        .satisfies(late -> assertThat(late.timeNs()).isEqualTo(6_000));
+  }
+
+  @Test
+  void whoCrashesIsOwedNothing() {
+    acts(0, "a", "do_register", "a#1");
+    fault(100, "a", "crash");
+    assertThat(report(5_000).holds()).isTrue();
+  }
+
+  @Test
+  void whoIsConfinedByOneWhoIsInBothListsIsKeptAsItsGhost() {
+    threeAreIn();
+    confines(20, "b", "a#1", "A B", "b#1");
+    sees(30, "b", "2:b#1@1,c#1@1|a#1@1[A B]");
+    confines(40, "c", "a#1", "B", "c#1");
+    sees(50, "c", "3:b#1@1,c#1@1|a#1@1[B]");
+    acts(60, "a", "give_up", "a#1");
+    sees(70, "b", "4:b#1@1,c#1@1");
+    assertThat(report(80).holds()).isTrue();
+  }
+
+  @Test
+  void whoIsConfinedByNobodyOrToLessThanIsVouchedForViolatesKeeps() {
+    threeAreIn();
+    sees(30, "b", "2:b#1@1,c#1@1|a#1@1[A B]");
+    assertThat(monitors.report().violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+    confines(40, "c", "a#1", "B", "c#1");
+    sees(50, "c", "3:b#1@1,c#1@1");
+    assertThat(report(60).violations(RegistrationSpec.KEEPS)).isEqualTo(2);
+  }
+
+  @Test
+  void aFencerThatLeavesInTheSameListViolatesKeeps() {
+    threeAreIn();
+    confines(20, "b", "a#1", "A", "b#1");
+    acts(20, "b", "unregister", "b#1");
+    sees(30, "c", "2:c#1@1|a#1@1[A]");
+    assertThat(report(60).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+  }
+
+  @Test
+  void aGhostThatGrowsOrComesBackIsAViolation() {
+    threeAreIn();
+    confines(20, "b", "a#1", "A", "b#1");
+    sees(30, "c", "2:b#1@1,c#1@1|a#1@1[A]");
+    sees(40, "c", "3:b#1@1,c#1@1|a#1@1[A B]");
+    assertThat(monitors.report().violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+    sees(50, "c", "4:a#1@1,b#1@1,c#1@1");
+    assertThat(report(60).violations(RegistrationSpec.FRESH)).isPositive();
+  }
+
+  @Test
+  void anotherRobotsOwnWordCountsForNothing() {
+    threeAreIn();
+    confines(20, "b", "a#1", "", "");
+    sees(30, "b", "2:b#1@1,c#1@1");
+    assertThat(report(60).violations(RegistrationSpec.KEEPS)).isEqualTo(1);
+  }
+
+  @Test
   void anotherInstanceIsAnotherMatter() {
     acts(0, "a", "do_register", "a#1");
     sees(10, "a", "1:a#1@1");
     monitors.observe(new Variable(20, new RobotId("b"), "registration/there", "view", "1:"));
     assertThat(report(50).holds()).isTrue();
+  }
+
+  private void threeAreIn() {
+    for (String name : List.of("a", "b", "c")) {
+      acts(0, name, "do_register", name + "#1");
+    }
+    for (String name : List.of("a", "b", "c")) {
+      sees(10, name, "1:a#1@1,b#1@1,c#1@1");
+    }
+  }
+
+  private void confines(long atNs, String robot, String who, String sections, String fencers) {
+    List<String> args = List.of(who, sections, fencers);
+    monitors.observe(new Action(atNs, new RobotId(robot), HERE, "confine", args));
+  }
+
+  private void fault(long atNs, String robot, String name) {
+    monitors.observe(new Fault(atNs, new RobotId(robot), name, ""));
   }
 
   private void acts(long atNs, String robot, String verb, String id) {

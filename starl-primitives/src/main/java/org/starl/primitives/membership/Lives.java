@@ -1,0 +1,50 @@
+package org.starl.primitives.membership;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.spec.Circumstances;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Left;
+
+/**
+ * Which participants are dead, as a trace tells it: those of a start of a robot's program that has
+ * ended, by a crash or because the robot has left. For specifications; feed it every event.
+ */
+public final class Lives {
+
+  private final Circumstances circumstances = new Circumstances();
+  // How many starts of each robot's program have ended.
+  private final Map<RobotId, Long> ended = new TreeMap<>();
+
+  /**
+   * Sees the next event.
+   *
+   * @return whether anything asked here may have another answer now
+   */
+  public boolean observe(TraceEvent event) {
+    boolean ends =
+        event instanceof Left || (event instanceof Fault fault && fault.name().equals(Fault.CRASH));
+    if (ends && circumstances.isUp(event.robot())) {
+      ended.merge(event.robot(), 1L, Long::sum);
+    }
+    return circumstances.observe(event);
+  }
+
+  public boolean isDead(ProcessId id) {
+    // Those of a closed group are of the first start.
+    long start = Math.max(1, id.inc() >>> Integer.SIZE);
+    return start <= ended.getOrDefault(id.robot(), 0L);
+  }
+
+  public boolean isUp(RobotId robot) {
+    return circumstances.isUp(robot);
+  }
+
+  /** Whether no fault but crashes is under way. */
+  public boolean isFair() {
+    return circumstances.isFair();
+  }
+}
