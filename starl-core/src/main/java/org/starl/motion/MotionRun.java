@@ -94,16 +94,19 @@ final class MotionRun {
     if (status == MotionFlag.DONE && (!wheelsTurn || bumps.any())) {
       return WheelCommand.STOP;
     }
+    if (status == MotionFlag.MOVING && nowNs >= deadlineNs) {
+      return fail("too slow");
+    }
     if (!(location instanceof Location.Known at)) {
       return waitForFix(nowNs - startNs, "no position fix");
-    }
-    if (isLate(at)) {
-      return fail("too slow");
     }
     if (at.errorMm() > p.maxErrorMm()) {
       return waitForFix(nowNs - lastCertainNs, "the position is too uncertain");
     }
     lastCertainNs = nowNs;
+    if (deadlineNs == Long.MAX_VALUE) {
+      deadlineNs = startNs + p.longestMs(at.pose().distanceMm(target)) * NS_PER_MS;
+    }
     if (at.fixAgeNs() > p.maxFixAgeMs() * NS_PER_MS) {
       return waitForFix(Math.min(at.fixAgeNs(), nowNs - startNs), "no position fix");
     }
@@ -123,13 +126,6 @@ final class MotionRun {
     return sinceNs >= p.failFixAgeMs() * NS_PER_MS && status == MotionFlag.MOVING
         ? fail(why)
         : WheelCommand.STOP;
-  }
-
-  private boolean isLate(Location.Known at) {
-    if (deadlineNs == Long.MAX_VALUE) {
-      deadlineNs = startNs + p.longestMs(at.pose().distanceMm(target)) * NS_PER_MS;
-    }
-    return status == MotionFlag.MOVING && at.timeNs() >= deadlineNs;
   }
 
   private boolean isStuck(Location.Known at) {

@@ -26,7 +26,7 @@ import org.starl.geometry.Pose;
 final class PositionFilter {
 
   /** So long must contradicting fixes confirm each other to be believed. */
-  static final long SETTLE_NS = 2_000_000_000L;
+  static final long SETTLE_NS = 30_000_000_000L;
 
   private final Odometry odometry = new Odometry();
 

@@ -9,8 +9,8 @@
  * two within {@link org.starl.motion.MotionParameters#longestMs}.
  *
  * <p>Envelope: fixes whose error bounds are true, whenever they come, and any that are so far off
- * that they contradict the others, except the first and those that confirm each other for two
- * seconds; a body that does from none to {@code 1 + speedError} times of what is commanded, at most
+ * that they contradict the others, except the first and those that confirm each other for half a
+ * minute; a body that does from none to {@code 1 + speedError} times of what is commanded, at most
  * {@code reactionMs} late; while a bump sensor is closed it may slide. Nobody pushes it. A region
  * that begins nearer to a body in motion than that stops within {@code reactionMs} is beyond it.
  *

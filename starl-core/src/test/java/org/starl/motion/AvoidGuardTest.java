@@ -49,4 +49,71 @@ class AvoidGuardTest {
     assertThat(world.goTo(new Point(2000, 0), here, 20_000)).isEqualTo(MotionFlag.FAIL);
     assertThat(world.truth.at()).isEqualTo(new Point(0, 0));
   }
+
+  // The wheels of the following: a period of 60 ms, a reaction of 100 ms.
+  private static final MotionParameters LATE = MotionParameters.builder().reactionMs(100).build();
+
+  /** How far the half-plane y <= 0 has to be for the guard to let this command through whole. */
+  private static double nearestMm(
+      MotionParameters p, WheelCommand command, double headingRad, Bumps bumps, Lingering late) {
+    AvoidGuard guard = new AvoidGuard(new Rectangle(-1e4, -1e4, 1e4, 0), p);
+    double gapMm = RADIUS_MM;
+    while (true) {
+      Location.Known at = new Location.Known(new Pose(0, gapMm, headingRad), 0, 0, 0, 0);
+      if (guard.limit(command, at, bumps, late).equals(command)) {
+        return gapMm;
+      }
+      gapMm += 0.1;
+    }
+  }
+
+  @Test
+  void whatTheWheelsMayStillDoOfTheCommandBeforeIsAllowedFor() {
+    Lingering fast = Lingering.NONE.with(new WheelCommand(250, 0));
+    double down = -StrictMath.PI / 2;
+    // 100 ms of the old command, 60 ms of the new one.
+    assertThat(nearestMm(LATE, new WheelCommand(25, 0), down, Bumps.NONE, fast))
+        .isGreaterThan(RADIUS_MM + 25 + 1.5);
+    assertThat(nearestMm(LATE, new WheelCommand(25, 0), down, Bumps.NONE, Lingering.NONE))
+        .isLessThan(RADIUS_MM + 10);
+  }
+
+  @Test
+  void aTurnThatMayStillGoOnIsAllowedFor() {
+    Lingering turning = Lingering.NONE.with(new WheelCommand(0, -2));
+    // It turns by 0.2 and then drives for 60 ms.
+    assertThat(
+            nearestMm(LATE, new WheelCommand(250, 0), -0.5, Bumps.NONE, turning)
+                - nearestMm(LATE, new WheelCommand(250, 0), -0.5, Bumps.NONE, Lingering.NONE))
+        .isGreaterThan(15 * 0.2);
+  }
+
+  @Test
+  void aTurnThatIsHeldUpIsAllowedFor() {
+    // Straight on, it comes 19 mm nearer; along the arc it never would, by more than 6 mm.
+    assertThat(nearestMm(LATE, new WheelCommand(250, 6), -0.5, Bumps.NONE, Lingering.NONE))
+        .isGreaterThan(RADIUS_MM + 25 + 40 * StrictMath.sin(0.5));
+  }
+
+  @Test
+  void wheelsThatAreTooFastAreAllowedFor() {
+    MotionParameters fast = MotionParameters.builder().speedError(0.5).build();
+    double down = -StrictMath.PI / 2;
+    assertThat(nearestMm(fast, new WheelCommand(250, 0), down, Bumps.NONE, Lingering.NONE))
+        .isGreaterThan(RADIUS_MM + 1.5 * 15);
+  }
+
+  @Test
+  void slidingAlongWhatItTouchesIsAllowedFor() {
+    double along = 0;
+    double needed = RADIUS_MM + 15;
+    MotionParameters p = MotionParameters.DEFAULT;
+    assertThat(nearestMm(p, new WheelCommand(250, 0), along, Bumps.BOTH, Lingering.NONE))
+        .isGreaterThan(needed);
+    assertThat(nearestMm(p, new WheelCommand(250, 0), along, Bumps.NONE, Lingering.NONE))
+        .isLessThan(needed);
+    assertThat(nearestMm(LATE, new WheelCommand(250, 0), along, Bumps.NONE, Lingering.NONE))
+        .as("from a bump until the stop that it brings")
+        .isGreaterThan(RADIUS_MM + 25);
+  }
 }

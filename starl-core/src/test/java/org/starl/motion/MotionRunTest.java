@@ -7,6 +7,7 @@ import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.starl.geometry.Fix;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -55,6 +56,51 @@ class MotionRunTest {
     MotionWorld world = world();
     world.mobility = 0;
     assertThat(world.goTo(new Point(-3000, 0), new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
+  }
+
+  @Test
+  void aRobotThatIsTooSlowSaysSoInTheEnd() {
+    MotionWorld world = world();
+    world.mobility = 0.08;
+    long longestMs = world.parameters.longestMs(3000);
+    assertThat(world.goTo(TARGET, new Nowhere(), longestMs - 100)).isEqualTo(MotionFlag.MOVING);
+    world.idle(200);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("too slow");
+    assertThat(world.command).isEqualTo(WheelCommand.STOP);
+  }
+
+  @Test
+  void aSlowRobotThatGetsThereInTimeArrives() {
+    MotionWorld world = world();
+    world.mobility = 0.3;
+    assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.DONE);
+  }
+
+  @Test
+  void anUncertainPositionStopsTheWheelsAndThenFails() {
+    MotionWorld world = world();
+    world.begin(TARGET, new Nowhere());
+    world.runFor(1_000);
+    assertThat(world.command.isStop()).isFalse();
+    world.filter.fixed(new Fix(new Pose(2000, 0, 0), world.nowNs, 1, 0), world.nowNs);
+    world.fixesCome = false;
+    world.runFor(60);
+    assertThat(world.command).isEqualTo(WheelCommand.STOP);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.MOVING);
+    world.runFor(2_000);
+    assertThat(world.run().status()).isEqualTo(MotionFlag.FAIL);
+    assertThat(world.run().failure()).isEqualTo("the position is too uncertain");
+  }
+
+  @Test
+  void aJumpOnlyInterruptsTheMotion() {
+    MotionWorld world = world();
+    world.noiseMm = 10;
+    world.jumps = 0.2;
+    assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.DONE);
+    assertThat(world.filter.contradictions()).isPositive();
+    assertThat(world.truth.distanceMm(TARGET)).isLessThan(75 + 10 + 1e-6);
   }
 
   @Test

@@ -115,22 +115,22 @@ class PositionFilterTest {
   @Test
   void fixesThatConfirmEachOtherLongEnoughAreBelieved() {
     fix(0, 0, 5, 0, 0);
-    for (int ms = 100; ms < 2100; ms += 100) {
+    for (int ms = 100; ms < 30_100; ms += 100) {
       assertThat(fix(1000, 0, 5, ms, ms)).isFalse();
     }
-    assertThat(fix(1000, 0, 5, 2100, 2100)).isTrue();
-    assertThat(at(2100).pose().xMm()).isEqualTo(1000);
-    assertThat(at(2100).errorMm()).isEqualTo(5);
-    assertThat(filter.contradictions()).isEqualTo(21);
+    assertThat(fix(1000, 0, 5, 30_100, 30_100)).isTrue();
+    assertThat(at(30_100).pose().xMm()).isEqualTo(1000);
+    assertThat(at(30_100).errorMm()).isEqualTo(5);
+    assertThat(filter.contradictions()).isEqualTo(301);
   }
 
   @Test
   void fixesThatContradictEachOtherAreNeverBelieved() {
     fix(0, 0, 5, 0, 0);
-    for (int ms = 100; ms < 9000; ms += 100) {
+    for (int ms = 100; ms < 90_000; ms += 100) {
       assertThat(fix(1000 + ms % 400, 0, 5, ms, ms)).isFalse();
     }
-    assertThat(at(9000).pose().xMm()).isZero();
+    assertThat(at(90_000).pose().xMm()).isZero();
   }
 
   @Test
@@ -161,6 +161,19 @@ class PositionFilterTest {
     assertThat(at(1000).errorMm()).isInfinite();
     assertThat(fix(7, 0, 5, 1000, 1000)).isTrue();
     assertThat(at(1000).errorMm()).isEqualTo(5);
+  }
+
+  @Test
+  void aFixOlderThanTheReactionToTheOldestCommandBoundsNothing() {
+    filter.assume(0, 50 * MS);
+    for (int i = 0; i < 100; i++) {
+      drive(i % 2, 0, 10L * i);
+    }
+    // The oldest command that it remembers was given at 360 ms.
+    fix(0, 0, 5, 380, 990);
+    assertThat(at(990).errorMm()).isInfinite();
+    assertThat(fix(0, 0, 5, 410, 990)).isTrue();
+    assertThat(at(990).errorMm()).isFinite();
   }
 
   @Test

@@ -1,0 +1,43 @@
+package org.starl.primitives.motion;
+
+import org.starl.RobotId;
+import org.starl.geometry.Point;
+import org.starl.geometry.Region;
+
+/** One command to move, as {@link MotionSpec} follows it. */
+final class MotionRecord {
+
+  final RobotId robot;
+  final Point target;
+  final Region avoid;
+  final boolean turnsOnly;
+  final long startNs;
+
+  /** Until then its flag must tell how it ended. */
+  long deadlineNs;
+
+  /** Whether its flag has not told yet. */
+  boolean isOpen = true;
+
+  /** Whether the body was outside at first, and has been since. */
+  boolean owesAvoids;
+
+  boolean owesArrives;
+
+  /** The body was followed until then. */
+  long followedNs;
+
+  /** Where the robot said that it was when it arrived, and how certain that was. */
+  Point saidAt = new Point(Double.NaN, Double.NaN);
+
+  double saidErrorMm;
+
+  MotionRecord(RobotId robot, Point target, Region avoid, boolean turnsOnly, long startNs) {
+    this.robot = robot;
+    this.target = target;
+    this.avoid = avoid;
+    this.turnsOnly = turnsOnly;
+    this.startNs = startNs;
+    this.followedNs = startNs;
+  }
+}

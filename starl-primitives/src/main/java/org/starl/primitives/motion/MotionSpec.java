@@ -1,0 +1,325 @@
+package org.starl.primitives.motion;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.RegionText;
+import org.starl.motion.CollisionPolicy;
+import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionParameters;
+import org.starl.spec.Bodies;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * What every motion of a run owes (paper, section 4.1): {@code avoids}, {@code arrives} and {@code
+ * told}, as the package's contract has them, judged by the true bodies. It watches {@code
+ * gvh.plat.moat}, hence both {@link Motioncontrol} and who uses the automaton itself.
+ */
+public final class MotionSpec implements Monitor {
+
+  static final String AVOIDS = "avoids";
+  static final String ARRIVES = "arrives";
+  static final String TOLD = "told";
+
+  private static final double ROUNDING_MM = 1e-6;
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** How far a sound motion may swerve from the straight line: its arcs begin within 25 degrees. */
+  private static final double SWERVE_MM = 100;
+
+  /** Faults, by their names in the trace, of clocks, and of how long computing takes. */
+  private static final List<String> TIME_FAULTS = List.of("compute", "drift", "skew");
+
+  private final MotionParameters p;
+  private final double marginMm;
+  private final double rollMm;
+  private final Bodies bodies = new Bodies();
+  private final Map<RobotId, Double> speeds = new TreeMap<>();
+
+  /** Each robot's last command. */
+  private final Map<RobotId, MotionRecord> motions = new TreeMap<>();
+
+  // How many faults are at work, and how many of them on robots' time.
+  private int faults;
+  private int faultsOfTime;
+  private long firstDeadlineNs = Long.MAX_VALUE;
+
+  /** For robots that know their places to within 50 mm. */
+  public MotionSpec(MotionParameters parameters) {
+    this(parameters, 50);
+  }
+
+  /**
+   * @param parameters how the robots move, as far as this specification speaks of it: goal radius,
+   *     speeds, reaction, and the times after which a motion fails
+   * @param positionErrorMm arriving is owed where the region to avoid leaves room for such errors
+   */
+  public MotionSpec(MotionParameters parameters, double positionErrorMm) {
+    p = parameters;
+    double mostMmPerS = (1 + p.speedError()) * p.linSpeedMaxMmPerS();
+    rollMm = mostMmPerS * p.reactionMs() / 1e3;
+    double stepMm = mostMmPerS * p.automatonPeriodMs() / 1e3;
+    marginMm = SWERVE_MM + 2 * (positionErrorMm + rollMm + stepMm);
+  }
+
+  @Override
+  public List<String> lemmas() {
+    return List.of(AVOIDS, ARRIVES, TOLD);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    judgeWhatIsLate(event.timeNs(), report);
+    switch (event) {
+      case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
+      case Variable variable
+          when variable.source().equals(MotionTrace.SOURCE)
+              && variable.name().equals(MotionTrace.MOTIONFLAG) ->
+          flagged(variable, report);
+      case Moved moved -> {
+        follow(moved.robot(), moved.timeNs(), report);
+        bodies.observe(moved);
+        speeds.put(moved.robot(), Math.abs(moved.linearMmPerS()));
+      }
+      case Joined joined -> {
+        bodies.observe(joined);
+        speeds.put(joined.robot(), 0.0);
+        MotionRecord motion = motions.get(joined.robot());
+        if (motion != null) {
+          startOf(motion, joined.timeNs());
+        }
+      }
+      case Left left -> {
+        follow(left.robot(), left.timeNs(), report);
+        bodies.observe(left);
+      }
+      case Fault fault -> failing(fault, report);
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    judgeWhatIsLate(endNs, report);
+    motions.keySet().forEach(robot -> follow(robot, endNs, report));
+  }
+
+  private void acted(Action action, Report report) {
+    MotionRecord motion = motions.get(action.robot());
+    List<String> args = action.args();
+    switch (action.name()) {
+      case MotionTrace.MOAT_MOVE -> begin(action, args.get(1), false, report);
+      case MotionTrace.TURN_TO -> begin(action, RegionText.format(new Nowhere()), true, report);
+      case MotionTrace.MOTION_STOP -> end(action.robot(), action.timeNs(), report);
+      case MotionTrace.ARRIVED -> {
+        if (motion != null) {
+          motion.saidAt =
+              new Point(Double.parseDouble(args.get(0)), Double.parseDouble(args.get(1)));
+          motion.saidErrorMm = Double.parseDouble(args.get(2));
+        }
+      }
+      case MotionTrace.FAILED -> {
+        if (motion != null) {
+          failed(motion, args.get(0), action.timeNs(), report);
+        }
+      }
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  private void begin(Action action, String avoid, boolean turnsOnly, Report report) {
+    RobotId robot = action.robot();
+    end(robot, action.timeNs(), report);
+    Point target = MotionTrace.place(action.args().get(0));
+    MotionRecord motion =
+        new MotionRecord(robot, target, RegionText.parse(avoid), turnsOnly, action.timeNs());
+    motions.put(robot, motion);
+    startOf(motion, action.timeNs());
+  }
+
+  /** What it owes depends on where the body is at the call, or when it comes to the floor. */
+  private void startOf(MotionRecord motion, long nowNs) {
+    double distanceMm = 0;
+    motion.followedNs = nowNs;
+    if (bodies.isOnFloor(motion.robot)) {
+      Point start = bodies.poseAt(motion.robot, nowNs).at();
+      double radiusMm = bodies.radiusMm(motion.robot);
+      distanceMm = start.distanceMm(motion.target);
+      motion.owesAvoids = motion.avoid.distanceMm(start) > radiusMm + rollMm;
+      motion.owesArrives =
+          faults == 0
+              && !motion.turnsOnly
+              && isClear(start, motion, radiusMm + p.goalRadiusMm() + marginMm);
+    }
+    long longestMs = p.longestMs(distanceMm + p.maxErrorMm());
+    long stepMs = 2 * p.automatonPeriodMs() + p.reactionMs();
+    motion.deadlineNs = motion.startNs + (longestMs + stepMs) * NS_PER_MS;
+    firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
+  }
+
+  /** Whether every point of the straight way is so far from the region to avoid. */
+  private static boolean isClear(Point start, MotionRecord motion, double neededMm) {
+    Point way = motion.target.minus(start);
+    double lengthMm = way.normMm();
+    double atMm = 0;
+    while (true) {
+      Point at = lengthMm == 0 ? start : start.plus(way.times(atMm / lengthMm));
+      double spareMm = motion.avoid.distanceMm(at) - neededMm;
+      if (spareMm <= 0) {
+        return false;
+      }
+      if (atMm >= lengthMm) {
+        return true;
+      }
+      atMm = Math.min(lengthMm, atMm + Math.max(1, spareMm));
+    }
+  }
+
+  private void flagged(Variable variable, Report report) {
+    MotionRecord motion = motions.get(variable.robot());
+    if (motion == null) {
+      return;
+    }
+    switch (MotionFlag.valueOf(variable.value())) {
+      case MOVING -> {
+        // Said when it began.
+      }
+      case DONE -> done(motion, variable.timeNs(), report);
+      case FAIL -> {
+        report.checked(TOLD);
+        motion.isOpen = false;
+      }
+      case IDLE -> end(variable.robot(), variable.timeNs(), report);
+    }
+  }
+
+  private void done(MotionRecord motion, long nowNs, Report report) {
+    motion.isOpen = false;
+    report.checked(TOLD);
+    if (!bodies.isOnFloor(motion.robot)) {
+      report.violated(TOLD, nowNs, List.of(motion.robot), "DONE without a body on the floor");
+      return;
+    }
+    Pose truth = bodies.poseAt(motion.robot, nowNs);
+    double nearMm = p.goalRadiusMm() + motion.saidErrorMm;
+    if (!motion.turnsOnly && !(truth.distanceMm(motion.target) <= nearMm + ROUNDING_MM)) {
+      String detail = "DONE " + truth.distanceMm(motion.target) + " mm from " + motion.target;
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    }
+    if (!(truth.distanceMm(motion.saidAt) <= motion.saidErrorMm + ROUNDING_MM)) {
+      String detail =
+          "believes to be within " + motion.saidErrorMm + " mm of " + motion.saidAt + ", is not";
+      report.violated(TOLD, nowNs, List.of(motion.robot), detail);
+    }
+    if (motion.owesArrives) {
+      report.checked(ARRIVES);
+      motion.owesArrives = false;
+    }
+  }
+
+  private void failed(MotionRecord motion, String why, long nowNs, Report report) {
+    if (motion.owesArrives && !isTheWorlds(why)) {
+      report.checked(ARRIVES);
+      String detail = "fails though nothing is in the way to " + motion.target + ": " + why;
+      report.violated(ARRIVES, nowNs, List.of(motion.robot), detail);
+    }
+    motion.owesArrives = false;
+  }
+
+  /** Whether the motion is not to blame: what the body touched, or that its place is not known. */
+  private boolean isTheWorlds(String why) {
+    boolean isHeldUp = why.equals("no progress") || why.equals("too slow");
+    return why.equals("bumped into something")
+        || why.equals("no position fix")
+        || why.equals("the position is too uncertain")
+        || (isHeldUp && p.collisionPolicy() != CollisionPolicy.STOP_ON_COLLISION);
+  }
+
+  private void failing(Fault fault, Report report) {
+    switch (fault.name()) {
+      case Fault.BEGIN -> {
+        faults++;
+        faultsOfTime += isOfTime(fault) ? 1 : 0;
+        motions.values().forEach(motion -> motion.owesArrives = false);
+      }
+      case Fault.END -> {
+        faults--;
+        if (isOfTime(fault)) {
+          faultsOfTime--;
+          motions.values().forEach(motion -> oweAnew(motion, fault.timeNs()));
+        }
+      }
+      case Fault.CRASH -> end(fault.robot(), fault.timeNs(), report);
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  /** Whether robots' clocks or strands are not what bounds rest on. */
+  private static boolean isOfTime(Fault fault) {
+    return TIME_FAULTS.stream().anyMatch(name -> fault.detail().startsWith(name + "("));
+  }
+
+  /** After a fault of time the whole bound is owed anew. */
+  private void oweAnew(MotionRecord motion, long nowNs) {
+    motion.deadlineNs += nowNs - motion.startNs;
+    firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
+  }
+
+  /** The last command is replaced, taken back, or forgotten with its program. */
+  private void end(RobotId robot, long nowNs, Report report) {
+    follow(robot, nowNs, report);
+    motions.remove(robot);
+  }
+
+  private void follow(RobotId robot, long nowNs, Report report) {
+    MotionRecord motion = motions.get(robot);
+    if (motion == null || !motion.owesAvoids || !bodies.isOnFloor(robot)) {
+      return;
+    }
+    report.checked(AVOIDS);
+    double mmPerS = speeds.getOrDefault(robot, 0.0);
+    long entersNs =
+        BodyPath.entersNs(bodies, robot, mmPerS, motion.avoid, motion.followedNs, nowNs);
+    motion.followedNs = nowNs;
+    if (entersNs >= 0) {
+      motion.owesAvoids = false;
+      String detail = "enters " + RegionText.format(motion.avoid);
+      report.violated(AVOIDS, entersNs, List.of(robot), detail);
+    }
+  }
+
+  private void judgeWhatIsLate(long nowNs, Report report) {
+    if (nowNs <= firstDeadlineNs || faultsOfTime > 0) {
+      return;
+    }
+    firstDeadlineNs = Long.MAX_VALUE;
+    for (MotionRecord motion : motions.values()) {
+      if (motion.isOpen && nowNs > motion.deadlineNs) {
+        motion.isOpen = false;
+        report.checked(TOLD);
+        String detail =
+            "does not tell how it went to " + motion.target + " since " + motion.startNs + " ns";
+        report.violated(TOLD, motion.deadlineNs, List.of(motion.robot), detail);
+      } else if (motion.isOpen) {
+        firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
+      }
+    }
+  }
+}
