@@ -69,7 +69,9 @@ class MotioncontrolTest {
     for (long seed = 1; seed <= SEEDS; seed++) {
       SimSettings settings = drawn(seed, policy);
       SimResult result = simulation(seed, settings).robots(4, Driver::new).build().run();
-      assertThat(result.spec().violations()).as("%s, seed %s, %s", policy, seed, settings).isEmpty();
+      assertThat(result.spec().violations())
+          .as("%s, seed %s, %s", policy, seed, settings)
+          .isEmpty();
       assertThat(result.isFinished()).isTrue();
       arrivals += result.spec().checks(MotionSpec.ARRIVES);
       result
@@ -85,13 +87,9 @@ class MotioncontrolTest {
   private static final ItemPosition AHEAD = new ItemPosition("ahead", 2000, 0);
 
   /** One robot at the origin, its face to AHEAD, on an empty floor; with and without a wall. */
-  private static SimResult one(
-      Obstacles obstacles, CollisionPolicy policy, Consumer<Robot> app) {
+  private static SimResult one(Obstacles obstacles, CollisionPolicy policy, Consumer<Robot> app) {
     SimSettings settings =
-        SimSettings.builder()
-            .set("collisionPolicy", policy.name())
-            .set("duration", "400s")
-            .build();
+        SimSettings.builder().set("collisionPolicy", policy.name()).set("duration", "400s").build();
     return simulation(1, settings)
         .obstacles(obstacles)
         .robot(
@@ -104,8 +102,7 @@ class MotioncontrolTest {
   /** What an app of one call works with. */
   private record Robot(GlobalVarHolder gvh, MotionPrim mc) {
     MotionFlag await() {
-      gvh.plat.strand.awaitUntil(
-          () -> mc.motionflag().get() != MotionFlag.MOVING, Long.MAX_VALUE);
+      gvh.plat.strand.awaitUntil(() -> mc.motionflag().get() != MotionFlag.MOVING, Long.MAX_VALUE);
       return mc.motionflag().get();
     }
 
