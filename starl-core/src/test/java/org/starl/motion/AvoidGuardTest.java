@@ -56,10 +56,20 @@ class AvoidGuardTest {
   /** How far the half-plane y <= 0 has to be for the guard to let this command through whole. */
   private static double nearestMm(
       MotionParameters p, WheelCommand command, double headingRad, Bumps bumps, Lingering late) {
+    return nearestMm(p, command, headingRad, 0, bumps, late);
+  }
+
+  private static double nearestMm(
+      MotionParameters p,
+      WheelCommand command,
+      double headingRad,
+      double errorRad,
+      Bumps bumps,
+      Lingering late) {
     AvoidGuard guard = new AvoidGuard(new Rectangle(-1e4, -1e4, 1e4, 0), p);
     double gapMm = RADIUS_MM;
     while (true) {
-      Location.Known at = new Location.Known(new Pose(0, gapMm, headingRad), 0, 0, 0, 0);
+      Location.Known at = new Location.Known(new Pose(0, gapMm, headingRad), 0, errorRad, 0, 0);
       if (guard.limit(command, at, bumps, late).equals(command)) {
         return gapMm;
       }
@@ -93,6 +103,15 @@ class AvoidGuardTest {
     // Straight on, it comes 19 mm nearer; along the arc it never would, by more than 6 mm.
     assertThat(nearestMm(LATE, new WheelCommand(250, 6), -0.5, Bumps.NONE, Lingering.NONE))
         .isGreaterThan(RADIUS_MM + 25 + 40 * StrictMath.sin(0.5));
+  }
+
+  @Test
+  void aHeadingThatIsOffIsAllowedFor() {
+    MotionParameters p = MotionParameters.DEFAULT;
+    WheelCommand along = new WheelCommand(250, 0);
+    assertThat(nearestMm(p, along, 0, 0.5, Bumps.NONE, Lingering.NONE))
+        .isGreaterThan(RADIUS_MM + 15 * StrictMath.sin(0.5));
+    assertThat(nearestMm(p, along, 0, 0, Bumps.NONE, Lingering.NONE)).isLessThan(RADIUS_MM + 3);
   }
 
   @Test
