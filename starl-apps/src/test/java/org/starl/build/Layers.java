@@ -100,11 +100,24 @@ final class Layers {
               noClasses()
                   .that()
                   .resideInAnyPackage(
-                      "org.starl.sim.input..", "org.starl.sim.net..", "org.starl.sim.world..")
+                      "org.starl.sim.input..",
+                      "org.starl.sim.net..",
+                      "org.starl.sim.world..",
+                      "org.starl.sim.fault..")
                   .should()
                   .dependOnClassesThat()
                   .resideInAPackage("org.starl.sim"),
               org.starl.sim.net.fixture.NetImportsFacade.class),
+          new Law(
+              "the air and the world know no fault by name",
+              noClasses()
+                  .that()
+                  .resideInAnyPackage(
+                      "org.starl.sim.input..", "org.starl.sim.net..", "org.starl.sim.world..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.starl.sim.fault.."),
+              org.starl.sim.net.fixture.NetImportsFault.class),
           new Law(
               "the desktop is drawn on in views alone",
               noClasses()

@@ -11,6 +11,22 @@ public sealed interface TraceEvent {
 
   RobotId robot();
 
+  /** The same at another time. */
+  default TraceEvent at(long newTimeNs) {
+    return switch (this) {
+      case Action e -> new Action(newTimeNs, e.robot, e.source, e.name, e.args);
+      case Variable e -> new Variable(newTimeNs, e.robot, e.source, e.name, e.value);
+      case Sent e -> new Sent(newTimeNs, e.robot, e.to, e.channel, e.seq, e.bytes, e.message);
+      case Delivered e -> new Delivered(newTimeNs, e.robot, e.from, e.channel, e.seq, e.message);
+      case Dropped e -> new Dropped(newTimeNs, e.robot, e.from, e.why);
+      case Moved e ->
+          new Moved(newTimeNs, e.robot, e.pose, e.linearMmPerS, e.angularRadPerS);
+      case Joined e -> new Joined(newTimeNs, e.robot, e.pose, e.radiusMm);
+      case Left e -> new Left(newTimeNs, e.robot);
+      case Fault e -> new Fault(newTimeNs, e.robot, e.name, e.detail);
+    };
+  }
+
   /**
    * An atomic action under its name in the paper and in PVS: {@code do_mutex}, {@code od_mutex},
    * {@code release}, {@code do_register}.

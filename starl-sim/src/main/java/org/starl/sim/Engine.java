@@ -7,6 +7,7 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.RobotRunner;
@@ -15,10 +16,16 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
+import org.starl.sim.fault.FaultPlan;
+import org.starl.sim.fault.Impairment;
+import org.starl.sim.fault.Impairments;
+import org.starl.sim.fault.RobotClock;
+import org.starl.sim.fault.Ward;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
+import org.starl.sim.world.Body;
 import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
@@ -27,7 +34,7 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceHeader;
 
 /** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
-final class Engine implements SimControl, AutoCloseable {
+final class Engine implements SimControl, Ward, AutoCloseable {
 
   private final Simulation.Builder plan;
   private final Rng scenarioRng;
@@ -43,6 +50,9 @@ final class Engine implements SimControl, AutoCloseable {
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
   // A robot that left and joins again is another incarnation, and finds what it had stored.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
+  private final Map<RobotId, RobotClock> clocks = new LinkedHashMap<>();
+  private final FaultPlan faults;
+  private final Impairments impairments = new Impairments();
   private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
   // Apps that have not ended, and restarts that are to come: for these the run waits.
   private int running;
@@ -70,12 +80,14 @@ final class Engine implements SimControl, AutoCloseable {
       throw new BadInput("two robots of one name among " + ids);
     }
     knownObstacles = plan.obstacles.known();
+    faults = plan.settings.get(Setting.FAULTS);
   }
 
   SimResult run() {
     watchers.started(header());
     try {
       plan.robots.forEach(this::join);
+      faults.install(this, behaviourRng.fork("faults"));
       if (plan.director != null) {
         plan.director.direct(this);
       }
@@ -247,7 +259,8 @@ final class Engine implements SimControl, AutoCloseable {
     robot.end(isDueBack);
   }
 
-  private void tell(RobotId robot, String name, String detail) {
+  @Override
+  public void tell(RobotId robot, String name, String detail) {
     if (watchers.isOn()) {
       watchers.record(new Fault(nowNs(), robot, name, detail));
     }
@@ -286,6 +299,51 @@ final class Engine implements SimControl, AutoCloseable {
   @Override
   public boolean isOnFloor(RobotId id) {
     return robot(id).isOnFloor();
+  }
+
+  @Override
+  public boolean isKnown(RobotId id) {
+    return stables.containsKey(id);
+  }
+
+  @Override
+  public World world() {
+    return world;
+  }
+
+  @Override
+  public @Nullable Body body(RobotId id) {
+    SimRobot robot = robots.get(id);
+    return robot != null && robot.isOnFloor() ? robot.body() : null;
+  }
+
+  @Override
+  public Runnable impair(@Nullable RobotId id, Impairment impairment) {
+    impairments.add(id, impairment);
+    impairmentsChanged(id);
+    return () -> {
+      impairments.remove(id, impairment);
+      impairmentsChanged(id);
+    };
+  }
+
+  private void impairmentsChanged(@Nullable RobotId id) {
+    robots.forEach((robotId, robot) -> {
+      if ((id == null || id.equals(robotId)) && !robot.isDown()) {
+        robot.suffer(impairments.total(robotId));
+      }
+    });
+  }
+
+  Impairment impairmentOf(RobotId id) {
+    return impairments.total(id);
+  }
+
+  /** The clock of a robot whose time may go wrong, else null. */
+  @Nullable RobotClock clockOf(RobotId id) {
+    return faults.touchesTime()
+        ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel))
+        : null;
   }
 
   @Override

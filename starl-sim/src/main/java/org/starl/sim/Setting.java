@@ -9,6 +9,7 @@ import java.util.function.Function;
 import org.starl.RobotId;
 import org.starl.motion.CollisionPolicy;
 import org.starl.motion.MotionParameters;
+import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
 import org.starl.sim.net.Latency;
@@ -132,6 +133,18 @@ public final class Setting<T> {
           "a delay");
   public static final Setting<Double> MESSAGE_LOSS =
       probability("messageLoss", "probability that a datagram is lost, per recipient");
+
+  // What goes wrong.
+  public static final Setting<FaultPlan> FAULTS =
+      new Setting<>(
+          "faults",
+          FaultPlan.class,
+          FaultPlan.NONE,
+          "faults with ; between them; see below",
+          FaultPlan::parse,
+          FaultPlan::toString,
+          value -> true,
+          "faults");
 
   // What robots learn of hidden obstacles.
   public static final Setting<Double> CONTACT_MARK =

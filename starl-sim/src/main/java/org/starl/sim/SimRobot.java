@@ -7,6 +7,9 @@ import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
 import org.starl.platform.TraceSink;
 import org.starl.random.Rng;
+import org.starl.sim.fault.ImpairedStrand;
+import org.starl.sim.fault.Impairment;
+import org.starl.sim.fault.RobotClock;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.SimBackground;
 import org.starl.sim.kernel.SimStrand;
@@ -31,6 +34,9 @@ final class SimRobot implements TraceSink {
   private final SimStrand strand;
   private final SimChassis chassis;
   private final SimPositioning positioning;
+  // Null where no fault touches time: then the kernel's clock and strand are the robot's.
+  private final @Nullable RobotClock clock;
+  private final @Nullable ImpairedStrand impaired;
   private final RobotRunner runner;
   private final Engine engine;
   private boolean finished;
@@ -65,6 +71,8 @@ final class SimRobot implements TraceSink {
     // A robot that starts again draws otherwise; what measures it stands outside, and goes on.
     Rng rng = incarnation == 1 ? robotRng : robotRng.fork("incarnation" + incarnation);
     strand = kernel.strand(spec.id().name());
+    clock = engine.clockOf(spec.id());
+    impaired = clock == null ? null : new ImpairedStrand(strand, clock, kernel);
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
     positioning = positioning(settings, kernel, robotRng, rng);
     stable.restart(strand, survivingWrites);
@@ -72,10 +80,12 @@ final class SimRobot implements TraceSink {
         new Platform(
             spec.id(),
             engine.deployment(),
-            kernel,
-            strand,
-            strand,
-            engine.network().attach(spec.id(), strand::schedule),
+            clock == null ? kernel : clock,
+            impaired == null ? strand : impaired,
+            impaired == null ? strand : impaired,
+            engine
+                .network()
+                .attach(spec.id(), impaired == null ? strand::schedule : impaired::schedule),
             positioning,
             chassis,
             stable,
@@ -86,6 +96,10 @@ final class SimRobot implements TraceSink {
             engine.knownObstacles(),
             settings.motionParameters(index));
     runner = new RobotRunner(platform, engine.workspace(), spec.app(), this::appEnded);
+    Impairment impairment = engine.impairmentOf(spec.id());
+    if (!impairment.equals(Impairment.NONE)) {
+      suffer(impairment);
+    }
   }
 
   private SimPositioning positioning(
@@ -97,7 +111,20 @@ final class SimRobot implements TraceSink {
             : SimPositioning.drawnPhaseNs(robotRng.fork("positioning"), periodNs);
     Rng noise = incarnationRng.fork("positioning");
     return new SimPositioning(
-        kernel, kernel, strand, noise, settings.positionNoise(), periodNs, phaseNs);
+        kernel, clock == null ? kernel : clock, strand, noise, settings.positionNoise(), periodNs, phaseNs);
+  }
+
+  /** From now on its parts are impaired so, and not otherwise. */
+  void suffer(Impairment impairment) {
+    SimSettings settings = engine.settings();
+    chassis.impair(impairment.wheels(), impairment.wheels());
+    positioning.setNoise(settings.positionNoise().plus(impairment.noise()));
+    positioning.setOffset(impairment.offXMm(), impairment.offYMm());
+    positioning.turn(!impairment.isBlind());
+    stable.setFlushDelay(settings.stableDelayNs() + impairment.diskNs());
+    if (impaired != null) {
+      impaired.apply(impairment);
+    }
   }
 
   RobotSpec spec() {
@@ -198,7 +225,8 @@ final class SimRobot implements TraceSink {
   @Override
   public void record(TraceEvent event) {
     if (!isDown()) {
-      engine.watchers().record(event);
+      // A robot whose clock is wrong stamps its events wrongly; the trace is in true time.
+      engine.watchers().record(clock == null ? event : event.at(engine.nowNs()));
     }
   }
 

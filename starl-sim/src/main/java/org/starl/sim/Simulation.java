@@ -15,6 +15,8 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
+import org.starl.sim.fault.FaultGrammar;
+import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.net.LinkRule;
@@ -64,6 +66,7 @@ public final class Simulation {
     CarrierKind carriers = CarrierKind.best();
     Obstacles obstacles = Obstacles.NONE;
     @Nullable Director director;
+    private FaultPlan faults = FaultPlan.NONE;
     final List<RobotSpec> robots = new ArrayList<>();
     final List<LinkRule> linkRules = new ArrayList<>();
     final List<SimObserver> observers = new ArrayList<>();
@@ -133,6 +136,21 @@ public final class Simulation {
       return this;
     }
 
+    /**
+     * One more fault, as text: {@code crash(bot2,at=12s,restart=5s)}.
+     *
+     * @throws BadInput if it is none
+     */
+    public Builder fault(String fault) {
+      return faults(new FaultPlan(List.of(FaultGrammar.parse(fault))));
+    }
+
+    /** More faults, besides those of the settings. */
+    public Builder faults(FaultPlan plan) {
+      faults = faults.plus(plan);
+      return this;
+    }
+
     public Builder observer(SimObserver observer) {
       observers.add(observer);
       return this;
@@ -156,6 +174,11 @@ public final class Simulation {
      * @throws BadInput if the settings' files cannot be read or the robots find no room
      */
     public Simulation build() {
+      if (!faults.isEmpty()) {
+        FaultPlan all = settings.get(Setting.FAULTS).plus(faults);
+        settings = settings.toBuilder().set(Setting.FAULTS, all).build();
+        faults = FaultPlan.NONE;
+      }
       String obstacleFile = settings.get(Setting.OBSTACLE_FILE);
       if (!obstacleFile.isEmpty()) {
         for (Obstacle obstacle : WaypointFiles.read(Path.of(obstacleFile)).obstacles().all()) {

@@ -23,6 +23,12 @@ public record PositionNoise(double boundMm, double boundRad) {
     }
   }
 
+  /** Both at once. */
+  public PositionNoise plus(PositionNoise other) {
+    return new PositionNoise(
+        boundMm + other.boundMm, Math.min(StrictMath.PI, boundRad + other.boundRad));
+  }
+
   /** One coordinate, normal with deviation 1/2, in -1..1. */
   static double drawWithinOne(Rng rng) {
     double draw;

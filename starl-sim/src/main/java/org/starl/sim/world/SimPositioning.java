@@ -28,6 +28,8 @@ public final class SimPositioning implements Positioning {
   private final long phaseNs;
   private final Timer timer;
   private PositionNoise noise;
+  private double offXMm;
+  private double offYMm;
   private boolean isOn = true;
   private @Nullable Receiver receiver;
   private @Nullable Body body;
@@ -106,6 +108,12 @@ public final class SimPositioning implements Positioning {
     noise = newNoise;
   }
 
+  /** From now on fixes are off the truth by this besides, and do not say so. */
+  public void setOffset(double newOffXMm, double newOffYMm) {
+    offXMm = newOffXMm;
+    offYMm = newOffYMm;
+  }
+
   private void measure() {
     long nowNs = trueClock.nowNs();
     timer.set(nextNs(nowNs + 1));
@@ -126,8 +134,8 @@ public final class SimPositioning implements Positioning {
     }
     double offRad = noise.boundRad() > 0 ? INSIDE * PositionNoise.drawWithinOne(rng) : 0;
     return new Pose(
-        truth.xMm() + noise.boundMm() * offX,
-        truth.yMm() + noise.boundMm() * offY,
+        truth.xMm() + noise.boundMm() * offX + offXMm,
+        truth.yMm() + noise.boundMm() * offY + offYMm,
         offRad == 0
             ? truth.headingRad()
             : Angles.normalize(truth.headingRad() + noise.boundRad() * offRad));

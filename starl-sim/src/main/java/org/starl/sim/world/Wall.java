@@ -1,5 +1,8 @@
 package org.starl.sim.world;
 
+import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
+
 /** One straight side of an obstacle, as the collider needs it. */
 final class Wall {
 
@@ -39,6 +42,13 @@ final class Wall {
     double dx = fromX + alongX * part - x;
     double dy = fromY + alongY * part - y;
     return Math.sqrt(dx * dx + dy * dy);
+  }
+
+  /** Whether it and {@code line} have a point in common. */
+  boolean crosses(Segment line) {
+    Segment side =
+        new Segment(new Point(fromX, fromY), new Point(fromX + alongX, fromY + alongY));
+    return line.crosses(side);
   }
 
   double leastX() {

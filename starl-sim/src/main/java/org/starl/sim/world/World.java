@@ -7,6 +7,7 @@ import org.starl.RobotId;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Segment;
 import org.starl.motion.WheelCommand;
 import org.starl.platform.Clock;
 import org.starl.platform.Timer;
@@ -121,6 +122,25 @@ public final class World {
             visitor.accept(body);
           }
         });
+  }
+
+  /** Whether no wall and no other body cuts the straight line between two bodies' centres. */
+  public boolean sees(Body from, Body to) {
+    Segment line = new Segment(from.pose().at(), to.pose().at());
+    Point middle = line.from().plus(line.to()).times(0.5);
+    double halfMm = line.from().distanceMm(line.to()) / 2;
+    boolean[] isCut = {false};
+    walls.forEachNear(
+        middle.xMm(), middle.yMm(), halfMm, nowNs(), wall -> isCut[0] |= wall.crosses(line));
+    forEachWithin(
+        middle,
+        halfMm + greatestRadiusMm,
+        body ->
+            isCut[0] |=
+                body != from
+                    && body != to
+                    && line.distanceMm(new Point(body.xMm(), body.yMm())) < body.radiusMm());
+    return !isCut[0];
   }
 
   long nowNs() {

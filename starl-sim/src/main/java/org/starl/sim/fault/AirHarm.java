@@ -1,0 +1,169 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.random.Rng;
+import org.starl.sim.input.Quantities;
+import org.starl.sim.net.Latency;
+import org.starl.sim.net.LinkRule;
+import org.starl.sim.net.Verdict;
+
+/** Something is wrong with the air: a rule is installed there. Several act together. */
+public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
+
+  /** The rule, to be installed now. */
+  LinkRule rule(Onset onset);
+
+  @Override
+  default Who who() {
+    return Who.ALL;
+  }
+
+  @Override
+  default Runnable begin(Onset onset) {
+    return onset.ward().network().install(rule(onset))::uninstall;
+  }
+
+  /** What may befall some links only: {@code from=bot1,to=bot2}. */
+  sealed interface OnLink extends AirHarm {
+
+    Link link();
+
+    /** The arguments besides the link. */
+    List<String> own();
+
+    /**
+     * The rule for the link's copies.
+     *
+     * @param salt forks a copy's generator for this fault alone
+     */
+    LinkRule unlimited(Onset onset, String salt);
+
+    @Override
+    default List<String> arguments() {
+      List<String> arguments = new ArrayList<>(own());
+      arguments.addAll(link().arguments());
+      return arguments;
+    }
+
+    @Override
+    default LinkRule rule(Onset onset) {
+      String salt = Long.toString(onset.rng().fork("copies").nextLong());
+      return link().limit(unlimited(onset, salt), onset.ward(), onset.rng());
+    }
+  }
+
+  /** Each copy is lost with this probability, on its own: {@code loss(0.3)}. */
+  record Loss(double probability, Link link) implements OnLink {
+    private static final Verdict LOST = Verdict.drop("loss");
+
+    @Override
+    public String name() {
+      return "loss";
+    }
+
+    @Override
+    public List<String> own() {
+      return List.of(Quantities.numberText(probability));
+    }
+
+    @Override
+    public LinkRule unlimited(Onset onset, String salt) {
+      return copy -> copy.rng().fork(salt).nextBoolean(probability) ? LOST : Verdict.PASS;
+    }
+  }
+
+  /**
+   * Each link is good and bad in turns, for so long on average, and loses copies with this
+   * probability while it is bad: {@code burst(2s,200ms)}, {@code burst(2s,200ms,0.9)}.
+   */
+  record Burst(long goodNs, long badNs, double probability, Link link) implements OnLink {
+    @Override
+    public String name() {
+      return "burst";
+    }
+
+    @Override
+    public List<String> own() {
+      String good = Quantities.durationText(goodNs);
+      String bad = Quantities.durationText(badNs);
+      return probability == 1
+          ? List.of(good, bad)
+          : List.of(good, bad, Quantities.numberText(probability));
+    }
+
+    @Override
+    public LinkRule unlimited(Onset onset, String salt) {
+      long nowNs = onset.ward().nowNs();
+      return new BurstRule(goodNs, badNs, probability, nowNs, onset.rng().fork("links"));
+    }
+  }
+
+  /** Each copy takes so much longer: {@code delay(uniform(10ms,200ms))}. */
+  record Delay(Latency more, Link link) implements OnLink {
+    @Override
+    public String name() {
+      return "delay";
+    }
+
+    @Override
+    public List<String> own() {
+      return List.of(more.toString());
+    }
+
+    @Override
+    public LinkRule unlimited(Onset onset, String salt) {
+      return copy -> Verdict.later(more.drawNs(copy.rng().fork(salt)));
+    }
+  }
+
+  /** With this probability a copy arrives twice, the second up to so much later. */
+  record Duplicate(double probability, long mostNs, Link link) implements OnLink {
+
+    static final long USUAL_NS = 50_000_000;
+
+    @Override
+    public String name() {
+      return "duplicate";
+    }
+
+    @Override
+    public List<String> own() {
+      String p = Quantities.numberText(probability);
+      return mostNs == USUAL_NS ? List.of(p) : List.of(p, Quantities.durationText(mostNs));
+    }
+
+    @Override
+    public LinkRule unlimited(Onset onset, String salt) {
+      return copy -> {
+        Rng rng = copy.rng().fork(salt);
+        return rng.nextBoolean(probability)
+            ? Verdict.again(rng.nextLong(0, mostNs))
+            : Verdict.PASS;
+      };
+    }
+  }
+
+  /** With this probability a copy is held back by up to so much, and others overtake it. */
+  record Reorder(double probability, long mostNs, Link link) implements OnLink {
+    @Override
+    public String name() {
+      return "reorder";
+    }
+
+    @Override
+    public List<String> own() {
+      return List.of(Quantities.numberText(probability), Quantities.durationText(mostNs));
+    }
+
+    @Override
+    public LinkRule unlimited(Onset onset, String salt) {
+      return copy -> {
+        Rng rng = copy.rng().fork(salt);
+        return rng.nextBoolean(probability)
+            ? Verdict.later(rng.nextLong(0, mostNs))
+            : Verdict.PASS;
+      };
+    }
+  }
+}

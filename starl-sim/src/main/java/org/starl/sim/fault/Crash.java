@@ -1,0 +1,46 @@
+package org.starl.sim.fault;
+
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.sim.world.Unsynced;
+
+/**
+ * The program ends at once, and begins anew when the fault ends, if it does; robots that are down
+ * already are spared. {@code crash(bot2,at=12s,restart=5s,lose=unsynced)}.
+ *
+ * @param unsynced what becomes of writes to stable storage that were not flushed
+ */
+public record Crash(Who who, Unsynced unsynced) implements Harm {
+
+  @Override
+  public String name() {
+    return "crash";
+  }
+
+  @Override
+  public List<String> arguments() {
+    return unsynced == Unsynced.LOST
+        ? List.of(who.toString())
+        : List.of(who.toString(), "lose=" + (unsynced == Unsynced.KEPT ? "nothing" : "some"));
+  }
+
+  @Override
+  public String lastingKey() {
+    return "restart";
+  }
+
+  @Override
+  public Runnable begin(Onset onset) {
+    for (RobotId robot : onset.whom()) {
+      if (!onset.ward().isUp(robot)) {
+        continue;
+      }
+      if (onset.lastingNs() == Span.NEVER) {
+        onset.ward().crash(robot);
+      } else {
+        onset.ward().crash(robot, onset.lastingNs(), unsynced);
+      }
+    }
+    return () -> {};
+  }
+}

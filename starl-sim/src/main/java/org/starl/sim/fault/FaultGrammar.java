@@ -1,0 +1,256 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.NearMatches;
+import org.starl.sim.input.Quantities;
+import org.starl.sim.net.Latency;
+import org.starl.sim.world.PositionNoise;
+import org.starl.sim.world.Unsynced;
+
+/**
+ * The one grammar of faults: {@code name(arguments,times)}. Whom a fault befalls comes first: a
+ * name, {@code bot0+bot1}, {@code any}, which is drawn, or {@code all}.
+ */
+public final class FaultGrammar {
+
+  /** Of what every fault takes, one line for people. */
+  public static final String TIMES =
+      "every fault takes at=12s or at=5s..20s (drawn), and for=5s, for=2s..9s or until=30s";
+
+  /**
+   * One kind of fault, for people.
+   *
+   * @param usage how it is written
+   * @param meaning one line
+   */
+  public record Kind(String name, String usage, String meaning) {}
+
+  private record Row(Kind kind, Function<Call, Harm> reader) {}
+
+  private static final List<Row> ROWS =
+      List.of(
+          row(
+              "crash(WHO,restart=5s,lose=unsynced)",
+              "the program ends; restarts after so long; lose: unsynced, some or nothing",
+              call ->
+                  new Crash(
+                      who(call), call.optional("lose", FaultGrammar::unsynced, Unsynced.LOST))),
+          row(
+              "loss(0.3,from=WHO,to=WHO)",
+              "each copy is lost with this probability",
+              call -> new AirHarm.Loss(probability(call), Link.read(call))),
+          row(
+              "burst(2s,200ms,0.9,from=WHO,to=WHO)",
+              "each link is good and bad in turns, so long on average; loses while bad",
+              call ->
+                  new AirHarm.Burst(
+                      call.next("the mean time that is good", FaultGrammar::positiveNs),
+                      call.next("the mean time that is bad", FaultGrammar::positiveNs),
+                      call.nextOr("the loss while bad", Quantities::probability, 1.0),
+                      Link.read(call))),
+          row(
+              "delay(uniform(10ms,200ms),from=WHO,to=WHO)",
+              "each copy takes so much longer",
+              call -> new AirHarm.Delay(call.next("a delay", Latency::parse), Link.read(call))),
+          row(
+              "duplicate(0.1,50ms,from=WHO,to=WHO)",
+              "a copy arrives twice with this probability, up to so much later",
+              call ->
+                  new AirHarm.Duplicate(
+                      probability(call),
+                      call.nextOr(
+                          "how much later", Quantities::durationNs, AirHarm.Duplicate.USUAL_NS),
+                      Link.read(call))),
+          row(
+              "reorder(0.2,100ms,from=WHO,to=WHO)",
+              "a copy is held back with this probability, by up to so much",
+              call ->
+                  new AirHarm.Reorder(
+                      probability(call),
+                      call.next("how long it is held back", Quantities::durationNs),
+                      Link.read(call))),
+          row(
+              "partition(bot0+bot1|bot2)",
+              "groups hear only their own; also bot0>bot1 (one way), area=rect(0,0,2m,1m),"
+                  + " area=circle(0,0,2m)",
+              FaultGrammar::partition),
+          row(
+              "range(3m)",
+              "nothing carries farther",
+              call -> new Cut.Range(call.next("a distance", Quantities::distanceMm))),
+          row("sight", "nothing passes through walls and bodies", call -> new Cut.Sight()),
+          row("stuck(WHO)", "the wheels do not turn", call -> new RobotHarm.Stuck(who(call))),
+          row(
+              "slow(WHO,0.5)",
+              "the wheels do this fraction of what they are told",
+              call ->
+                  new RobotHarm.Slow(who(call), call.next("a fraction", Quantities::probability))),
+          row(
+              "noise(WHO,30mm,3deg)",
+              "fixes are so much farther off, and say so",
+              call -> new RobotHarm.Noise(who(call), noise(call))),
+          row("dropout(WHO)", "no fixes come", call -> new RobotHarm.Dropout(who(call))),
+          row(
+              "jump(WHO,300mm)",
+              "fixes are so far off, and do not say so",
+              call -> new RobotHarm.Jump(who(call), call.next("how far", Quantities::distanceMm))),
+          row(
+              "compute(WHO,20ms)",
+              "each action takes so long, and the next one waits",
+              call ->
+                  new RobotHarm.Compute(
+                      who(call), call.next("the time of an action", Quantities::durationNs))),
+          row(
+              "drift(WHO,200ppm)",
+              "the clock is so much too fast, or too slow: -200ppm",
+              call -> new RobotHarm.Drift(who(call), call.next("a drift", FaultGrammar::ppm))),
+          row(
+              "skew(WHO,50ms)",
+              "the clock is so much ahead, or behind: -50ms",
+              call -> new RobotHarm.Skew(who(call), call.next("a skew", FaultGrammar::signedNs))),
+          row(
+              "disk(WHO,50ms)",
+              "writes to stable storage take so much longer to survive a crash",
+              call ->
+                  new RobotHarm.Disk(
+                      who(call), call.next("the time of a write", Quantities::durationNs))),
+          row(
+              "ram(WHO,300mm/s)",
+              "a foreign body drives into the robot",
+              call ->
+                  new IntruderHarm.Ram(
+                      who(call),
+                      call.nextOr(
+                          "a speed",
+                          FaultGrammar::positiveSpeed,
+                          IntruderHarm.Ram.USUAL_MM_PER_S))),
+          row(
+              "block(WHO)",
+              "a foreign body parks before the robot",
+              call -> new IntruderHarm.Block(who(call))));
+
+  private FaultGrammar() {}
+
+  /** Every kind of fault, in the order to show them. */
+  public static List<Kind> kinds() {
+    return ROWS.stream().map(Row::kind).toList();
+  }
+
+  /**
+   * Reads one fault.
+   *
+   * @throws BadInput if it is none; the message names text, argument and what was expected
+   */
+  public static Fault parse(String text) {
+    Call call = Call.parse(text);
+    Row row = rowOf(call);
+    call.usage(row.kind.usage());
+    Harm harm = row.reader.apply(call);
+    Span span = Span.read(call, harm.lastingKey());
+    call.end();
+    return new Fault(harm, span);
+  }
+
+  private static Row rowOf(Call call) {
+    List<String> names = new ArrayList<>();
+    for (Row row : ROWS) {
+      if (row.kind.name().equals(call.name())) {
+        return row;
+      }
+      names.add(row.kind.name());
+    }
+    throw call.bad(
+        "no fault is called "
+            + BadInput.quote(call.name())
+            + NearMatches.hint(call.name(), names));
+  }
+
+  private static Row row(String usage, String meaning, Function<Call, Harm> reader) {
+    int open = usage.indexOf('(');
+    String name = open < 0 ? usage : usage.substring(0, open);
+    return new Row(new Kind(name, usage, meaning), reader);
+  }
+
+  private static Who who(Call call) {
+    return call.next(Who.EXPECTED, Who::parse);
+  }
+
+  private static double probability(Call call) {
+    return call.next("a probability", Quantities::probability);
+  }
+
+  private static PositionNoise noise(Call call) {
+    double mm = call.next("how far", Quantities::distanceMm);
+    double rad = call.nextOr("an angle", Quantities::angleRad, 0.0);
+    if (rad > StrictMath.PI) {
+      throw call.bad("expected an angle of at most 180deg");
+    }
+    return new PositionNoise(mm, rad);
+  }
+
+  private static Harm partition(Call call) {
+    String area = call.keyed("area");
+    if (area != null) {
+      return new Cut.Area(call.value("area", area, AreaText::parse));
+    }
+    String groups = call.next("groups of robots", text -> text);
+    List<String> sides = call.split(groups, '>');
+    if (sides.size() == 2) {
+      return new Cut.OneWay(
+          call.value("from", sides.get(0), Who::parse), call.value("to", sides.get(1), Who::parse));
+    }
+    if (sides.size() > 2) {
+      throw call.bad("expected one '>' at most");
+    }
+    List<Who> parts = new ArrayList<>();
+    for (String part : call.split(groups, '|')) {
+      parts.add(call.value("group", part, Who::parse));
+    }
+    return new Cut.Groups(parts);
+  }
+
+  private static Unsynced unsynced(String text) {
+    return switch (text) {
+      case "unsynced" -> Unsynced.LOST;
+      case "some" -> Unsynced.SOME;
+      case "nothing" -> Unsynced.KEPT;
+      default ->
+          throw new BadInput(BadInput.quote(text) + ": expected unsynced, some or nothing");
+    };
+  }
+
+  private static long ppm(String text) {
+    String number = text.endsWith("ppm") ? text.substring(0, text.length() - 3) : "";
+    try {
+      return Quantities.whole(number, -RobotHarm.Drift.MOST_PPM, RobotHarm.Drift.MOST_PPM);
+    } catch (BadInput wrong) {
+      throw new BadInput(
+          BadInput.quote(text) + ": expected -500000ppm to 500000ppm, such as 200ppm");
+    }
+  }
+
+  private static long signedNs(String text) {
+    return text.startsWith("-")
+        ? -Quantities.durationNs(text.substring(1))
+        : Quantities.durationNs(text);
+  }
+
+  private static long positiveNs(String text) {
+    long ns = Quantities.durationNs(text);
+    if (ns == 0) {
+      throw new BadInput(BadInput.quote(text) + ": expected a duration above 0");
+    }
+    return ns;
+  }
+
+  private static double positiveSpeed(String text) {
+    double mmPerS = Quantities.speedMmPerS(text);
+    if (mmPerS == 0) {
+      throw new BadInput(BadInput.quote(text) + ": expected a speed above 0");
+    }
+    return mmPerS;
+  }
+}

@@ -1,0 +1,61 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.starl.random.Rng;
+
+/**
+ * What goes wrong in a run. Its text is its faults with {@code ;} between them, as in the setting
+ * {@code faults}.
+ */
+public record FaultPlan(List<Fault> faults) {
+
+  public static final FaultPlan NONE = new FaultPlan(List.of());
+
+  public FaultPlan {
+    faults = List.copyOf(faults);
+  }
+
+  /** @throws org.starl.sim.input.BadInput if one of them is no fault */
+  public static FaultPlan parse(String text) {
+    List<Fault> faults = new ArrayList<>();
+    for (String part : text.split(";", -1)) {
+      if (!part.isBlank()) {
+        faults.add(FaultGrammar.parse(part));
+      }
+    }
+    return new FaultPlan(faults);
+  }
+
+  /** These faults, then those of {@code other}. */
+  public FaultPlan plus(FaultPlan other) {
+    List<Fault> all = new ArrayList<>(faults);
+    all.addAll(other.faults);
+    return new FaultPlan(all);
+  }
+
+  public boolean isEmpty() {
+    return faults.isEmpty();
+  }
+
+  /** Whether some robot's time goes wrong, so that robots need clocks of their own. */
+  public boolean touchesTime() {
+    return faults.stream()
+        .anyMatch(fault -> fault.harm() instanceof RobotHarm harm && harm.touchesTime());
+  }
+
+  /**
+   * Lets them happen: those that begin with the run begin now.
+   *
+   * @param rng of the run's seed, forked for faults
+   */
+  public void install(Ward ward, Rng rng) {
+    new FaultRun(ward, faults.size()).install(this, rng);
+  }
+
+  @Override
+  public String toString() {
+    return faults.stream().map(Fault::toString).collect(Collectors.joining("; "));
+  }
+}

@@ -1,0 +1,73 @@
+package org.starl.sim.fault;
+
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import org.starl.RobotId;
+import org.starl.random.Rng;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
+import org.starl.trace.TraceEvent;
+
+/** A plan at work in one run: begins and ends its faults and tells of it. */
+final class FaultRun {
+
+  private final Ward ward;
+  private int toEnd;
+
+  FaultRun(Ward ward, int faults) {
+    this.ward = ward;
+    toEnd = faults;
+  }
+
+  void install(FaultPlan plan, Rng rng) {
+    Map<String, Integer> sameBefore = new HashMap<>();
+    List<Fault> faults = plan.faults();
+    for (int i = 0; i < faults.size(); i++) {
+      Fault fault = faults.get(i);
+      // By its text, and for equal ones by their count, so that no fault shifts another's draws.
+      int copy = sameBefore.merge(fault.toString(), 1, Integer::sum);
+      Rng own = rng.fork(fault + "#" + copy);
+      long beginNs = fault.span().at().drawNs(own.fork("at"));
+      int number = i;
+      if (beginNs <= ward.nowNs()) {
+        begin(fault, number, own);
+      } else {
+        ward.at(beginNs, () -> begin(fault, number, own));
+      }
+    }
+  }
+
+  private void begin(Fault fault, int number, Rng rng) {
+    Harm harm = fault.harm();
+    Runnable cure;
+    List<RobotId> whom;
+    long lastingNs = fault.span().drawLastingNs(ward.nowNs(), rng.fork("for"));
+    try {
+      whom = harm.who().pick(ward, rng.fork("who"));
+      tell(fault, whom, TraceEvent.Fault.BEGIN);
+      cure = harm.begin(new Onset(ward, number, whom, lastingNs, rng));
+    } catch (BadInput wrong) {
+      throw Quantities.in(BadInput.quote(fault.toString()), wrong);
+    }
+    if (lastingNs != Span.NEVER) {
+      ward.at(ward.nowNs() + lastingNs, () -> end(fault, whom, cure));
+    } else if (fault.isFinite()) {
+      end(fault, whom, cure);
+    }
+  }
+
+  private void end(Fault fault, List<RobotId> whom, Runnable cure) {
+    cure.run();
+    tell(fault, whom, TraceEvent.Fault.END);
+    toEnd--;
+    if (toEnd == 0) {
+      ward.tell(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "");
+    }
+  }
+
+  private void tell(Fault fault, List<RobotId> whom, String name) {
+    boolean isOne = !fault.harm().who().isAll() && whom.size() == 1;
+    ward.tell(isOne ? whom.get(0) : TraceEvent.Fault.WORLD, name, fault.toString());
+  }
+}

@@ -1,0 +1,66 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.sim.input.Quantities;
+import org.starl.sim.world.Body;
+
+/**
+ * A body that is no robot of the deployment appears beside a robot and gets in its way; it vanishes
+ * when the fault ends. Where no place is free near the robot, or it is not on the floor, none comes.
+ */
+public sealed interface IntruderHarm extends Harm {
+
+  /** How fast it drives at the robot, in mm/s; 0 where it parks before it. */
+  double speedMmPerS();
+
+  @Override
+  default Runnable begin(Onset onset) {
+    List<Intruder> intruders = new ArrayList<>();
+    for (RobotId robot : onset.whom()) {
+      Body target = onset.ward().body(robot);
+      String name = "intruder" + onset.number() + "." + intruders.size();
+      if (target != null) {
+        intruders.add(new Intruder(new RobotId(name), robot, speedMmPerS(), onset));
+      }
+    }
+    return () -> intruders.forEach(Intruder::leave);
+  }
+
+  /** Drives into the robot, again and again: {@code ram(bot1)}, {@code ram(bot1,300mm/s)}. */
+  record Ram(Who who, double speedMmPerS) implements IntruderHarm {
+
+    static final double USUAL_MM_PER_S = 300;
+
+    @Override
+    public String name() {
+      return "ram";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return speedMmPerS == USUAL_MM_PER_S
+          ? List.of(who.toString())
+          : List.of(who.toString(), Quantities.speedText(speedMmPerS));
+    }
+  }
+
+  /** Parks before the robot: {@code block(bot1,at=3s,for=10s)}. */
+  record Block(Who who) implements IntruderHarm {
+    @Override
+    public String name() {
+      return "block";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString());
+    }
+
+    @Override
+    public double speedMmPerS() {
+      return 0;
+    }
+  }
+}

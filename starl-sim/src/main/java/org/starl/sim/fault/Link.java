@@ -1,0 +1,46 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.starl.RobotId;
+import org.starl.random.Rng;
+import org.starl.sim.net.LinkRule;
+import org.starl.sim.net.Verdict;
+
+/** Which copies a fault of the air befalls: those from these robots to those. */
+public record Link(Who from, Who to) {
+
+  public static final Link ALL = new Link(Who.ALL, Who.ALL);
+
+  static Link read(Call call) {
+    return new Link(
+        call.optional("from", Who::parse, Who.ALL), call.optional("to", Who::parse, Who.ALL));
+  }
+
+  List<String> arguments() {
+    List<String> arguments = new ArrayList<>();
+    if (!from.isAll()) {
+      arguments.add("from=" + from);
+    }
+    if (!to.isAll()) {
+      arguments.add("to=" + to);
+    }
+    return arguments;
+  }
+
+  /** {@code rule} for these copies alone. */
+  LinkRule limit(LinkRule rule, Ward ward, Rng rng) {
+    if (equals(ALL)) {
+      return rule;
+    }
+    Set<RobotId> senders = new HashSet<>(from.pick(ward, rng.fork("from")));
+    Set<RobotId> receivers = new HashSet<>(to.pick(ward, rng.fork("to")));
+    return copy ->
+        (from.isAll() || senders.contains(copy.from()))
+                && (to.isAll() || receivers.contains(copy.to()))
+            ? rule.judge(copy)
+            : Verdict.PASS;
+  }
+}

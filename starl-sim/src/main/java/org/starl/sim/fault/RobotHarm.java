@@ -1,0 +1,223 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.random.Rng;
+import org.starl.sim.input.Quantities;
+import org.starl.sim.world.PositionNoise;
+
+/** A part of a robot does not do what it should; its program goes on. */
+public sealed interface RobotHarm extends Harm {
+
+  /** What is wrong. */
+  Impairment impairment(Rng rng);
+
+  /** Whether it is the robot's time that is wrong, which takes a clock of its own. */
+  default boolean touchesTime() {
+    return false;
+  }
+
+  @Override
+  default Runnable begin(Onset onset) {
+    Impairment impairment = impairment(onset.rng());
+    if (who().isAll()) {
+      return onset.ward().impair(null, impairment);
+    }
+    List<Runnable> cures = new ArrayList<>();
+    for (RobotId robot : onset.whom()) {
+      cures.add(onset.ward().impair(robot, impairment));
+    }
+    return () -> cures.forEach(Runnable::run);
+  }
+
+  /** The wheels do not turn: {@code stuck(bot1)}. */
+  record Stuck(Who who) implements RobotHarm {
+    @Override
+    public String name() {
+      return "stuck";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString());
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofWheels(0);
+    }
+  }
+
+  /** The wheels do this fraction of what they are told: {@code slow(bot1,0.5)}. */
+  record Slow(Who who, double fraction) implements RobotHarm {
+    @Override
+    public String name() {
+      return "slow";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString(), Quantities.numberText(fraction));
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofWheels(fraction);
+    }
+  }
+
+  /** Fixes are farther off, and say so: {@code noise(bot1,30mm)}, {@code noise(all,30mm,0.1rad)}. */
+  record Noise(Who who, PositionNoise more) implements RobotHarm {
+    @Override
+    public String name() {
+      return "noise";
+    }
+
+    @Override
+    public List<String> arguments() {
+      String mm = Quantities.distanceText(more.boundMm());
+      return more.boundRad() == 0
+          ? List.of(who.toString(), mm)
+          : List.of(who.toString(), mm, Quantities.angleText(more.boundRad()));
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofPositioning(more, false, 0, 0);
+    }
+  }
+
+  /** No fixes come: {@code dropout(bot1,at=5s,for=2s)}. */
+  record Dropout(Who who) implements RobotHarm {
+    @Override
+    public String name() {
+      return "dropout";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString());
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofPositioning(PositionNoise.NONE, true, 0, 0);
+    }
+  }
+
+  /** Fixes are this far off in a direction that is drawn, and do not say so. */
+  record Jump(Who who, double distanceMm) implements RobotHarm {
+    @Override
+    public String name() {
+      return "jump";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString(), Quantities.distanceText(distanceMm));
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      double direction = 2 * StrictMath.PI * rng.nextDouble();
+      return Impairment.ofPositioning(
+          PositionNoise.NONE,
+          false,
+          distanceMm * StrictMath.cos(direction),
+          distanceMm * StrictMath.sin(direction));
+    }
+  }
+
+  /** Each action of the robot takes so long, and the next one waits: {@code compute(bot1,20ms)}. */
+  record Compute(Who who, long actionNs) implements RobotHarm {
+    @Override
+    public String name() {
+      return "compute";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString(), Quantities.durationText(actionNs));
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofTime(0, 0, actionNs);
+    }
+
+    @Override
+    public boolean touchesTime() {
+      return true;
+    }
+  }
+
+  /** The clock is so much too fast, or, below 0, too slow: {@code drift(bot1,200ppm)}. */
+  record Drift(Who who, long ppm) implements RobotHarm {
+
+    /** A clock that is off by half is no clock. */
+    static final long MOST_PPM = 500_000;
+
+    @Override
+    public String name() {
+      return "drift";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString(), ppm + "ppm");
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofTime(ppm, 0, 0);
+    }
+
+    @Override
+    public boolean touchesTime() {
+      return true;
+    }
+  }
+
+  /** The clock is so much ahead, or, below 0, behind: {@code skew(bot1,50ms)}. */
+  record Skew(Who who, long skewNs) implements RobotHarm {
+    @Override
+    public String name() {
+      return "skew";
+    }
+
+    @Override
+    public List<String> arguments() {
+      String text = Quantities.durationText(Math.abs(skewNs));
+      return List.of(who.toString(), skewNs < 0 ? "-" + text : text);
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofTime(0, skewNs, 0);
+    }
+
+    @Override
+    public boolean touchesTime() {
+      return true;
+    }
+  }
+
+  /** Writes to stable storage take so much longer to survive a crash: {@code disk(bot1,50ms)}. */
+  record Disk(Who who, long delayNs) implements RobotHarm {
+    @Override
+    public String name() {
+      return "disk";
+    }
+
+    @Override
+    public List<String> arguments() {
+      return List.of(who.toString(), Quantities.durationText(delayNs));
+    }
+
+    @Override
+    public Impairment impairment(Rng rng) {
+      return Impairment.ofDisk(delayNs);
+    }
+  }
+}

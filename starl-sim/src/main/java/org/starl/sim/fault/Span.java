@@ -1,0 +1,79 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.random.Rng;
+import org.starl.sim.input.Quantities;
+
+/**
+ * When a fault begins and ends: {@code at=12s,for=5s}, {@code at=5s..20s,until=30s}. Without {@code
+ * at} it begins with the run, without {@code for} and {@code until} it never ends.
+ *
+ * @param lasting null if it ends at {@code untilNs} or never
+ * @param untilNs {@link #NEVER} if it ends otherwise or never
+ */
+public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
+
+  /** No end. */
+  public static final long NEVER = Long.MAX_VALUE;
+
+  /** The whole run. */
+  public static final Span ALWAYS = new Span(TimeRange.ZERO, null, NEVER);
+
+  public Span {
+    if (lasting != null && untilNs != NEVER) {
+      throw new IllegalArgumentException("expected an end by 'for' or by 'until', not by both");
+    }
+    if (untilNs < at.mostNs()) {
+      throw new IllegalArgumentException("expected 'until' not to be before 'at'");
+    }
+  }
+
+  /** From one time of the run to a later one. */
+  public static Span between(long fromNs, long untilNs) {
+    return new Span(TimeRange.exactly(fromNs), null, untilNs);
+  }
+
+  /** Whether it ends at all. */
+  public boolean isFinite() {
+    return lasting != null || untilNs != NEVER;
+  }
+
+  /** How long it lasts from its begin at {@code beginNs}, or {@link #NEVER}. */
+  long drawLastingNs(long beginNs, Rng rng) {
+    if (lasting != null) {
+      return lasting.drawNs(rng);
+    }
+    return untilNs == NEVER ? NEVER : untilNs - beginNs;
+  }
+
+  /** Reads what {@code call} says of times. */
+  static Span read(Call call, String lastingKey) {
+    TimeRange at = call.optional("at", TimeRange::parse, TimeRange.ZERO);
+    String lasting = call.keyed(lastingKey);
+    try {
+      return new Span(
+          at,
+          lasting == null ? null : call.value(lastingKey, lasting, TimeRange::parse),
+          call.optional("until", Quantities::durationNs, NEVER));
+    } catch (IllegalArgumentException wrong) {
+      throw call.bad(String.valueOf(wrong.getMessage()));
+    }
+  }
+
+  /** As text, in the order in which people think: when, how long. */
+  List<String> arguments(String lastingKey) {
+    List<String> arguments = new ArrayList<>();
+    if (!at.equals(TimeRange.ZERO)) {
+      arguments.add("at=" + at);
+    }
+    if (lasting != null) {
+      arguments.add(lastingKey + "=" + lasting);
+    }
+    if (untilNs != NEVER) {
+      arguments.add("until=" + Quantities.durationText(untilNs));
+    }
+    return arguments;
+  }
+}

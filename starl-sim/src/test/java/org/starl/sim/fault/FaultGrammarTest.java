@@ -1,0 +1,263 @@
+package org.starl.sim.fault;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.List;
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.RobotId;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.net.Latency;
+import org.starl.sim.world.PositionNoise;
+import org.starl.sim.world.Unsynced;
+
+class FaultGrammarTest {
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "crash(bot2,at=12s)",
+        "crash(bot2,at=12s,restart=5s)",
+        "crash(any,lose=some,at=5s..20s,restart=1s..3s)",
+        "loss(0.3)",
+        "loss(0.9,from=bot1,to=bot2+bot3,for=5s)",
+        "burst(2s,200ms,0.9)",
+        "delay(uniform(10ms,200ms),until=1min)",
+        "duplicate(0.1)",
+        "reorder(0.2,100ms)",
+        "partition(bot0+bot1|bot2+bot3)",
+        "partition(bot0>bot1,at=5s,for=2s..9s)",
+        "partition(any)",
+        "partition(area=rect(-1mm,0mm,2000mm,1000mm))",
+        "partition(area=circle(0mm,-5.5mm,2000mm),at=1s)",
+        "range(3000mm)",
+        "sight",
+        "sight(at=3s)",
+        "stuck(all)",
+        "slow(bot1,0.5)",
+        "noise(bot1,30mm)",
+        "dropout(bot1,at=1ns,until=2s)",
+        "jump(bot1,300mm)",
+        "compute(bot1,20ms)",
+        "drift(bot1,-200ppm)",
+        "skew(bot1,-50ms)",
+        "disk(bot1,50ms)",
+        "ram(bot1)",
+        "ram(bot1,100mm/s)",
+        "block(bot1,at=3s,for=10s)"
+      })
+  void whatIsWrittenShortestIsWrittenTheSame(String text) {
+    String canonical = text.replace("1min", "60s");
+    assertThat(FaultGrammar.parse(text)).hasToString(canonical);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        " crash ( bot2 , at = 12s ) ; crash(bot2,at=12s)",
+        "crash(bot2,from=12s,lose=unsynced); crash(bot2,at=12s)",
+        "crash(bot2,restart=5s,at=12s,lose=nothing); crash(bot2,lose=nothing,at=12s,restart=5s)",
+        "range(3m); range(3000mm)",
+        "sight(); sight",
+        "duplicate(0.1,50ms); duplicate(0.1)",
+        "loss(0.5,from=1s,for=2s,from=bot1); loss(0.5,from=bot1,at=1s,for=2s)",
+        "noise(bot1,3cm,180deg); noise(bot1,30mm,3.141592653589793rad)",
+        "burst(2s,200ms,1); burst(2s,200ms)"
+      })
+  void freedomsOfWriting(String text, String canonical) {
+    assertThat(FaultGrammar.parse(text)).hasToString(canonical);
+  }
+
+  @Property
+  void whatIsWrittenIsReadBack(@ForAll("faults") Fault fault) {
+    assertThat(FaultGrammar.parse(fault.toString())).isEqualTo(fault);
+  }
+
+  @Property(tries = 200)
+  void plansToo(@ForAll("plans") FaultPlan plan) {
+    assertThat(FaultPlan.parse(plan.toString())).isEqualTo(plan);
+  }
+
+  @Property
+  void whateverIsTypedIsAFaultOrBadInputInOneLine(@ForAll("typed") String text) {
+    try {
+      FaultGrammar.parse(text);
+    } catch (BadInput e) {
+      assertThat(e.getMessage()).doesNotContain("\n").isNotEmpty();
+    }
+  }
+
+  @Provide
+  Arbitrary<String> typed() {
+    Arbitrary<String> pieces =
+        Arbitraries.of(
+            "crash", "loss", "partition", "delay", "uniform", "area", "rect", "circle", "(", ")",
+            ",", "=", "|", ">", "+", "at", "for", "until", "from", "5s", "..", "0.3", "bot1", "any",
+            "all", "-", "ppm", "mm", " ", "\n", "x");
+    return pieces.list().ofMaxSize(14).map(list -> String.join("", list));
+  }
+
+  @Provide
+  Arbitrary<FaultPlan> plans() {
+    return faults().list().ofMaxSize(5).map(FaultPlan::new);
+  }
+
+  @Provide
+  Arbitrary<Fault> faults() {
+    return Combinators.combine(harms(), spans()).as(Fault::new);
+  }
+
+  private static Arbitrary<Span> spans() {
+    Arbitrary<TimeRange> lasting = ranges().injectNull(0.3);
+    return Combinators.combine(ranges(), lasting, times(), Arbitraries.of(true, false))
+        .as((at, forTime, extra, ends) -> {
+          boolean hasUntil = forTime == null && ends;
+          return new Span(at, forTime, hasUntil ? at.mostNs() + extra : Span.NEVER);
+        });
+  }
+
+  private static Arbitrary<TimeRange> ranges() {
+    return Combinators.combine(times(), times(), Arbitraries.of(true, false))
+        .as((a, b, isOne) -> isOne ? TimeRange.exactly(a) : new TimeRange(a, a + b));
+  }
+
+  private static Arbitrary<Long> times() {
+    return Arbitraries.longs().between(0, 1_000_000_000_000_000L);
+  }
+
+  private static Arbitrary<Who> whos() {
+    return Arbitraries.of(
+        Who.ALL,
+        Who.ANY,
+        Who.of(new RobotId("bot0")),
+        Who.of(new RobotId("a-b.c_D9"), new RobotId("bot10")));
+  }
+
+  private static Arbitrary<Harm> harms() {
+    Arbitrary<Double> p = Arbitraries.doubles().between(0, 1).ofScale(6);
+    Arbitrary<Double> mm = Arbitraries.doubles().between(0, 100_000).ofScale(3);
+    Arbitrary<Link> links = Combinators.combine(whos(), whos()).as(Link::new);
+    Arbitrary<Long> t = times();
+    return Arbitraries.oneOf(
+        Combinators.combine(whos(), Arbitraries.of(Unsynced.class)).as(Crash::new),
+        Combinators.combine(p, links).as(AirHarm.Loss::new),
+        Combinators.combine(t, t, p, links)
+            .as((good, bad, loss, link) -> new AirHarm.Burst(good + 1, bad + 1, loss, link)),
+        Combinators.combine(latencies(), links).as(AirHarm.Delay::new),
+        Combinators.combine(p, t, links).as(AirHarm.Duplicate::new),
+        Combinators.combine(p, t, links).as(AirHarm.Reorder::new),
+        whos().list().ofMinSize(1).ofMaxSize(3).map(Cut.Groups::new),
+        Combinators.combine(
+            Combinators.combine(whos(), whos()).as(Cut.OneWay::new),
+            Combinators.combine(mm, mm, mm).as((x, y, r) ->
+                new Cut.Area(new Circle(new Point(-x, y), r))),
+            Combinators.combine(mm, mm).as((x, y) ->
+                new Cut.Area(new Rectangle(-x, -y, x, y + x))),
+            Arbitraries.integers().between(0, 2)).as((a, b, c, which) ->
+                which == 0 ? a : which == 1 ? b : c),
+        mm.map(Cut.Range::new),
+        Arbitraries.just(new Cut.Sight()),
+        robotHarms(p, mm));
+  }
+
+  private static Arbitrary<Harm> robotHarms(Arbitrary<Double> p, Arbitrary<Double> mm) {
+    Arbitrary<Double> rad = Arbitraries.doubles().between(0, 3.14).ofScale(4);
+    Arbitrary<Long> ppm = Arbitraries.longs().between(-500_000, 500_000);
+    return Arbitraries.oneOf(
+        whos().map(RobotHarm.Stuck::new),
+        Combinators.combine(whos(), p).as(RobotHarm.Slow::new),
+        Combinators.combine(whos(), mm, rad)
+            .as((who, far, angle) -> new RobotHarm.Noise(who, new PositionNoise(far, angle))),
+        whos().map(RobotHarm.Dropout::new),
+        Combinators.combine(whos(), mm).as(RobotHarm.Jump::new),
+        Combinators.combine(whos(), times()).as(RobotHarm.Compute::new),
+        Combinators.combine(whos(), ppm).as(RobotHarm.Drift::new),
+        Combinators.combine(whos(), times(), Arbitraries.of(1, -1))
+            .as((who, ns, sign) -> new RobotHarm.Skew(who, sign * ns)),
+        Combinators.combine(whos(), times()).as(RobotHarm.Disk::new),
+        Combinators.combine(whos(), mm).as((who, v) -> new IntruderHarm.Ram(who, v + 1)),
+        whos().map(IntruderHarm.Block::new));
+  }
+
+  private static Arbitrary<Latency> latencies() {
+    return Combinators.combine(times(), times(), Arbitraries.integers().between(0, 3))
+        .as((a, b, which) ->
+            switch (which) {
+              case 0 -> new Latency.Constant(a);
+              case 1 -> new Latency.Uniform(a, a + b);
+              case 2 -> new Latency.Normal(a, b);
+              default -> new Latency.Exponential(a);
+            });
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      quoteCharacter = '`',
+      value = {
+        "crash(bot2,att=12s) | 'crash(bot2,att=12s)': no argument is called 'att'; did you mean at?",
+        "crush(bot2) | 'crush(bot2)': no fault is called 'crush'; did you mean crash?",
+        "crash | 'crash': expected a robot's name, names (bot0+bot1), any or all, as in"
+            + " crash(WHO,restart=5s,lose=unsynced)",
+        "crash(2bot) | 'crash(2bot)': a robot's name, names (bot0+bot1), any or all: '2bot':"
+            + " expected a robot's name, names (bot0+bot1), any or all",
+        "crash(bot2,for=5s) | 'crash(bot2,for=5s)': no argument is called 'for'; expected one of"
+            + " lose, at, restart, until",
+        "crash(bot2,at=12) | 'crash(bot2,at=12)': at: '12': expected a duration with a unit (ns us"
+            + " ms s min h), such as 100ms",
+        "loss(1.5) | 'loss(1.5)': a probability: '1.5': expected a probability from 0 to 1, such as"
+            + " 0.05",
+        "loss(0.1,0.2) | 'loss(0.1,0.2)': '0.2' is one argument too many; expected"
+            + " loss(0.3,from=WHO,to=WHO)",
+        "loss(0.1,at=5s..2s) | 'loss(0.1,at=5s..2s)': at: '5s..2s': expected the earlier time first",
+        "loss(0.1,for=5s,until=9s) | 'loss(0.1,for=5s,until=9s)': expected an end by 'for' or by"
+            + " 'until', not by both",
+        "loss(0.1,at=5s,until=4s) | 'loss(0.1,at=5s,until=4s)': expected 'until' not to be before"
+            + " 'at'",
+        "loss(0.1 | 'loss(0.1': expected a fault, such as crash(bot2,at=12s,restart=5s)",
+        "loss((0.1) | 'loss((0.1)': expected a ) for each (",
+        "loss(0.1,at=1s,at=2s) | 'loss(0.1,at=1s,at=2s)': expected 'at' once, stands there again",
+        "drift(bot1,200) | 'drift(bot1,200)': a drift: '200': expected -500000ppm to 500000ppm,"
+            + " such as 200ppm",
+        "partition(area=box) | 'partition(area=box)': area: 'box': expected rect(0,0,2m,1m), two"
+            + " corners, or circle(0,0,2m)"
+      })
+  void whatIsWrongIsSaidInOneLine(String text, String expected) {
+    assertThatThrownBy(() -> FaultGrammar.parse(text))
+        .isInstanceOf(BadInput.class)
+        .hasMessage(expected);
+  }
+
+  static List<FaultGrammar.Kind> kinds() {
+    return FaultGrammar.kinds();
+  }
+
+  @ParameterizedTest
+  @MethodSource("kinds")
+  void theUsageOfEachKindIsAFault(FaultGrammar.Kind kind) {
+    Fault fault = FaultGrammar.parse(kind.usage().replace("WHO", "any"));
+    assertThat(fault.harm().name()).isEqualTo(kind.name());
+  }
+
+  @Test
+  void aPlanIsFaultsWithSemicolons() {
+    FaultPlan plan = FaultPlan.parse(" loss(0.3) ; crash(bot0,at=1s);");
+    assertThat(plan.faults()).hasSize(2);
+    assertThat(plan).hasToString("loss(0.3); crash(bot0,at=1s)");
+    assertThat(FaultPlan.parse("")).isEqualTo(FaultPlan.NONE);
+  }
+}
