@@ -19,8 +19,7 @@ public sealed interface TraceEvent {
       case Sent e -> new Sent(newTimeNs, e.robot, e.to, e.channel, e.seq, e.bytes, e.message);
       case Delivered e -> new Delivered(newTimeNs, e.robot, e.from, e.channel, e.seq, e.message);
       case Dropped e -> new Dropped(newTimeNs, e.robot, e.from, e.why);
-      case Moved e ->
-          new Moved(newTimeNs, e.robot, e.pose, e.linearMmPerS, e.angularRadPerS);
+      case Moved e -> new Moved(newTimeNs, e.robot, e.pose, e.linearMmPerS, e.angularRadPerS);
       case Joined e -> new Joined(newTimeNs, e.robot, e.pose, e.radiusMm);
       case Left e -> new Left(newTimeNs, e.robot);
       case Fault e -> new Fault(newTimeNs, e.robot, e.name, e.detail);

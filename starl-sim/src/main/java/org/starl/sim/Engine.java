@@ -341,9 +341,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
 
   /** The clock of a robot whose time may go wrong, else null. */
   @Nullable RobotClock clockOf(RobotId id) {
-    return faults.touchesTime()
-        ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel))
-        : null;
+    return faults.touchesTime() ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
   }
 
   @Override

@@ -111,7 +111,13 @@ final class SimRobot implements TraceSink {
             : SimPositioning.drawnPhaseNs(robotRng.fork("positioning"), periodNs);
     Rng noise = incarnationRng.fork("positioning");
     return new SimPositioning(
-        kernel, clock == null ? kernel : clock, strand, noise, settings.positionNoise(), periodNs, phaseNs);
+        kernel,
+        clock == null ? kernel : clock,
+        strand,
+        noise,
+        settings.positionNoise(),
+        periodNs,
+        phaseNs);
   }
 
   /** From now on its parts are impaired so, and not otherwise. */

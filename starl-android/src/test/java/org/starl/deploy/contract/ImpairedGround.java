@@ -5,13 +5,13 @@ import java.util.concurrent.CountDownLatch;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
+import org.starl.random.Rng;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
-import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.ImpairedStrand;
+import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.RobotClock;
 import org.starl.sim.fault.RobotHarm;
-import org.starl.random.Rng;
 import org.starl.sim.kernel.CarrierKind;
 
 /** A simulated strand whose clock is wrong and on which computing takes time. */

@@ -137,9 +137,7 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     public LinkRule unlimited(Onset onset, String salt) {
       return copy -> {
         Rng rng = copy.rng().fork(salt);
-        return rng.nextBoolean(probability)
-            ? Verdict.again(rng.nextLong(0, mostNs))
-            : Verdict.PASS;
+        return rng.nextBoolean(probability) ? Verdict.again(rng.nextLong(0, mostNs)) : Verdict.PASS;
       };
     }
   }
@@ -160,9 +158,7 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     public LinkRule unlimited(Onset onset, String salt) {
       return copy -> {
         Rng rng = copy.rng().fork(salt);
-        return rng.nextBoolean(probability)
-            ? Verdict.later(rng.nextLong(0, mostNs))
-            : Verdict.PASS;
+        return rng.nextBoolean(probability) ? Verdict.later(rng.nextLong(0, mostNs)) : Verdict.PASS;
       };
     }
   }

@@ -134,8 +134,7 @@ final class Call {
   /** @throws BadInput if there is an argument that nothing asked for */
   void end() {
     if (used < placed.size()) {
-      throw bad(
-          BadInput.quote(placed.get(used)) + " is one argument too many; expected " + usage);
+      throw bad(BadInput.quote(placed.get(used)) + " is one argument too many; expected " + usage);
     }
     for (String key : keyed.keySet()) {
       if (!asked.contains(key)) {

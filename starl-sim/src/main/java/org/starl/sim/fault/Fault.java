@@ -20,6 +20,8 @@ public record Fault(Harm harm, Span span) {
   public String toString() {
     List<String> arguments = new ArrayList<>(harm.arguments());
     arguments.addAll(span.arguments(harm.lastingKey()));
-    return arguments.isEmpty() ? harm.name() : harm.name() + "(" + String.join(",", arguments) + ")";
+    return arguments.isEmpty()
+        ? harm.name()
+        : harm.name() + "(" + String.join(",", arguments) + ")";
   }
 }

@@ -163,9 +163,7 @@ public final class FaultGrammar {
       names.add(row.kind.name());
     }
     throw call.bad(
-        "no fault is called "
-            + BadInput.quote(call.name())
-            + NearMatches.hint(call.name(), names));
+        "no fault is called " + BadInput.quote(call.name()) + NearMatches.hint(call.name(), names));
   }
 
   private static Row row(String usage, String meaning, Function<Call, Harm> reader) {
@@ -217,8 +215,7 @@ public final class FaultGrammar {
       case "unsynced" -> Unsynced.LOST;
       case "some" -> Unsynced.SOME;
       case "nothing" -> Unsynced.KEPT;
-      default ->
-          throw new BadInput(BadInput.quote(text) + ": expected unsynced, some or nothing");
+      default -> throw new BadInput(BadInput.quote(text) + ": expected unsynced, some or nothing");
     };
   }
 

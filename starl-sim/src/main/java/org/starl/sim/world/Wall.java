@@ -46,8 +46,7 @@ final class Wall {
 
   /** Whether it and {@code line} have a point in common. */
   boolean crosses(Segment line) {
-    Segment side =
-        new Segment(new Point(fromX, fromY), new Point(fromX + alongX, fromY + alongY));
+    Segment side = new Segment(new Point(fromX, fromY), new Point(fromX + alongX, fromY + alongY));
     return line.crosses(side);
   }
 

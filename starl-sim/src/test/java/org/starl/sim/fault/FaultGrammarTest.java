@@ -105,9 +105,37 @@ class FaultGrammarTest {
   Arbitrary<String> typed() {
     Arbitrary<String> pieces =
         Arbitraries.of(
-            "crash", "loss", "partition", "delay", "uniform", "area", "rect", "circle", "(", ")",
-            ",", "=", "|", ">", "+", "at", "for", "until", "from", "5s", "..", "0.3", "bot1", "any",
-            "all", "-", "ppm", "mm", " ", "\n", "x");
+            "crash",
+            "loss",
+            "partition",
+            "delay",
+            "uniform",
+            "area",
+            "rect",
+            "circle",
+            "(",
+            ")",
+            ",",
+            "=",
+            "|",
+            ">",
+            "+",
+            "at",
+            "for",
+            "until",
+            "from",
+            "5s",
+            "..",
+            "0.3",
+            "bot1",
+            "any",
+            "all",
+            "-",
+            "ppm",
+            "mm",
+            " ",
+            "\n",
+            "x");
     return pieces.list().ofMaxSize(14).map(list -> String.join("", list));
   }
 
@@ -162,13 +190,13 @@ class FaultGrammarTest {
         Combinators.combine(p, t, links).as(AirHarm.Reorder::new),
         whos().list().ofMinSize(1).ofMaxSize(3).map(Cut.Groups::new),
         Combinators.combine(
-            Combinators.combine(whos(), whos()).as(Cut.OneWay::new),
-            Combinators.combine(mm, mm, mm).as((x, y, r) ->
-                new Cut.Area(new Circle(new Point(-x, y), r))),
-            Combinators.combine(mm, mm).as((x, y) ->
-                new Cut.Area(new Rectangle(-x, -y, x, y + x))),
-            Arbitraries.integers().between(0, 2)).as((a, b, c, which) ->
-                which == 0 ? a : which == 1 ? b : c),
+                Combinators.combine(whos(), whos()).as(Cut.OneWay::new),
+                Combinators.combine(mm, mm, mm)
+                    .as((x, y, r) -> new Cut.Area(new Circle(new Point(-x, y), r))),
+                Combinators.combine(mm, mm)
+                    .as((x, y) -> new Cut.Area(new Rectangle(-x, -y, x, y + x))),
+                Arbitraries.integers().between(0, 2))
+            .as((a, b, c, which) -> which == 0 ? a : which == 1 ? b : c),
         mm.map(Cut.Range::new),
         Arbitraries.just(new Cut.Sight()),
         robotHarms(p, mm));

@@ -61,7 +61,8 @@ final class ProbeRun {
         gvh.trace.action("app", "clock", gvh.plat.clock.nowNs());
         if (gvh.gps.hasFix()) {
           Pose pose = gvh.gps.pose();
-          gvh.trace.action("app", "fix", pose.xMm(), pose.yMm(), gvh.gps.errorMm(), gvh.gps.ageNs());
+          gvh.trace.action(
+              "app", "fix", pose.xMm(), pose.yMm(), gvh.gps.errorMm(), gvh.gps.ageNs());
         }
         gvh.plat.stable.put("beat", new byte[1], () -> gvh.trace.action("app", "flushed"));
         sleep(100);

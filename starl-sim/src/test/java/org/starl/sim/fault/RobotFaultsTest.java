@@ -68,7 +68,8 @@ class RobotFaultsTest {
   void allCrashTogether() {
     ProbeRun run = ProbeRun.of("crash(all,at=3s,restart=1s,lose=nothing)");
     assertThat(run.faults())
-        .contains("3000 bot0 crash", "3000 bot1 crash", "3000 bot2 crash", "4000 bot2 restart kept");
+        .contains(
+            "3000 bot0 crash", "3000 bot1 crash", "3000 bot2 crash", "4000 bot2 restart kept");
   }
 
   @Test
@@ -90,11 +91,10 @@ class RobotFaultsTest {
 
   private static double fixError(ProbeRun run, long fromNs, long untilNs) {
     return run.said(1, "fix", fromNs, untilNs).stream()
-        .mapToDouble(
-            fix ->
-                StrictMath.hypot(
-                    Double.parseDouble(fix.args().get(0)),
-                    Double.parseDouble(fix.args().get(1)) - 1000))
+        .mapToDouble(fix ->
+            StrictMath.hypot(
+                Double.parseDouble(fix.args().get(0)),
+                Double.parseDouble(fix.args().get(1)) - 1000))
         .max()
         .orElseThrow();
   }
@@ -239,7 +239,6 @@ class RobotFaultsTest {
   @Test
   void aRobotThatNeverWasIsBadInput() {
     assertThatThrownBy(() -> ProbeRun.of("stuck(bot7,at=1s)"))
-        .hasMessage(
-            "'stuck(bot7,at=1s)': no robot is called bot7; there are [bot0, bot1, bot2]");
+        .hasMessage("'stuck(bot7,at=1s)': no robot is called bot7; there are [bot0, bot1, bot2]");
   }
 }
