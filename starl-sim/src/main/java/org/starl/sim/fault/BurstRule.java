@@ -1,6 +1,6 @@
 package org.starl.sim.fault;
 
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import org.starl.RobotId;
 import org.starl.random.Rng;
@@ -22,7 +22,7 @@ final class BurstRule implements LinkRule {
   private final double lossWhileBad;
   private final long beginNs;
   private final Rng rng;
-  private final Map<Ends, State> states = new HashMap<>();
+  private final Map<Ends, State> states = new LinkedHashMap<>();
 
   private record Ends(RobotId from, RobotId to) {}
 

@@ -1,6 +1,6 @@
 package org.starl.sim.fault;
 
-import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.starl.RobotId;
@@ -21,7 +21,7 @@ final class FaultRun {
   }
 
   void install(FaultPlan plan, Rng rng) {
-    Map<String, Integer> sameBefore = new HashMap<>();
+    Map<String, Integer> sameBefore = new LinkedHashMap<>();
     List<Fault> faults = plan.faults();
     for (int i = 0; i < faults.size(); i++) {
       Fault fault = faults.get(i);

@@ -1,7 +1,7 @@
 package org.starl.sim.fault;
 
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import org.starl.RobotId;
@@ -35,8 +35,8 @@ public record Link(Who from, Who to) {
     if (equals(ALL)) {
       return rule;
     }
-    Set<RobotId> senders = new HashSet<>(from.pick(ward, rng.fork("from")));
-    Set<RobotId> receivers = new HashSet<>(to.pick(ward, rng.fork("to")));
+    Set<RobotId> senders = new LinkedHashSet<>(from.pick(ward, rng.fork("from")));
+    Set<RobotId> receivers = new LinkedHashSet<>(to.pick(ward, rng.fork("to")));
     return copy ->
         (from.isAll() || senders.contains(copy.from()))
                 && (to.isAll() || receivers.contains(copy.to()))
