@@ -1,0 +1,203 @@
+package org.starl.primitives.paths;
+
+import java.util.List;
+import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
+
+/**
+ * Where the centre of a body may be: a rectangle without the insides of polygons; their borders are
+ * free. All corners are whole millimetres, and every answer is exact. Serves one plan at a time.
+ */
+final class FreeSpace {
+
+  /** Corners, each with its neighbours along its ring. */
+  private final int[] x;
+
+  private final int[] y;
+  private final int[] next;
+  private final int[] previous;
+  private final EdgeGrid grid;
+  private final int xMin;
+  private final int yMin;
+  private final int xMax;
+  private final int yMax;
+  private final Touches touches = new Touches();
+
+  /**
+   * @param rings x and y of their corners, the solid side to the left; may touch, not cross
+   */
+  FreeSpace(List<int[][]> rings, Rectangle bounds, double marginMm) {
+    int count = 0;
+    for (int[][] ring : rings) {
+      count += ring[0].length;
+    }
+    x = new int[count];
+    y = new int[count];
+    next = new int[count];
+    previous = new int[count];
+    int first = 0;
+    for (int[][] ring : rings) {
+      int length = ring[0].length;
+      for (int i = 0; i < length; i++) {
+        x[first + i] = ring[0][i];
+        y[first + i] = ring[1][i];
+        next[first + i] = first + (i + 1) % length;
+        previous[first + i] = first + (i + length - 1) % length;
+      }
+      first += length;
+    }
+    xMin = whole(StrictMath.ceil(bounds.xMinMm() + marginMm));
+    yMin = whole(StrictMath.ceil(bounds.yMinMm() + marginMm));
+    xMax = whole(StrictMath.floor(bounds.xMaxMm() - marginMm));
+    yMax = whole(StrictMath.floor(bounds.yMaxMm() - marginMm));
+    grid = new EdgeGrid(x, y, next);
+  }
+
+  /** The nearest whole number of mm. */
+  static int whole(double mm) {
+    long rounded = StrictMath.round(mm);
+    if (Math.abs(rounded) > 2L * PlanTask.MAX_MM) {
+      throw new IllegalArgumentException(mm + " mm: expected within 268 km of 0");
+    }
+    return (int) rounded;
+  }
+
+  static int x(Point point) {
+    return whole(point.xMm());
+  }
+
+  static int y(Point point) {
+    return whole(point.yMm());
+  }
+
+  int corners() {
+    return x.length;
+  }
+
+  int cornerX(int corner) {
+    return x[corner];
+  }
+
+  int cornerY(int corner) {
+    return y[corner];
+  }
+
+  int xMin() {
+    return xMin;
+  }
+
+  int yMin() {
+    return yMin;
+  }
+
+  int xMax() {
+    return xMax;
+  }
+
+  int yMax() {
+    return yMax;
+  }
+
+  /** Whether a body may stand there. */
+  boolean isFree(int px, int py) {
+    return isInBounds(px, py) && !isSolid(2L * px, 2L * py);
+  }
+
+  boolean isInBounds(int px, int py) {
+    return xMin <= px && px <= xMax && yMin <= py && py <= yMax;
+  }
+
+  /** Whether a shortest path may turn at this corner: the solid side has less than half a turn. */
+  boolean sticksOut(int corner) {
+    int before = previous[corner];
+    int after = next[corner];
+    return isInBounds(x[corner], y[corner])
+        && orientation(x[before], y[before], x[corner], y[corner], x[after], y[after]) > 0;
+  }
+
+  /**
+   * Whether the line from (px, py) passes the corner without entering the solid side there: all a
+   * shortest path does.
+   */
+  boolean isTangent(int px, int py, int corner) {
+    int a = side(px, py, corner, previous[corner]);
+    int b = side(px, py, corner, next[corner]);
+    return a * b >= 0;
+  }
+
+  private int side(int px, int py, int corner, int other) {
+    return Long.signum(orientation(px, py, x[corner], y[corner], x[other], y[other]));
+  }
+
+  /** Whether a body may go straight from one free place to the other. */
+  boolean sees(int px, int py, int qx, int qy) {
+    touches.begin(px, py);
+    grid.begin(px, py, qx, qy);
+    for (int edge = grid.nextEdge(); edge >= 0; edge = grid.nextEdge()) {
+      if (blocks(edge, px, py, qx, qy)) {
+        return false;
+      }
+    }
+    // Between two places where it touches the border, all of the line is solid or none.
+    touches.end(qx, qy);
+    for (int i = 1; i < touches.size(); i++) {
+      if (isSolid((long) touches.x(i - 1) + touches.x(i), (long) touches.y(i - 1) + touches.y(i))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private boolean blocks(int a, int px, int py, int qx, int qy) {
+    int b = next[a];
+    int sideA = Long.signum(orientation(px, py, qx, qy, x[a], y[a]));
+    int sideB = Long.signum(orientation(px, py, qx, qy, x[b], y[b]));
+    if (sideA == 0 && isBetween(x[a], y[a], px, py, qx, qy)) {
+      touches.add(x[a], y[a]);
+    }
+    if (sideA * sideB >= 0) {
+      return false;
+    }
+    int sideP = Long.signum(orientation(x[a], y[a], x[b], y[b], px, py));
+    int sideQ = Long.signum(orientation(x[a], y[a], x[b], y[b], qx, qy));
+    return sideP * sideQ < 0;
+  }
+
+  private static boolean isBetween(int ax, int ay, int px, int py, int qx, int qy) {
+    return Math.min(px, qx) <= ax
+        && ax <= Math.max(px, qx)
+        && Math.min(py, qy) <= ay
+        && ay <= Math.max(py, qy);
+  }
+
+  /** Whether a place, given by twice its coordinates, is inside a polygon and not on its border. */
+  private boolean isSolid(long x2, long y2) {
+    boolean inside = false;
+    grid.beginLeftOf(x2, y2);
+    for (int a = grid.nextEdge(); a >= 0; a = grid.nextEdge()) {
+      int b = next[a];
+      long ax = 2L * x[a];
+      long ay = 2L * y[a];
+      long bx = 2L * x[b];
+      long by = 2L * y[b];
+      long turn = (bx - ax) * (y2 - ay) - (by - ay) * (x2 - ax);
+      if (turn == 0
+          && Math.min(ax, bx) <= x2
+          && x2 <= Math.max(ax, bx)
+          && Math.min(ay, by) <= y2
+          && y2 <= Math.max(ay, by)) {
+        return false;
+      }
+      // A ray to the left crosses the edge: it is to the left of the place.
+      if ((ay > y2) != (by > y2) && (turn < 0) == (by > ay)) {
+        inside = !inside;
+      }
+    }
+    return inside;
+  }
+
+  /** Above 0 if c is to the left of the line from a to b, 0 on it; exact. */
+  private static long orientation(int ax, int ay, int bx, int by, int cx, int cy) {
+    return ((long) bx - ax) * ((long) cy - ay) - ((long) by - ay) * ((long) cx - ax);
+  }
+}

@@ -1,0 +1,52 @@
+package org.starl.primitives.paths;
+
+import java.util.List;
+import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
+
+/**
+ * The straight lines from each point to the next, in mm.
+ *
+ * @param points at least two, the start first; whole millimetres if a planner made them
+ */
+public record Path(List<Point> points) {
+
+  public Path {
+    points = List.copyOf(points);
+    if (points.size() < 2) {
+      throw new IllegalArgumentException(
+          "path of " + points.size() + " points: expected at least 2");
+    }
+    for (Point point : points) {
+      if (!point.isFinite()) {
+        throw new IllegalArgumentException("path with point " + point + ": expected numbers");
+      }
+    }
+  }
+
+  /** How many lines it has. */
+  public int legs() {
+    return points.size() - 1;
+  }
+
+  /** Line number {@code i}, from 0. */
+  public Segment leg(int i) {
+    return new Segment(points.get(i), points.get(i + 1));
+  }
+
+  public Point start() {
+    return points.get(0);
+  }
+
+  public Point goal() {
+    return points.get(points.size() - 1);
+  }
+
+  public double lengthMm() {
+    double sum = 0;
+    for (int i = 0; i < legs(); i++) {
+      sum += points.get(i).distanceMm(points.get(i + 1));
+    }
+    return sum;
+  }
+}
