@@ -17,8 +17,8 @@ public final class Life<R extends LiveRobot> {
   private final Consumer<R> act;
   private boolean foul = true;
 
-  /** Whether robots crash, and whether those restart. */
-  public boolean crashes = true;
+  /** Which part of the robots ever crashes, from 0 to 1. */
+  public double crashChance = 1;
 
   /** Whether crashed robots restart. */
   public boolean restarts = true;
@@ -37,8 +37,10 @@ public final class Life<R extends LiveRobot> {
     world.weather(rng.nextBoolean(0.3) ? Weather.LOSSY : Weather.FOUL);
     world.robots.forEach(LiveRobot::start);
     world.robots.forEach(this::keepActing);
-    if (crashes) {
-      world.robots.forEach(this::nextCrash);
+    for (R robot : world.robots) {
+      if (rng.nextBoolean(crashChance)) {
+        nextCrash(robot);
+      }
     }
     nextCut();
     world.runForMs(FOUL_MS);

@@ -1,0 +1,195 @@
+package org.starl.primitives.barrier;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.GvhVariable;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodWire;
+import org.starl.primitives.membership.Membership;
+import org.starl.primitives.membership.View;
+
+/**
+ * The barrier of one robot: {@link BarrierProtocol} on its gvh. Constructing it makes this robot
+ * vote, if it is a member, and answer the others. Strand only.
+ */
+public final class Barrier implements BarrierPrim {
+
+  private final GlobalVarHolder gvh;
+  private final String source;
+  private final Endpoint<BarrierMessage> endpoint;
+  private final SynodWire wire;
+  private final BarrierProtocol protocol;
+  private final GvhCell<BarrierOutcome> outcome;
+  private boolean closed;
+
+  /** Among all robots of the deployment; see the constructor with a list. */
+  public Barrier(GlobalVarHolder gvh, String xid) {
+    this(gvh, xid, gvh.id.participants());
+  }
+
+  /**
+   * Among a fixed group. A robot whose program has restarted is no member: it is somebody else, who
+   * cannot know where it was.
+   *
+   * @param members the same on every robot
+   */
+  public Barrier(GlobalVarHolder gvh, String xid, Participants members) {
+    this(gvh, xid, members, BarrierSettings.DEFAULT);
+  }
+
+  public Barrier(
+      GlobalVarHolder gvh, String xid, Participants members, BarrierSettings settings) {
+    this(gvh, xid, new ProcessId(gvh.id.name(), gvh.id.boot()), firstStarts(members), settings);
+  }
+
+  /**
+   * Among those who are registered now. The number of the view is part of the instance, so that those
+   * of another view meet in another barrier: after a change of the view, make a new one.
+   *
+   * @param xid with the view's number at most 31 characters
+   * @throws IllegalStateException if this robot is not registered
+   */
+  public Barrier(
+      GlobalVarHolder gvh, String xid, Membership membership, BarrierSettings settings) {
+    this(
+        gvh,
+        xid + "." + registered(membership).number(),
+        membership.me(),
+        new TreeSet<>(membership.view().ids()),
+        settings);
+  }
+
+  private Barrier(
+      GlobalVarHolder gvh,
+      String instance,
+      ProcessId me,
+      SortedSet<ProcessId> first,
+      BarrierSettings settings) {
+    this.gvh = gvh;
+    BarrierCodec codec = new BarrierCodec(first);
+    Channel<BarrierMessage> channel = new Channel<>(BarrierTrace.PRIMITIVE, instance, codec);
+    source = channel.name();
+    outcome = gvh.variable(source, BarrierTrace.OUTCOME, BarrierOutcome.NONE_YET);
+    wire = new SynodWire(gvh, new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(codec)));
+    protocol =
+        new BarrierProtocol(
+            me,
+            first,
+            settings,
+            gvh.plat.entropy.fork(source),
+            wire.record(),
+            new Port(),
+            gvh.plat.clock.nowNs());
+    List<Object> ids = new ArrayList<>(first);
+    ids.add(0, me);
+    gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
+    endpoint = gvh.comms.open(channel, this::received);
+    wire.start(new Client());
+  }
+
+  private static SortedSet<ProcessId> firstStarts(Participants members) {
+    SortedSet<ProcessId> ids = new TreeSet<>();
+    for (RobotId robot : members) {
+      ids.add(new ProcessId(robot, 1));
+    }
+    return ids;
+  }
+
+  private static View registered(Membership membership) {
+    if (!membership.mayRequest()) {
+      throw new IllegalStateException("a barrier among those registered: register first");
+    }
+    return membership.view();
+  }
+
+  @Override
+  public void arrive() {
+    gvh.trace.action(source, BarrierTrace.ARRIVE, protocol.generation(), protocol.me());
+    wire.call(() -> protocol.arrive(gvh.plat.clock.nowNs()));
+  }
+
+  @Override
+  public GvhVariable<BarrierOutcome> outcome() {
+    return outcome;
+  }
+
+  @Override
+  public long generation() {
+    return protocol.generation();
+  }
+
+  @Override
+  public String source() {
+    return source;
+  }
+
+  @Override
+  public void close() {
+    if (!closed) {
+      closed = true;
+      wire.close();
+      endpoint.close();
+    }
+  }
+
+  private void received(RobotId from, BarrierMessage message) {
+    // Nobody speaks for another robot.
+    if (message.from().robot().equals(from)) {
+      wire.call(() -> protocol.received(message, gvh.plat.clock.nowNs()));
+    }
+  }
+
+  private final class Client implements SynodWire.Client {
+    @Override
+    public void received(RobotId from, SynodMessage message, long nowNs) {
+      protocol.received(from, message, nowNs);
+    }
+
+    @Override
+    public void flushed(long version, long nowNs) {
+      protocol.flushed(version, nowNs);
+    }
+
+    @Override
+    public void timer(long nowNs) {
+      protocol.timer(nowNs);
+    }
+
+    @Override
+    public long wakeAtNs() {
+      return protocol.wakeAtNs();
+    }
+
+    @Override
+    public void settled() {
+      outcome.set(protocol.outcome());
+    }
+  }
+
+  private final class Port implements BarrierPort {
+    @Override
+    public void send(RobotId to, BarrierMessage message) {
+      endpoint.send(to, message);
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      wire.send(to, message);
+    }
+
+    @Override
+    public void persist(long version, byte[] record) {
+      wire.persist(version, record);
+    }
+  }
+}

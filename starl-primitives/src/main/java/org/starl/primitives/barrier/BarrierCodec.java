@@ -1,0 +1,134 @@
+package org.starl.primitives.barrier;
+
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.comms.Codec;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.Value;
+import org.starl.primitives.barrier.BarrierMessage.Arrival;
+import org.starl.primitives.barrier.BarrierMessage.Here;
+
+/**
+ * The bytes of {@link BarrierMessage}s, and of {@link Outcomes} as the Synod's value, as {@code
+ * docs/wire-format.md} has them.
+ */
+final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
+
+  private static final int ARRIVAL = 1;
+  private static final int HERE = 2;
+  // At worst, each member is left out by a generation of its own.
+  private static final int BYTES_PER_MEMBER = Long.BYTES + 2 * Short.BYTES;
+
+  private final List<ProcessId> first;
+
+  /**
+   * @param first the members of generation 1: values name them by their places
+   */
+  BarrierCodec(SortedSet<ProcessId> first) {
+    if (Short.BYTES + first.size() * BYTES_PER_MEMBER > Value.MAX_BYTES) {
+      throw new IllegalArgumentException(
+          "a barrier of " + first.size() + " members: too many for one message");
+    }
+    this.first = List.copyOf(first);
+  }
+
+  @Override
+  public void write(BarrierMessage message, WireWriter out) {
+    switch (message) {
+      case Arrival m -> {
+        out.u8(ARRIVAL);
+        out.process(m.from());
+        out.i64(m.generation());
+      }
+      case Here m -> {
+        out.u8(HERE);
+        out.process(m.from());
+        out.i64(m.generation());
+        out.bool(m.hasArrived());
+        out.i64(m.noted());
+      }
+    }
+  }
+
+  @Override
+  public BarrierMessage read(WireReader in) {
+    int kind = in.u8();
+    ProcessId from = in.process();
+    long generation = generation(in);
+    return switch (kind) {
+      case ARRIVAL -> new Arrival(from, generation);
+      case HERE -> new Here(from, generation, in.bool(), generation(in));
+      default -> throw new WireFormatException("barrier message of kind " + kind);
+    };
+  }
+
+  @Override
+  public void checkValue(Value value) {
+    read(value);
+  }
+
+  @Override
+  public void checkWish(Value wish) {
+    if (wish.length() > 0) {
+      throw new WireFormatException("a wish where none is expected");
+    }
+  }
+
+  Value toValue(Outcomes outcomes) {
+    byte[] buffer = new byte[Value.MAX_BYTES];
+    WireWriter out = new WireWriter(buffer);
+    out.u16(outcomes.missing().size());
+    for (Map.Entry<Long, SortedSet<ProcessId>> broken : outcomes.missing().entrySet()) {
+      out.i64(broken.getKey());
+      out.u16(broken.getValue().size());
+      broken.getValue().forEach(id -> out.u16(first.indexOf(id)));
+    }
+    return Value.of(Arrays.copyOf(buffer, out.length()));
+  }
+
+  /** Throws {@link WireFormatException} on what {@link #toValue} cannot have written. */
+  Outcomes read(Value value) {
+    WireReader in = new WireReader(value.bytes());
+    SortedMap<Long, SortedSet<ProcessId>> missing = new TreeMap<>();
+    int count = in.u16();
+    for (int i = 0; i < count; i++) {
+      long generation = generation(in);
+      SortedSet<ProcessId> ids = new TreeSet<>();
+      int absent = in.u16();
+      for (int j = 0; j < absent; j++) {
+        ids.add(member(in.u16()));
+      }
+      if (ids.isEmpty() || missing.put(generation, ids) != null) {
+        throw new WireFormatException("broken generation " + generation);
+      }
+    }
+    if (in.remaining() > 0) {
+      throw new WireFormatException(in.remaining() + " bytes after outcomes");
+    }
+    return new Outcomes(missing);
+  }
+
+  private ProcessId member(int place) {
+    if (place >= first.size()) {
+      throw new WireFormatException("member " + place + " of " + first.size());
+    }
+    return first.get(place);
+  }
+
+  private static long generation(WireReader in) {
+    long generation = in.i64();
+    if (generation < 1) {
+      throw new WireFormatException("generation " + generation);
+    }
+    return generation;
+  }
+}

@@ -1,0 +1,32 @@
+package org.starl.primitives.barrier;
+
+/**
+ * The names under which barriers appear in a trace. A monitor decides everything from these: ids as
+ * {@link org.starl.ProcessId#parse} reads them.
+ */
+final class BarrierTrace {
+
+  static final String PRIMITIVE = "barrier";
+
+  /** The Synod's own channel. */
+  static final String SYNOD = "barrier.synod";
+
+  /** Action with the robot's id, then those of the members of generation 1. */
+  static final String BARRIER = "Barrier";
+
+  /** Action with a generation and the id that arrives in it. */
+  static final String ARRIVE = "arrive";
+
+  /**
+   * Variable: {@code null}; or generation and {@code passed}, {@code failed} with who is missing,
+   * {@code excluded} or {@code unknown}.
+   */
+  static final String OUTCOME = "outcome";
+
+  private BarrierTrace() {}
+
+  /** Whether {@code source} is a barrier, as in {@code barrier/convoy}. */
+  static boolean isBarrier(String source) {
+    return source.startsWith(PRIMITIVE + "/");
+  }
+}

@@ -1,0 +1,173 @@
+package org.starl.primitives.barrier;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.spec.Circumstances;
+import org.starl.spec.Monitor.Report;
+import org.starl.trace.TraceEvent.Variable;
+
+/** What {@link BarrierSpec} knows of one barrier. */
+final class Generations {
+
+  private static final String PASSED = "passed";
+  private static final String FAILED = "failed";
+  private static final String EXCLUDED = "excluded";
+
+  private final String source;
+  private final Circumstances circumstances;
+  private final SortedSet<ProcessId> first = new TreeSet<>();
+  private final Set<RobotId> seen = new TreeSet<>();
+
+  // Of each robot whose program is there, who it is, and where it waits.
+  private final Map<RobotId, ProcessId> ids = new TreeMap<>();
+  private final Map<RobotId, Long> waiting = new TreeMap<>();
+
+  private final Map<Long, Set<ProcessId>> arrived = new TreeMap<>();
+  private final Map<Long, First> outcomes = new TreeMap<>();
+  private final Map<Long, Set<ProcessId>> excluded = new TreeMap<>();
+  private Outcomes missing = Outcomes.ALL_PASSED;
+
+  /** Who was first told the outcome of a generation, and which: passed, or failed and for whom. */
+  private record First(RobotId robot, String outcome) {}
+
+  Generations(String source, Circumstances circumstances) {
+    this.source = source;
+    this.circumstances = circumstances;
+  }
+
+  void made(ProcessId id, List<ProcessId> members) {
+    seen.add(id.robot());
+    ids.put(id.robot(), id);
+    first.addAll(members);
+  }
+
+  void arrived(long generation, ProcessId id) {
+    arrived.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
+    boolean isOut = excluded.values().stream().anyMatch(out -> out.contains(id));
+    if (first.contains(id) && !isOut) {
+      waiting.put(id.robot(), generation);
+    }
+  }
+
+  void crashed(RobotId robot) {
+    ids.remove(robot);
+    waiting.remove(robot);
+  }
+
+  void told(Variable variable, Report report) {
+    String value = variable.value();
+    int colon = value.indexOf(':');
+    if (colon < 0) {
+      return;
+    }
+    waiting.remove(variable.robot());
+    long generation = Long.parseLong(value.substring(0, colon));
+    String outcome = value.substring(colon + 1);
+    if (outcome.equals(PASSED)) {
+      passed(generation, variable, report);
+    }
+    if (outcome.equals(PASSED) || outcome.startsWith(FAILED)) {
+      decided(generation, outcome, variable, report);
+    } else if (outcome.equals(EXCLUDED) && generation > 0) {
+      ProcessId id = ids.get(variable.robot());
+      if (id != null) {
+        excluded.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
+        uniform(generation, variable, report);
+      }
+    }
+  }
+
+  private void passed(long generation, Variable variable, Report report) {
+    report.checked(BarrierSpec.NO_EARLY);
+    SortedSet<ProcessId> late = missing.members(first, generation);
+    late.removeAll(arrived.getOrDefault(generation, Set.of()));
+    if (!late.isEmpty()) {
+      report.violated(
+          BarrierSpec.NO_EARLY,
+          variable.timeNs(),
+          List.of(variable.robot()),
+          source + ": passed in " + generation + " without " + late);
+    }
+  }
+
+  private void decided(long generation, String outcome, Variable variable, Report report) {
+    if (outcomes.putIfAbsent(generation, new First(variable.robot(), outcome)) == null
+        && outcome.startsWith(FAILED)) {
+      missing = missing.withBroken(generation, missing(outcome));
+    }
+    First told = outcomes.get(generation);
+    if (told != null && !told.outcome().equals(outcome)) {
+      report.checked(BarrierSpec.UNIFORM);
+      report.violated(
+          BarrierSpec.UNIFORM,
+          variable.timeNs(),
+          List.of(told.robot(), variable.robot()),
+          source + ", generation " + generation + ": " + told.outcome() + " and " + outcome);
+    } else {
+      uniform(generation, variable, report);
+    }
+  }
+
+  /** Who is told that it was left out was left out, as far as the outcome is known. */
+  private void uniform(long generation, Variable variable, Report report) {
+    report.checked(BarrierSpec.UNIFORM);
+    First told = outcomes.get(generation);
+    Set<ProcessId> out = excluded.getOrDefault(generation, Set.of());
+    boolean holds =
+        told == null
+            || out.isEmpty()
+            || (missing.isBroken(generation) && missing.missing(generation).containsAll(out));
+    if (!holds) {
+      report.violated(
+          BarrierSpec.UNIFORM,
+          variable.timeNs(),
+          List.of(told.robot(), variable.robot()),
+          source + ", generation " + generation + ": " + told.outcome() + ", excluded " + out);
+    }
+  }
+
+  private static SortedSet<ProcessId> missing(String failed) {
+    SortedSet<ProcessId> ids = new TreeSet<>();
+    String list = failed.substring(FAILED.length() + 1, failed.length() - 1);
+    for (String id : list.split(", ", -1)) {
+      ids.add(ProcessId.parse(id));
+    }
+    return ids;
+  }
+
+  /** Every robot that was ever seen, in order. */
+  Set<RobotId> robots() {
+    return seen;
+  }
+
+  boolean isUp(RobotId robot) {
+    return ids.containsKey(robot) && circumstances.isUp(robot);
+  }
+
+  boolean isWaiting(RobotId robot) {
+    return isUp(robot) && waiting.containsKey(robot);
+  }
+
+  /** Whether all members of the generation in which {@code robot} waits have arrived or are dead. */
+  boolean isNobodyToCome(RobotId robot) {
+    Long generation = waiting.get(robot);
+    if (generation == null) {
+      return false;
+    }
+    Set<ProcessId> here = arrived.getOrDefault(generation, Set.of());
+    return missing.members(first, generation).stream()
+        .filter(member -> isUp(member.robot()) && member.equals(ids.get(member.robot())))
+        .allMatch(here::contains);
+  }
+
+  boolean hasMajorityUp() {
+    long up = first.stream().filter(member -> isUp(member.robot())).count();
+    return 2 * up > first.size();
+  }
+}

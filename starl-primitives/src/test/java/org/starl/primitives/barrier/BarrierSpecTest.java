@@ -1,0 +1,180 @@
+package org.starl.primitives.barrier;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+
+class BarrierSpecTest {
+
+  private static final String SOURCE = "barrier/x";
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final RobotId C = new RobotId("c");
+
+  private final Monitors monitors = new Monitors(List.of(new BarrierSpec(100, 300)));
+  private long nowNs;
+
+  BarrierSpecTest() {
+    for (RobotId robot : List.of(A, B, C)) {
+      act(robot, "Barrier", robot + "#1", "a#1", "b#1", "c#1");
+    }
+  }
+
+  @Test
+  void allArriveAndAllAreToldThatTheyPassed() {
+    allArrive(1);
+    allTold("1:passed", 20);
+    assertThat(monitors.report().holds()).as("%s", monitors.report()).isTrue();
+    assertThat(monitors.report().checks(BarrierSpec.NO_EARLY)).isEqualTo(3);
+    assertThat(monitors.report().checks(BarrierSpec.NOT_HUNG)).isEqualTo(3);
+  }
+
+  @Test
+  void toPassBeforeAMemberHasArrivedViolatesNoEarly() {
+    arrive(A, 1);
+    arrive(B, 1);
+    told(A, "1:passed", 20);
+    assertThat(monitors.report().violations(BarrierSpec.NO_EARLY)).isEqualTo(1);
+  }
+
+  @Test
+  void anArrivalInAnotherGenerationIsNone() {
+    allArrive(1);
+    allTold("1:passed", 20);
+    arrive(A, 2);
+    told(A, "2:passed", 30);
+    assertThat(monitors.report().violations(BarrierSpec.NO_EARLY)).isEqualTo(1);
+  }
+
+  @Test
+  void whoWasLeftOutIsNotWaitedFor() {
+    arrive(A, 1);
+    arrive(B, 1);
+    told(A, "1:failed[c#1]", 20);
+    told(B, "1:failed[c#1]", 20);
+    arrive(A, 2);
+    arrive(B, 2);
+    told(A, "2:passed", 30);
+    arrive(C, 1);
+    told(C, "1:excluded", 40);
+    assertThat(monitors.report().holds()).as("%s", monitors.report()).isTrue();
+  }
+
+  @Test
+  void passedForOneAndFailedForAnotherViolatesUniform() {
+    allArrive(1);
+    told(A, "1:passed", 20);
+    told(B, "1:failed[c#1]", 20);
+    assertThat(monitors.report().violations(BarrierSpec.UNIFORM)).isEqualTo(1);
+  }
+
+  @Test
+  void failedForDifferentOnesViolatesUniform() {
+    arrive(A, 1);
+    arrive(B, 1);
+    told(A, "1:failed[c#1]", 20);
+    told(B, "1:failed[a#1, c#1]", 20);
+    assertThat(monitors.report().violations(BarrierSpec.UNIFORM)).isEqualTo(1);
+  }
+
+  @Test
+  void excludedWhereOthersPassedViolatesUniformWhoeverIsToldFirst() {
+    allArrive(1);
+    told(A, "1:passed", 20);
+    told(B, "1:excluded", 20);
+    allArrive(2);
+    told(C, "2:excluded", 30);
+    told(A, "2:passed", 30);
+    assertThat(monitors.report().violations(BarrierSpec.UNIFORM)).isEqualTo(2);
+  }
+
+  @Test
+  void unknownEndsTheWaitAndSaysNothing() {
+    arrive(A, 1);
+    told(A, "1:unknown", 50);
+    monitors.finish(1_000);
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  @Test
+  void whoWaitsThoughNobodyIsToComeIsHung() {
+    allArrive(1);
+    told(A, "1:passed", 20);
+    monitors.finish(101);
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(2);
+  }
+
+  @Test
+  void whoWaitsForOneThatLivesIsNotHungUntilTheDeadlines() {
+    arrive(A, 1);
+    see(new Variable(300, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+    monitors.finish(301);
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(1);
+  }
+
+  @Test
+  void theCrashOfTheLastToComeBeginsTheBound() {
+    arrive(A, 1);
+    arrive(B, 1);
+    fault(C, Fault.CRASH, 150);
+    see(new Variable(250, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+    monitors.finish(251);
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(2);
+  }
+
+  @Test
+  void duringAFaultAndWithoutAMajorityOnlyTheDeadlinesCount() {
+    allArrive(1);
+    fault(Fault.WORLD, Fault.BEGIN, 50);
+    fault(Fault.WORLD, Fault.END, 160);
+    fault(B, Fault.CRASH, 170);
+    fault(C, Fault.CRASH, 170);
+    see(new Variable(300, A, "app", "loc", "x"));
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
+    monitors.finish(301);
+    assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isEqualTo(1);
+  }
+
+  private void allArrive(long generation) {
+    for (RobotId robot : List.of(A, B, C)) {
+      arrive(robot, generation);
+    }
+  }
+
+  private void allTold(String outcome, long atNs) {
+    for (RobotId robot : List.of(A, B, C)) {
+      told(robot, outcome, atNs);
+    }
+  }
+
+  private void arrive(RobotId robot, long generation) {
+    act(robot, "arrive", String.valueOf(generation), robot + "#1");
+  }
+
+  private void act(RobotId robot, String name, String... args) {
+    see(new Action(nowNs, robot, SOURCE, name, List.of(args)));
+  }
+
+  private void told(RobotId robot, String outcome, long atNs) {
+    nowNs = atNs;
+    see(new Variable(nowNs, robot, SOURCE, "outcome", outcome));
+  }
+
+  private void fault(RobotId robot, String name, long atNs) {
+    nowNs = atNs;
+    see(new Fault(nowNs, robot, name, ""));
+  }
+
+  private void see(TraceEvent event) {
+    monitors.observe(event);
+  }
+}

@@ -1,0 +1,125 @@
+package org.starl.primitives.barrier;
+
+import java.util.SortedSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.lives.LiveRobot;
+import org.starl.random.Rng;
+
+/** One robot of a {@link Gathering}. */
+final class Member extends LiveRobot {
+
+  private final Gathering gathering;
+
+  Member(Gathering gathering, RobotId name) {
+    super(gathering.world, Gathering.SOURCE, name);
+    this.gathering = gathering;
+  }
+
+  BarrierProtocol protocol() {
+    return ((Stay) running()).protocol;
+  }
+
+  BarrierOutcome outcome() {
+    return protocol().outcome();
+  }
+
+  void arrive() {
+    Stay stay = (Stay) running();
+    stay.call(stay::arrive);
+  }
+
+  /** Whether it is up and, as far as it knows, still a member. */
+  boolean isIn() {
+    return isUp()
+        && gathering.first().contains(protocol().me())
+        && !(outcome() instanceof BarrierOutcome.Excluded);
+  }
+
+  @Override
+  protected Program program(ProcessId me, byte @Nullable [] record) {
+    return new Stay(me, record);
+  }
+
+  /** Makes a robot's protocol; mutants make another one. */
+  interface Maker {
+    BarrierProtocol make(
+        ProcessId me,
+        SortedSet<ProcessId> first,
+        BarrierSettings settings,
+        Rng rng,
+        byte @Nullable [] record,
+        BarrierPort port,
+        long nowNs);
+  }
+
+  private final class Stay extends Program implements BarrierPort {
+    private final BarrierProtocol protocol;
+    private final BarrierCodec codec = new BarrierCodec(gathering.first());
+    private final SynodCodec synodCodec = new SynodCodec(codec);
+
+    Stay(ProcessId me, byte @Nullable [] record) {
+      show("outcome", BarrierOutcome.NONE_YET);
+      protocol =
+          gathering.maker.make(
+              me,
+              gathering.first(),
+              gathering.settings,
+              gathering.world.rng.fork(me.toString()),
+              record,
+              this,
+              gathering.world.nowNs());
+      Object[] ids = new Object[gathering.first().size() + 1];
+      ids[0] = me;
+      System.arraycopy(gathering.first().toArray(), 0, ids, 1, ids.length - 1);
+      act("Barrier", ids);
+    }
+
+    void arrive() {
+      act("arrive", protocol.generation(), protocol.me());
+      protocol.arrive(gathering.world.nowNs());
+    }
+
+    @Override
+    protected long wakeAtNs() {
+      return protocol.wakeAtNs();
+    }
+
+    @Override
+    protected void timer(long nowNs) {
+      protocol.timer(nowNs);
+    }
+
+    @Override
+    protected void flushed(long version, long nowNs) {
+      protocol.flushed(version, nowNs);
+    }
+
+    @Override
+    protected void settled() {
+      show("outcome", protocol.outcome());
+    }
+
+    @Override
+    public void send(RobotId to, BarrierMessage message) {
+      transmit(
+          to,
+          message,
+          codec,
+          (program, m) -> ((Stay) program).protocol.received(m, gathering.world.nowNs()));
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      RobotId from = name;
+      transmit(
+          to,
+          message,
+          synodCodec,
+          (program, m) -> ((Stay) program).protocol.received(from, m, gathering.world.nowNs()));
+    }
+  }
+}
