@@ -32,7 +32,7 @@ public final class Barrier implements BarrierPrim {
   private final GvhCell<BarrierOutcome> outcome;
   private boolean closed;
 
-  /** Among all robots of the deployment; see the constructor with a list. */
+  /** Among all robots of the deployment; see the other constructors. */
   public Barrier(GlobalVarHolder gvh, String xid) {
     this(gvh, xid, gvh.id.participants());
   }
@@ -42,13 +42,13 @@ public final class Barrier implements BarrierPrim {
    * cannot know where it was.
    *
    * @param members the same on every robot
+   * @throws IllegalStateException if this start of the robot's program has had this instance already
    */
   public Barrier(GlobalVarHolder gvh, String xid, Participants members) {
     this(gvh, xid, members, BarrierSettings.DEFAULT);
   }
 
-  public Barrier(
-      GlobalVarHolder gvh, String xid, Participants members, BarrierSettings settings) {
+  public Barrier(GlobalVarHolder gvh, String xid, Participants members, BarrierSettings settings) {
     this(gvh, xid, new ProcessId(gvh.id.name(), gvh.id.boot()), firstStarts(members), settings);
   }
 
@@ -57,10 +57,10 @@ public final class Barrier implements BarrierPrim {
    * of another view meet in another barrier: after a change of the view, make a new one.
    *
    * @param xid with the view's number at most 31 characters
-   * @throws IllegalStateException if this robot is not registered
+   * @throws IllegalStateException if this robot is not registered, or its program has had the
+   *     barrier of this view already
    */
-  public Barrier(
-      GlobalVarHolder gvh, String xid, Membership membership, BarrierSettings settings) {
+  public Barrier(GlobalVarHolder gvh, String xid, Membership membership, BarrierSettings settings) {
     this(
         gvh,
         xid + "." + registered(membership).number(),
@@ -79,6 +79,7 @@ public final class Barrier implements BarrierPrim {
     BarrierCodec codec = new BarrierCodec(first);
     Channel<BarrierMessage> channel = new Channel<>(BarrierTrace.PRIMITIVE, instance, codec);
     source = channel.name();
+    requireFirst();
     outcome = gvh.variable(source, BarrierTrace.OUTCOME, BarrierOutcome.NONE_YET);
     wire = new SynodWire(gvh, new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(codec)));
     protocol =
@@ -95,6 +96,16 @@ public final class Barrier implements BarrierPrim {
     gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
     endpoint = gvh.comms.open(channel, this::received);
     wire.start(new Client());
+  }
+
+  // A second one would propose under the same id without the memory of the first: that breaks
+  // safety.
+  private void requireFirst() {
+    for (GvhVariable<?> variable : gvh.variables()) {
+      if (variable.source().equals(source)) {
+        throw new IllegalStateException(source + ": this robot has had this instance already");
+      }
+    }
   }
 
   private static SortedSet<ProcessId> firstStarts(Participants members) {

@@ -109,23 +109,22 @@ public final class BarrierSpec implements Monitor {
     if (released == null || told == null) {
       return;
     }
-    barriers.forEach(
-        (source, generations) -> {
-          boolean fair = circumstances.isFair() && generations.hasMajorityUp();
-          for (RobotId robot : generations.robots()) {
-            Seat seat = new Seat(source, robot);
-            if (generations.isWaiting(robot)) {
-              told.owe(seat, nowNs);
-              released.owe(seat, nowNs);
-              released.assume(seat, fair && generations.isNobodyToCome(robot), nowNs);
-            } else {
-              released.settle(seat);
-              if (told.settle(seat) && generations.isUp(robot)) {
-                report.checked(NOT_HUNG);
-              }
-            }
+    barriers.forEach((source, generations) -> {
+      boolean fair = circumstances.isFair() && generations.hasMajorityUp();
+      for (RobotId robot : generations.robots()) {
+        Seat seat = new Seat(source, robot);
+        if (generations.isWaiting(robot)) {
+          told.owe(seat, nowNs);
+          released.owe(seat, nowNs);
+          released.assume(seat, fair && generations.isNobodyToCome(robot), nowNs);
+        } else {
+          released.settle(seat);
+          if (told.settle(seat) && generations.isUp(robot)) {
+            report.checked(NOT_HUNG);
           }
-        });
+        }
+      }
+    });
   }
 
   private void expire(long nowNs, Report report) {
@@ -133,8 +132,7 @@ public final class BarrierSpec implements Monitor {
     expire(told, "waits", nowNs, report);
   }
 
-  private static void expire(
-      @Nullable Within<Seat> debts, String what, long nowNs, Report report) {
+  private static void expire(@Nullable Within<Seat> debts, String what, long nowNs, Report report) {
     if (debts != null) {
       debts.expire(
           nowNs,

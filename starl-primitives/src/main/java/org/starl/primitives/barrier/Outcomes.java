@@ -20,9 +20,8 @@ record Outcomes(SortedMap<Long, SortedSet<ProcessId>> missing) {
 
   Outcomes {
     SortedMap<Long, SortedSet<ProcessId>> copy = new TreeMap<>();
-    missing.forEach(
-        (generation, ids) ->
-            copy.put(generation, Collections.unmodifiableSortedSet(new TreeSet<>(ids))));
+    missing.forEach((generation, ids) ->
+        copy.put(generation, Collections.unmodifiableSortedSet(new TreeSet<>(ids))));
     missing = Collections.unmodifiableSortedMap(copy);
   }
 

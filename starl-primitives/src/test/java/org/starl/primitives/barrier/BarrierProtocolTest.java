@@ -75,8 +75,7 @@ class BarrierProtocolTest {
       gathering.world.robots.get(i).arrive();
     }
     gathering.world.runForMs(2_000 + 100);
-    Failed withoutTheDead =
-        new Failed(1, new TreeSet<>(List.of(gathering.first().last())));
+    Failed withoutTheDead = new Failed(1, new TreeSet<>(List.of(gathering.first().last())));
     for (int i = 0; i < 3; i++) {
       assertThat(gathering.world.robots.get(i).outcome()).isEqualTo(withoutTheDead);
       gathering.world.robots.get(i).arrive();

@@ -1,6 +1,7 @@
 package org.starl.primitives.barrier;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -21,6 +22,7 @@ import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.SimulationFailed;
 import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.Unsynced;
@@ -131,6 +133,22 @@ class BarrierSimTest {
     assertThat(result.isFinished()).as("unfinished: %s", result.unfinished()).isTrue();
     assertThat(result.results().values().stream().distinct()).hasSize(1);
     assertThat(result.results().values().iterator().next().get(1)).isEqualTo("1:passed");
+  }
+
+  @Test
+  void aSecondBarrierOfOneInstanceIsABug() {
+    Simulation simulation =
+        builder(1)
+            .robots(
+                1,
+                gvh -> {
+                  new Barrier(gvh, "works").close();
+                  return new Worker(gvh);
+                })
+            .build();
+    assertThatThrownBy(simulation::run)
+        .isInstanceOf(SimulationFailed.class)
+        .hasStackTraceContaining("barrier/works: this robot has had this instance already");
   }
 
   @Test

@@ -33,8 +33,7 @@ final class Gathering {
     this.settings = settings;
     world =
         new LiveWorld<>(
-            seed,
-            new BarrierSpec(BOUND_MS * NS_PER_MS, 2 * settings.deadlineMs() * NS_PER_MS));
+            seed, new BarrierSpec(BOUND_MS * NS_PER_MS, 2 * settings.deadlineMs() * NS_PER_MS));
     world.add(size, name -> new Member(this, name));
     world.robots.forEach(robot -> first.add(new ProcessId(robot.name, FIRST_INC)));
   }
@@ -73,10 +72,10 @@ final class Gathering {
     life.live(() -> true, 0);
     long goal = members().stream().mapToLong(m -> m.protocol().generation()).max().orElse(0);
     return world.runUntil(
-            () ->
-                members().stream()
-                    .allMatch(m -> m.protocol().generation() > goal + GENERATIONS_AFTERWARDS),
-            4 * BOUND_MS);
+        () ->
+            members().stream()
+                .allMatch(m -> m.protocol().generation() > goal + GENERATIONS_AFTERWARDS),
+        4 * BOUND_MS);
   }
 
   private static void act(Member member) {
