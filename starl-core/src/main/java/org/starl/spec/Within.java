@@ -22,6 +22,7 @@ public final class Within<K> {
   // All bounds are equal and time never runs backwards, so this order is that of the deadlines.
   private final Map<K, Long> sinceNs = new LinkedHashMap<>();
   private final Set<K> suspended = new LinkedHashSet<>();
+  private boolean allSuspended;
 
   /**
    * @param boundNs not negative; what happens exactly this long after it is owed is in time
@@ -64,6 +65,17 @@ public final class Within<K> {
     }
   }
 
+  /**
+   * Says whether what all debts assume holds, those that come later too: that the world behaves
+   * ({@link FaultWatch#isCalm}). While it does not, nothing expires.
+   */
+  public void assumeAll(boolean holds, long nowNs) {
+    if (holds && allSuspended) {
+      sinceNs.replaceAll((key, since) -> nowNs);
+    }
+    allSuspended = !holds;
+  }
+
   /** Whether {@code key} is owed, suspended or not. */
   public boolean isOwed(K key) {
     return sinceNs.containsKey(key) || suspended.contains(key);
@@ -71,11 +83,14 @@ public final class Within<K> {
 
   /** How much is owed and not suspended. */
   public int running() {
-    return sinceNs.size();
+    return allSuspended ? 0 : sinceNs.size();
   }
 
   /** Ends every debt whose bound has passed before {@code nowNs}, and tells of each. */
   public void expire(long nowNs, Expired<? super K> expired) {
+    if (allSuspended) {
+      return;
+    }
     Iterator<Map.Entry<K, Long>> oldestFirst = sinceNs.entrySet().iterator();
     while (oldestFirst.hasNext()) {
       Map.Entry<K, Long> debt = oldestFirst.next();

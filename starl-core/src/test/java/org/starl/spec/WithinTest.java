@@ -84,4 +84,24 @@ class WithinTest {
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("-1");
   }
+
+  @Test
+  void whileTheWorldMisbehavesNothingExpiresAndThenTheWholeBoundIsGiven() {
+    within.owe("a", 0);
+    within.owe("b", 1);
+    within.assume("b", false, 2);
+    within.assumeAll(false, 5);
+    within.owe("c", 6);
+    within.assumeAll(false, 7);
+    expireAt(50);
+    assertThat(within.running()).isZero();
+    within.assumeAll(true, 50);
+    within.assumeAll(true, 55);
+    assertThat(within.running()).isEqualTo(2);
+    expireAt(60);
+    assertThat(expired).isEmpty();
+    expireAt(61);
+    assertThat(expired).containsExactly("a 50..60", "c 50..60");
+    assertThat(within.isOwed("b")).isTrue();
+  }
 }
