@@ -16,6 +16,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
+import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.Impairments;
@@ -80,7 +81,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
       throw new BadInput("two robots of one name among " + ids);
     }
     knownObstacles = plan.obstacles.known();
-    faults = plan.settings.get(Setting.FAULTS);
+    faults = plan.settings.get(Setting.FAULTS).plus(chaos());
   }
 
   SimResult run() {
@@ -113,6 +114,12 @@ final class Engine implements SimControl, Ward, AutoCloseable {
             spec);
     watchers.finished(result);
     return result;
+  }
+
+  private FaultPlan chaos() {
+    Envelope envelope = plan.settings.get(Setting.CHAOS);
+    Rng rng = behaviourRng.fork("chaos");
+    return FaultPlan.chaos(envelope, deployment.size(), plan.settings.chaosEndNs(), rng);
   }
 
   private SimulationFailed failed(String what, RuntimeException cause) {

@@ -9,6 +9,7 @@ import java.util.function.Function;
 import org.starl.RobotId;
 import org.starl.motion.CollisionPolicy;
 import org.starl.motion.MotionParameters;
+import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
@@ -145,6 +146,19 @@ public final class Setting<T> {
           FaultPlan::toString,
           value -> true,
           "faults");
+
+  public static final Setting<Envelope> CHAOS =
+      new Setting<>(
+          "chaos",
+          Envelope.class,
+          Envelope.NONE,
+          "faults drawn by seed: " + Arrays.toString(Envelope.values()),
+          Envelope::parse,
+          Envelope::toString,
+          value -> true,
+          "an envelope of faults");
+  public static final Setting<Duration> CHAOS_FOR =
+      duration("chaosFor", 0, "chaos is over after so long; 0ms: half the run, at most 60s");
 
   // What robots learn of hidden obstacles.
   public static final Setting<Double> CONTACT_MARK =

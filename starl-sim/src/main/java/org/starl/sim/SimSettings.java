@@ -24,6 +24,7 @@ public final class SimSettings {
 
   private static final double IDEAL_RAD_PER_S = 1000;
   private static final double WHEEL_TRACK_MM = 258;
+  private static final long MOST_CHAOS_NS = 60_000_000_000L;
 
   private final Map<Setting<?>, Object> values;
 
@@ -61,6 +62,12 @@ public final class SimSettings {
       text.put(setting.key(), setting.text(get(setting)));
     }
     return text;
+  }
+
+  /** When chaos is over, if there is any. */
+  public long chaosEndNs() {
+    long wantedNs = get(Setting.CHAOS_FOR).toNanos();
+    return wantedNs > 0 ? wantedNs : Math.min(endNs() / 2, MOST_CHAOS_NS);
   }
 
   public int robots() {

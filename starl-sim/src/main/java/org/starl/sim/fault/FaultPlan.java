@@ -28,6 +28,17 @@ public record FaultPlan(List<Fault> faults) {
     return new FaultPlan(faults);
   }
 
+  /**
+   * A plan drawn from an envelope: faults that come and go, alone and together, and have all ended
+   * by {@code untilNs}; of {@link Envelope#MORTAL}, some robots stay dead. What comes after is a
+   * world that behaves, in which progress can be demanded.
+   *
+   * @param robots of the deployment: a majority of so many stays alive
+   */
+  public static FaultPlan chaos(Envelope envelope, int robots, long untilNs, Rng rng) {
+    return Chaos.draw(envelope, robots, untilNs, rng);
+  }
+
   /** These faults, then those of {@code other}. */
   public FaultPlan plus(FaultPlan other) {
     List<Fault> all = new ArrayList<>(faults);

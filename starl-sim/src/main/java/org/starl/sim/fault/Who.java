@@ -9,79 +9,106 @@ import org.starl.sim.input.BadInput;
 
 /**
  * Whom a fault befalls: {@code all}, those who come later included; {@code any}, one that is drawn
- * when the fault begins; or names, {@code bot0+bot1}.
+ * when the fault begins; {@code half} of them, drawn as well; or names, {@code bot0+bot1}.
  *
- * @param isAny whether one is drawn
- * @param named empty for all and any
+ * @param named empty unless robots are named
  */
-public record Who(boolean isAny, List<RobotId> named) {
+public record Who(Choice choice, List<RobotId> named) {
 
-  public static final Who ALL = new Who(false, List.of());
-  public static final Who ANY = new Who(true, List.of());
+  /** How they are chosen. */
+  public enum Choice {
+    ALL,
+    ANY,
+    HALF,
+    NAMED
+  }
 
-  static final String EXPECTED = "a robot's name, names (bot0+bot1), any or all";
+  public static final Who ALL = new Who(Choice.ALL, List.of());
+  public static final Who ANY = new Who(Choice.ANY, List.of());
+  public static final Who HALF = new Who(Choice.HALF, List.of());
+
+  static final String EXPECTED = "a robot's name, names (bot0+bot1), any, half or all";
 
   public Who {
     named = List.copyOf(named);
-    if (isAny && !named.isEmpty()) {
-      throw new IllegalArgumentException("any of " + named + ": expected any of all");
+    if (named.isEmpty() == (choice == Choice.NAMED)) {
+      throw new IllegalArgumentException(choice + " of " + named + ": expected names or none");
     }
   }
 
   public static Who of(RobotId... robots) {
-    return new Who(false, List.of(robots));
+    return new Who(Choice.NAMED, List.of(robots));
   }
 
   /** @throws BadInput if it is none of the above */
   public static Who parse(String text) {
-    String stripped = text.strip();
-    if (stripped.equals("all")) {
-      return ALL;
-    }
-    if (stripped.equals("any")) {
-      return ANY;
-    }
+    return switch (text.strip()) {
+      case "all" -> ALL;
+      case "any" -> ANY;
+      case "half" -> HALF;
+      default -> names(text);
+    };
+  }
+
+  private static Who names(String text) {
     List<RobotId> named = new ArrayList<>();
-    for (String name : stripped.split("\\+", -1)) {
+    for (String name : text.strip().split("\\+", -1)) {
       if (!RobotId.isValid(name.strip())) {
         throw new BadInput(BadInput.quote(text) + ": expected " + EXPECTED);
       }
       named.add(new RobotId(name.strip()));
     }
-    return new Who(false, named);
+    return new Who(Choice.NAMED, named);
   }
 
   public boolean isAll() {
-    return !isAny && named.isEmpty();
+    return choice == Choice.ALL;
   }
 
   /**
-   * The robots that it means now; with {@code any} one of those that are up, if there is one.
+   * The robots that it means now. One of any is one that is up, if there is one; half of an odd
+   * number is rounded down, but is one at least.
    *
    * @throws BadInput if a named robot never was there
    */
   List<RobotId> pick(Ward ward, Rng rng) {
-    if (isAny) {
-      List<RobotId> up = new ArrayList<>(ward.robots());
-      up.removeIf(robot -> !ward.isUp(robot));
-      return up.isEmpty() ? List.of() : List.of(up.get(rng.nextInt(up.size())));
-    }
-    if (named.isEmpty()) {
-      return ward.robots();
-    }
-    for (RobotId robot : named) {
-      if (!ward.isKnown(robot)) {
-        throw new BadInput("no robot is called " + robot + "; there are " + ward.robots());
+    return switch (choice) {
+      case ALL -> ward.robots();
+      case ANY -> {
+        List<RobotId> up = new ArrayList<>(ward.robots());
+        up.removeIf(robot -> !ward.isUp(robot));
+        yield drawn(up, 1, rng);
       }
+      case HALF -> {
+        List<RobotId> there = new ArrayList<>(ward.robots());
+        yield drawn(there, Math.max(1, there.size() / 2), rng);
+      }
+      case NAMED -> {
+        for (RobotId robot : named) {
+          if (!ward.isKnown(robot)) {
+            throw new BadInput("no robot is called " + robot + "; there are " + ward.robots());
+          }
+        }
+        yield named;
+      }
+    };
+  }
+
+  private static List<RobotId> drawn(List<RobotId> from, int most, Rng rng) {
+    List<RobotId> drawn = new ArrayList<>();
+    while (drawn.size() < most && !from.isEmpty()) {
+      drawn.add(from.remove(rng.nextInt(from.size())));
     }
-    return named;
+    return drawn;
   }
 
   @Override
   public String toString() {
-    if (named.isEmpty()) {
-      return isAny ? "any" : "all";
-    }
-    return named.stream().map(RobotId::name).collect(Collectors.joining("+"));
+    return switch (choice) {
+      case ALL -> "all";
+      case ANY -> "any";
+      case HALF -> "half";
+      case NAMED -> named.stream().map(RobotId::name).collect(Collectors.joining("+"));
+    };
   }
 }

@@ -171,6 +171,7 @@ class FaultGrammarTest {
     return Arbitraries.of(
         Who.ALL,
         Who.ANY,
+        Who.HALF,
         Who.of(new RobotId("bot0")),
         Who.of(new RobotId("a-b.c_D9"), new RobotId("bot10")));
   }
@@ -239,10 +240,10 @@ class FaultGrammarTest {
       value = {
         "crash(bot2,att=12s) | 'crash(bot2,att=12s)': no argument is called 'att'; did you mean at?",
         "crush(bot2) | 'crush(bot2)': no fault is called 'crush'; did you mean crash?",
-        "crash | 'crash': expected a robot's name, names (bot0+bot1), any or all, as in"
+        "crash | 'crash': expected a robot's name, names (bot0+bot1), any, half or all, as in"
             + " crash(WHO,restart=5s,lose=unsynced)",
-        "crash(2bot) | 'crash(2bot)': a robot's name, names (bot0+bot1), any or all: '2bot':"
-            + " expected a robot's name, names (bot0+bot1), any or all",
+        "crash(2bot) | 'crash(2bot)': a robot's name, names (bot0+bot1), any, half or all: '2bot':"
+            + " expected a robot's name, names (bot0+bot1), any, half or all",
         "crash(bot2,for=5s) | 'crash(bot2,for=5s)': no argument is called 'for'; expected one of"
             + " lose, at, restart, until",
         "crash(bot2,at=12) | 'crash(bot2,at=12)': at: '12': expected a duration with a unit (ns us"

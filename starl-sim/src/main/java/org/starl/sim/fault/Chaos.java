@@ -1,0 +1,143 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.starl.random.Rng;
+import org.starl.sim.net.Latency;
+import org.starl.sim.world.PositionNoise;
+import org.starl.sim.world.Unsynced;
+
+/**
+ * Draws plans. Each run of a campaign gets some kinds of faults and not others, and each kind as
+ * strong as it happens to be: runs that differ so find more than runs that are all alike (Groce et
+ * al., "Swarm testing", ISSTA 2012). What is drawn is over by the given time.
+ */
+final class Chaos {
+
+  private static final long MS = 1_000_000;
+  private static final double MEAN_GAP_MS = 1500;
+  private static final double MEAN_LASTING_MS = 2000;
+  private static final long LEAST_LASTING_MS = 50;
+  private static final long MOST_DROPOUT_MS = 1000;
+
+  private final Rng rng;
+  private final long untilMs;
+  private final List<Fault> faults = new ArrayList<>();
+
+  private Chaos(Rng rng, long untilMs) {
+    this.rng = rng;
+    this.untilMs = untilMs;
+  }
+
+  static FaultPlan draw(Envelope envelope, int robots, long untilNs, Rng rng) {
+    Chaos chaos = new Chaos(rng, untilNs / MS);
+    List<Function<Chaos, Harm>> kinds = kinds(envelope);
+    if (kinds.isEmpty() || chaos.untilMs <= LEAST_LASTING_MS) {
+      return FaultPlan.NONE;
+    }
+    List<Function<Chaos, Harm>> some = new ArrayList<>(kinds);
+    some.removeIf(kind -> !rng.nextBoolean(0.6));
+    chaos.comeAndGo(some.isEmpty() ? kinds : some);
+    if (envelope == Envelope.MORTAL && rng.nextBoolean(0.7)) {
+      chaos.kill((robots - 1) / 2);
+    }
+    return new FaultPlan(chaos.faults);
+  }
+
+  private void comeAndGo(List<Function<Chaos, Harm>> kinds) {
+    // Some runs are bad throughout, most now and then.
+    if (rng.nextBoolean(0.3)) {
+      add(network().get(rng.nextInt(network().size())).apply(this), 0, untilMs);
+    }
+    long atMs = Math.round(MEAN_GAP_MS / 2 * rng.nextExponential());
+    while (atMs < untilMs - LEAST_LASTING_MS) {
+      long lastingMs = LEAST_LASTING_MS + Math.round(MEAN_LASTING_MS * rng.nextExponential());
+      Harm harm = kinds.get(rng.nextInt(kinds.size())).apply(this);
+      if (harm instanceof RobotHarm.Dropout) {
+        lastingMs = Math.min(lastingMs, MOST_DROPOUT_MS);
+      }
+      add(harm, atMs, Math.min(untilMs, atMs + lastingMs));
+      atMs += 1 + Math.round(MEAN_GAP_MS * rng.nextExponential());
+    }
+  }
+
+  private void kill(int most) {
+    int deaths = most < 1 ? 0 : 1 + rng.nextInt(most);
+    for (int i = 0; i < deaths; i++) {
+      TimeRange at = TimeRange.exactly(MS * rng.nextLong(0, untilMs));
+      faults.add(new Fault(new Crash(Who.ANY, Unsynced.LOST), new Span(at, null, Span.NEVER)));
+    }
+  }
+
+  private void add(Harm harm, long fromMs, long toMs) {
+    faults.add(new Fault(harm, Span.between(fromMs * MS, toMs * MS)));
+  }
+
+  private static List<Function<Chaos, Harm>> kinds(Envelope envelope) {
+    List<Function<Chaos, Harm>> kinds = new ArrayList<>();
+    if (envelope == Envelope.NONE) {
+      return kinds;
+    }
+    kinds.addAll(network());
+    if (envelope == Envelope.LOGICAL || envelope == Envelope.MORTAL) {
+      // Crashes are what these must bear above all: more often than the rest.
+      kinds.add(c -> new Crash(Who.ANY, c.unsynced()));
+      kinds.add(c -> new Crash(c.one(0.5) ? Who.ANY : Who.HALF, c.unsynced()));
+      kinds.add(c -> new RobotHarm.Disk(c.anyOrAll(), c.ms(1, 100)));
+      kinds.add(c -> new RobotHarm.Compute(c.anyOrAll(), c.ms(1, 20)));
+      kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-100_000, 100_000)));
+      kinds.add(c -> new RobotHarm.Skew(Who.ANY, c.ms(-1000, 1000)));
+    }
+    if (envelope == Envelope.SPATIAL) {
+      kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-200, 200)));
+      kinds.add(c ->
+          new RobotHarm.Noise(
+              c.anyOrAll(),
+              new PositionNoise(c.rng.nextLong(1, 20), c.rng.nextLong(0, 20) / 1000.0)));
+      kinds.add(c -> new RobotHarm.Dropout(Who.ANY));
+      kinds.add(c -> new RobotHarm.Slow(Who.ANY, c.percent(50, 100)));
+      kinds.add(c -> new RobotHarm.Stuck(Who.ANY));
+    }
+    return kinds;
+  }
+
+  private static List<Function<Chaos, Harm>> network() {
+    return List.of(
+        c -> new AirHarm.Loss(c.percent(5, 100), c.link()),
+        c -> new AirHarm.Burst(c.ms(200, 2000), c.ms(50, 1000), c.percent(50, 100), c.link()),
+        c -> new AirHarm.Delay(c.latency(), c.link()),
+        c -> new AirHarm.Duplicate(c.percent(5, 80), c.ms(1, 1000), c.link()),
+        c -> new AirHarm.Reorder(c.percent(5, 80), c.ms(1, 500), c.link()),
+        c -> new Cut.Groups(List.of(c.one(0.5) ? Who.ANY : Who.HALF)),
+        c -> new Cut.OneWay(c.one(0.5) ? Who.ANY : Who.HALF, c.one(0.5) ? Who.ALL : Who.HALF));
+  }
+
+  private Latency latency() {
+    return one(0.5) ? new Latency.Uniform(0, ms(1, 800)) : new Latency.Exponential(ms(1, 300));
+  }
+
+  private Link link() {
+    return one(0.6) ? Link.ALL : one(0.5) ? new Link(Who.ANY, Who.ALL) : new Link(Who.ALL, Who.ANY);
+  }
+
+  private Who anyOrAll() {
+    return one(0.5) ? Who.ANY : Who.ALL;
+  }
+
+  private Unsynced unsynced() {
+    return Unsynced.values()[rng.nextInt(Unsynced.values().length)];
+  }
+
+  private double percent(int least, int most) {
+    return rng.nextLong(least, most) / 100.0;
+  }
+
+  private long ms(long least, long most) {
+    return MS * rng.nextLong(least, most);
+  }
+
+  private boolean one(double probability) {
+    return rng.nextBoolean(probability);
+  }
+}

@@ -1,0 +1,134 @@
+package org.starl.sim.fault;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.sim.fault.ProbeRun.S;
+
+import java.io.IOException;
+import java.util.Set;
+import java.util.TreeSet;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import org.junit.jupiter.api.Test;
+import org.starl.random.Rng;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.check.Determinism;
+import org.starl.trace.TraceEvent;
+
+class ChaosTest {
+
+  private static Simulation.Builder probe(long seed, Envelope envelope) {
+    return ProbeRun.simulation(seed)
+        .settings(
+            SimSettings.builder()
+                .set("messageDelay", "10ms")
+                .set("duration", "30s")
+                .set("chaos", envelope.toString())
+                .set("chaosFor", "6s")
+                .build());
+  }
+
+  @Property(tries = 300)
+  void aPlanIsOverInTimeAndCanBeWrittenDown(
+      @ForAll Envelope envelope, @ForAll long seed, @ForAll @IntRange(max = 100) int seconds) {
+    FaultPlan plan = FaultPlan.chaos(envelope, 5, seconds * S, new Rng(seed));
+    assertThat(plan).isEqualTo(FaultPlan.chaos(envelope, 5, seconds * S, new Rng(seed)));
+    assertThat(FaultPlan.parse(plan.toString())).isEqualTo(plan);
+    assertThat(plan.isEmpty()).isEqualTo(envelope == Envelope.NONE || plan.faults().isEmpty());
+    int deaths = 0;
+    for (Fault fault : plan.faults()) {
+      assertThat(fault.span().at().mostNs()).isLessThanOrEqualTo(seconds * S);
+      if (fault.span().isFinite()) {
+        assertThat(fault.span().untilNs()).isLessThanOrEqualTo(seconds * S);
+      } else {
+        assertThat(fault.harm()).isInstanceOf(Crash.class);
+        deaths++;
+      }
+    }
+    assertThat(deaths).isLessThanOrEqualTo(envelope == Envelope.MORTAL ? 2 : 0);
+  }
+
+  @Test
+  void everyEnvelopeDrawsWhatItHasAndNothingElse() {
+    assertThat(kinds(Envelope.NONE)).isEmpty();
+    Set<String> network = kinds(Envelope.NETWORK);
+    assertThat(network)
+        .containsExactlyInAnyOrder("loss", "burst", "delay", "duplicate", "reorder", "partition");
+    Set<String> logical = kinds(Envelope.LOGICAL);
+    assertThat(logical).containsAll(network).contains("crash", "disk", "compute", "drift", "skew");
+    assertThat(logical).hasSize(network.size() + 5);
+    assertThat(kinds(Envelope.MORTAL)).isEqualTo(logical);
+    assertThat(kinds(Envelope.SPATIAL))
+        .containsAll(network)
+        .contains("drift", "noise", "dropout", "slow", "stuck")
+        .hasSize(network.size() + 5);
+  }
+
+  private static Set<String> kinds(Envelope envelope) {
+    Set<String> kinds = new TreeSet<>();
+    for (long seed = 1; seed <= 100; seed++) {
+      FaultPlan plan = FaultPlan.chaos(envelope, 4, 30 * S, new Rng(seed));
+      plan.faults().forEach(fault -> kinds.add(fault.harm().name()));
+    }
+    return kinds;
+  }
+
+  @Test
+  void chaosBitesThenHealsAndEverybodyHearsEverybodyAgain() {
+    for (Envelope envelope :
+        new Envelope[] {Envelope.NETWORK, Envelope.LOGICAL, Envelope.SPATIAL}) {
+      for (long seed = 1; seed <= 10; seed++) {
+        ProbeRun run = ProbeRun.of(probe(seed, envelope));
+        String what = envelope + ", seed " + seed + ": " + run.faults();
+        assertThat(run.faults()).as(what).isNotEmpty();
+        long healedNs = healedNs(run);
+        assertThat(healedNs).as(what).isLessThanOrEqualTo(6 * S);
+        assertThat(run.events)
+            .as(what)
+            .noneMatch(event -> event instanceof TraceEvent.Fault && event.timeNs() > healedNs);
+        // What was held up in the air arrives within 2 s, and then all is as without faults.
+        for (int from = 0; from < 3; from++) {
+          for (int to = 0; to < 3; to++) {
+            int sent = run.of(TraceEvent.Sent.class, from, 8 * S, 9 * S).size();
+            boolean isSomebodyElse = from != to && sent > 0;
+            int heard = run.count(from, to, 8 * S, 9 * S + ProbeRun.MS * 20);
+            assertThat(heard).as(what).isGreaterThanOrEqualTo(isSomebodyElse ? sent : 0);
+          }
+        }
+      }
+    }
+  }
+
+  private static long healedNs(ProbeRun run) {
+    return run.events.stream()
+        .filter(e -> e instanceof TraceEvent.Fault f && f.name().equals(TraceEvent.Fault.HEALED))
+        .mapToLong(TraceEvent::timeNs)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  void theMortalOnesLeaveAMajorityAlive() {
+    int dead = 0;
+    for (long seed = 1; seed <= 20; seed++) {
+      ProbeRun run = ProbeRun.of(probe(seed, Envelope.MORTAL));
+      int down = 0;
+      for (String line : run.faults()) {
+        down += line.endsWith(" crash") ? 1 : line.contains(" restart ") ? -1 : 0;
+      }
+      assertThat(down).as("seed %d: %s", seed, run.faults()).isBetween(0, 1);
+      dead += down;
+    }
+    assertThat(dead).isBetween(5, 20);
+  }
+
+  @Test
+  void chaosDependsOnTheSeedAloneOnBothCarriers() throws IOException {
+    for (long seed = 1; seed <= 3; seed++) {
+      long mine = seed;
+      Determinism check = Determinism.verify(() -> probe(mine, Envelope.LOGICAL));
+      assertThat(check.holds()).as("seed %d: %s", seed, check.difference()).isTrue();
+    }
+  }
+}
