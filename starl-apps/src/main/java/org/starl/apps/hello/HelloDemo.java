@@ -7,6 +7,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.logic.Hello;
 import org.starl.geometry.Obstacles;
+import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.record.Layer;
@@ -42,6 +43,7 @@ public final class HelloDemo implements Demo {
         Simulation.builder()
             .settings(settings)
             .robots(request.robots().orElse(settings.robots()), Hello::new)
+            .monitor(() -> new MotionSpec(settings.motionParameters(0)))
             .observer(story);
     return new Plan(simulation, story, new Farthest(), Obstacles.NONE);
   }

@@ -16,6 +16,8 @@ import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.geometry.Obstacles;
+import org.starl.motion.MotionParameters;
+import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -140,6 +142,8 @@ public final class IntersectionDemo implements Demo {
       paths.put(car.id(), car.trip().zones());
     }
     IntersectionSpec.of(XID, crossing, paths).forEach(simulation::monitor);
+    MotionParameters motion = IntersectionApp.motion(settings.motionParameters(0));
+    simulation.monitor(() -> new MotionSpec(motion));
     return new Plan(simulation, story, new IntersectionLayer(crossing, trips), floor);
   }
 

@@ -9,8 +9,8 @@ import org.starl.spec.Bodies;
 /** Follows a true body between two events, and finds where it comes too near to a region. */
 final class BodyPath {
 
-  /** Rounding: who touches a border to the last bit is not inside. */
-  private static final double ROUNDING_MM = 1e-6;
+  /** Who touches a border is not inside; a recorded trace rounds places to 0.001 mm. */
+  static final double ROUNDING_MM = 0.01;
 
   /** No sliver of a path that is longer lies within a region unseen. */
   private static final double GRAIN_MM = 0.25;

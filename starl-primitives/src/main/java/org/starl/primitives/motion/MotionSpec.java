@@ -32,7 +32,6 @@ public final class MotionSpec implements Monitor {
   static final String ARRIVES = "arrives";
   static final String TOLD = "told";
 
-  private static final double ROUNDING_MM = 1e-6;
   private static final long NS_PER_MS = 1_000_000;
 
   /** How far a sound motion may swerve from the straight line: its arcs begin within 25 degrees. */
@@ -217,11 +216,11 @@ public final class MotionSpec implements Monitor {
     }
     Pose truth = bodies.poseAt(motion.robot, nowNs);
     double nearMm = p.goalRadiusMm() + motion.saidErrorMm;
-    if (!motion.turnsOnly && !(truth.distanceMm(motion.target) <= nearMm + ROUNDING_MM)) {
+    if (!motion.turnsOnly && !(truth.distanceMm(motion.target) <= nearMm + BodyPath.ROUNDING_MM)) {
       String detail = "DONE " + truth.distanceMm(motion.target) + " mm from " + motion.target;
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);
     }
-    if (!(truth.distanceMm(motion.saidAt) <= motion.saidErrorMm + ROUNDING_MM)) {
+    if (!(truth.distanceMm(motion.saidAt) <= motion.saidErrorMm + BodyPath.ROUNDING_MM)) {
       String detail =
           "believes to be within " + motion.saidErrorMm + " mm of " + motion.saidAt + ", is not";
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);

@@ -10,6 +10,7 @@ import org.starl.LogicThread;
 import org.starl.Participants;
 import org.starl.geometry.ItemPosition;
 import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionParameters;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.RList;
@@ -83,8 +84,12 @@ public final class IntersectionApp extends LogicThread {
     gvh.trace.action(SOURCE, "trip", trip.label());
     location = gvh.variable(SOURCE, "location", myseq.isEmpty() ? Location.DONE : Location.S_0);
     tracedSeq = gvh.variable(SOURCE, "myseq", names(myseq));
-    gvh.plat.moat.setParameters(
-        gvh.plat.moat.parameters().toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build());
+    gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters()));
+  }
+
+  /** How cars move whose bodies are like that. */
+  public static MotionParameters motion(MotionParameters body) {
+    return body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build();
   }
 
   @Override
