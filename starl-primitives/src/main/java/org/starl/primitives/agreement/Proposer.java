@@ -21,7 +21,7 @@ import org.starl.random.Rng;
 /**
  * Works for the decision of one number at a time, ballot after ballot, until it is stopped. It
  * repeats its question to each acceptor until that has answered; once a majority cannot come any
- * more, it pauses at random and begins a higher ballot.
+ * more, or one has refused and others are silent, it pauses at random and begins a higher ballot.
  *
  * <p>Pure and clock-driven: {@link #timer} is due at {@link #wakeAtNs}.
  */
@@ -112,6 +112,9 @@ final class Proposer {
     }
     if (phase == Phase.PAUSING) {
       prepare(nowNs);
+    } else if (!refusals.isEmpty()) {
+      // Those who have said nothing may be down: this ballot may wait for them for ever.
+      pause(nowNs);
     } else if (phase != Phase.IDLE) {
       ask();
       resendNs = timing.nextResendNs(resendNs);
@@ -151,10 +154,14 @@ final class Proposer {
     round = Math.max(round, m.promised().round());
     refusals.add(from);
     if (!isMajority(acceptors.size() - refusals.size())) {
-      defeats++;
-      phase = Phase.PAUSING;
-      wakeAtNs = nowNs + timing.backoffNs(defeats, rng);
+      pause(nowNs);
     }
+  }
+
+  private void pause(long nowNs) {
+    defeats++;
+    phase = Phase.PAUSING;
+    wakeAtNs = nowNs + timing.backoffNs(defeats, rng);
   }
 
   private void prepare(long nowNs) {

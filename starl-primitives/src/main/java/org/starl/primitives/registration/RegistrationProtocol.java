@@ -138,7 +138,7 @@ class RegistrationProtocol {
   void unregister(long now) {
     nowNs = now;
     requireMayUnregister();
-    if (phase == Phase.IN) {
+    if (phase != Phase.LEFT_HALFWAY) {
       port.unregisters(me);
     }
     failed = false;
@@ -168,8 +168,9 @@ class RegistrationProtocol {
   /** An id of mine requests nothing any more, and holds nothing. */
   void isIdleForEver(ProcessId id, long now) {
     nowNs = now;
-    wants.isIdle(id);
-    port.givesUp(id);
+    if (wants.isIdle(id)) {
+      port.givesUp(id);
+    }
     if (id.equals(me) && phase == Phase.IN) {
       wasPutOut = true;
       settle(Phase.OUT);
@@ -181,6 +182,9 @@ class RegistrationProtocol {
   void standsIn(SortedSet<String> sections, long now) {
     nowNs = now;
     wants.standsIn(sections);
+    // It may not even know a list: it asks for one, and goes on asking.
+    synod.queryAll();
+    queryAtNs = Math.min(queryAtNs, now + settings.queryMs() * NS_PER_MS);
     changeIfNew();
   }
 
@@ -357,7 +361,8 @@ class RegistrationProtocol {
   private void settle(Phase next) {
     phase = next;
     deadlineNs = Long.MAX_VALUE;
-    queryAtNs = next == Phase.OUT ? Long.MAX_VALUE : nowNs + settings.queryMs() * NS_PER_MS;
+    boolean wantsNews = next != Phase.OUT || wants.hasOwnWord();
+    queryAtNs = wantsNews ? nowNs + settings.queryMs() * NS_PER_MS : Long.MAX_VALUE;
   }
 
   private void isOut() {

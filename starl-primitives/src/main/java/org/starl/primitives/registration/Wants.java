@@ -38,8 +38,9 @@ final class Wants {
     mine.add(id);
   }
 
-  void isIdle(ProcessId id) {
-    idle.add(id);
+  /** {@code id} only waits to be dropped; returns whether that is new. */
+  boolean isIdle(ProcessId id) {
+    return idle.add(id);
   }
 
   /** Whether {@code view} still mentions an id of this start that only waits to be dropped. */
@@ -49,6 +50,11 @@ final class Wants {
 
   void confine(Confinement confinement) {
     confinements.put(confinement.who(), confinement);
+  }
+
+  /** Whether this robot has spoken for its ids of earlier starts. */
+  boolean hasOwnWord() {
+    return ownWord != null;
   }
 
   void standsIn(SortedSet<String> sections) {

@@ -53,6 +53,21 @@ class ProposerTest {
           });
 
   @Test
+  void aRefusalAndSilenceTogetherLeadToAHigherBallotThoughAMajorityMightStillCome() {
+    begin();
+    proposer.promise(A, promise(null), 1);
+    proposer.nack(B, new Nack(1, FIRST, new Ballot(5, RIVAL)), 2);
+    sent.clear();
+    for (long ms = 0; ms < 2_000; ms++) {
+      proposer.timer(ms * NS_PER_MS);
+    }
+    assertThat(questions(Prepare.class))
+        .isNotEmpty()
+        .allSatisfy(
+            question -> assertThat(((Prepare) question.message()).ballot().round()).isEqualTo(6));
+  }
+
+  @Test
   void aMajorityOfPromisesAndThenOfVotesDecides() {
     begin();
     proposer.promise(A, promise(null), 1);

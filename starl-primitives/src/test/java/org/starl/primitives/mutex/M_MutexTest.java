@@ -264,7 +264,7 @@ class M_MutexTest {
   }
 
   @Test
-  void unregisteringWhileHoldingEndsTheRun() {
+  void unregisteringWhileHoldingIsRefusedBeforeAnybodyHearsOfIt() {
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
           Registration reg = new Registration(gvh, XID);
@@ -276,14 +276,89 @@ class M_MutexTest {
                 script.awaits(() -> reg.ts() > 0);
                 mux.do_mutex(List.of("A"));
                 script.awaits(mux::od_mutex);
+                List<Object> told = new ArrayList<>();
+                told.add(messageOf(reg::unregister));
+                script.sleeps(5_000);
+                told.add(reg.mayRequest());
+                mux.release("A");
                 reg.unregister();
-                return List.of();
+                script.awaits(reg::isUnregistered);
+                return told;
               });
         };
-    assertThatThrownBy(() -> run(1, 1, 0, app))
-        .isInstanceOf(SimulationFailed.class)
-        .rootCause()
-        .hasMessageContaining("unregister while holding [A]");
+    assertThat(run(1, 1, 0, app).results().values())
+        .containsExactly(
+            List.of("mutex/crossing: unregister while holding [A]: release it first", true));
+  }
+
+  @Test
+  void unregisteringEndsARequestThatWaitsBeforeAnybodyForgetsIt() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          Registration reg = new Registration(gvh, XID);
+          M_Mutex mux = new M_Mutex(gvh, XID, reg);
+          boolean first = gvh.id.name().equals(new RobotId("bot0"));
+          return new Script(
+              gvh,
+              script -> {
+                reg.do_register();
+                script.awaits(reg::mayRequest);
+                script.sleeps(first ? 0 : 5_000);
+                mux.do_mutex(List.of("A"));
+                script.sleeps(2_000);
+                if (!first) {
+                  reg.unregister();
+                  return List.of(mux.od_mutex(), mux.failure().get());
+                }
+                script.sleeps(20_000);
+                return List.of(mux.od_mutex(), mux.failure().get());
+              });
+        };
+    SimResult result = run(2, 1, 0, app);
+    assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
+    assertThat(result.results().values())
+        .containsExactly(List.of(true, MutexFailure.NONE), List.of(false, MutexFailure.REMOVED));
+  }
+
+  @Test
+  void twoInstancesNeverMeet() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          Registration north = new Registration(gvh, "north");
+          Registration south = new Registration(gvh, "south");
+          M_Mutex mux = new M_Mutex(gvh, "north", north);
+          M_Mutex other = new M_Mutex(gvh, "south", south);
+          boolean first = gvh.id.name().equals(new RobotId("bot0"));
+          return new Script(
+              gvh,
+              script -> {
+                north.do_register();
+                south.do_register();
+                script.awaits(() -> north.mayRequest() && south.mayRequest());
+                (first ? mux : other).do_mutex(List.of("A"));
+                script.awaits(() -> first ? mux.od_mutex() : other.od_mutex());
+                script.sleeps(10_000);
+                return List.of(mux.held().size(), other.held().size());
+              });
+        };
+    assertThat(run(2, 3, 0.2, app).results().values())
+        .containsExactly(List.of(1, 0), List.of(0, 1));
+  }
+
+  @Test
+  void aRegistrationServesOneMutex() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          Registration reg = new Registration(gvh, XID);
+          new M_Mutex(gvh, XID, reg);
+          return new Script(
+              gvh, script -> List.of(messageOf(() -> new M_Mutex(gvh, "other", reg))));
+        };
+    assertThat(run(1, 1, 0, app).results().values())
+        .containsExactly(
+            List.of(
+                "registration/crossing has a mutex already: give each one a registration of its"
+                    + " own"));
   }
 
   private interface Wrong {
@@ -337,6 +412,10 @@ class M_MutexTest {
     @Override
     public List<Object> callStarL() {
       return lines.apply(this);
+    }
+
+    void sleeps(long ms) {
+      sleep(ms);
     }
 
     void awaits(BooleanSupplier condition) {

@@ -1,11 +1,16 @@
 package org.starl.primitives.registration;
 
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
 
 /**
- * A town's life, drawn from its seed: robots come and go, crash and restart, the network is foul and
- * cut; then all heals, and whoever wants in or out must get there.
+ * A town's life, drawn from its seed: robots come and go, crash and restart, take each other for
+ * crashed, rightly or wrongly, the network is foul and cut; then all heals, and whoever wants in or out
+ * must get there, and no list may speak of any other.
  */
 final class Life {
 
@@ -35,6 +40,7 @@ final class Life {
     town.startAll();
     town.robots.values().forEach(this::nextWish);
     town.robots.values().forEach(this::nextCrash);
+    town.robots.values().forEach(this::nextSuspicion);
     nextCut();
     town.runForMs(FOUL_MS);
     heal();
@@ -43,7 +49,21 @@ final class Life {
 
   private boolean getsWell() {
     return town.runUntil(
-        () -> town.robots.values().stream().allMatch(TownRobot::isSatisfied), BOUND_MS);
+        () -> town.robots.values().stream().allMatch(TownRobot::isSatisfied) && isTidy(), BOUND_MS);
+  }
+
+  /** Whether the latest list that anybody knows has nobody but those who want to be in. */
+  private boolean isTidy() {
+    View latest = View.NONE;
+    SortedSet<ProcessId> members = new TreeSet<>();
+    for (TownRobot robot : town.robots.values()) {
+      View view = robot.protocol().view();
+      latest = view.number() > latest.number() ? view : latest;
+      if (robot.wantsIn) {
+        members.add(robot.protocol().me());
+      }
+    }
+    return latest.mentioned().equals(members);
   }
 
   private void heal() {
@@ -61,6 +81,7 @@ final class Life {
 
   private void keepPursuing(TownRobot robot) {
     robot.pursue();
+    robot.tidy();
     town.afterMs(100, () -> keepPursuing(robot));
   }
 
@@ -85,6 +106,17 @@ final class Life {
           if (foul && robot.isUp()) {
             robot.crash();
             town.afterMs(rng.nextLong(0, 3_000), () -> restart(robot));
+          }
+        });
+  }
+
+  private void nextSuspicion(TownRobot robot) {
+    town.afterMs(
+        rng.nextLong(1_000, 15_000),
+        () -> {
+          if (foul) {
+            robot.confine(rng);
+            nextSuspicion(robot);
           }
         });
   }

@@ -13,6 +13,7 @@ import org.starl.ProcessId;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.Value;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.spec.SpecReport;
 
@@ -56,6 +57,37 @@ class RegistrationMutantTest {
                         fewer.remove(fewer.isEmpty() ? me() : fewer.firstKey());
                         View lacking = new View(decided.number(), fewer);
                         return super.proposal(lacking, wanted, wishes);
+                      }
+                    }),
+    FENCER_LEAVES_AT_ONCE(
+        RegistrationSpec.KEEPS,
+        town ->
+            town.maker =
+                (self, acceptors, settings, rng, record, port, now) ->
+                    new RegistrationProtocol(
+                        self, acceptors, settings, rng, record, false, port, now) {
+                      @Override
+                      View proposal(View decided, Change wanted, List<Value> wishes) {
+                        View next = super.proposal(decided, wanted, wishes);
+                        for (Confinement each : wanted.confine()) {
+                          for (ProcessId fencer : each.fencers()) {
+                            next = each.applyTo(next).without(fencer);
+                          }
+                        }
+                        return next;
+                      }
+                    }),
+    GHOST_OF_NOTHING(
+        RegistrationSpec.KEEPS,
+        town ->
+            town.maker =
+                (self, acceptors, settings, rng, record, port, now) ->
+                    new RegistrationProtocol(
+                        self, acceptors, settings, rng, record, false, port, now) {
+                      @Override
+                      View proposal(View decided, Change wanted, List<Value> wishes) {
+                        View next = super.proposal(decided, wanted, wishes);
+                        return new View(next.number(), next.admitted());
                       }
                     }),
     READMIT(

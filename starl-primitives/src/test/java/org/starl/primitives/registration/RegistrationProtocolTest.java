@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
 import org.starl.spec.SpecReport;
@@ -203,6 +205,116 @@ class RegistrationProtocolTest {
   }
 
   @Test
+  void whoIsConfinedIsOutAndItsGhostGoesByItsOwnWord() {
+    Town town = fourUp();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(3_000);
+    ProcessId wronged = town.robot(3).protocol().me();
+    ProcessId fencer = town.robot(0).protocol().me();
+    Confinement confinement =
+        new Confinement(wronged, new TreeSet<>(List.of("A")), new TreeSet<>(List.of(fencer)));
+    town.robot(0).protocol().confine(confinement, town.nowNs());
+    town.runForMs(500);
+    assertThat(town.robot(1).protocol().view().ghost(wronged)).isNotNull();
+    assertThat(town.robot(3).protocol().phase()).isEqualTo(Phase.OUT);
+    assertThat(town.robot(3).protocol().rList().isAgreed()).isFalse();
+    town.robot(3).do_register();
+    town.runForMs(500);
+    assertThat(isIn(town, 3)).isTrue();
+    assertThat(town.robot(1).protocol().view().ghost(wronged)).isNotNull();
+    town.robot(3).tidy();
+    town.runForMs(500);
+    assertThat(town.robot(1).protocol().view().mentions(wronged)).isFalse();
+    assertThat(town.finish().holds()).isTrue();
+  }
+
+  @Test
+  void whoIsConfinedMayUnregisterAndIsOutOnceNoListMentionsIt() {
+    Town town = fourUp();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(3_000);
+    ProcessId fencer = town.robot(0).protocol().me();
+    Confinement confinement =
+        new Confinement(
+            town.robot(3).protocol().me(),
+            new TreeSet<>(List.of("A")),
+            new TreeSet<>(List.of(fencer)));
+    town.robot(0).protocol().confine(confinement, town.nowNs());
+    town.runForMs(500);
+    town.robot(3).unregister();
+    assertThat(town.robot(3).protocol().isUnregistered()).isFalse();
+    town.runForMs(700);
+    assertThat(town.robot(3).protocol().isUnregistered()).isTrue();
+    assertThat(town.robot(1).protocol().view().ghosts()).isEmpty();
+    SpecReport report = town.finish();
+    assertThat(report.holds()).as("%s", report).isTrue();
+  }
+
+  @Test
+  void theNextStartOfACrashedRobotSaysWhereItStands() {
+    Town town = fourUp();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(3_000);
+    ProcessId dead = town.robot(3).protocol().me();
+    town.robot(3).crash();
+    town.robot(3).start();
+    town.robot(3).protocol().standsIn(new TreeSet<>(List.of("A", "B")), town.nowNs());
+    town.runForMs(4_000);
+    View.Ghost ghost = town.robot(0).protocol().view().ghost(dead);
+    assertThat(ghost)
+        .isEqualTo(new View.Ghost(ghost.admittedBy(), new TreeSet<>(List.of("A", "B"))));
+    town.robot(3).protocol().standsIn(new TreeSet<>(List.of("B", "C")), town.nowNs());
+    town.runForMs(1_000);
+    assertThat(town.robot(0).protocol().view().ghost(dead).sections()).containsExactly("B");
+    town.robot(3).tidy();
+    town.runForMs(1_000);
+    assertThat(town.robot(0).protocol().view().mentions(dead)).isFalse();
+    assertThat(town.finish().holds()).isTrue();
+  }
+
+  @Property(tries = 50)
+  void aFewRoadsideAcceptorsServeThoseWhoComeAndGoThoughOneOfThemIsDown(@ForAll long seed) {
+    Town town = new Town(seed, 7, 3, new RegistrationSpec());
+    town.weather = Weather.LOSSY;
+    town.startAll();
+    town.robot((int) Math.floorMod(seed, 3L)).crash();
+    for (int i = 3; i < 7; i++) {
+      town.robot(i).wantsIn = true;
+      town.robot(i).pursue();
+    }
+    assertThat(town.runUntil(() -> satisfied(town, 3, 7), 30_000)).isTrue();
+    View list = town.robot(6).protocol().view();
+    assertThat(list.participants().asList()).doesNotContainAnyElementsOf(town.acceptors);
+    for (int i = 3; i < 7; i++) {
+      town.robot(i).wantsIn = false;
+      town.robot(i).pursue();
+    }
+    assertThat(town.runUntil(() -> satisfied(town, 3, 7), 30_000)).isTrue();
+    assertThat(town.finish().holds()).isTrue();
+  }
+
+  @Test
+  void aMemberThatCrashesDuringAChangeNeitherStopsItNorIsLost() {
+    for (long seed = 0; seed < 50; seed++) {
+      Town town = new Town(seed, 5, 5, new RegistrationSpec());
+      town.startAll();
+      for (int i = 0; i < 3; i++) {
+        town.robot(i).do_register();
+      }
+      town.runForMs(3_000);
+      ProcessId crashed = town.robot(0).protocol().me();
+      town.robot(3).do_register();
+      town.robot(4).do_register();
+      town.robot(1).unregister();
+      town.runForMs(seed);
+      town.robot(0).crash();
+      assertThat(town.runUntil(() -> isIn(town, 3) && isIn(town, 4), 20_000)).isTrue();
+      assertThat(town.robot(3).protocol().view().contains(crashed)).isTrue();
+      assertThat(town.finish().holds()).as("seed %d", seed).isTrue();
+    }
+  }
+
+  @Test
   void callsOutOfOrderAreBugs() {
     Town town = fourUp();
     assertThatThrownBy(() -> town.robot(0).unregister()).isInstanceOf(IllegalStateException.class);
@@ -215,6 +327,15 @@ class RegistrationProtocolTest {
     town.weather = TEN_MS;
     town.startAll();
     return town;
+  }
+
+  private static boolean satisfied(Town town, int from, int to) {
+    for (int i = from; i < to; i++) {
+      if (!town.robot(i).isSatisfied()) {
+        return false;
+      }
+    }
+    return true;
   }
 
   private static boolean isIn(Town town, int index) {

@@ -1,7 +1,9 @@
 package org.starl.primitives.registration;
 
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
@@ -12,6 +14,7 @@ import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationProtocol.Phase;
+import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
 
 /** One robot of a {@link Town}: its disk, which survives, and its program, which may not. */
@@ -58,6 +61,37 @@ final class TownRobot {
 
   void unregister() {
     running().call(() -> protocol().unregister(town.nowNs()));
+  }
+
+  /** Works for the confinement of somebody in its list, as if it had vowed; if it is in itself. */
+  void confine(Rng rng) {
+    Program up = program;
+    if (up == null || up.protocol.phase() != Phase.IN) {
+      return;
+    }
+    List<ProcessId> others = new ArrayList<>(up.protocol.view().mentioned());
+    others.remove(up.protocol.me());
+    if (!others.isEmpty()) {
+      ProcessId whom = others.get(rng.nextInt(others.size()));
+      List<String> sections = new ArrayList<>(List.of("A", "B", "C"));
+      sections.removeIf(each -> rng.nextBoolean(0.5));
+      Confinement confinement =
+          new Confinement(whom, new TreeSet<>(sections), new TreeSet<>(List.of(up.protocol.me())));
+      up.call(() -> up.protocol.confine(confinement, town.nowNs()));
+    }
+  }
+
+  /** Says of its older ids that they are done: those of this start, and those of earlier ones. */
+  void tidy() {
+    Program up = program;
+    if (up != null) {
+      List<ProcessId> mine = new ArrayList<>(up.mine);
+      if (up.protocol.phase() != Phase.OUT) {
+        mine.remove(up.protocol.me());
+      }
+      mine.forEach(id -> up.call(() -> up.protocol.isIdleForEver(id, town.nowNs())));
+      up.call(() -> up.protocol.standsIn(new TreeSet<>(), town.nowNs()));
+    }
   }
 
   boolean isSatisfied() {
@@ -107,6 +141,7 @@ final class TownRobot {
   private final class Program implements RegistrationPort {
     private final int itsBoot;
     private final RegistrationProtocol protocol;
+    private final List<ProcessId> mine = new ArrayList<>();
     private int handedOut;
     private long timerSetForNs = Long.MAX_VALUE;
     private long lastFlushNs;
@@ -233,7 +268,9 @@ final class TownRobot {
       if (town.ballotsCollide && handedOut == 1) {
         return new ProcessId(new RobotId("everybody"), 1);
       }
-      return new ProcessId(name, ((long) itsBoot << 32) + handedOut);
+      ProcessId id = new ProcessId(name, ((long) itsBoot << 32) + handedOut);
+      mine.add(id);
+      return id;
     }
 
     @Override
