@@ -70,6 +70,18 @@ public final class TraceWriter implements TraceSink, Closeable {
     return failure;
   }
 
+  /** Writes what is buffered, so that it is out whatever becomes of this program. */
+  public void flush() {
+    drain();
+    if (failure == null) {
+      try {
+        out.flush();
+      } catch (IOException e) {
+        failure = e;
+      }
+    }
+  }
+
   /** Writes what is buffered, and closes the stream. */
   @Override
   public void close() throws IOException {

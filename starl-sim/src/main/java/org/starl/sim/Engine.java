@@ -32,7 +32,6 @@ import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
-import org.starl.trace.TraceHeader;
 
 /** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
 final class Engine implements SimControl, Ward, AutoCloseable {
@@ -63,8 +62,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   Engine(Simulation.Builder plan) {
     this.plan = plan;
     scenarioRng = new Rng(plan.seed);
-    behaviourSeed =
-        plan.behaviourSeed != null ? plan.behaviourSeed : scenarioRng.fork("behaviour").nextLong();
+    behaviourSeed = plan.behaviourSeedOrDerived();
     behaviourRng = new Rng(behaviourSeed);
     kernel = new Kernel(plan.carriers);
     watchers = new Watchers(plan);
@@ -74,18 +72,13 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     for (int i = plan.linkRules.size() - 1; i >= 0; i--) {
       network.install(plan.linkRules.get(i));
     }
-    List<RobotId> ids = new ArrayList<>();
-    plan.robots.forEach(robot -> ids.add(robot.id()));
-    deployment = Participants.of(ids);
-    if (deployment.size() != ids.size()) {
-      throw new BadInput("two robots of one name among " + ids);
-    }
+    deployment = plan.deployment();
     knownObstacles = plan.obstacles.known();
     faults = plan.settings.get(Setting.FAULTS).plus(chaos());
   }
 
   SimResult run() {
-    watchers.started(header());
+    watchers.started(plan.header());
     try {
       plan.robots.forEach(this::join);
       faults.install(this, behaviourRng.fork("faults"));
@@ -125,13 +118,6 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   private SimulationFailed failed(String what, RuntimeException cause) {
     return new SimulationFailed(
         plan.name + ", seed " + plan.seed + ": " + what + watchers.firstViolation(), cause);
-  }
-
-  private TraceHeader header() {
-    Map<String, String> all = new LinkedHashMap<>(plan.parameters());
-    all.putAll(plan.settings.asText());
-    return new TraceHeader(
-        Version.STARL, plan.name, plan.seed, behaviourSeed, all, deployment.asList());
   }
 
   private List<RobotId> unfinished() {

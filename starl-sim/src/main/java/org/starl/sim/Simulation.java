@@ -2,7 +2,9 @@ package org.starl.sim;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -10,6 +12,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -22,6 +25,7 @@ import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.world.WaypointFiles;
 import org.starl.spec.Monitor;
+import org.starl.trace.TraceHeader;
 
 /**
  * A simulation: robots, a world, and a seed that decides everything. Built once, run once.
@@ -43,6 +47,18 @@ public final class Simulation {
 
   public static Builder builder() {
     return new Builder();
+  }
+
+  /** What it consists of; not what the rules for its datagrams are. */
+  public Blueprint blueprint() {
+    return new Blueprint(
+        plan.header(),
+        plan.settings,
+        plan.obstacles,
+        plan.robots,
+        plan.director,
+        plan.monitors,
+        plan.observers);
   }
 
   /**
@@ -196,8 +212,27 @@ public final class Simulation {
       return new Simulation(this);
     }
 
-    SortedMap<String, String> parameters() {
-      return parameters;
+    /** The seed of everything but the scenario. */
+    long behaviourSeedOrDerived() {
+      return behaviourSeed != null ? behaviourSeed : new Rng(seed).fork("behaviour").nextLong();
+    }
+
+    /** The robots of the start; two of one name would be taken for one. */
+    Participants deployment() {
+      List<RobotId> ids = new ArrayList<>();
+      robots.forEach(robot -> ids.add(robot.id()));
+      Participants deployment = Participants.of(ids);
+      if (deployment.size() != ids.size()) {
+        throw new BadInput("two robots of one name among " + ids);
+      }
+      return deployment;
+    }
+
+    TraceHeader header() {
+      Map<String, String> all = new LinkedHashMap<>(parameters);
+      all.putAll(settings.asText());
+      return new TraceHeader(
+          Version.STARL, name, seed, behaviourSeedOrDerived(), all, deployment().asList());
     }
   }
 }

@@ -6,7 +6,7 @@
  * <p>What the network and the disk do wrong is counted or told, never thrown through an app.
  *
  * <p>May import: the JDK as far as Android API 26 has it, {@code org.starl} ids, {@code
- * org.starl.platform}.
+ * org.starl.platform}, {@code org.starl.random}.
  */
 @NullMarked
 package org.starl.deploy.udp;

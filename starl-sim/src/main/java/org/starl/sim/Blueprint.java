@@ -1,0 +1,35 @@
+package org.starl.sim;
+
+import java.util.List;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Obstacles;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceHeader;
+
+/**
+ * What a {@link Simulation} consists of, for those who bring its robots up otherwise: as processes,
+ * in real time.
+ *
+ * @param header of its trace: name, seeds, settings, robots
+ * @param obstacles of the world, hidden ones included
+ * @param robots of the start
+ * @param director null for none
+ * @param monitors makers of the specifications to check
+ * @param observers in their order
+ */
+public record Blueprint(
+    TraceHeader header,
+    SimSettings settings,
+    Obstacles obstacles,
+    List<RobotSpec> robots,
+    @Nullable Director director,
+    List<Supplier<? extends Monitor>> monitors,
+    List<SimObserver> observers) {
+
+  public Blueprint {
+    robots = List.copyOf(robots);
+    monitors = List.copyOf(monitors);
+    observers = List.copyOf(observers);
+  }
+}
