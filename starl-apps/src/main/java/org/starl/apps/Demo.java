@@ -2,6 +2,7 @@ package org.starl.apps;
 
 import java.util.List;
 import org.starl.sim.SimSettings;
+import org.starl.sim.fault.Envelope;
 
 /** An app with its scenarios, as the command line knows it. */
 public interface Demo {
@@ -19,6 +20,11 @@ public interface Demo {
 
   /** What {@code --set} may change besides the simulator's settings. */
   List<Parameter> parameters();
+
+  /** What chaos draws from: the faults under which the app's specifications hold. */
+  default Envelope envelope() {
+    return Envelope.LOGICAL;
+  }
 
   /** The simulator's settings where the user says nothing else. */
   SimSettings.Builder defaultSettings(Request request);

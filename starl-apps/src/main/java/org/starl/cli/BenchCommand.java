@@ -11,6 +11,7 @@ import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
 import org.starl.sim.input.BadInput;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
@@ -40,8 +41,7 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--seed", paramLabel = "S", description = "1 unless given.")
   private String seed = "1";
 
-  @Option(names = "--json", description = "Print one JSON object a run.")
-  private boolean json;
+  @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -62,7 +62,7 @@ final class BenchCommand implements Callable<Integer> {
             (int) Numbers.whole("--runs", runs, 1, 1000),
             Seeds.of(seed));
     for (Measurement run : taken) {
-      out.println(json ? Json.line(run.asMap()) : line(run));
+      out.println(json.isOn() ? Json.line(run.asMap()) : line(run));
     }
     return ExitStatus.GOOD;
   }

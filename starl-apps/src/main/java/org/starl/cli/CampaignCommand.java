@@ -47,8 +47,7 @@ final class CampaignCommand implements Callable<Integer> {
   @Option(names = "--stop", description = "Stop at the first run that does not go well.")
   private boolean stop;
 
-  @Option(names = "--json", description = "Print the result as one JSON object.")
-  private boolean json;
+  @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -67,7 +66,7 @@ final class CampaignCommand implements Callable<Integer> {
     CampaignResult result =
         campaign.run(seed -> run(chosen, seed, carriers, samples), progress::show);
     progress.end();
-    if (json) {
+    if (json.isOn()) {
       out.println(Json.line(summary(chosen, range, result, samples)));
     } else {
       table(chosen, result, samples).forEach(out::println);

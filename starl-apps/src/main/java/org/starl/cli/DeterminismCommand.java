@@ -11,7 +11,6 @@ import org.starl.sim.check.Determinism;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code starl verify-determinism}. */
@@ -24,11 +23,9 @@ final class DeterminismCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
 
-  @Option(names = "--seed", paramLabel = "S", description = "Drawn and printed unless given.")
-  private @Nullable String seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
-  @Option(names = "--json", description = "Print the result as one JSON object.")
-  private boolean json;
+  @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -36,10 +33,10 @@ final class DeterminismCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     Chosen chosen = options.chosen(Main.demos(spec));
-    long seedNumber = Seeds.of(seed);
+    long seedNumber = seed.value();
     Determinism check = Determinism.verify(() -> chosen.plan(seedNumber).simulation());
     Determinism.Difference difference = check.difference();
-    if (json) {
+    if (json.isOn()) {
       Map<String, Object> result = new LinkedHashMap<>();
       result.put("app", chosen.demo().name());
       result.put("seed", seedNumber);

@@ -13,9 +13,11 @@ import org.starl.apps.Scenario;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
 import org.starl.sim.Setting;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.FaultGrammar;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code starl list}. */
@@ -26,15 +28,23 @@ import picocli.CommandLine.Spec;
     footer = {"", "Example: starl list"})
 final class ListCommand implements Runnable {
 
-  @Option(names = "--json", description = "Print one JSON object a line.")
-  private boolean json;
+  private static final Map<String, String> HEADINGS =
+      Map.of(
+          "setting", "settings, for --set and scenario files:",
+          "fault",
+              "faults, for --fault and 'faults: [..]'; "
+                  + FaultGrammar.TIMES
+                  + "; WHO is a name, names (bot0+bot1), any, half or all:",
+          "envelope", "envelopes, for --set chaos=NAME; --chaos takes the app's own:");
+
+  @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
   /**
    * One thing that the command line knows by name.
    *
-   * @param kind app, scenario, parameter, bench or setting
+   * @param kind app, scenario, parameter, bench, setting, fault or envelope
    * @param of the app that it belongs to, or empty
    * @param defaultValue of a parameter or setting
    */
@@ -44,6 +54,7 @@ final class ListCommand implements Runnable {
       return switch (kind) {
         case "app", "bench" -> kind + " " + name + ": " + what;
         case "scenario" -> "  scenario " + name + ": " + what;
+        case "fault", "envelope" -> "  " + name + "  " + what;
         default -> "  " + name + "=" + defaultValue + "  " + what;
       };
     }
@@ -67,16 +78,17 @@ final class ListCommand implements Runnable {
   public void run() {
     CommandSpec here = Objects.requireNonNull(spec);
     PrintWriter out = here.commandLine().getOut();
-    boolean settingsBegun = false;
+    String kind = "";
     for (Item item : items(Main.demos(here).all())) {
-      if (json) {
+      if (json.isOn()) {
         out.println(Json.line(item.json()));
         continue;
       }
-      if (item.kind().equals("setting") && !settingsBegun) {
-        settingsBegun = true;
-        out.println("settings, for --set and scenario files:");
+      String heading = HEADINGS.get(item.kind());
+      if (heading != null && !item.kind().equals(kind)) {
+        out.println(heading);
       }
+      kind = item.kind();
       out.println(item.line());
     }
   }
@@ -98,6 +110,12 @@ final class ListCommand implements Runnable {
     }
     for (Setting<?> setting : Setting.all()) {
       items.add(new Item("setting", "", setting.key(), setting.defaultText(), setting.meaning()));
+    }
+    for (FaultGrammar.Kind kind : FaultGrammar.kinds()) {
+      items.add(new Item("fault", "", kind.usage(), "", kind.meaning()));
+    }
+    for (Envelope envelope : Envelope.values()) {
+      items.add(new Item("envelope", "", envelope.toString(), "", envelope.meaning()));
     }
     return items;
   }

@@ -29,8 +29,7 @@ final class RecordCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
 
-  @Option(names = "--seed", paramLabel = "S", description = "Drawn and printed unless given.")
-  private @Nullable String seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
   @Option(
       names = "--png",
@@ -52,7 +51,7 @@ final class RecordCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     Moment moment = moment(when);
     Chosen chosen = options.chosen(Main.demos(spec));
-    long seedNumber = Seeds.of(seed);
+    long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     String target = file == null ? defaultFile(chosen.demo().name(), seedNumber) : file;
     SimResult result;

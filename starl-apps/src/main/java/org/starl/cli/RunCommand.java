@@ -30,8 +30,7 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
 
-  @Option(names = "--seed", paramLabel = "S", description = "Drawn and printed unless given.")
-  private @Nullable String seed;
+  @Mixin private SeedOption seed = new SeedOption();
 
   @Option(names = "--trace", paramLabel = "FILE", description = "Write every event to FILE.")
   private @Nullable String trace;
@@ -54,8 +53,7 @@ final class RunCommand implements Callable<Integer> {
       description = "What carries robots that wait: virtual or platform (threads).")
   private @Nullable CarrierKind carrier;
 
-  @Option(names = "--json", description = "Print the result as one JSON object.")
-  private boolean json;
+  @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
@@ -64,7 +62,7 @@ final class RunCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     Chosen chosen = options.chosen(Main.demos(spec));
-    long seedNumber = Seeds.of(seed);
+    long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     String app = chosen.demo().name();
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber) : png;
@@ -77,7 +75,7 @@ final class RunCommand implements Callable<Integer> {
       err.println("replay: " + options.replay("run", seedNumber));
       throw e;
     }
-    if (json) {
+    if (json.isOn()) {
       Map<String, Object> object = Outcome.json(app, result, plan.story().measures());
       object.put("picture", pictureName);
       out.println(Json.line(object));

@@ -14,6 +14,9 @@ import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.Fault;
+import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.NearMatches;
 import org.starl.sim.input.Quantities;
@@ -66,6 +69,21 @@ final class RunOptions {
   private boolean ideal;
 
   @Option(
+      names = "--fault",
+      paramLabel = "FAULT",
+      description =
+          "Something that goes wrong: 'crash(bot2,at=12s,restart=5s)', 'loss(0.9,from=bot1)';"
+              + " 'starl list' names them. May be repeated.")
+  private List<String> faults = new ArrayList<>();
+
+  @Option(
+      names = "--chaos",
+      description =
+          "Faults drawn by seed, of those that the app must bear; they come and go in the first"
+              + " part of the run ('--set chaosFor=60s'), and then all is well.")
+  private boolean chaos;
+
+  @Option(
       names = "--set",
       paramLabel = "KEY=VALUE",
       description = "Any other setting or parameter; 'starl list' names them.")
@@ -87,6 +105,8 @@ final class RunOptions {
     append(line, "--delay", delay);
     append(line, "--gps-noise", gpsNoise);
     line.append(ideal ? " --ideal" : "");
+    faults.forEach(fault -> append(line, "--fault", fault));
+    line.append(chaos ? " --chaos" : "");
     sets.forEach((key, value) -> append(line, "--set", key + "=" + value));
     return line.toString();
   }
@@ -117,9 +137,15 @@ final class RunOptions {
     }
     Map<String, String> settings = new LinkedHashMap<>();
     settings.put(Setting.DURATION.key(), DEFAULT_DURATION);
-    file.values().forEach((key, value) -> set(file.where(key), key, value, parameters, settings));
+    file.values()
+        .forEach((key, value) ->
+            set(file.where(key), key, meant(demo, key, value), parameters, settings));
+    for (String fault : faults) {
+      addFault(fault, settings);
+    }
     for (Flag flag : flags()) {
-      set(flag.option() + ": ", flag.key(), flag.value(), parameters, settings);
+      String value = meant(demo, flag.key(), flag.value());
+      set(flag.option() + ": ", flag.key(), value, parameters, settings);
     }
     String wanted = settings.remove(Setting.ROBOTS.key());
     if (wanted != null) {
@@ -130,6 +156,29 @@ final class RunOptions {
         wanted == null ? OptionalInt.empty() : OptionalInt.of(Integer.parseInt(wanted)),
         parameters,
         settings);
+  }
+
+  /** {@code chaos: true} is what the app must bear. */
+  private static String meant(Demo demo, String key, String value) {
+    if (!key.equals(Setting.CHAOS.key())) {
+      return value;
+    }
+    return switch (value.strip()) {
+      case "true", "yes", "on" -> demo.envelope().toString();
+      case "false", "no", "off" -> Envelope.NONE.toString();
+      default -> value;
+    };
+  }
+
+  /** Besides those of the scenario file. */
+  private static void addFault(String text, Map<String, String> settings) {
+    Fault fault;
+    try {
+      fault = FaultGrammar.parse(text);
+    } catch (BadInput error) {
+      throw Quantities.in("--fault", error);
+    }
+    settings.merge(Setting.FAULTS.key(), fault.toString(), (a, b) -> a + "; " + b);
   }
 
   private record Flag(String option, String key, String value) {}
@@ -143,6 +192,7 @@ final class RunOptions {
     add(flags, "--delay", Setting.MESSAGE_DELAY, delay);
     add(flags, "--gps-noise", Setting.POSITION_NOISE, gpsNoise);
     add(flags, "--ideal", Setting.IDEAL_MOTION, ideal ? "true" : null);
+    add(flags, "--chaos", Setting.CHAOS, chaos ? "true" : null);
     sets.forEach((key, value) -> flags.add(new Flag("--set", key, value)));
     return flags;
   }

@@ -11,7 +11,9 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.input.BadInput;
@@ -25,6 +27,7 @@ import org.starl.sim.input.BadInput;
  * messageLoss: 0.3
  * messageDelay: uniform(10ms,200ms)
  * debris: 2
+ * faults: [crash(bot2,at=12s,restart=5s), loss(0.3,until=60s)]
  * </pre>
  *
  * @param file empty if there is none
@@ -35,6 +38,7 @@ record ScenarioFile(
     String file, String app, Map<String, String> values, Map<String, Integer> lines) {
 
   private static final String APP = "app";
+  private static final String FAULTS = "faults";
 
   private static final String EXPECTED = "expected lines such as 'app: intersection'";
 
@@ -60,13 +64,21 @@ record ScenarioFile(
       while (parser.nextToken() != JsonToken.END_OBJECT) {
         String key = parser.currentName();
         JsonToken value = parser.nextToken();
+        if (value == JsonToken.START_ARRAY && key.equals(FAULTS)) {
+          lines.put(key, parser.currentTokenLocation().getLineNr());
+          String faults = faults(file, parser);
+          if (values.put(key, faults) != null) {
+            throw again(file, parser, key);
+          }
+          continue;
+        }
         if (!value.isScalarValue() || value == JsonToken.VALUE_NULL) {
           throw new BadInput(
               at(file, parser) + key + ": expected one value, such as '" + key + ": 4'");
         }
         lines.put(key, parser.currentTokenLocation().getLineNr());
         if (values.put(key, parser.getText()) != null) {
-          throw new BadInput(at(file, parser) + key + ": expected once, stands there again");
+          throw again(file, parser, key);
         }
       }
       if (parser.nextToken() != null) {
@@ -84,6 +96,22 @@ record ScenarioFile(
       throw new BadInput(file + ": has no 'app:'; " + EXPECTED);
     }
     return new ScenarioFile(file, app, values, lines);
+  }
+
+  /** What a list says, with commas; those inside a fault may have taken it apart. */
+  private static String faults(String file, JsonParser parser) throws IOException {
+    List<String> parts = new ArrayList<>();
+    while (parser.nextToken() != JsonToken.END_ARRAY) {
+      if (!parser.currentToken().isScalarValue()) {
+        throw new BadInput(at(file, parser) + FAULTS + ": expected a list of faults");
+      }
+      parts.add(parser.getText());
+    }
+    return String.join(",", parts);
+  }
+
+  private static BadInput again(String file, JsonParser parser, String key) {
+    return new BadInput(at(file, parser) + key + ": expected once, stands there again");
   }
 
   private static void expect(

@@ -58,6 +58,21 @@ class BadInputTest {
       run intersection --set scenario=legacy --set files=/nowhere | no such file
       run intersection --set scenario=figure7 --robots 3 | robots: 3 | expected 4
       run intersection --set obstacleFile=nowhere.wpt | nowhere.wpt: no such file
+      run hello --fault crush(bot1) | --fault | 'crush' | did you mean crash?
+      run hello --fault crash | --fault | expected a robot's name | as in crash(WHO
+      run hello --fault crash(bot1,at=5) | --fault | at: '5' | expected a duration with a unit
+      run hello --fault crash(bot1,when=5s) | --fault | no argument is called 'when'
+      run hello --fault loss(2) | --fault | '2' | expected a probability from 0 to 1
+      run hello --fault loss(0.1,for=5s,until=9s) | --fault | not by both
+      run hello --fault delay(soon) | --fault | 'soon' | expected a delay
+      run hello --fault partition(area=circle(1)) | --fault | area: 'circle(1)' | expected rect
+      run hello --fault stuck(bot9) | 'stuck(bot9)' | no robot is called bot9 | bot3
+      run hello --fault stuck(bot9,at=1s) | 'stuck(bot9,at=1s)' | no robot is called bot9
+      campaign hello --seeds 1..2 --fault range(far) | --fault | 'far' | expected a distance
+      record hello --fault | --fault
+      verify-determinism hello --fault sight(1) | --fault | one argument too many
+      run hello --set faults=crash(bot1,at=never) | faults='crash(bot1,at=never)' | a duration
+      run hello --set chaos=logica | chaos='logica' | did you mean logical?
       run nowhere.yaml | nowhere.yaml: no such file | expected a scenario file
       campaign intersection | --seeds=A..B
       campaign intersection --seeds 5..1 | '5..1' | expected A..B
@@ -92,6 +107,10 @@ class BadInputTest {
       intersection | :1: | expected lines such as
       app: intersection\\n---\\napp: hello | expected one document
       app: "intersection | is no YAML | expected lines such as
+      app: hello\\nfaults: [loss(0.1), crush(bot1)] | :2: faults='crush(bot1)' | did you mean crash?
+      app: hello\\nfaults: [[loss(0.1)]] | :2: faults: | expected a list of faults
+      app: hello\\nfaults: [sight]\\nfaults: [sight] | :3: faults: | again
+      app: hello\\nchaos: maybe | :2: chaos='maybe' | expected one of none, network
       app: intersection\\nrobots: 13 | robots: 13 | expected 1 to 12 cars
       """;
 

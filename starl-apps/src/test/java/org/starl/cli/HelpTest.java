@@ -96,8 +96,8 @@ class HelpTest {
     Cli plain = Cli.run("list");
     Cli json = Cli.run("list", "--json");
     assertThat(json.status()).isZero();
-    // The plain list has a line of its own before the settings.
-    assertThat(json.out()).hasSize(plain.out().size() - 1);
+    // The plain list has headings: of settings, faults, envelopes.
+    assertThat(json.out()).hasSize(plain.out().size() - 3);
     List<String> names = new ArrayList<>();
     for (String line : json.out()) {
       JsonNode item = new ObjectMapper().readTree(line);
@@ -105,6 +105,7 @@ class HelpTest {
       names.add(item.path("kind").asText() + " " + item.path("name").asText());
     }
     assertThat(names)
-        .contains("app intersection", "scenario figure7", "parameter debris", "setting robots");
+        .contains("app intersection", "scenario figure7", "parameter debris", "setting robots")
+        .contains("fault stuck(WHO)", "envelope logical");
   }
 }

@@ -1,5 +1,7 @@
 package org.starl.spec;
 
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.RobotId;
@@ -15,8 +17,8 @@ import org.starl.trace.TraceEvent.Left;
 public final class Circumstances {
 
   private final Set<RobotId> down = new TreeSet<>();
-  // The faults that do harm, each by whom it befalls and what it is.
-  private final Set<String> underWay = new TreeSet<>();
+  // The faults that do harm, each by whom it befalls and what it is; two may be equal.
+  private final List<String> underWay = new ArrayList<>();
 
   /**
    * Sees the next event.

@@ -7,7 +7,7 @@ import org.starl.trace.TraceEvent;
 /**
  * One executable specification, over one run. It sees every event in order, has no side effect, and
  * needs nothing but the events: it works alike on a live run and on a recorded one. Safety is checked
- * whatever the world does; progress is owed while {@link FaultWatch#isCalm}.
+ * whatever the world does; progress is owed while {@link Circumstances#isFair}.
  */
 public interface Monitor {
 

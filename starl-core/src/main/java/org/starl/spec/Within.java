@@ -67,7 +67,7 @@ public final class Within<K> {
 
   /**
    * Says whether what all debts assume holds, those that come later too: that the world behaves
-   * ({@link FaultWatch#isCalm}). While it does not, nothing expires.
+   * ({@link Circumstances#isFair}). While it does not, nothing expires.
    */
   public void assumeAll(boolean holds, long nowNs) {
     if (holds && allSuspended) {

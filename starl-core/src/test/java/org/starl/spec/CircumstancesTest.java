@@ -50,6 +50,16 @@ class CircumstancesTest {
   }
 
   @Test
+  void equalFaultsEndOneByOne() {
+    sees(Fault.WORLD, Fault.BEGIN, "loss(0.3)");
+    sees(Fault.WORLD, Fault.BEGIN, "loss(0.3)");
+    sees(Fault.WORLD, Fault.END, "loss(0.3)");
+    assertThat(circumstances.isFair()).isFalse();
+    sees(Fault.WORLD, Fault.END, "loss(0.3)");
+    assertThat(circumstances.isFair()).isTrue();
+  }
+
+  @Test
   void healingEndsAllFaultsAndRestartsNobody() {
     sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
     sees(A, Fault.CRASH, "");

@@ -10,6 +10,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.fault.Envelope;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
@@ -29,6 +30,11 @@ public final class HelloDemo implements Demo {
   @Override
   public List<Parameter> parameters() {
     return List.of();
+  }
+
+  @Override
+  public Envelope envelope() {
+    return Envelope.SPATIAL;
   }
 
   @Override

@@ -23,6 +23,7 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.fault.Envelope;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
 
@@ -70,6 +71,11 @@ public final class IntersectionDemo implements Demo {
   @Override
   public List<Parameter> parameters() {
     return List.of(SCENARIO, DEBRIS, FILES);
+  }
+
+  @Override
+  public Envelope envelope() {
+    return Envelope.MOVING;
   }
 
   @Override

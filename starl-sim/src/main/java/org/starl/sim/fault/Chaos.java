@@ -80,17 +80,21 @@ final class Chaos {
       return kinds;
     }
     kinds.addAll(network());
-    if (envelope == Envelope.LOGICAL || envelope == Envelope.MORTAL) {
+    if (envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL) {
       // Crashes are what these must bear above all: more often than the rest.
       kinds.add(c -> new Crash(Who.ANY, c.unsynced()));
       kinds.add(c -> new Crash(c.one(0.5) ? Who.ANY : Who.HALF, c.unsynced()));
       kinds.add(c -> new RobotHarm.Disk(c.anyOrAll(), c.ms(1, 100)));
+    }
+    if (envelope == Envelope.LOGICAL || envelope == Envelope.MORTAL) {
       kinds.add(c -> new RobotHarm.Compute(c.anyOrAll(), c.ms(1, 20)));
       kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-100_000, 100_000)));
       kinds.add(c -> new RobotHarm.Skew(Who.ANY, c.ms(-1000, 1000)));
     }
-    if (envelope == Envelope.SPATIAL) {
+    if (envelope == Envelope.SPATIAL || envelope == Envelope.MOVING) {
       kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-200, 200)));
+    }
+    if (envelope == Envelope.SPATIAL) {
       kinds.add(c ->
           new RobotHarm.Noise(
               c.anyOrAll(),

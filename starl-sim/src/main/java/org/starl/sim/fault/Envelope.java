@@ -25,7 +25,13 @@ public enum Envelope {
    */
   LOGICAL("the network's faults, crashes with restarts, slow storage, wrong clocks"),
 
-  /** That, and a minority of the robots that crashes for good. */
+  /**
+   * The network's faults, every crash with a restart, slow storage, and clocks up to 200 ppm off. For
+   * robots that drive by what they agreed on.
+   */
+  MOVING("the network's faults, crashes with restarts, slow storage, clocks up to 200 ppm off"),
+
+  /** As {@link #LOGICAL}, and a minority of the robots that crashes for good. */
   MORTAL("the logical ones, and a minority that crashes for good"),
 
   /**

@@ -7,7 +7,7 @@ import org.starl.random.Rng;
 
 /**
  * What goes wrong in a run. Its text is its faults with {@code ;} between them, as in the setting
- * {@code faults}.
+ * {@code faults}; commas are read as well, as in a list of a scenario file.
  */
 public record FaultPlan(List<Fault> faults) {
 
@@ -20,9 +20,19 @@ public record FaultPlan(List<Fault> faults) {
   /** @throws org.starl.sim.input.BadInput if one of them is no fault */
   public static FaultPlan parse(String text) {
     List<Fault> faults = new ArrayList<>();
-    for (String part : text.split(";", -1)) {
-      if (!part.isBlank()) {
-        faults.add(FaultGrammar.parse(part));
+    int depth = 0;
+    int begin = 0;
+    for (int i = 0; i <= text.length(); i++) {
+      char c = i == text.length() ? ';' : text.charAt(i);
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      boolean isEnd = i == text.length() || c == ';' || (c == ',' && depth <= 0);
+      if (isEnd) {
+        String part = text.substring(begin, i);
+        if (!part.isBlank()) {
+          faults.add(FaultGrammar.parse(part));
+        }
+        begin = i + 1;
+        depth = 0;
       }
     }
     return new FaultPlan(faults);

@@ -287,6 +287,7 @@ class FaultGrammarTest {
     FaultPlan plan = FaultPlan.parse(" loss(0.3) ; crash(bot0,at=1s);");
     assertThat(plan.faults()).hasSize(2);
     assertThat(plan).hasToString("loss(0.3); crash(bot0,at=1s)");
+    assertThat(FaultPlan.parse("loss(0.3),crash(bot0,at=1s)")).isEqualTo(plan);
     assertThat(FaultPlan.parse("")).isEqualTo(FaultPlan.NONE);
   }
 }

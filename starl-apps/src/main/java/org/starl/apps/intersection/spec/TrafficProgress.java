@@ -4,6 +4,7 @@ import java.util.List;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -13,8 +14,8 @@ import org.starl.trace.TraceEvent.Variable;
 
 /**
  * {@code traffic_progress} (paper, section 3): within a bound every approaching vehicle departs. It is
- * owed from the moment at which a car comes onto the floor until it leaves it, as long as messages
- * get through at all; a parked car owes nothing.
+ * owed from the moment at which a car comes onto the floor until it leaves it, while no fault is
+ * under way; a parked car owes nothing.
  */
 final class TrafficProgress implements Monitor {
 
@@ -30,6 +31,7 @@ final class TrafficProgress implements Monitor {
   private static final long DEBRIS_NS = 30_000_000_000L;
 
   private final Within<RobotId> departures;
+  private final Circumstances circumstances = new Circumstances();
 
   TrafficProgress(int cars) {
     departures = new Within<>(boundNs(cars));
@@ -48,6 +50,9 @@ final class TrafficProgress implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
+    if (circumstances.observe(event)) {
+      departures.assumeAll(circumstances.isFair(), event.timeNs());
+    }
     switch (event) {
       case Joined joined -> departures.owe(joined.robot(), joined.timeNs());
       case Left left -> settle(left.robot(), report);
