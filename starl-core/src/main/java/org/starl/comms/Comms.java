@@ -4,6 +4,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
+import org.starl.platform.DeploymentKey;
 import org.starl.platform.Platform;
 import org.starl.platform.Radio;
 
@@ -12,9 +13,13 @@ import org.starl.platform.Radio;
  *
  * <p>What arrives and is no message for this robot is counted ({@link #dropped}), and logged once a
  * reason; it never throws. Plain messages are not de-duplicated; reliable ones are handled once by
- * each incarnation of the receiver, and acknowledged after their handler ran.
+ * each incarnation of the receiver, and acknowledged after their handler ran. Where the platform has a
+ * key, every datagram is sealed with it, and what is not, or arrives again, is dropped.
  */
 public final class Comms {
+
+  private static final long UNSEALED = 0;
+  private static final long FROM_SELF = -1;
 
   private final Platform platform;
   private final RobotId self;
@@ -28,6 +33,7 @@ public final class Comms {
   private final Endpoints endpoints = new Endpoints();
   private final InboundWindows inbound = new InboundWindows();
   private final Bookkeeping books;
+  private final @Nullable Seal seal;
   private @Nullable ReliableSender reliable;
   private long lastNumber;
 
@@ -48,7 +54,9 @@ public final class Comms {
     this.in = workspace.in;
     this.robots = new RobotNames(platform.deployment());
     this.books = new Bookkeeping(platform);
-    radio.onReceive((buffer, length) -> received(buffer, length, false));
+    DeploymentKey key = platform.key();
+    this.seal = key == null ? null : new Seal(key);
+    radio.onReceive(this::arrived);
   }
 
   /** The robot's logical clock; every datagram carries and witnesses it. */
@@ -121,17 +129,40 @@ public final class Comms {
   }
 
   private void emit(@Nullable RobotId to, byte[] buffer, int length) {
+    if (self.equals(to)) {
+      byte[] datagram = Arrays.copyOf(buffer, length);
+      platform.strand().post(() -> received(datagram, datagram.length, FROM_SELF));
+    } else if (seal == null) {
+      radiate(to, buffer, length);
+    } else {
+      int sealedLength = seal.seal(buffer, length);
+      radiate(to, seal.buffer(), sealedLength);
+    }
+  }
+
+  private void radiate(@Nullable RobotId to, byte[] buffer, int length) {
     if (to == null) {
       radio.broadcast(buffer, length);
-    } else if (to.equals(self)) {
-      byte[] datagram = Arrays.copyOf(buffer, length);
-      platform.strand().post(() -> received(datagram, datagram.length, true));
     } else {
       radio.send(to, buffer, length);
     }
   }
 
-  private void received(byte[] buffer, int length, boolean fromSelf) {
+  private void arrived(byte[] buffer, int length) {
+    if (seal == null) {
+      received(buffer, length, UNSEALED);
+    } else if (seal.isGenuine(buffer, length)) {
+      received(buffer, length - Seal.BYTES, Seal.count(buffer, length));
+    } else {
+      books.countReceived();
+      books.dropped(DropReason.FORGED, null, length + " bytes");
+    }
+  }
+
+  /**
+   * @param count the transmission's under its seal; or {@link #UNSEALED}, or {@link #FROM_SELF}
+   */
+  private void received(byte[] buffer, int length, long count) {
     books.countReceived();
     DropReason malformed = header.parse(buffer, length, in);
     if (malformed != null) {
@@ -143,7 +174,7 @@ public final class Comms {
       books.dropped(DropReason.BAD_NAME, null, "sender");
       return;
     }
-    DropReason refused = refusal(buffer, from, fromSelf);
+    DropReason refused = refusal(buffer, from, count);
     if (refused != null) {
       books.dropped(refused, from, "");
       return;
@@ -156,15 +187,20 @@ public final class Comms {
     }
   }
 
-  private @Nullable DropReason refusal(byte[] buffer, RobotId from, boolean fromSelf) {
-    if (!fromSelf && from.equals(self)) {
+  private @Nullable DropReason refusal(byte[] buffer, RobotId from, long count) {
+    if (count != FROM_SELF && from.equals(self)) {
       return DropReason.OWN;
     }
     boolean isForUs =
         header.addresseeLength == 0
             || ByteNames.equal(
                 writer.senderName(), buffer, header.addresseeAt, header.addresseeLength);
-    return isForUs ? inbound.admit(from, header.boot) : DropReason.NOT_FOR_US;
+    if (!isForUs) {
+      return DropReason.NOT_FOR_US;
+    }
+    DropReason replayed =
+        seal == null || count == FROM_SELF ? null : seal.admit(from, header.boot, count);
+    return replayed != null ? replayed : inbound.admit(from, header.boot);
   }
 
   private void acknowledged(RobotId from) {

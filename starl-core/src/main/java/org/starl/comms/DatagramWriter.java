@@ -3,7 +3,6 @@ package org.starl.comms;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
-import org.starl.platform.Radio;
 
 /**
  * Writes this robot's datagrams (docs/wire-format.md), one after another into a buffer that it may
@@ -48,7 +47,7 @@ final class DatagramWriter {
     int payloadAt = out.length();
     from.channel.codec().write(message, out);
     int length = out.length();
-    if (length > Radio.MAX_BYTES) {
+    if (length > Header.MAX_BYTES) {
       out.shrink();
       throw new IllegalArgumentException(
           "channel "
@@ -56,7 +55,7 @@ final class DatagramWriter {
               + ": a message of "
               + (length - payloadAt)
               + " bytes, at most "
-              + (Radio.MAX_BYTES - payloadAt)
+              + (Header.MAX_BYTES - payloadAt)
               + " fit a datagram");
     }
     return finish();

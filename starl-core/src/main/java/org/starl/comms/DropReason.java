@@ -4,6 +4,10 @@ import java.util.Locale;
 
 /** Why a datagram that arrived came to nothing. */
 public enum DropReason {
+  /** Not sealed with the deployment's key. */
+  FORGED(true),
+  /** Sealed, but arrived before, or so long ago that nobody knows. */
+  REPLAYED(false),
   /** Shorter than it says, or than any datagram is. */
   TRUNCATED(true),
   /** Longer than it says, or than any datagram may be. */

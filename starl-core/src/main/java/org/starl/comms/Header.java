@@ -13,6 +13,9 @@ final class Header {
   static final int MAGIC_1 = 'L';
   static final int VERSION = 1;
 
+  /** A datagram's most, a seal not counted. */
+  static final int MAX_BYTES = Radio.MAX_BYTES - Seal.BYTES;
+
   static final int PLAIN = 1;
   static final int RELIABLE = 2;
   static final int ACK = 3;
@@ -52,7 +55,7 @@ final class Header {
     if (bytes[2] != VERSION) {
       return DropReason.OTHER_VERSION;
     }
-    if (length > Radio.MAX_BYTES) {
+    if (length > MAX_BYTES) {
       return DropReason.OVERLONG;
     }
     if (length < NAMES_AT) {

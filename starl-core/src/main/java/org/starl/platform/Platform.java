@@ -1,5 +1,6 @@
 package org.starl.platform;
 
+import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.geometry.Obstacles;
@@ -13,6 +14,7 @@ import org.starl.motion.MotionParameters;
  * @param deployment all robots that the deployment knows at its start; others may join later
  * @param knownObstacles the map that the robot has at its start; hidden obstacles are not on it
  * @param motionParameters how this robot moves unless its app says otherwise
+ * @param key what this deployment's datagrams are sealed with; null for none
  */
 public record Platform(
     RobotId id,
@@ -29,4 +31,5 @@ public record Platform(
     LogSink log,
     TraceSink trace,
     Obstacles knownObstacles,
-    MotionParameters motionParameters) {}
+    MotionParameters motionParameters,
+    @Nullable DeploymentKey key) {}

@@ -8,8 +8,8 @@ import org.starl.RobotId;
  */
 public interface Radio {
 
-  /** No datagram is longer, in bytes: what fits one Ethernet frame. */
-  int MAX_BYTES = 1400;
+  /** No datagram is longer, in bytes, seal included: what fits one Ethernet frame. */
+  int MAX_BYTES = 1424;
 
   /**
    * Sends the first {@code length} bytes of {@code buffer} to one robot. The buffer is the caller's

@@ -8,7 +8,6 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
-import org.starl.platform.Radio;
 import org.starl.testing.FakePlatform;
 import org.starl.testing.FakeWorld;
 import org.starl.trace.TraceEvent;
@@ -355,7 +354,7 @@ class CommsTest {
             assertThat(event)
                 .isInstanceOfSatisfying(
                     TraceEvent.Sent.class,
-                    sent -> assertThat(sent.bytes()).isEqualTo(Radio.MAX_BYTES)));
+                    sent -> assertThat(sent.bytes()).isEqualTo(Header.MAX_BYTES)));
   }
 
   @Test

@@ -72,7 +72,8 @@ public final class FakePlatform {
         (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
         new FakeTrace(),
         Obstacles.NONE,
-        parameters);
+        parameters,
+        world.key);
   }
 
   /** The bundle of ports. */

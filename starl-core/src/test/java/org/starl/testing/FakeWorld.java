@@ -7,8 +7,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.RobotId;
+import org.starl.platform.DeploymentKey;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -31,6 +33,9 @@ public final class FakeWorld {
   public final List<TraceEvent> trace = new ArrayList<>();
 
   public boolean tracing = true;
+
+  /** What datagrams are sealed with; none unless set before a robot boots. */
+  public @Nullable DeploymentKey key;
 
   /** What the radio does to datagrams; set anew at will. By default each takes 1 ms. */
   public Rule rule = (from, to, datagram) -> new long[] {NS_PER_MS};

@@ -15,6 +15,7 @@ import org.starl.comms.Workspace;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
+import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
@@ -47,6 +48,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   private final Participants deployment;
   private final Obstacles knownObstacles;
   private final Workspace workspace = new Workspace();
+  private final @Nullable DeploymentKey key;
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
   // A robot that left and joins again is another incarnation, and finds what it had stored.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
@@ -75,6 +77,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     deployment = plan.deployment();
     knownObstacles = plan.obstacles.known();
     faults = plan.settings.get(Setting.FAULTS).plus(chaos());
+    key = plan.settings.get(Setting.SEALED) ? drawKey(scenarioRng.fork("key")) : null;
   }
 
   SimResult run() {
@@ -113,6 +116,14 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     Envelope envelope = plan.settings.get(Setting.CHAOS);
     Rng rng = behaviourRng.fork("chaos");
     return FaultPlan.chaos(envelope, deployment.size(), plan.settings.chaosEndNs(), rng);
+  }
+
+  private static DeploymentKey drawKey(Rng rng) {
+    byte[] secret = new byte[DeploymentKey.BYTES];
+    for (int i = 0; i < secret.length; i++) {
+      secret[i] = (byte) rng.nextInt(256);
+    }
+    return new DeploymentKey(secret);
   }
 
   private SimulationFailed failed(String what, RuntimeException cause) {
@@ -359,6 +370,11 @@ final class Engine implements SimControl, Ward, AutoCloseable {
 
   Kernel kernel() {
     return kernel;
+  }
+
+  /** What this run's datagrams are sealed with, or null for none. */
+  @Nullable DeploymentKey key() {
+    return key;
   }
 
   /** All robots', of which one runs at a time. */

@@ -134,6 +134,8 @@ public final class Setting<T> {
           "a delay");
   public static final Setting<Double> MESSAGE_LOSS =
       probability("messageLoss", "probability that a datagram is lost, per recipient");
+  public static final Setting<Boolean> SEALED =
+      yesOrNo("sealed", false, "datagrams are sealed with a key that the run's robots share");
 
   // What goes wrong.
   public static final Setting<FaultPlan> FAULTS =

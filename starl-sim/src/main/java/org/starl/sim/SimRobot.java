@@ -94,7 +94,8 @@ final class SimRobot implements TraceSink {
             engine.watchers().logOf(spec.id()),
             this,
             engine.knownObstacles(),
-            settings.motionParameters(index));
+            settings.motionParameters(index),
+            engine.key());
     runner = new RobotRunner(platform, engine.workspace(), spec.app(), this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
     if (!impairment.equals(Impairment.NONE)) {

@@ -1,0 +1,212 @@
+package org.starl.comms;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.HexFormat;
+import java.util.List;
+import java.util.TreeSet;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.platform.DeploymentKey;
+import org.starl.testing.FakeWorld;
+
+/** Who has not got the key is not heard, and who is heard is heard once. */
+class SealTest {
+
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final Channel<String> TALK =
+      new Channel<>(
+          "talk",
+          "1",
+          new Codec<>() {
+            @Override
+            public void write(String message, WireWriter out) {
+              out.string(message);
+            }
+
+            @Override
+            public String read(WireReader in) {
+              return in.string();
+            }
+          });
+
+  /** What {@code a} sends to {@code b}, as it is in the air. */
+  private final List<byte[]> air = new ArrayList<>();
+
+  private final List<String> heard = new ArrayList<>();
+  private final FakeWorld world = new FakeWorld("a", "b");
+
+  private static DeploymentKey key(int first) {
+    byte[] secret = new byte[DeploymentKey.BYTES];
+    secret[0] = (byte) first;
+    return new DeploymentKey(secret);
+  }
+
+  private Comms boot(RobotId id, int boot, @Nullable DeploymentKey key) {
+    world.key = key;
+    return new Comms(world.boot(id.name()).platform(), boot, new Workspace());
+  }
+
+  private Comms listener(@Nullable DeploymentKey key) {
+    Comms comms = boot(B, 1, key);
+    comms.open(TALK, (from, message) -> heard.add(message));
+    return comms;
+  }
+
+  private Endpoint<String> talker(int boot, @Nullable DeploymentKey key) {
+    return boot(A, boot, key).open(TALK, (from, message) -> {});
+  }
+
+  private void record() {
+    world.rule =
+        (from, to, datagram) -> {
+          if (from.equals(A)) {
+            air.add(datagram.clone());
+          }
+          return new long[] {1};
+        };
+  }
+
+  private void play(byte[] datagram) {
+    world.inject(B, datagram);
+    world.runMs(1);
+  }
+
+  @Test
+  void whoHasTheKeyIsHeard() {
+    Comms b = listener(key(1));
+    Endpoint<String> a = talker(1, key(1));
+
+    a.send(B, "plain");
+    a.broadcast("all");
+    Receipt receipt = a.sendReliably(B, "reliable");
+    world.runMs(10);
+
+    assertThat(heard).containsExactly("plain", "all", "reliable");
+    assertThat(receipt.isDelivered()).isTrue();
+    assertThat(b.dropped(DropReason.FORGED)).isZero();
+  }
+
+  @Test
+  void anotherKeyOrNoneIsForged() {
+    Comms b = listener(key(1));
+    talker(1, key(2)).send(B, "another key");
+    world.runMs(1);
+    talker(2, null).send(B, "no key");
+    world.runMs(1);
+
+    assertThat(heard).isEmpty();
+    assertThat(b.dropped(DropReason.FORGED)).isEqualTo(2);
+  }
+
+  @Test
+  void whatIsSealedIsNothingToARobotWithoutAKey() {
+    Comms b = listener(null);
+    talker(1, key(1)).send(B, "sealed");
+    world.runMs(1);
+
+    assertThat(heard).isEmpty();
+    assertThat(b.dropped(DropReason.OVERLONG)).isEqualTo(1);
+  }
+
+  @Test
+  void aRecordingIsNotHeardAgain() {
+    Comms b = listener(key(1));
+    record();
+    Endpoint<String> a = talker(1, key(1));
+    a.send(B, "once");
+    a.sendReliably(B, "surely");
+    world.runMs(10);
+    List.copyOf(air).forEach(this::play);
+
+    assertThat(heard).containsExactly("once", "surely");
+    assertThat(b.dropped(DropReason.REPLAYED)).isEqualTo(2);
+  }
+
+  @Test
+  void aRepeatedTransmissionIsNoRecording() {
+    listener(key(1));
+    int[] acknowledgements = new int[1];
+    world.rule =
+        (from, to, datagram) -> {
+          boolean isFirstAcknowledgement = from.equals(B) && acknowledgements[0]++ == 0;
+          return isFirstAcknowledgement ? new long[0] : new long[] {1};
+        };
+    Receipt receipt = talker(1, key(1)).sendReliably(B, "surely");
+    world.runMs(1_000);
+
+    assertThat(receipt.isDelivered()).isTrue();
+    assertThat(heard).containsExactly("surely");
+  }
+
+  @Test
+  void recordingsOfADeadIncarnationStayDead() {
+    Comms b = listener(key(1));
+    record();
+    talker(1, key(1)).send(B, "first life");
+    world.runMs(1);
+    talker(2, key(1)).send(B, "second life");
+    world.runMs(1);
+    play(air.get(0));
+
+    assertThat(heard).containsExactly("first life", "second life");
+    assertThat(b.dropped(DropReason.DEAD_SENDER)).isEqualTo(1);
+  }
+
+  @Property(tries = 300)
+  void noChangedByteIsHeard(
+      @ForAll @IntRange(max = 10_000) int at, @ForAll @IntRange(min = 1, max = 255) int change) {
+    air.clear();
+    heard.clear();
+    Comms b = listener(key(1));
+    record();
+    talker(1, key(1)).send(B, "as it was");
+    byte[] changed = air.get(0).clone();
+    changed[at % changed.length] ^= (byte) change;
+    play(changed);
+
+    assertThat(heard).containsOnlyOnce("as it was").hasSize(1);
+    assertThat(b.dropped(DropReason.FORGED)).isEqualTo(1);
+  }
+
+  @Property
+  void aCountIsAdmittedOnceWhateverTheOrder(
+      @ForAll @Size(max = 60) List<@IntRange(min = 1, max = 4_000) Integer> counts) {
+    ReplayWindows windows = new ReplayWindows();
+    TreeSet<Integer> admitted = new TreeSet<>();
+    int highest = 0;
+    for (int count : counts) {
+      boolean isKnowable = count > highest - ReplayWindows.WINDOW;
+      boolean expected = isKnowable && !admitted.contains(count);
+      assertThat(windows.admit(A, 1, count) == null)
+          .as("%d of %s", count, counts)
+          .isEqualTo(expected);
+      if (expected) {
+        admitted.add(count);
+      }
+      highest = Math.max(highest, count);
+    }
+  }
+
+  /** RFC 4231, test case 2, with its key filled up with zeros, which HMAC does itself. */
+  @Test
+  void theTagIsHmacSha256() {
+    byte[] secret = Arrays.copyOf("Jefe".getBytes(StandardCharsets.US_ASCII), 32);
+    byte[] code =
+        new DeploymentKey(secret)
+            .newMac()
+            .doFinal("what do ya want for nothing?".getBytes(StandardCharsets.US_ASCII));
+
+    assertThat(HexFormat.of().formatHex(code))
+        .isEqualTo("5bdcc146bf60754e6a042426089575c75a003f089d2739839dec58b964ec3843");
+  }
+}
