@@ -49,6 +49,7 @@ record Allowance(String rule, String path, String reason) {
             "starl-apps" + MAIN + "cli/Seeds.java",
             "draws a run's seed when none is given; it is printed"),
         hash("starl-core" + MAIN + "comms/InboundWindows.java"),
+        hash("starl-core" + MAIN + "comms/ReplayWindows.java"),
         hash("starl-core" + MAIN + "trace/EventParser.java"),
         hash("starl-primitives" + MAIN + "primitives/geocast/CastRecord.java"),
         hash("starl-primitives" + MAIN + "primitives/geocast/GeocastProtocol.java"),
