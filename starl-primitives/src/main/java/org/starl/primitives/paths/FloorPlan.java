@@ -12,7 +12,7 @@ import org.locationtech.jts.geom.PrecisionModel;
 import org.locationtech.jts.geom.util.GeometryFixer;
 import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
-import org.locationtech.jts.precision.GeometryPrecisionReducer;
+import org.locationtech.jts.operation.overlayng.UnaryUnionNG;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
@@ -50,15 +50,13 @@ final class FloorPlan {
       plan.add(obstacle, bodies, solid);
     }
     // Bodies side by side, as in a grid map, are one before they are widened: that saves most work.
-    solid.add(plan.factory.buildGeometry(bodies).union());
+    solid.add(plan.union(bodies));
     List<Geometry> widened = new ArrayList<>();
     widened.add(plan.widen(solid, task.marginMm()));
     for (Capsule capsule : task.taken()) {
       widened.add(plan.widen(List.of(plan.line(capsule.axis())), marginMm(task, capsule)));
     }
-    Geometry joined =
-        widened.size() == 1 ? widened.get(0) : plan.factory.buildGeometry(widened).union();
-    Geometry whole = GeometryPrecisionReducer.reduce(joined, WHOLE_MM);
+    Geometry whole = plan.union(widened);
     whole.normalize();
     List<int[][]> rings = new ArrayList<>();
     for (int i = 0; i < whole.getNumGeometries(); i++) {
@@ -70,6 +68,11 @@ final class FloorPlan {
       }
     }
     return new FreeSpace(rings, task.bounds(), task.marginMm());
+  }
+
+  /** Joined, with all corners on whole millimetres. */
+  private Geometry union(List<Geometry> parts) {
+    return UnaryUnionNG.union(factory.buildGeometry(parts), WHOLE_MM);
   }
 
   private static double marginMm(PlanTask task, Capsule taken) {

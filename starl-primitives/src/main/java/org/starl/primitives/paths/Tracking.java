@@ -1,0 +1,111 @@
+package org.starl.primitives.paths;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Geometry;
+import org.locationtech.jts.geom.GeometryFactory;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Region;
+import org.starl.geometry.Segment;
+import org.starl.geometry.Union;
+import org.starl.motion.MotionParameters;
+
+/** How wide a tube must be for a robot that follows its line, and how it is kept inside. */
+final class Tracking {
+
+  private static final int QUADRANT_SEGMENTS = 8;
+  private static final double WALL_MM = 20;
+  private static final double ROUNDING_MM = 2;
+  private static final double MS_PER_S = 1e3;
+
+  private Tracking() {}
+
+  /**
+   * The body's radius; the position's error; the distance from a leg's start that counts as there;
+   * how far it strays on the leg; and what it drives from one step to the next. A robot that heads
+   * for the leg's end off by the angle a at most runs inside a logarithmic spiral, which leaves the
+   * straight line of length L by no more than {@code L sin(a) exp(-a / tan(a))}.
+   */
+  static int tubeRadiusMm(MotionParameters p, TubeSettings settings) {
+    double offRad =
+        p.smallTurnAngleRad() + p.turnSpeedMinRadPerS() * p.automatonPeriodMs() / MS_PER_S;
+    double strayMm =
+        settings.maxLegMm()
+            * StrictMath.sin(offRad)
+            * StrictMath.exp(-offRad / StrictMath.tan(offRad));
+    double aheadS = (1 + p.speedError()) * (p.automatonPeriodMs() + 2 * p.reactionMs()) / MS_PER_S;
+    double stepMm = p.linSpeedMaxMmPerS() * aheadS;
+    double sumMm =
+        p.robotRadiusMm() + settings.positionErrorMm() + p.goalRadiusMm() + strayMm + stepMm;
+    // The wall is made of chords of the circle, which lie inside.
+    double chordFactor = StrictMath.cos(StrictMath.PI / (4 * QUADRANT_SEGMENTS));
+    return (int) StrictMath.ceil((sumMm + ROUNDING_MM) / chordFactor);
+  }
+
+  /** Motion along a tube: straight at each next point, which an arc would not be. */
+  static MotionParameters straight(MotionParameters p) {
+    return p.toBuilder().enableArcing(false).stopAtDestination(true).build();
+  }
+
+  /**
+   * The border of a part as a region to avoid. A body that starts inside and never touches it stays
+   * inside: that is what {@code do_move(t, A)} is for.
+   */
+  static Region wall(Capsule part) {
+    GeometryFactory factory = new GeometryFactory();
+    Coordinate from = coordinate(part.axis().from());
+    Coordinate to = coordinate(part.axis().to());
+    Geometry axis =
+        from.equals2D(to)
+            ? factory.createPoint(from)
+            : factory.createLineString(new Coordinate[] {from, to});
+    Point inside = part.axis().from();
+    List<Point> outline = new ArrayList<>();
+    for (Coordinate corner : axis.buffer(part.radiusMm(), QUADRANT_SEGMENTS).getCoordinates()) {
+      Point point = Tube.rounded(new Point(corner.x, corner.y));
+      if (outline.isEmpty() || !outline.get(outline.size() - 1).equals(point)) {
+        outline.add(point);
+      }
+    }
+    List<Region> wall = new ArrayList<>();
+    for (int i = 1; i < outline.size(); i++) {
+      wall.add(brick(outline.get(i - 1), outline.get(i), inside));
+    }
+    return new Union(wall);
+  }
+
+  /** A triangle on the far side of a chord of a convex outline. */
+  private static Region brick(Point a, Point b, Point inside) {
+    Point along = b.minus(a);
+    Point normal = new Point(-along.yMm(), along.xMm()).times(WALL_MM / along.normMm());
+    boolean pointsInside = normal.dot(inside.minus(a)) > 0;
+    Point outwards = pointsInside ? normal.times(-1) : normal;
+    return Polygon.of(a, b, a.plus(along.times(0.5)).plus(outwards));
+  }
+
+  private static Coordinate coordinate(Point point) {
+    return new Coordinate(point.xMm(), point.yMm());
+  }
+
+  /** A tube along {@code path}, its legs cut; null if that takes too many parts. */
+  static @Nullable Tube tube(Path path, int radiusMm, int maxLegMm) {
+    List<Point> points = new ArrayList<>();
+    points.add(Tube.rounded(path.start()));
+    for (int i = 0; i < path.legs(); i++) {
+      Segment leg = path.leg(i);
+      double lengthMm = leg.from().distanceMm(leg.to());
+      int pieces = (int) Math.max(1, StrictMath.ceil(lengthMm / maxLegMm));
+      if (points.size() + pieces > Tube.MAX_POINTS) {
+        return null;
+      }
+      for (int j = 1; j <= pieces; j++) {
+        Point cut = leg.from().plus(leg.to().minus(leg.from()).times((double) j / pieces));
+        points.add(Tube.rounded(cut));
+      }
+    }
+    return new Tube(points, radiusMm);
+  }
+}

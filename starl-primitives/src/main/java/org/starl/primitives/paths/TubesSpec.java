@@ -1,0 +1,206 @@
+package org.starl.primitives.paths;
+
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.RobotId;
+import org.starl.geometry.Point;
+import org.starl.spec.Bodies;
+import org.starl.spec.Monitor;
+import org.starl.spec.Within;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * What every {@link DistributedPathPlanning} of a run owes.
+ *
+ * <ul>
+ *   <li>{@code Tubes}: what two robots hold in one instance does not meet. A robot that crashed goes
+ *       on holding what it held.
+ *   <li>{@code Inside}: the true body of a robot that holds anything lies in one part of it, whole.
+ *       Bodies are looked at every 10 ms of movement.
+ *   <li>{@code Told}: every {@code goTo} is DONE or has failed within the bound, unless its robot
+ *       crashes.
+ * </ul>
+ */
+public final class TubesSpec implements Monitor {
+
+  static final String TUBES = "Tubes";
+  static final String INSIDE = "Inside";
+  static final String TOLD = "Told";
+
+  private static final long STEP_NS = 10_000_000;
+
+  /** Rounding of positions in closed form. */
+  private static final double ROUNDING_MM = 1e-3;
+
+  private final SortedMap<String, SortedMap<RobotId, List<Tube>>> held = new TreeMap<>();
+  private final Bodies bodies = new Bodies();
+  private final SortedSet<String> outside = new TreeSet<>();
+  private final Within<Task> tasks;
+  private long nextLookNs;
+
+  private record Task(String source, RobotId robot) {}
+
+  /**
+   * @param boundNs the settings' deadline, and the longest drive
+   */
+  public TubesSpec(long boundNs) {
+    tasks = new Within<>(boundNs);
+  }
+
+  @Override
+  public List<String> lemmas() {
+    return List.of(TUBES, INSIDE, TOLD);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    expire(event.timeNs(), report);
+    lookUntil(event.timeNs(), report);
+    bodies.observe(event);
+    switch (event) {
+      case Variable variable -> {
+        if (TubeTrace.isTubes(variable.source())) {
+          changed(variable, report);
+        }
+      }
+      case Action action -> {
+        if (TubeTrace.isTubes(action.source()) && action.name().equals(TubeTrace.GO_TO)) {
+          tasks.owe(new Task(action.source(), action.robot()), action.timeNs());
+        }
+      }
+      case Fault fault -> {
+        if (fault.name().equals(Fault.CRASH)) {
+          held.keySet().forEach(source -> tasks.settle(new Task(source, fault.robot())));
+        }
+      }
+      case TraceEvent.Moved moved -> lookAt(moved.timeNs(), report);
+      default -> {
+        // Nothing else says anything of tubes.
+      }
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    expire(endNs, report);
+    lookUntil(endNs, report);
+    lookAt(endNs, report);
+  }
+
+  private void changed(Variable variable, Report report) {
+    RobotId robot = variable.robot();
+    if (variable.name().equals(TubeTrace.HELD)) {
+      SortedMap<RobotId, List<Tube>> all =
+          held.computeIfAbsent(variable.source(), source -> new TreeMap<>());
+      all.put(robot, Tube.parse(variable.value()));
+      checkTubes(variable, all, report);
+      lookAt(variable.timeNs(), report);
+    } else if (variable.name().equals(TubeTrace.FLAG) && isEnd(variable.value())) {
+      if (tasks.settle(new Task(variable.source(), robot))) {
+        report.checked(TOLD);
+      }
+    }
+  }
+
+  private static boolean isEnd(String flag) {
+    return flag.equals(TubeFlag.DONE.name()) || flag.equals(TubeFlag.FAIL.name());
+  }
+
+  private static void checkTubes(
+      Variable variable, SortedMap<RobotId, List<Tube>> all, Report report) {
+    report.checked(TUBES);
+    List<Tube> mine = all.getOrDefault(variable.robot(), List.of());
+    for (Map.Entry<RobotId, List<Tube>> other : all.entrySet()) {
+      if (!other.getKey().equals(variable.robot()) && Tube.meet(mine, other.getValue())) {
+        report.violated(
+            TUBES,
+            variable.timeNs(),
+            List.copyOf(new TreeSet<>(List.of(variable.robot(), other.getKey()))),
+            "tubes meet: "
+                + variable.robot()
+                + " holds "
+                + variable.value()
+                + ", "
+                + other.getKey()
+                + " holds "
+                + Tube.text(other.getValue()));
+      }
+    }
+  }
+
+  private void lookUntil(long timeNs, Report report) {
+    while (nextLookNs <= timeNs) {
+      if (!anybodyMoves()) {
+        nextLookNs = timeNs + 1;
+        return;
+      }
+      lookAt(nextLookNs, report);
+      nextLookNs += STEP_NS;
+    }
+  }
+
+  private boolean anybodyMoves() {
+    for (RobotId robot : bodies.robots()) {
+      if (bodies.isMoving(robot)) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  private void lookAt(long timeNs, Report report) {
+    for (Map.Entry<String, SortedMap<RobotId, List<Tube>>> instance : held.entrySet()) {
+      for (Map.Entry<RobotId, List<Tube>> entry : instance.getValue().entrySet()) {
+        if (!entry.getValue().isEmpty() && bodies.isOnFloor(entry.getKey())) {
+          checkInside(instance.getKey(), entry.getKey(), entry.getValue(), timeNs, report);
+        }
+      }
+    }
+  }
+
+  private void checkInside(
+      String source, RobotId robot, List<Tube> tubes, long timeNs, Report report) {
+    report.checked(INSIDE);
+    Point at = bodies.poseAt(robot, timeNs).at();
+    double radiusMm = bodies.radiusMm(robot) - ROUNDING_MM;
+    String key = source + " " + robot;
+    for (Tube tube : tubes) {
+      if (tube.containsDisc(at, radiusMm)) {
+        outside.remove(key);
+        return;
+      }
+    }
+    if (outside.add(key)) {
+      report.violated(
+          INSIDE,
+          timeNs,
+          List.of(robot),
+          "its body around ("
+              + Math.round(at.xMm())
+              + ", "
+              + Math.round(at.yMm())
+              + ") mm is not inside what it holds: "
+              + Tube.text(tubes));
+    }
+  }
+
+  private void expire(long nowNs, Report report) {
+    tasks.expire(
+        nowNs,
+        (task, sinceNs, deadlineNs) -> {
+          report.checked(TOLD);
+          report.violated(
+              TOLD,
+              deadlineNs,
+              List.of(task.robot()),
+              task.source() + ": goTo at " + sinceNs + " ns is neither done nor failed");
+        });
+  }
+}

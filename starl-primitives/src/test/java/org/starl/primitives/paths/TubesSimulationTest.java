@@ -1,0 +1,277 @@
+package org.starl.primitives.paths;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotId;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimControl;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.world.Unsynced;
+
+/** Robots whose ways cross, on whole simulated robots, with the specification watching. */
+class TubesSimulationTest {
+
+  private static final Rectangle FLOOR = new Rectangle(0, 0, 8000, 8000);
+  private static final TubeSettings PATIENT =
+      new TubeSettings(60, 1_000, 120_000, 200, 2_000, 200, 2_000);
+  private static final long S = 1_000_000_000;
+  private static final long BOUND_NS = 600_000_000_000L;
+
+  /** Goes to some places, one after the other; its results are how each try ended. */
+  private static final class Traveller extends LogicThread {
+    private final TubeSettings settings;
+    private final int trips;
+
+    Traveller(GlobalVarHolder gvh, TubeSettings settings, int trips) {
+      super(gvh);
+      this.settings = settings;
+      this.trips = trips;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(
+              gvh, "floor", gvh.id.participants(), new OptimalPlanner(), FLOOR, settings);
+      List<Object> ends = new ArrayList<>();
+      await(gvh.gps::hasFix);
+      Rng rng = gvh.plat.entropy.fork("trips");
+      for (int i = 0; i < trips; i++) {
+        paths.goTo(new ItemPosition("goal", rng.nextLong(500, 7_500), rng.nextLong(500, 7_500)));
+        await(() -> !paths.isUnderWay());
+        ends.add(paths.tubeflag().get() + " " + paths.failure().get());
+        sleep(200);
+      }
+      return ends;
+    }
+  }
+
+  /** Goes to the place opposite. */
+  private static final class Crosser extends LogicThread {
+    private final TubeSettings settings;
+
+    Crosser(GlobalVarHolder gvh, TubeSettings settings) {
+      super(gvh);
+      this.settings = settings;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(
+              gvh,
+              "floor",
+              gvh.id.participants(),
+              new RrtPlanner(
+                  new RrtSettings(1_000, 500, 0.1, 50), gvh.plat.entropy.fork("rrt").nextLong()),
+              FLOOR,
+              settings);
+      await(gvh.gps::hasFix);
+      Point here = gvh.gps.pose().at();
+      paths.goTo(new ItemPosition("opposite", 8_000 - here.xMm(), 8_000 - here.yMm()));
+      await(() -> !paths.isUnderWay());
+      return List.of(paths.tubeflag().get() + " " + paths.failure().get());
+    }
+  }
+
+  private static Simulation.Builder ring(long seed, SimSettings settings) {
+    Simulation.Builder builder =
+        Simulation.builder().seed(seed).settings(settings).monitor(() -> new TubesSpec(BOUND_NS));
+    builder.obstacles(Obstacles.of(Obstacle.wall(new Point(3500, 4000), new Point(4500, 4000))));
+    return builder;
+  }
+
+  private static Pose onRing(int i, int robots) {
+    double angle = 2 * StrictMath.PI * i / robots;
+    return new Pose(
+        4000 + 3000 * StrictMath.cos(angle), 4000 + 3000 * StrictMath.sin(angle), angle);
+  }
+
+  private static SimSettings weather(String loss, String noise) {
+    return SimSettings.builder()
+        .set("messageLoss", loss)
+        .set("messageDelay", "uniform(10ms,100ms)")
+        .set("positionNoise", noise)
+        .set("headingNoise", "1deg")
+        .set("duration", "900s")
+        .build();
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2})
+  void robotsThatCrossArriveInTubesOfTheirOwn(long seed) {
+    int robots = 5;
+    Simulation.Builder builder = ring(seed, weather("0.2", "10mm"));
+    for (int i = 0; i < robots; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i), onRing(i, robots), true, gvh -> new Crosser(gvh, PATIENT)));
+    }
+    SimResult result = builder.build().run();
+    assertHolds(result);
+    assertThat(result.results().values())
+        .as(String.valueOf(result.results()))
+        .allMatch(ends -> ends.equals(List.of("DONE NONE")));
+  }
+
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2})
+  void robotsGoManyWaysWhileMessagesAreLost(long seed) {
+    int robots = 5;
+    Simulation.Builder builder = ring(seed, weather("0.3", "20mm"));
+    TubeSettings hasty = new TubeSettings(60, 1_000, 20_000, 200, 2_000, 200, 2_000);
+    for (int i = 0; i < robots; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              onRing(i, robots),
+              true,
+              gvh -> new Traveller(gvh, hasty, 4)));
+    }
+    SimResult result = builder.build().run();
+    assertHolds(result);
+    assertThat(result.results()).hasSize(robots);
+    assertThat(countOf(result, "DONE NONE")).isGreaterThanOrEqualTo(8);
+  }
+
+  /** Robots crash in mid-drive, some for good, some to come back with or without their last writes. */
+  @ParameterizedTest
+  @ValueSource(longs = {1, 2})
+  void whoCrashesKeepsItsTubeAndTheOthersGoRoundItOrAreTold(long seed) {
+    int robots = 5;
+    SimSettings slowDisk =
+        weather("0.1", "10mm").toBuilder()
+            .set("stableDelay", "80ms")
+            .set("computeTime", "300ms")
+            .build();
+    TubeSettings hasty = new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
+    Simulation.Builder builder = ring(seed, slowDisk);
+    for (int i = 0; i < robots; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              onRing(i, robots),
+              true,
+              gvh -> new Traveller(gvh, hasty, 3)));
+    }
+    builder.director(control -> {
+      Rng rng = control.scenarioRng("crashes");
+      control.at(rng.nextLong(2, 12) * S, () -> control.crash(new RobotId("bot4")));
+      for (int i = 0; i < 3; i++) {
+        RobotId victim = new RobotId("bot" + i);
+        control.at(
+            rng.nextLong(1_000, 20_000) * S / 1_000,
+            () -> crashOnce(control, victim, rng.nextLong(1, 4) * S, rng.nextInt(3)));
+      }
+    });
+    SimResult result = builder.build().run();
+    assertHolds(result);
+    assertThat(result.results()).hasSize(robots - 1);
+    assertThat(countOf(result, "DONE NONE")).isPositive();
+  }
+
+  private static void crashOnce(SimControl control, RobotId victim, long downNs, int what) {
+    if (control.isUp(victim) && !control.isFinished(victim)) {
+      control.crash(victim, downNs, Unsynced.values()[what]);
+    }
+  }
+
+  @Test
+  void whileAMajorityIsGoneNothingMovesAndTheOthersAreTold() {
+    int robots = 4;
+    TubeSettings hasty = new TubeSettings(60, 1_000, 10_000, 200, 2_000, 200, 2_000);
+    Simulation.Builder builder = ring(7, weather("0", "0mm"));
+    for (int i = 0; i < robots; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              onRing(i, robots),
+              true,
+              gvh -> new Traveller(gvh, hasty, 1)));
+    }
+    builder.director(control -> {
+      control.crash(new RobotId("bot2"));
+      control.crash(new RobotId("bot3"));
+    });
+    SimResult result = builder.build().run();
+    assertThat(result.spec().violations()).isEmpty();
+    assertThat(countOf(result, "FAIL DEADLINE")).isEqualTo(2);
+  }
+
+  /** A planted bug: it asks for a tube, and then drives straight to its goal all the same. */
+  @Test
+  void aRobotThatLeavesItsTubeIsCaught() {
+    Simulation.Builder builder = ring(3, weather("0", "0mm"));
+    builder.robot(
+        new RobotSpec(new RobotId("bot0"), new Pose(4000, 1000, 0), true, ShortCutter::new));
+    SimResult result = builder.build().run();
+    assertThat(result.spec().violations("Inside")).isPositive();
+  }
+
+  private static final class ShortCutter extends LogicThread {
+    ShortCutter(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(gvh, "floor", new OptimalPlanner(), FLOOR);
+      await(gvh.gps::hasFix);
+      paths.goTo(new ItemPosition("goal", 4000, 7000));
+      await(() -> paths.tubeflag().get() == TubeFlag.MOVING);
+      gvh.plat.moat.doMove(new ItemPosition("goal", 3000, 7000));
+      sleep(20_000);
+      return List.of();
+    }
+  }
+
+  @Test
+  void equalSeedsGiveEqualRuns() {
+    assertThat(crossing(5)).isEqualTo(crossing(5)).isNotEqualTo(crossing(6));
+  }
+
+  /** How many events the run had, and when it ended. */
+  private static List<Long> crossing(long seed) {
+    Simulation.Builder builder = ring(seed, weather("0.2", "10mm"));
+    for (int i = 0; i < 3; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i), onRing(i, 3), true, gvh -> new Crosser(gvh, PATIENT)));
+    }
+    SimResult result = builder.build().run();
+    return List.of(result.events(), result.endNs());
+  }
+
+  private static void assertHolds(SimResult result) {
+    assertThat(result.spec().violations()).isEmpty();
+    for (String lemma : List.of("Tubes", "Inside", "Told")) {
+      assertThat(result.spec().checks(lemma)).as(lemma).isPositive();
+    }
+  }
+
+  private static long countOf(SimResult result, String end) {
+    long count = 0;
+    for (Map.Entry<RobotId, List<Object>> ends : result.results().entrySet()) {
+      count += ends.getValue().stream().filter(end::equals).count();
+    }
+    return count;
+  }
+}

@@ -1,0 +1,90 @@
+package org.starl.primitives.paths;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
+
+class TubesSpecTest {
+
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final String X = "tubes/x";
+  private static final long S = 1_000_000_000;
+
+  private final Monitors monitors = new Monitors(List.of(new TubesSpec(10 * S)));
+
+  @Test
+  void tubesApartHold() {
+    holds(1, A, X, "300@0,0>1000,0");
+    holds(2, B, X, "300@0,601>1000,601;300@2000,0");
+    assertThat(monitors.report().holds()).isTrue();
+    assertThat(monitors.report().checks(TubesSpec.TUBES)).isEqualTo(2);
+  }
+
+  @Test
+  void tubesThatMeetViolateTubesAlsoWithOneWhoCrashed() {
+    holds(1, A, X, "300@0,0>1000,0");
+    monitors.observe(new Fault(2, A, Fault.CRASH, ""));
+    holds(3, B, X, "300@500,-900>500,900");
+    assertThat(monitors.report().violations(TubesSpec.TUBES)).isEqualTo(1);
+  }
+
+  @Test
+  void whatWasGivenBackIsFreeAndAnotherInstanceIsAnotherMatter() {
+    holds(1, A, X, "300@0,0>1000,0");
+    holds(2, A, X, "300@1000,0");
+    holds(3, B, X, "300@0,0");
+    holds(4, B, "tubes/y", "300@1000,0");
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  @Test
+  void aBodyThatDrivesOutOfItsTubeViolatesInsideOnce() {
+    monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
+    holds(0, A, X, "300@0,0>1000,0");
+    monitors.observe(new Moved(0, A, new Pose(0, 0, StrictMath.PI / 2), 100, 0));
+    monitors.observe(new Moved(S, A, new Pose(0, 100, 0), 0, 0));
+    assertThat(monitors.report().holds()).isTrue();
+    monitors.observe(new Moved(2 * S, A, new Pose(0, 100, StrictMath.PI / 2), 100, 0));
+    monitors.finish(3 * S);
+    assertThat(monitors.report().violations(TubesSpec.INSIDE)).isEqualTo(1);
+    assertThat(monitors.report().violations().get(0).timeNs())
+        .isBetween(2_350 * S / 1000, 2_380 * S / 1000);
+  }
+
+  @Test
+  void aGoToThatIsNeitherDoneNorFailedInTimeViolatesTold() {
+    goTo(S, A);
+    goTo(S, B);
+    monitors.observe(new Variable(9 * S, A, X, "tubeflag", "FAIL"));
+    monitors.finish(12 * S);
+    assertThat(monitors.report().violations(TubesSpec.TOLD)).isEqualTo(1);
+    assertThat(monitors.report().violations().get(0).robots()).containsExactly(B);
+  }
+
+  @Test
+  void aRobotThatCrashesOwesNothing() {
+    holds(0, A, X, "300@0,0");
+    goTo(S, A);
+    monitors.observe(new Fault(2 * S, A, Fault.CRASH, ""));
+    monitors.finish(30 * S);
+    assertThat(monitors.report().holds()).isTrue();
+  }
+
+  private void goTo(long timeNs, RobotId robot) {
+    monitors.observe(new Action(timeNs, robot, X, "goTo", List.of("goal")));
+  }
+
+  private void holds(long timeNs, RobotId robot, String source, String tubes) {
+    monitors.observe(new Variable(timeNs, robot, source, "held", tubes));
+  }
+}
