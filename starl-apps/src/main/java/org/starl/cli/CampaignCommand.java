@@ -6,8 +6,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Measures;
 import org.starl.apps.Plan;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.Campaign;
@@ -35,6 +38,9 @@ import picocli.CommandLine.Spec;
 final class CampaignCommand implements Callable<Integer> {
 
   private static final int MAX_THREADS = 1024;
+
+  /** Percentiles of the waits that are shown. */
+  private static final int[] WAITS = {50, 90, 95, 99, 100};
 
   @Mixin private RunOptions options = new RunOptions();
 
@@ -94,8 +100,12 @@ final class CampaignCommand implements Callable<Integer> {
     } catch (BadInput e) {
       throw new IllegalStateException("seed " + seed + ": " + e.getMessage(), e);
     }
-    samples.put(seed, plan.story().measures());
-    return RunOutcome.of(result);
+    Measures measures = plan.story().measures();
+    samples.put(seed, measures);
+    RunOutcome outcome = RunOutcome.of(result);
+    SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
+    figures.putAll(measures.figures());
+    return new RunOutcome(outcome.verdict(), outcome.detail(), figures);
   }
 
   private static List<String> table(Chosen chosen, CampaignResult result, Samples samples) {
@@ -106,16 +116,22 @@ final class CampaignCommand implements Callable<Integer> {
       table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
     }
     table.row("robots that got through", Long.toString(samples.completed()));
-    for (int percent : new int[] {50, 90, 99, 100}) {
+    for (int percent : WAITS) {
       table.row("wait, " + name(percent), Outcome.seconds(samples.waitNs(percent)));
     }
     for (String figure : result.figures()) {
       for (int percent : new int[] {50, 100}) {
-        String value = Long.toString(Math.round(result.percentile(figure, percent)));
-        table.row(figure + " a run, " + name(percent), value);
+        table.row(figure + " a run, " + name(percent), figure(result.percentile(figure, percent)));
       }
     }
     return table.lines();
+  }
+
+  /** A whole number, or one with a digit behind the point. */
+  private static String figure(double value) {
+    return value == Math.rint(value)
+        ? Long.toString((long) value)
+        : String.format(Locale.ROOT, "%.1f", value);
   }
 
   private static Map<String, Object> summary(
@@ -127,7 +143,7 @@ final class CampaignCommand implements Callable<Integer> {
       summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
     }
     summary.put("completed", samples.completed());
-    for (int percent : new int[] {50, 90, 99, 100}) {
+    for (int percent : WAITS) {
       summary.put("wait_p" + percent + "_s", samples.waitNs(percent) / 1e9);
     }
     for (String figure : result.figures()) {

@@ -20,11 +20,10 @@ final class Outcome {
 
   static List<String> lines(SimResult result, Measures measures) {
     List<String> lines = new ArrayList<>();
-    int robots = result.results().size() + result.unfinished().size();
     lines.add(
         measures.completed()
             + " of "
-            + robots
+            + measures.came()
             + " robots got through in "
             + seconds(result.endNs())
             + " simulated; "
@@ -66,7 +65,9 @@ final class Outcome {
     json.put("good", isGood(result));
     json.put("end_s", result.endNs() / NS_PER_S);
     json.put("events", result.events());
+    json.put("came", measures.came());
     json.put("completed", measures.completed());
+    json.putAll(measures.figures());
     json.put("unfinished", result.unfinished().stream().map(Object::toString).toList());
     json.put("datagrams", result.network().sent());
     json.put("lost", result.network().lost());

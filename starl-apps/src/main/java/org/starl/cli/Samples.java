@@ -33,11 +33,7 @@ final class Samples {
             .flatMap(i -> get(i).waitsNs().stream().mapToLong(Long::longValue))
             .sorted()
             .toArray();
-    if (waits.length == 0) {
-      return 0;
-    }
-    int rank = (int) Math.ceil(percent * (double) waits.length / 100);
-    return waits[Math.max(rank, 1) - 1];
+    return Measures.waitNs(waits, percent);
   }
 
   private LongStream measures() {

@@ -53,7 +53,13 @@ class BadInputTest {
       run intersection --set debrs=1 | 'debrs' | did you mean debris?
       run intersection --set messageLos=1 | 'messageLos' | did you mean messageLoss?
       run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
-      run intersection --set scenario=figure8 | 'figure8' | expected drawn, figure7 or legacy
+      run intersection --set scenario=figure8 | 'figure8' | expected drawn, figure7, legacy or open
+      run intersection --set arrivals=20 | arrivals: '20' | expected a rate | 20/min
+      run intersection --set arrivals=0/min | arrivals: '0/min' | expected a rate above 0
+      run intersection --set arrivals=20/ms | arrivals: '20/ms' | expected a rate
+      run intersection --set arrivals=20/min --robots 4 | robots | arrivals decide
+      run intersection --set arrivals=20/min --for 0 | duration | for as long as cars arrive
+      run intersection --set arrivals=9/min --set scenario=figure7 | expected scenario=open
       run intersection --set scenario=legacy | files | expected the folder
       run intersection --set scenario=legacy --set files=/nowhere | no such file
       run intersection --set scenario=figure7 --robots 3 | robots: 3 | expected 4

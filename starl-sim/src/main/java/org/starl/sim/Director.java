@@ -10,4 +10,12 @@ public interface Director {
 
   /** Called once at time 0, after all robots of the start were brought up. */
   void direct(SimControl control);
+
+  /**
+   * Whether it brings nobody into the run any more: the run ends when this holds and every app has
+   * come to its end. Asked after each event.
+   */
+  default boolean isOver() {
+    return true;
+  }
 }

@@ -88,7 +88,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
       if (plan.director != null) {
         plan.director.direct(this);
       }
-      kernel.run(plan.settings.endNs(), () -> running == 0 && restartsDue == 0);
+      kernel.run(plan.endNs(), this::isOver);
     } catch (BadInput e) {
       throw e;
     } catch (RobotError e) {
@@ -124,6 +124,10 @@ final class Engine implements SimControl, Ward, AutoCloseable {
       secret[i] = (byte) rng.nextInt(256);
     }
     return new DeploymentKey(secret);
+  }
+
+  private boolean isOver() {
+    return running == 0 && restartsDue == 0 && (plan.director == null || plan.director.isOver());
   }
 
   private SimulationFailed failed(String what, RuntimeException cause) {
@@ -287,12 +291,17 @@ final class Engine implements SimControl, Ward, AutoCloseable {
       throw new IllegalStateException(id + " is on the floor already");
     }
     Pose start = robot.spec().start();
-    double radiusMm = plan.settings.robotRadiusMm();
-    if (plan.settings.worldLimits().collisions() && !world.isFree(start, radiusMm)) {
+    if (!isFree(start)) {
       return false;
     }
-    robot.putOnFloor(world.add(id, start, radiusMm));
+    robot.putOnFloor(world.add(id, start, plan.settings.robotRadiusMm()));
     return true;
+  }
+
+  @Override
+  public boolean isFree(Pose pose) {
+    return !plan.settings.worldLimits().collisions()
+        || world.isFree(pose, plan.settings.robotRadiusMm());
   }
 
   @Override

@@ -62,6 +62,9 @@ public interface SimControl {
    */
   boolean putOnFloor(RobotId robot);
 
+  /** Whether a robot's body would touch nothing there. */
+  boolean isFree(Pose pose);
+
   /** Takes a robot's body off the floor; its program goes on. */
   void takeOffFloor(RobotId robot);
 

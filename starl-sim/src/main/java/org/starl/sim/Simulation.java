@@ -83,6 +83,7 @@ public final class Simulation {
     Obstacles obstacles = Obstacles.NONE;
     @Nullable Director director;
     private FaultPlan faults = FaultPlan.NONE;
+    private @Nullable Long endNs;
     final List<RobotSpec> robots = new ArrayList<>();
     final List<LinkRule> linkRules = new ArrayList<>();
     final List<SimObserver> observers = new ArrayList<>();
@@ -143,6 +144,15 @@ public final class Simulation {
 
     public Builder director(Director newDirector) {
       director = newDirector;
+      return this;
+    }
+
+    /**
+     * Ends the run at {@code newEndNs} at the latest, whatever the settings' duration says: for a
+     * scenario in which that is the time of something else.
+     */
+    public Builder endNs(long newEndNs) {
+      endNs = newEndNs;
       return this;
     }
 
@@ -233,6 +243,10 @@ public final class Simulation {
       all.putAll(settings.asText());
       return new TraceHeader(
           Version.STARL, name, seed, behaviourSeedOrDerived(), all, deployment().asList());
+    }
+
+    long endNs() {
+      return endNs == null ? settings.endNs() : endNs;
     }
   }
 }

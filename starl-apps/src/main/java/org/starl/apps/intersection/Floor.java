@@ -7,6 +7,7 @@ import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
 /** What stands at an intersection: the kerbs of its lanes, which cars know; debris, which they don't. */
@@ -20,7 +21,19 @@ final class Floor {
   private static final long MIN_DEBRIS_MS = 5_000;
   private static final long MAX_DEBRIS_MS = 30_000;
 
+  // Roadside units stand so far from the middle, behind the kerbs.
+  private static final double CORNER = 1.45;
+
   private Floor() {}
+
+  /** Where the roadside units of an open road stand: at three of the four corners. */
+  static List<Pose> roadsideUnits(Crossing crossing) {
+    double mm = CORNER * crossing.zoneWidthMm();
+    return List.of(
+        Pose.of(crossing.middle().plus(new Point(-mm, mm)), 0),
+        Pose.of(crossing.middle().plus(new Point(mm, mm)), 0),
+        Pose.of(crossing.middle().plus(new Point(mm, -mm)), 0));
+  }
 
   /** Both sides and the middle line of each arm, as in the original StarL's intersection. */
   static Obstacles kerbs(Crossing crossing) {

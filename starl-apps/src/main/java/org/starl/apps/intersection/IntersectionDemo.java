@@ -13,6 +13,7 @@ import org.starl.apps.Scenario;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Trip;
+import org.starl.apps.intersection.spec.Bounds;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.geometry.Obstacles;
@@ -34,6 +35,10 @@ public final class IntersectionDemo implements Demo {
   private static final int MIN_CARS = 1;
   private static final int MAX_CARS = 12;
   private static final int MAX_DEBRIS = 8;
+  private static final Crossing CROSSING = Crossing.STANDARD;
+  private static final String OPEN = "open";
+  private static final String DEFAULT_ARRIVALS = "20/min";
+  private static final long MAX_ARRIVALS_NS = 1000L * 3600 * 1_000_000_000;
 
   private static final Parameter SCENARIO =
       new Parameter("scenario", "drawn", "one of the scenarios above");
@@ -41,6 +46,7 @@ public final class IntersectionDemo implements Demo {
       List.of(
           new Scenario("drawn", "1 to 12 cars on any of the twelve routes, from the seed"),
           new Scenario("figure7", "the paper's four cars, with 100 ms mean delay"),
+          new Scenario("open", "cars arrive at random for as long as --for says; see arrivals"),
           new Scenario("legacy", "the original StarL's files; needs files=FOLDER"));
 
   private static final Parameter DEBRIS =
@@ -49,6 +55,11 @@ public final class IntersectionDemo implements Demo {
           "1",
           "pieces of debris on the crossing, 0 to 8, from the seed: nobody knows of them, and"
               + " somebody clears them away after 5 to 30 s");
+  private static final Parameter ARRIVALS =
+      new Parameter(
+          "arrivals",
+          "",
+          "for scenario=open, which it implies: how often cars arrive, such as 20/min (the default)");
   private static final Parameter FILES =
       new Parameter(
           "files", "", "folder of start.wpt, dest.wpt and obstacles.wpt, for scenario=legacy");
@@ -70,7 +81,7 @@ public final class IntersectionDemo implements Demo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(SCENARIO, DEBRIS, FILES);
+    return List.of(SCENARIO, ARRIVALS, DEBRIS, FILES);
   }
 
   @Override
@@ -90,9 +101,43 @@ public final class IntersectionDemo implements Demo {
 
   @Override
   public Plan plan(Request request, SimSettings settings) {
-    Crossing crossing = Crossing.STANDARD;
     Rng rng = new Rng(request.seed()).fork(name());
-    Obstacles obstacles = Floor.kerbs(crossing);
+    return isOpen(request) ? openRoad(request, settings, rng) : closed(request, settings, rng);
+  }
+
+  private static boolean isOpen(Request request) {
+    String scenario = request.parameter(SCENARIO.key());
+    if (scenario.equals(OPEN)) {
+      return true;
+    }
+    boolean hasArrivals = !request.parameter(ARRIVALS.key()).isEmpty();
+    if (hasArrivals && !scenario.equals(SCENARIO.defaultValue())) {
+      throw new BadInput("arrivals with scenario=" + scenario + ": expected scenario=" + OPEN);
+    }
+    return hasArrivals;
+  }
+
+  private static Plan openRoad(Request request, SimSettings settings, Rng rng) {
+    if (request.robots().isPresent()) {
+      throw new BadInput("robots: expected none given: on an open road arrivals decide");
+    }
+    String rate = request.parameter(ARRIVALS.key());
+    double rateHz;
+    try {
+      rateHz = Quantities.rateHz(rate.isEmpty() ? DEFAULT_ARRIVALS : rate);
+    } catch (BadInput error) {
+      throw Quantities.in(ARRIVALS.key(), error);
+    }
+    if (settings.endNs() > MAX_ARRIVALS_NS) {
+      throw new BadInput("duration: expected from 1ms to 1000h, for as long as cars arrive");
+    }
+    Obstacles floor =
+        Floor.withDebris(Floor.kerbs(CROSSING), CROSSING, debris(request), rng.fork("debris"));
+    return new OpenRoadPlan(XID, CROSSING, settings).plan(rateHz, floor, rng.fork("arrivals"));
+  }
+
+  private static Plan closed(Request request, SimSettings settings, Rng rng) {
+    Obstacles obstacles = Floor.kerbs(CROSSING);
     List<Car> cars;
     String scenario = request.parameter(SCENARIO.key());
     switch (scenario) {
@@ -101,56 +146,62 @@ public final class IntersectionDemo implements Demo {
         if (count < MIN_CARS || count > MAX_CARS) {
           throw new BadInput("robots: " + count + ": expected 1 to 12 cars at the intersection");
         }
-        cars = Cars.drawn(crossing, settings.robotName(), count, rng.fork("cars"));
+        cars = Cars.drawn(CROSSING, settings.robotName(), count, rng.fork("cars"));
       }
       case "figure7" -> {
-        cars = Cars.figure7(crossing, settings.robotName());
+        cars = Cars.figure7(CROSSING, settings.robotName());
         requireCount(request, cars.size(), scenario);
       }
       case "legacy" -> {
         if (request.parameter(FILES.key()).isEmpty()) {
           throw new BadInput("files='': expected the folder of the original's .wpt files");
         }
-        LegacyFiles files = LegacyFiles.read(Path.of(request.parameter(FILES.key())), crossing);
+        LegacyFiles files = LegacyFiles.read(Path.of(request.parameter(FILES.key())), CROSSING);
         cars = files.cars();
         obstacles = files.obstacles();
         requireCount(request, cars.size(), scenario);
       }
       default ->
           throw new BadInput(
-              "scenario=" + BadInput.quote(scenario) + ": expected drawn, figure7 or legacy");
+              "scenario=" + BadInput.quote(scenario) + ": expected drawn, figure7, legacy or open");
     }
-    Obstacles floor = Floor.withDebris(obstacles, crossing, debris(request), rng.fork("debris"));
-    return simulation(crossing, cars, floor, settings);
+    Obstacles floor = Floor.withDebris(obstacles, CROSSING, debris(request), rng.fork("debris"));
+    return simulation(cars, floor, settings);
   }
 
-  private Plan simulation(
-      Crossing crossing, List<Car> cars, Obstacles floor, SimSettings settings) {
+  private static Plan simulation(List<Car> cars, Obstacles floor, SimSettings settings) {
     IntersectionStory story = new IntersectionStory();
     Simulation.Builder simulation =
         Simulation.builder()
             .settings(settings)
             .obstacles(floor)
-            .director(new Traffic(crossing, settings.robotRadiusMm(), cars))
+            .director(new Traffic(CROSSING, settings.robotRadiusMm(), cars))
             .observer(story);
+    SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
+      trips.put(car.id(), car.trip());
       simulation.robot(
           new RobotSpec(
               car.id(),
               car.start(),
               false,
-              gvh -> new IntersectionApp(gvh, XID, crossing, car.trip())));
+              gvh -> new IntersectionApp(gvh, XID, CROSSING, car.trip())));
     }
-    SortedMap<RobotId, Trip> trips = new TreeMap<>();
-    SortedMap<RobotId, List<String>> paths = new TreeMap<>();
-    for (Car car : cars) {
-      trips.put(car.id(), car.trip());
-      paths.put(car.id(), car.trip().zones());
-    }
-    IntersectionSpec.of(XID, crossing, paths).forEach(simulation::monitor);
+    watch(simulation, new Bounds(deltaNs(settings), cars.size(), 0), settings);
+    return new Plan(simulation, story, new IntersectionLayer(CROSSING, trips), floor);
+  }
+
+  /** Adds everything that is checked in a run of the intersection. */
+  static void watch(Simulation.Builder simulation, Bounds bounds, SimSettings settings) {
+    IntersectionSpec.of(XID, CROSSING, bounds).forEach(simulation::monitor);
     MotionParameters motion = IntersectionApp.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
-    return new Plan(simulation, story, new IntersectionLayer(crossing, trips), floor);
+  }
+
+  /** Within this time a message arrives that is repeated until it is answered. */
+  static long deltaNs(SimSettings settings) {
+    return Bounds.deltaNs(
+        settings.messageDelay().longestNs(), settings.messageLoss().probability());
   }
 
   private static int debris(Request request) {

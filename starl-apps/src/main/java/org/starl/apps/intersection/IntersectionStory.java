@@ -35,8 +35,9 @@ final class IntersectionStory implements Story {
   public void observed(TraceEvent event) {
     switch (event) {
       case Action action -> {
-        if (action.source().equals(IntersectionApp.SOURCE) && action.name().equals("trip")) {
-          car(action.robot()).trip = String.join(" ", action.args());
+        if (action.source().equals(IntersectionApp.SOURCE)
+            && action.name().equals(IntersectionApp.TRIP)) {
+          car(action.robot()).trip = action.args().get(0);
         }
       }
       case Variable variable -> changed(variable);
@@ -50,7 +51,8 @@ final class IntersectionStory implements Story {
 
   private void changed(Variable variable) {
     Crossed car = car(variable.robot());
-    if (variable.name().equals("location") && variable.source().equals(IntersectionApp.SOURCE)) {
+    if (variable.name().equals(IntersectionApp.LOCATION)
+        && variable.source().equals(IntersectionApp.SOURCE)) {
       switch (Location.valueOf(variable.value())) {
         case MUTEX_WAIT -> {
           if (car.askedNs < 0) {
@@ -111,7 +113,7 @@ final class IntersectionStory implements Story {
         crossed++;
       }
     }
-    return new Measures(crossed, waits);
+    return new Measures(cars.size(), crossed, waits);
   }
 
   private Crossed car(RobotId robot) {

@@ -122,6 +122,26 @@ public final class Quantities {
     return number;
   }
 
+  /** How often something happens on average, above 0, in 1/s: {@code 20/min}, {@code 0.5/s}. */
+  public static double rateHz(String text) {
+    String expected = "a rate above 0 with a unit (/s /min /h), such as 20/min";
+    String stripped = text.strip();
+    int slash = stripped.indexOf('/');
+    BigDecimal unit = slash < 0 ? null : NS_PER_UNIT.get(stripped.substring(slash + 1).strip());
+    if (unit == null || unit.compareTo(NS_PER_UNIT.get("s")) < 0) {
+      throw notA(text, expected);
+    }
+    Matcher matcher = NUMBER_AND_UNIT.matcher(stripped.substring(0, slash).strip());
+    if (!matcher.matches() || !matcher.group(2).isEmpty()) {
+      throw notA(text, expected);
+    }
+    double number = Double.parseDouble(matcher.group(1));
+    if (number <= 0) {
+      throw notA(text, expected);
+    }
+    return number * 1e9 / unit.doubleValue();
+  }
+
   /** An angle of at least 0, in radians: {@code 3deg}, {@code 0.05rad}, {@code 0}. */
   public static double angleRad(String text) {
     String expected = "an angle of at least 0 with a unit (deg rad), such as 3deg";

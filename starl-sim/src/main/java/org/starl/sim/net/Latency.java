@@ -16,6 +16,11 @@ public sealed interface Latency {
   /** One delay, in ns, at least 0. */
   long drawNs(Rng rng);
 
+  /**
+   * Longer than any delay of any run: the greatest one, or one that is not drawn in 10^13 draws.
+   */
+  long longestNs();
+
   /** Whether every delay is the same, so that nothing is drawn. */
   default boolean isConstant() {
     return false;
@@ -86,6 +91,11 @@ public sealed interface Latency {
     }
 
     @Override
+    public long longestNs() {
+      return ns;
+    }
+
+    @Override
     public boolean isConstant() {
       return true;
     }
@@ -105,6 +115,11 @@ public sealed interface Latency {
     @Override
     public long drawNs(Rng rng) {
       return rng.nextLong(minNs, maxNs);
+    }
+
+    @Override
+    public long longestNs() {
+      return maxNs;
     }
 
     @Override
@@ -132,6 +147,11 @@ public sealed interface Latency {
     }
 
     @Override
+    public long longestNs() {
+      return meanNs + 8 * deviationNs;
+    }
+
+    @Override
     public String toString() {
       return call("normal", meanNs, deviationNs);
     }
@@ -146,6 +166,11 @@ public sealed interface Latency {
     @Override
     public long drawNs(Rng rng) {
       return Math.round(meanNs * rng.nextExponential());
+    }
+
+    @Override
+    public long longestNs() {
+      return 30 * meanNs;
     }
 
     @Override

@@ -12,6 +12,8 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Point2D;
 import java.awt.image.BufferedImage;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.starl.RobotId;
@@ -47,9 +49,9 @@ public final class Painter {
     this.layer = layer;
   }
 
-  /** The colour of robot number {@code index} of a scene. */
-  public static Color colour(int index) {
-    return new Color(HUES[index % HUES.length]);
+  /** The colour of a robot by its {@link Scene#number}. */
+  public static Color colour(int number) {
+    return new Color(HUES[number % HUES.length]);
   }
 
   /** The picture of {@code scene} as it is now. */
@@ -85,15 +87,13 @@ public final class Painter {
       }
       floor.draw(outline);
     }
-    List<RobotId> robots = scene.robots();
-    for (int i = 0; i < robots.size(); i++) {
-      trail(floor, scene.trail(robots.get(i)), colour(i));
+    for (RobotId robot : scene.robots()) {
+      trail(floor, scene.trail(robot), colour(scene.number(robot)));
     }
-    for (int i = 0; i < robots.size(); i++) {
-      RobotId robot = robots.get(i);
+    for (RobotId robot : scene.robots()) {
       Optional<Pose> pose = scene.pose(robot);
       if (pose.isPresent()) {
-        body(floor, pose.get(), scene.radiusMm(robot), colour(i));
+        body(floor, pose.get(), scene.radiusMm(robot), colour(scene.number(robot)));
       }
     }
   }
@@ -167,7 +167,9 @@ public final class Painter {
     page.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
     page.drawString(title, x, y);
     page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-    List<RobotId> robots = scene.robots();
+    // Who is there comes first.
+    List<RobotId> robots = new ArrayList<>(scene.robots());
+    robots.sort(Comparator.comparing(robot -> scene.pose(robot).isEmpty()));
     y += LINE_PX + ENTRY_GAP_PX;
     for (int i = 0; i < robots.size(); i++) {
       List<String> lines = layer.describe(robots.get(i), scene).lines().toList();
@@ -177,7 +179,7 @@ public final class Painter {
         page.drawString("and " + (robots.size() - i) + " more", x, y);
         return;
       }
-      page.setColor(colour(i));
+      page.setColor(colour(scene.number(robots.get(i))));
       page.fillOval(x, y - 10, 11, 11);
       page.setColor(INK);
       page.drawString(robots.get(i).name(), x + 18, y);

@@ -47,6 +47,21 @@ final class QuantitiesTest {
   }
 
   @ParameterizedTest
+  @CsvSource({"0.5/s, 0.5", "30/min, 0.5", "1800/h, 0.5", "' 6 / min ', 0.1"})
+  void ratesCarryUnits(String text, double hz) {
+    assertThat(Quantities.rateHz(text)).isEqualTo(hz);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"20", "20/", "/min", "0/min", "-1/s", "20/ms", "20min", "20s/min", "x/s"})
+  void whatIsNoRateIsRefusedInOneLine(String text) {
+    assertThatThrownBy(() -> Quantities.rateHz(text))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("expected a rate above 0")
+        .hasMessageNotContaining("\n");
+  }
+
+  @ParameterizedTest
   @CsvSource({"165, 165", "20mm, 20", "3m, 3000", "2.5cm, 25", "0, 0"})
   void distancesAreInMmUnlessTheySayOtherwise(String text, double mm) {
     assertThat(Quantities.distanceMm(text)).isEqualTo(mm);

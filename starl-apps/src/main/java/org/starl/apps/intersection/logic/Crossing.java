@@ -23,10 +23,18 @@ public record Crossing(Point middle, double zoneWidthMm) {
   /** Zones of 500 mm around (2500, 2500), where the original StarL's intersection lies. */
   public static final Crossing STANDARD = new Crossing(new Point(2500, 2500), 500);
 
+  /**
+   * On an arm cars queue on so many places: its arrival zone {@code X0}, behind it {@code X0.1}, and
+   * last {@code X0.2}, where they come onto the road.
+   */
+  public static final int PLACES = 3;
+
   // From the middle of the intersection along a lane, in zone widths. A car of 165 mm radius that
   // waits at its arrival point or has reached its departure point is clear of the critical zones;
-  // one that has reached its exit is clear of its departure zone.
+  // one that has reached its exit is clear of its departure zone;
+  // one in the middle of a place is clear of the places before and behind it.
   private static final double ARRIVAL_POINT = 1.6;
+  private static final double PLACE_LENGTH = 1.2;
   private static final double DEPARTURE_POINT = 1.6;
   private static final double DEPARTURE_ZONE_END = 2.7;
   private static final double EXIT_POINT = 3.6;
@@ -40,16 +48,21 @@ public record Crossing(Point middle, double zoneWidthMm) {
         centre.xMm() - half, centre.yMm() - half, centre.xMm() + half, centre.yMm() + half);
   }
 
-  /** A critical or departure zone by its name: {@code A}, {@code A1}. */
+  /** A zone or place by its name: {@code A}, {@code A1}, {@code A0}, {@code A0.1}. */
   public Region region(String name) {
     Zone zone = Zone.valueOf(name.substring(0, 1));
     if (name.length() == 1) {
       return region(zone);
     }
-    if (!name.endsWith("1")) {
-      throw new IllegalArgumentException("zone '" + name + "': expected A B C D A1 B1 C1 D1");
+    if (name.equals(zone + "1")) {
+      return lane(zone, zone.outward(), 1, DEPARTURE_ZONE_END);
     }
-    return lane(zone, zone.outward(), 1, DEPARTURE_ZONE_END);
+    for (int rank = 0; rank < PLACES; rank++) {
+      if (name.equals(placeName(zone, rank))) {
+        return place(zone, rank);
+      }
+    }
+    throw new IllegalArgumentException("zone '" + name + "': expected such as A, A1, A0, A0.1");
   }
 
   /** Every zone that a car may hold, by name. */
@@ -62,9 +75,27 @@ public record Crossing(Point middle, double zoneWidthMm) {
     return regions;
   }
 
-  /** Where a car appears: the square of the arrival zone {@code X0}. */
-  public Region arrivalRegion(Zone zone) {
-    return lane(zone, zone.arrivalSide(), ARRIVAL_POINT - 0.5, ARRIVAL_POINT + 0.5);
+  /** Every place of an arm that a queueing car may hold, by name: all but the last one. */
+  public SortedMap<String, Region> heldPlaces() {
+    SortedMap<String, Region> places = new TreeMap<>();
+    for (Zone zone : Zone.values()) {
+      for (int rank = 0; rank < PLACES - 1; rank++) {
+        places.put(placeName(zone, rank), place(zone, rank));
+      }
+    }
+    return places;
+  }
+
+  /** The arrival zone {@code X0}, for rank 0, and the places behind it. */
+  public Region place(Zone zone, int rank) {
+    double from = 1 + rank * PLACE_LENGTH;
+    double to = 1 + (rank + 1) * PLACE_LENGTH;
+    return lane(zone, zone.arrivalSide(), from, to);
+  }
+
+  /** {@code A0}, {@code A0.1}. */
+  public static String placeName(Zone zone, int rank) {
+    return rank == 0 ? zone + "0" : zone + "0." + rank;
   }
 
   /** The end of the road behind {@code X1}: a car that stops there leaves the floor. */
@@ -74,8 +105,24 @@ public record Crossing(Point middle, double zoneWidthMm) {
 
   /** Where a car waits for its zones, heading for the intersection. */
   public Pose arrivalPose(Zone zone) {
+    return placePose(zone, 0);
+  }
+
+  /** The middle of a place, heading for the intersection. */
+  public Pose placePose(Zone zone, int rank) {
     Point back = zone.arrivalSide();
-    return Pose.of(along(zone, back, ARRIVAL_POINT), back.times(-1).angleRad());
+    double widths = ARRIVAL_POINT + rank * PLACE_LENGTH;
+    return Pose.of(along(zone, back, widths), back.times(-1).angleRad());
+  }
+
+  /** The trip of a car that comes onto the road at the last place of its arm. */
+  public Trip tripFromEdge(Route route) {
+    List<ItemPosition> approach = new ArrayList<>();
+    for (int rank = PLACES - 2; rank >= 0; rank--) {
+      approach.add(station(placeName(route.from(), rank), placePose(route.from(), rank).at()));
+    }
+    Trip trip = trip(route);
+    return new Trip(trip.label(), approach, trip.stations(), trip.exit());
   }
 
   /** A car's trip along one of the twelve routes: each zone's middle, departure point, exit. */

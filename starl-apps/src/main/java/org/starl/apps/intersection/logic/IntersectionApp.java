@@ -32,6 +32,8 @@ import org.starl.primitives.registration.Registration;
  *       before a first critical zone lies behind the car.
  *   <li>The car drives on past its departure zone before it gives that back, so that the next car
  *       finds it free.
+ *   <li>On an open road a car comes onto its arm behind others: in QUEUE it drives up, place by
+ *       place, until it is in the arrival zone, where the figure begins.
  *   <li>To unregister takes messages, as to register does: UNREGISTER_WAIT is where a car waits for
  *       it. Where a primitive gives up and says so ({@code failed}), the car asks again: in MUTEX_S
  *       for its zones, in S_0 to be registered, also where the mutex failed because it is no longer.
@@ -39,8 +41,9 @@ import org.starl.primitives.registration.Registration;
  */
 public final class IntersectionApp extends LogicThread {
 
-  /** Figure 4's locations, and UNREGISTER_WAIT. */
+  /** Figure 4's locations, QUEUE and UNREGISTER_WAIT. */
   public enum Location {
+    QUEUE,
     S_0,
     REGISTER_WAIT,
     MUTEX_S,
@@ -54,6 +57,15 @@ public final class IntersectionApp extends LogicThread {
   /** {@code source} of this app's trace events. */
   public static final String SOURCE = "app";
 
+  /** Action at the start of the program: the trip's label, and its zones as a list. */
+  public static final String TRIP = "trip";
+
+  /** Variable: the location. */
+  public static final String LOCATION = "location";
+
+  /** Variable: the zones that still lie ahead, as a list. */
+  public static final String MYSEQ = "myseq";
+
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1000;
   private static final double GOAL_RADIUS_MM = 10;
@@ -62,6 +74,7 @@ public final class IntersectionApp extends LogicThread {
   private final ItemPosition exit;
   private final RegPrim reg;
   private final MutexPrim mutex;
+  private final Lane lane;
 
   private final ArrayDeque<ItemPosition> myseq;
   private final List<String> behind = new ArrayList<>();
@@ -71,19 +84,33 @@ public final class IntersectionApp extends LogicThread {
   private final GvhCell<List<String>> tracedSeq;
 
   /**
+   * A car among those that the deployment knows, all of which are acceptors of the registration, at
+   * the head of its arm.
+   *
    * @param xid names this intersection: cars with another one are at another intersection
    */
   public IntersectionApp(GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip) {
+    this(gvh, xid, crossing, trip, gvh.id.participants());
+  }
+
+  /**
+   * A car on an open road, where anybody may come.
+   *
+   * @param acceptors of the registrations: the roadside units
+   */
+  public IntersectionApp(
+      GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip, Participants acceptors) {
     super(gvh);
     this.crossing = crossing;
     exit = trip.exit();
     myseq = new ArrayDeque<>(trip.stations());
-    Registration registration = new Registration(gvh, xid);
+    Registration registration = new Registration(gvh, xid, acceptors);
     reg = registration;
     mutex = new M_Mutex(gvh, xid, registration);
-    gvh.trace.action(SOURCE, "trip", trip.label());
-    location = gvh.variable(SOURCE, "location", myseq.isEmpty() ? Location.DONE : Location.S_0);
-    tracedSeq = gvh.variable(SOURCE, "myseq", names(myseq));
+    lane = new Lane(gvh, xid, crossing, trip.approach(), acceptors);
+    gvh.trace.action(SOURCE, TRIP, trip.label(), trip.zones());
+    location = gvh.variable(SOURCE, LOCATION, start());
+    tracedSeq = gvh.variable(SOURCE, MYSEQ, names(myseq));
     gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters()));
   }
 
@@ -95,7 +122,16 @@ public final class IntersectionApp extends LogicThread {
   @Override
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
+      lane.look();
       switch (location.get()) {
+        case QUEUE -> {
+          if (gvh.gps.hasFix()) {
+            lane.drive(this::arrivedOrRetried);
+            if (lane.isAtTheHead()) {
+              location.set(Location.S_0);
+            }
+          }
+        }
         case S_0 -> {
           if (gvh.gps.hasFix()) {
             reg.do_register();
@@ -120,7 +156,7 @@ public final class IntersectionApp extends LogicThread {
             gvh.plat.moat.doMove(myseq.element());
             location.set(Location.MOVE_WAIT);
           } else if (mutex.failed().get()) {
-            location.set(isListed() ? Location.MUTEX_S : Location.S_0);
+            location.set(mutex.failure().get().mustRegister() ? Location.S_0 : Location.MUTEX_S);
           }
         }
         case MOVE_WAIT -> {
@@ -139,7 +175,7 @@ public final class IntersectionApp extends LogicThread {
         case S_1 -> {
           if (arrivedOrRetried(exit)) {
             giveBackWhatIsBehind();
-            if (behind.isEmpty()) {
+            if (behind.isEmpty() && !lane.holds()) {
               reg.unregister();
               gvh.plat.moat.motion_stop();
               location.set(Location.UNREGISTER_WAIT);
@@ -147,7 +183,7 @@ public final class IntersectionApp extends LogicThread {
           }
         }
         case UNREGISTER_WAIT -> {
-          if (reg.isUnregistered()) {
+          if (reg.isUnregistered() && lane.isOver()) {
             location.set(Location.DONE);
           } else if (reg.failed().get()) {
             reg.unregister();
@@ -160,9 +196,11 @@ public final class IntersectionApp extends LogicThread {
     return returnResults();
   }
 
-  /** Whether the mutex failed for another reason than that this car is in no view (any more). */
-  private boolean isListed() {
-    return !mutex.failure().get().mustRegister();
+  private Location start() {
+    if (myseq.isEmpty()) {
+      return Location.DONE;
+    }
+    return lane.isAtTheHead() ? Location.S_0 : Location.QUEUE;
   }
 
   /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */
@@ -176,6 +214,7 @@ public final class IntersectionApp extends LogicThread {
   }
 
   private void giveBackWhatIsBehind() {
+    lane.giveBackWhatIsBehind();
     double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
     for (String zone : List.copyOf(behind)) {
       if (gvh.gps.isClearOf(crossing.region(zone), radiusMm)) {

@@ -9,11 +9,20 @@ import org.starl.geometry.ItemPosition;
  * departure zone; then the exit, past it. A trip without stations is that of a parked car.
  *
  * @param label for people: {@code A0 A C D D1}
+ * @param approach the places of its arm up which it comes, the arrival zone last; empty for a car
+ *     that begins there
  */
-public record Trip(String label, List<ItemPosition> stations, ItemPosition exit) {
+public record Trip(
+    String label, List<ItemPosition> approach, List<ItemPosition> stations, ItemPosition exit) {
 
   public Trip {
+    approach = List.copyOf(approach);
     stations = List.copyOf(stations);
+  }
+
+  /** The trip of a car that begins in the arrival zone. */
+  public Trip(String label, List<ItemPosition> stations, ItemPosition exit) {
+    this(label, List.of(), stations, exit);
   }
 
   /** The trip of a car that stays at {@code place} and takes no part. */

@@ -13,35 +13,61 @@ import org.starl.primitives.mutex.MutexEvent;
 import org.starl.primitives.mutex.MutexTrace;
 import org.starl.trace.TraceEvent;
 
-/** Who holds and who requests which zones, as the mutex's trace tells it: crit_set and req_set. */
+/**
+ * Who holds and who requests which zones and places, as the mutexes' trace tells it: crit_set and
+ * req_set. Of robots that have left the floor and hold nothing, nothing is kept.
+ */
 public final class HeldZones {
 
   private static final SortedSet<String> NONE = Collections.emptySortedSet();
 
-  private final Map<RobotId, SortedSet<String>> held = new TreeMap<>();
-  private final Map<RobotId, SortedSet<String>> requested = new TreeMap<>();
-  private final Set<RobotId> refused = new TreeSet<>();
+  private final String onlySource;
+  private final Map<RobotId, Car> cars = new TreeMap<>();
+
+  /** What one car holds, requests and was refused, by mutex. */
+  private static final class Car {
+    private final Map<String, SortedSet<String>> held = new TreeMap<>();
+    private final Map<String, SortedSet<String>> requested = new TreeMap<>();
+    private final Set<String> refused = new TreeSet<>();
+  }
+
+  /** Of all mutexes. */
+  public HeldZones() {
+    onlySource = "";
+  }
+
+  /** Of the mutex {@code xid} alone. */
+  public HeldZones(String xid) {
+    onlySource = MutexTrace.source(xid);
+  }
 
   /** Sees the next event. */
   public void observe(TraceEvent event) {
-    MutexTrace.read(event).ifPresent(this::observe);
+    if (event instanceof TraceEvent.Action action
+        && (onlySource.isEmpty() || action.source().equals(onlySource))) {
+      MutexTrace.read(event).ifPresent(e -> observe(action.source(), e));
+    } else if (event instanceof TraceEvent.Left left && held(left.robot()).isEmpty()) {
+      cars.remove(left.robot());
+    }
   }
 
-  private void observe(MutexEvent event) {
-    RobotId robot = event.who().robot();
+  private void observe(String mutex, MutexEvent event) {
     switch (event) {
       case MutexEvent.DoMutex request -> {
-        requested.put(robot, request.want());
-        refused.remove(robot);
+        Car car = car(request);
+        car.requested.put(mutex, request.want());
+        car.refused.remove(mutex);
       }
       case MutexEvent.OdMutex grant -> {
-        requested.remove(robot);
-        held.put(robot, new TreeSet<>(grant.held()));
+        Car car = car(grant);
+        car.requested.remove(mutex);
+        car.held.put(mutex, grant.held());
       }
-      case MutexEvent.Release release -> held.put(robot, release.left());
+      case MutexEvent.Release release -> holds(car(release), mutex, release.left());
       case MutexEvent.Withdraw withdrawal -> {
-        requested.remove(robot);
-        refused.add(robot);
+        Car car = car(withdrawal);
+        car.requested.remove(mutex);
+        car.refused.add(mutex);
       }
       case MutexEvent.Grant consent -> {
         // Consent of one peer gives nothing yet.
@@ -61,24 +87,61 @@ public final class HeldZones {
     }
   }
 
+  private Car car(MutexEvent event) {
+    return cars.computeIfAbsent(event.who().robot(), robot -> new Car());
+  }
+
+  private static void holds(Car car, String mutex, SortedSet<String> left) {
+    if (left.isEmpty()) {
+      car.held.remove(mutex);
+    } else {
+      car.held.put(mutex, left);
+    }
+  }
+
   /** crit_set: what {@code robot} has access to. */
   public SortedSet<String> held(RobotId robot) {
-    return held.getOrDefault(robot, NONE);
+    Car car = cars.get(robot);
+    return car == null ? NONE : union(car.held);
   }
 
-  /** Whether {@code robot}'s latest request ended without access. */
+  /** Whether {@code robot} has access to {@code zone}. */
+  boolean holds(RobotId robot, String zone) {
+    Car car = cars.get(robot);
+    if (car != null) {
+      for (SortedSet<String> held : car.held.values()) {
+        if (held.contains(zone)) {
+          return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  /** Whether a latest request of {@code robot} ended without access. */
   boolean isRefused(RobotId robot) {
-    return refused.contains(robot);
+    Car car = cars.get(robot);
+    return car != null && !car.refused.isEmpty();
   }
 
-  /** Everybody who ever held anything, in order. */
+  /** Everybody who may hold something, in order. */
   Set<RobotId> holders() {
-    return held.keySet();
+    return cars.keySet();
   }
 
   /** req_set: what {@code robot} waits for. */
   SortedSet<String> requested(RobotId robot) {
-    return requested.getOrDefault(robot, NONE);
+    Car car = cars.get(robot);
+    return car == null ? NONE : union(car.requested);
+  }
+
+  private static SortedSet<String> union(Map<String, SortedSet<String>> byMutex) {
+    if (byMutex.isEmpty()) {
+      return NONE;
+    }
+    TreeSet<String> all = new TreeSet<>();
+    byMutex.values().forEach(all::addAll);
+    return all;
   }
 
   /** Reads a variable whose value is a list: {@code [A, C, D1]}. */

@@ -2,10 +2,12 @@ package org.starl.apps.intersection.spec;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.Supplier;
-import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.logic.Lane;
+import org.starl.geometry.Region;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.spec.Monitor;
@@ -15,20 +17,23 @@ public final class IntersectionSpec {
 
   private IntersectionSpec() {}
 
-  /**
-   * Monitors' makers, as each run needs its own.
-   *
-   * @param paths the zones of each car's trip, in order; none for a parked car
-   */
-  public static List<Supplier<? extends Monitor>> of(
-      String xid, Crossing crossing, Map<RobotId, List<String>> paths) {
+  /** Monitors' makers, as each run needs its own. */
+  public static List<Supplier<? extends Monitor>> of(String xid, Crossing crossing, Bounds bounds) {
+    SortedMap<String, Region> zones = new TreeMap<>(crossing.regions());
     List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
-    monitors.add(() -> new TrafficSafety(crossing.regions()));
+    monitors.add(() -> new TrafficSafety(zones));
     monitors.add(MuxSafety::new);
-    monitors.add(() -> new ListCrit(paths));
-    monitors.add(() -> new TrafficProgress(paths.size()));
-    monitors.add(() -> new MutexSpec(xid));
+    monitors.add(() -> new ListCrit(xid));
+    monitors.add(() -> new TrafficProgress(bounds.trafficNs()));
+    monitors.add(() -> new MutexSpec(xid, bounds.zones()));
     monitors.add(RegistrationSpec::new);
+    if (bounds.places() > 0) {
+      zones.putAll(crossing.heldPlaces());
+      for (int rank = 0; rank < bounds.places(); rank++) {
+        String instance = Lane.instance(xid, rank);
+        monitors.add(() -> new MutexSpec(instance, bounds.queue()));
+      }
+    }
     return monitors;
   }
 }

@@ -1,7 +1,6 @@
 package org.starl.apps.intersection.spec;
 
 import java.util.List;
-import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -30,9 +29,9 @@ final class ListCrit implements Monitor {
 
   private static final String LEMMA = "Inv_list_crit";
 
-  private final Map<RobotId, List<String>> paths;
+  private final Trips trips = new Trips();
   private final SortedMap<RobotId, State> states = new TreeMap<>();
-  private final HeldZones zones = new HeldZones();
+  private final HeldZones zones;
   private @Nullable TraceEvent last;
 
   private static final class State {
@@ -41,8 +40,9 @@ final class ListCrit implements Monitor {
     private boolean told;
   }
 
-  ListCrit(Map<RobotId, List<String>> paths) {
-    this.paths = paths;
+  /** Of the mutex {@code xid}. */
+  ListCrit(String xid) {
+    zones = new HeldZones(xid);
   }
 
   @Override
@@ -57,13 +57,25 @@ final class ListCrit implements Monitor {
     }
     last = event;
     zones.observe(event);
-    if (event instanceof Variable variable && variable.source().equals(IntersectionApp.SOURCE)) {
-      State state = states.computeIfAbsent(variable.robot(), robot -> new State());
-      if (variable.name().equals("location")) {
-        state.location = Location.valueOf(variable.value());
-      } else if (variable.name().equals("myseq")) {
-        state.myseq = HeldZones.list(variable.value());
-      }
+    if (trips.observe(event)) {
+      states.put(event.robot(), new State());
+    } else if (event instanceof TraceEvent.Left) {
+      states.remove(event.robot());
+    } else if (event instanceof Variable variable
+        && variable.source().equals(IntersectionApp.SOURCE)) {
+      changed(variable);
+    }
+  }
+
+  private void changed(Variable variable) {
+    State state = states.get(variable.robot());
+    if (state == null) {
+      return; // of a car that has left the floor, and owes nothing
+    }
+    if (variable.name().equals(IntersectionApp.LOCATION)) {
+      state.location = Location.valueOf(variable.value());
+    } else if (variable.name().equals(IntersectionApp.MYSEQ)) {
+      state.myseq = HeldZones.list(variable.value());
     }
   }
 
@@ -89,11 +101,12 @@ final class ListCrit implements Monitor {
   }
 
   private String whatIsWrong(RobotId robot, State state) {
-    List<String> path = paths.getOrDefault(robot, List.of());
+    List<String> path = trips.of(robot);
     Set<String> rest = new TreeSet<>(state.myseq);
     String myseq = state.location + ": myseq " + state.myseq;
     return switch (state.location) {
-      case S_0, REGISTER_WAIT -> state.myseq.equals(path) ? "" : myseq + " is not the path " + path;
+      case S_0, REGISTER_WAIT, QUEUE ->
+          state.myseq.equals(path) ? "" : myseq + " is not the path " + path;
       case MUTEX_WAIT ->
           zones.requested(robot).equals(rest)
                   || zones.held(robot).equals(rest)

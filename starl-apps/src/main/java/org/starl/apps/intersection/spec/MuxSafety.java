@@ -24,6 +24,10 @@ final class MuxSafety implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
+    if (!(event instanceof TraceEvent.Action)) {
+      zones.observe(event);
+      return; // gives nobody anything
+    }
     RobotId robot = event.robot();
     SortedSet<String> before = zones.held(robot);
     zones.observe(event);

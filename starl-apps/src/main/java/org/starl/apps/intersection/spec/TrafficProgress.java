@@ -1,6 +1,8 @@
 package org.starl.apps.intersection.spec;
 
 import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
@@ -15,31 +17,20 @@ import org.starl.trace.TraceEvent.Variable;
 /**
  * {@code traffic_progress} (paper, section 3): within a bound every approaching vehicle departs. It is
  * owed from the moment at which a car comes onto the floor until it leaves it, while no fault is
- * under way; a parked car owes nothing.
+ * under way; a parked car and a roadside unit owe nothing.
  */
 final class TrafficProgress implements Monitor {
 
   private static final String LEMMA = "traffic_progress";
 
-  // At most, for one car that has its turn: to join the view and be granted with a third of the
-  // messages lost and 200 ms delays; to drive 3.5 m at the lowest straight speed; to turn three
-  // times by a right angle at the lowest turning speed and settle.
-  private static final long NETWORK_NS = 15_000_000_000L;
-  private static final long DRIVE_NS = 20_000_000_000L;
-  private static final long TURNS_NS = 15_000_000_000L;
-  // And once: until the last debris is cleared away.
-  private static final long DEBRIS_NS = 30_000_000_000L;
-
   private final Within<RobotId> departures;
   private final Circumstances circumstances = new Circumstances();
+  private final Trips trips = new Trips();
+  // Bodies on the floor of which it is not known yet whether they are cars'.
+  private final Set<RobotId> unknown = new TreeSet<>();
 
-  TrafficProgress(int cars) {
-    departures = new Within<>(boundNs(cars));
-  }
-
-  /** In the worst case cars cross one after another. */
-  static long boundNs(int cars) {
-    return cars * (NETWORK_NS + DRIVE_NS + TURNS_NS) + DEBRIS_NS;
+  TrafficProgress(long boundNs) {
+    departures = new Within<>(boundNs);
   }
 
   @Override
@@ -53,12 +44,24 @@ final class TrafficProgress implements Monitor {
     if (circumstances.observe(event)) {
       departures.assumeAll(circumstances.isFair(), event.timeNs());
     }
+    if (trips.observe(event) && unknown.remove(event.robot())) {
+      owe(event.robot(), event.timeNs());
+    }
     switch (event) {
-      case Joined joined -> departures.owe(joined.robot(), joined.timeNs());
-      case Left left -> settle(left.robot(), report);
+      case Joined joined -> {
+        if (trips.isCar(joined.robot())) {
+          owe(joined.robot(), joined.timeNs());
+        } else {
+          unknown.add(joined.robot());
+        }
+      }
+      case Left left -> {
+        unknown.remove(left.robot());
+        settle(left.robot(), report);
+      }
       case Variable variable -> {
         if (variable.source().equals(IntersectionApp.SOURCE)
-            && variable.name().equals("location")
+            && variable.name().equals(IntersectionApp.LOCATION)
             && variable.value().equals(Location.DONE.name())) {
           settle(variable.robot(), report);
         }
@@ -72,6 +75,12 @@ final class TrafficProgress implements Monitor {
   @Override
   public void finish(long endNs, Report report) {
     expire(endNs, report);
+  }
+
+  private void owe(RobotId robot, long nowNs) {
+    if (!trips.of(robot).isEmpty()) {
+      departures.owe(robot, nowNs);
+    }
   }
 
   private void settle(RobotId robot, Report report) {

@@ -2,10 +2,8 @@ package org.starl.apps.intersection.spec;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
-import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.geometry.Point;
@@ -15,8 +13,8 @@ import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
 /**
- * {@code traffic_safety} (paper, section 3): no two cars occupy the same zone at the same time. A
- * car occupies a zone while any part of its true body is inside; what it believes does not count.
+ * {@code traffic_safety} (paper, section 3): no two cars occupy the same zone at the same time, nor
+ * the same place of an arm. A car occupies a zone while any part of its true body is inside; what it believes does not count.
  *
  * <p>Also {@code occupied_is_held}: whoever occupies a zone holds it. This is the reason why {@code
  * traffic_safety} follows from {@code Inv_mux_safety}, and it tells of a zone given back too early
@@ -31,15 +29,16 @@ final class TrafficSafety implements Monitor {
   private static final String HELD = "occupied_is_held";
   private static final long STEP_NS = 10_000_000;
 
-  private final SortedMap<String, Region> zones;
+  private final List<Zone> zones = new ArrayList<>();
   private final Bodies bodies = new Bodies();
   private final HeldZones held = new HeldZones();
-  private final Map<String, SortedSet<RobotId>> occupants = new TreeMap<>();
   private final SortedSet<String> told = new TreeSet<>();
   private long seenNs;
 
+  private record Zone(String name, Region region, SortedSet<RobotId> occupants) {}
+
   TrafficSafety(SortedMap<String, Region> zones) {
-    this.zones = zones;
+    zones.forEach((name, region) -> this.zones.add(new Zone(name, region, new TreeSet<>())));
   }
 
   @Override
@@ -79,36 +78,37 @@ final class TrafficSafety implements Monitor {
   private void lookAt(long timeNs, Report report) {
     report.checked(SAFETY);
     report.checked(HELD);
-    for (SortedSet<RobotId> gone : occupants.values()) {
-      gone.removeIf(robot -> !bodies.isOnFloor(robot));
+    for (Zone zone : zones) {
+      zone.occupants().removeIf(robot -> !bodies.isOnFloor(robot));
     }
     for (RobotId robot : bodies.robots()) {
       Point at = bodies.poseAt(robot, timeNs).at();
       double radiusMm = bodies.radiusMm(robot);
-      for (Map.Entry<String, Region> zone : zones.entrySet()) {
-        boolean inside = zone.getValue().distanceMm(at) < radiusMm;
-        SortedSet<RobotId> inZone =
-            occupants.computeIfAbsent(zone.getKey(), name -> new TreeSet<>());
-        if (!inside) {
-          inZone.remove(robot);
-        } else {
-          if (inZone.add(robot)) {
-            entered(zone.getKey(), inZone, timeNs, report);
+      for (Zone zone : zones) {
+        if (zone.region().distanceMm(at) < radiusMm) {
+          if (zone.occupants().add(robot)) {
+            entered(zone, timeNs, report);
           }
-          checkHeld(zone.getKey(), robot, at, timeNs, report);
+          checkHeld(zone.name(), robot, at, timeNs, report);
+        } else if (!zone.occupants().isEmpty()) {
+          zone.occupants().remove(robot);
         }
       }
     }
   }
 
-  private static void entered(String zone, SortedSet<RobotId> inZone, long timeNs, Report report) {
-    if (inZone.size() > 1) {
-      report.violated(SAFETY, timeNs, new ArrayList<>(inZone), "all of them are in zone " + zone);
+  private static void entered(Zone zone, long timeNs, Report report) {
+    if (zone.occupants().size() > 1) {
+      report.violated(
+          SAFETY,
+          timeNs,
+          new ArrayList<>(zone.occupants()),
+          "all of them are in zone " + zone.name());
     }
   }
 
   private void checkHeld(String zone, RobotId robot, Point at, long timeNs, Report report) {
-    if (!held.held(robot).contains(zone) && told.add(robot + " " + zone)) {
+    if (!held.holds(robot, zone) && told.add(robot + " " + zone)) {
       report.violated(
           HELD,
           timeNs,

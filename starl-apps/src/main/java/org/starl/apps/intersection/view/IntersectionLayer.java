@@ -10,8 +10,7 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
@@ -36,12 +35,25 @@ public final class IntersectionLayer implements Layer {
   private static final float[] DOTS = {1, 55};
 
   private final Crossing crossing;
-  private final SortedMap<RobotId, Trip> trips;
+  private final Map<RobotId, Trip> trips;
+  private final Participants units;
   private final HeldZones zones = new HeldZones();
 
+  /** Of cars that are all known beforehand. */
   public IntersectionLayer(Crossing crossing, Map<RobotId, Trip> trips) {
+    this(crossing, trips, Participants.of());
+  }
+
+  /**
+   * Of an open road.
+   *
+   * @param trips of the cars that are there; looked up whenever a picture is painted
+   * @param units at the roadside
+   */
+  public IntersectionLayer(Crossing crossing, Map<RobotId, Trip> trips, Participants units) {
     this.crossing = crossing;
-    this.trips = new TreeMap<>(trips);
+    this.trips = trips;
+    this.units = units;
   }
 
   @Override
@@ -54,13 +66,20 @@ public final class IntersectionLayer implements Layer {
     for (Map.Entry<String, Region> zone : crossing.regions().entrySet()) {
       paintZone(floor, zone.getKey(), (Rectangle) zone.getValue(), holder(zone.getKey(), scene));
     }
+    int places = units.size() == 0 ? 1 : Crossing.PLACES;
     for (Zone zone : Zone.values()) {
-      paintZone(floor, zone + "0", (Rectangle) crossing.arrivalRegion(zone), FREE);
+      for (int rank = 0; rank < places; rank++) {
+        String name = Crossing.placeName(zone, rank);
+        paintZone(floor, name, (Rectangle) crossing.place(zone, rank), holder(name, scene));
+      }
     }
-    List<RobotId> robots = scene.robots();
-    for (int i = 0; i < robots.size(); i++) {
-      if (scene.pose(robots.get(i)).isPresent()) {
-        paintRoute(floor, robots.get(i), scene, Painter.colour(i));
+    for (RobotId robot : scene.robots()) {
+      if (scene.pose(robot).isPresent()) {
+        if (units.contains(robot)) {
+          paintPost(floor, scene.pose(robot).get().at(), scene.radiusMm(robot));
+        } else {
+          paintRoute(floor, robot, scene, Painter.colour(scene.number(robot)));
+        }
       }
     }
   }
@@ -71,14 +90,20 @@ public final class IntersectionLayer implements Layer {
     for (Trip trip : trips.values()) {
       ends.add(trip.exit().at());
     }
+    if (units.size() > 0) {
+      for (Zone zone : Zone.values()) {
+        Rectangle last = (Rectangle) crossing.place(zone, Crossing.PLACES - 1);
+        ends.add(new Point(last.xMinMm(), last.yMinMm()));
+        ends.add(new Point(last.xMaxMm(), last.yMaxMm()));
+      }
+    }
     return ends;
   }
 
   private Color holder(String zone, Scene scene) {
-    List<RobotId> robots = scene.robots();
-    for (int i = 0; i < robots.size(); i++) {
-      if (zones.held(robots.get(i)).contains(zone)) {
-        Color colour = Painter.colour(i);
+    for (RobotId robot : scene.robots()) {
+      if (zones.held(robot).contains(zone)) {
+        Color colour = Painter.colour(scene.number(robot));
         return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), HELD_ALPHA);
       }
     }
@@ -104,6 +129,13 @@ public final class IntersectionLayer implements Layer {
     upright.dispose();
   }
 
+  /** A square plate under a roadside unit. */
+  private static void paintPost(Graphics2D floor, Point at, double halfMm) {
+    floor.setColor(BORDER);
+    floor.fill(
+        new Rectangle2D.Double(at.xMm() - halfMm, at.yMm() - halfMm, 2 * halfMm, 2 * halfMm));
+  }
+
   private void paintRoute(Graphics2D floor, RobotId robot, Scene scene, Color colour) {
     Trip trip = trips.get(robot);
     if (trip == null || trip.stations().isEmpty()) {
@@ -124,6 +156,9 @@ public final class IntersectionLayer implements Layer {
 
   @Override
   public String describe(RobotId robot, Scene scene) {
+    if (units.contains(robot)) {
+      return "roadside unit";
+    }
     Trip trip = trips.get(robot);
     String route = trip == null ? "" : trip.label();
     String location = scene.variable(robot, IntersectionApp.SOURCE, "location");

@@ -58,10 +58,12 @@ class CrossingTest {
   void noTwoZonesOverlap() {
     Map<String, Region> zones = new TreeMap<>(CROSSING.regions());
     for (Zone zone : Zone.values()) {
-      zones.put(zone + "0", CROSSING.arrivalRegion(zone));
+      for (int rank = 0; rank < Crossing.PLACES; rank++) {
+        zones.put(Crossing.placeName(zone, rank), CROSSING.place(zone, rank));
+      }
       zones.put(zone + " exit", CROSSING.exitRegion(zone));
     }
-    assertThat(zones).hasSize(16);
+    assertThat(zones).hasSize(24);
     List<String> names = new ArrayList<>(zones.keySet());
     for (int i = 0; i < names.size(); i++) {
       for (int j = 0; j < i; j++) {
@@ -93,9 +95,31 @@ class CrossingTest {
 
   @ParameterizedTest
   @MethodSource("routes")
+  void aCarFromTheEdgeComesUpPlaceByPlace(Route route) {
+    Trip trip = CROSSING.tripFromEdge(route);
+    String head = route.arrival();
+    assertThat(trip.approach()).extracting(ItemPosition::name).containsExactly(head + ".1", head);
+    assertThat(trip.stations()).isEqualTo(CROSSING.trip(route).stations());
+    for (int rank = 0; rank < Crossing.PLACES; rank++) {
+      Pose middle = CROSSING.placePose(route.from(), rank);
+      for (int other = 0; other < Crossing.PLACES; other++) {
+        double distanceMm = CROSSING.place(route.from(), other).distanceMm(middle.at());
+        if (other == rank) {
+          assertThat(distanceMm).isZero();
+        } else {
+          assertThat(distanceMm).isGreaterThan(RADIUS_MM);
+        }
+      }
+      String name = Crossing.placeName(route.from(), rank);
+      assertThat(CROSSING.region(name)).isEqualTo(CROSSING.place(route.from(), rank));
+    }
+  }
+
+  @ParameterizedTest
+  @MethodSource("routes")
   void whoWaitsOrHasLeftIsClearOfWhatOthersNeed(Route route) {
     Pose arrival = CROSSING.arrivalPose(route.from());
-    assertThat(CROSSING.arrivalRegion(route.from()).contains(arrival.at())).isTrue();
+    assertThat(CROSSING.place(route.from(), 0).contains(arrival.at())).isTrue();
     CROSSING
         .regions()
         .forEach((name, region) ->

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
@@ -126,6 +125,25 @@ class MonitorsTest {
   }
 
   @Test
+  void aPlaceOfTheQueueIsHeldByItsOwnMutex() {
+    joins(BOT0, 1100, 2250);
+    events.add(
+        new TraceEvent.Action(
+            nowNs, BOT0, "mutex/crossing.queue1", "od_mutex", List.of("bot0#1", "1", "C0.1")));
+    after(1);
+    mutex(BOT0, "od_mutex", "C C1");
+    mutex(BOT0, "release", "C C1", "");
+    after(1);
+    assertThat(report(new TrafficSafety(Crossing.STANDARD.heldPlaces())).holds()).isTrue();
+    events.add(
+        new TraceEvent.Action(
+            nowNs, BOT0, "mutex/crossing.queue1", "release", List.of("bot0#1", "1", "C0.1", "")));
+    after(1);
+    SpecReport report = report(new TrafficSafety(Crossing.STANDARD.heldPlaces()));
+    assertRed(report, "occupied_is_held", 2, BOT0);
+  }
+
+  @Test
   void disjointCritSetsAreSafe() {
     mutex(BOT0, "od_mutex", "A A1");
     mutex(BOT1, "od_mutex", "B B1 D");
@@ -143,7 +161,12 @@ class MonitorsTest {
     assertRed(report(new MuxSafety()), "Inv_mux_safety", 2, BOT0, BOT1);
   }
 
+  private void sets(RobotId robot, String trip) {
+    events.add(new TraceEvent.Action(nowNs, robot, "app", "trip", List.of("route", trip)));
+  }
+
   private void asksForAAndA1() {
+    sets(BOT0, "[A, A1]");
     app(BOT0, "location", "S_0");
     app(BOT0, "myseq", "[A, A1]");
     after(1);
@@ -155,7 +178,7 @@ class MonitorsTest {
   }
 
   private static ListCrit listCrit() {
-    return new ListCrit(Map.of(BOT0, List.of("A", "A1")));
+    return new ListCrit("crossing");
   }
 
   @Test
@@ -195,6 +218,7 @@ class MonitorsTest {
 
   @Test
   void whoAsksForLessThanItsPathIsSeen() {
+    sets(BOT0, "[A, A1]");
     app(BOT0, "location", "S_0");
     app(BOT0, "myseq", "[A, A1]");
     after(2);
@@ -206,21 +230,35 @@ class MonitorsTest {
 
   @Test
   void whoDepartsInTimeHasMadeProgress() {
+    sets(BOT0, "[A, A1]");
     joins(BOT0, 0, 0);
     after(20);
     events.add(new TraceEvent.Left(nowNs, BOT0));
     after(1000);
-    assertThat(report(new TrafficProgress(1)).holds()).isTrue();
+    assertThat(report(new TrafficProgress(80 * SECOND_NS)).holds()).isTrue();
+  }
+
+  @Test
+  void aBodyWithoutATripOwesNothing() {
+    joins(BOT1, 1000, 1000);
+    sets(BOT0, "[]");
+    joins(BOT0, 0, 0);
+    after(1000);
+    Monitors monitors = new Monitors(List.of(new TrafficProgress(80 * SECOND_NS)));
+    events.forEach(monitors::observe);
+    monitors.finish(nowNs);
+    assertThat(monitors.report().holds()).isTrue();
   }
 
   @Test
   void whoNeverDepartsIsSeenAtTheBound() {
     joins(BOT0, 0, 0);
+    sets(BOT0, "[A, A1]");
+    sets(BOT1, "[B, B1]");
     joins(BOT1, 0, 1000);
     after(10);
     events.add(new TraceEvent.Left(nowNs, BOT1));
     after(1000);
-    double boundS = TrafficProgress.boundNs(2) / (double) SECOND_NS;
-    assertRed(report(new TrafficProgress(2)), "traffic_progress", boundS, BOT0);
+    assertRed(report(new TrafficProgress(130 * SECOND_NS)), "traffic_progress", 130, BOT0);
   }
 }
