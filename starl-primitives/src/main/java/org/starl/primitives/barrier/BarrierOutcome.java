@@ -14,11 +14,6 @@ public sealed interface BarrierOutcome {
   /** Whether the latest wait is over. */
   boolean isTold();
 
-  /** Whether all members arrived. */
-  default boolean isPassed() {
-    return this instanceof Passed;
-  }
-
   /** Nobody has told anything. */
   record NoneYet() implements BarrierOutcome {
     @Override

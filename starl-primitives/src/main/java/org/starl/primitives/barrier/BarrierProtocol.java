@@ -5,6 +5,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.ProcessId;
@@ -92,7 +93,7 @@ class BarrierProtocol {
   }
 
   private Participants robots() {
-    return Participants.of(first.stream().map(ProcessId::robot).toList());
+    return Participants.of(first.stream().map(ProcessId::robot).collect(Collectors.toList()));
   }
 
   // Calls and inputs.
@@ -246,7 +247,7 @@ class BarrierProtocol {
     }
     if (proposeAtNs == NEVER) {
       // In turn, for proposers defeat each other.
-      int rank = arrivals(generation).headSet(me).size();
+      long rank = arrivals(generation).headSet(me).size();
       proposeAtNs = nowNs + rank * DECIDE * settings.deltaMs() * NS_PER_MS;
     }
     if (nowNs >= proposeAtNs) {

@@ -3,6 +3,7 @@ package org.starl.primitives.barrier;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
@@ -93,7 +94,7 @@ public final class BarrierSpec implements Monitor {
     Generations generations = generations(action.source());
     List<String> args = action.args();
     if (action.name().equals(BarrierTrace.BARRIER)) {
-      List<ProcessId> ids = args.stream().map(ProcessId::parse).toList();
+      List<ProcessId> ids = args.stream().map(ProcessId::parse).collect(Collectors.toList());
       generations.made(ids.get(0), ids.subList(1, ids.size()));
     } else if (action.name().equals(BarrierTrace.ARRIVE)) {
       generations.arrived(Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)));

@@ -119,11 +119,10 @@ final class Generations {
     report.checked(BarrierSpec.UNIFORM);
     First told = outcomes.get(generation);
     Set<ProcessId> out = excluded.getOrDefault(generation, Set.of());
-    boolean holds =
-        told == null
-            || out.isEmpty()
-            || (missing.isBroken(generation) && missing.missing(generation).containsAll(out));
-    if (!holds) {
+    if (told == null || out.isEmpty()) {
+      return;
+    }
+    if (!missing.isBroken(generation) || !missing.missing(generation).containsAll(out)) {
       report.violated(
           BarrierSpec.UNIFORM,
           variable.timeNs(),

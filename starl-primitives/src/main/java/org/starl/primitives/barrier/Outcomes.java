@@ -47,7 +47,7 @@ record Outcomes(SortedMap<Long, SortedSet<ProcessId>> missing) {
 
   /** The members of {@code generation}: those of the first without whom those before left out. */
   SortedSet<ProcessId> members(SortedSet<ProcessId> first, long generation) {
-    SortedSet<ProcessId> members = new TreeSet<>(first);
+    TreeSet<ProcessId> members = new TreeSet<>(first);
     missing.headMap(generation).values().forEach(members::removeAll);
     return members;
   }
