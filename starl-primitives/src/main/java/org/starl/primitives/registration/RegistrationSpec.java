@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
@@ -109,7 +110,9 @@ public final class RegistrationSpec implements Monitor {
         }
       }
       case RegistrationTrace.ACCEPTORS ->
-          acceptors.putIfAbsent(action.source(), action.args().stream().map(RobotId::new).toList());
+          acceptors.putIfAbsent(
+              action.source(),
+              action.args().stream().map(RobotId::new).collect(Collectors.toList()));
       case RegistrationTrace.FIRST_VIEW ->
           history(action.source()).isGiven(View.parse(action.args().get(0)));
       case RegistrationTrace.CONFINE ->
