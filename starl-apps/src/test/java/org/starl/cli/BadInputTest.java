@@ -74,6 +74,7 @@ class BadInputTest {
       run hello --fault partition(area=circle(1)) | --fault | area: 'circle(1)' | expected rect
       run hello --fault stuck(bot9) | 'stuck(bot9)' | no robot is called bot9 | bot3
       run hello --fault stuck(bot9,at=1s) | 'stuck(bot9,at=1s)' | no robot is called bot9
+      campaign hello --seeds 1..2 --fault stuck(bot9,at=1s) | no robot is called bot9
       campaign hello --seeds 1..2 --fault range(far) | --fault | 'far' | expected a distance
       record hello --fault | --fault
       verify-determinism hello --fault sight(1) | --fault | one argument too many

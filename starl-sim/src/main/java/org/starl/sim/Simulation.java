@@ -197,7 +197,8 @@ public final class Simulation {
     /**
      * The simulation; the builder is used up.
      *
-     * @throws BadInput if the settings' files cannot be read or the robots find no room
+     * @throws BadInput if the settings' files cannot be read, the robots find no room, or a fault
+     *     names a robot that is not there and cannot join
      */
     public Simulation build() {
       if (!faults.isEmpty()) {
@@ -218,6 +219,10 @@ public final class Simulation {
           robots.add(new RobotSpec(id, starts.get(i), true, placedApp));
         }
         placedApp = null;
+      }
+      if (director == null) {
+        // With one, others may join: then it is looked at when the fault begins.
+        settings.get(Setting.FAULTS).requireNamedAmong(deployment().asList());
       }
       return new Simulation(this);
     }

@@ -47,6 +47,11 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     }
 
     @Override
+    default List<Who> named() {
+      return List.of(link().from(), link().to());
+    }
+
+    @Override
     default LinkRule rule(Onset onset) {
       String salt = Long.toString(onset.rng().fork("copies").nextLong());
       return link().limit(unlimited(onset, salt), onset.ward(), onset.rng());

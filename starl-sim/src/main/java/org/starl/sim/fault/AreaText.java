@@ -64,7 +64,7 @@ final class AreaText {
   private static double mm(List<String> parts, int index) {
     String part = parts.get(index).strip();
     return part.startsWith("-")
-        ? -Quantities.distanceMm(part.substring(1))
+        ? 0.0 - Quantities.distanceMm(part.substring(1))
         : Quantities.distanceMm(part);
   }
 

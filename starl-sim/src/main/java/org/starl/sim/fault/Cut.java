@@ -37,6 +37,11 @@ public sealed interface Cut extends AirHarm {
     }
 
     @Override
+    public List<Who> named() {
+      return groups;
+    }
+
+    @Override
     public LinkRule rule(Onset onset) {
       List<List<RobotId>> robots = new ArrayList<>();
       for (int i = 0; i < groups.size(); i++) {
@@ -56,6 +61,11 @@ public sealed interface Cut extends AirHarm {
     @Override
     public List<String> arguments() {
       return List.of(from + ">" + to);
+    }
+
+    @Override
+    public List<Who> named() {
+      return List.of(from, to);
     }
 
     @Override

@@ -1,9 +1,12 @@
 package org.starl.sim.fault;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
+import org.starl.RobotId;
 import org.starl.random.Rng;
+import org.starl.sim.input.BadInput;
 
 /**
  * What goes wrong in a run. Its text is its faults with {@code ;} between them, as in the setting
@@ -58,6 +61,22 @@ public record FaultPlan(List<Fault> faults) {
 
   public boolean isEmpty() {
     return faults.isEmpty();
+  }
+
+  /**
+   * @throws BadInput if a fault names a robot that is none of these
+   */
+  public void requireNamedAmong(Collection<RobotId> robots) {
+    for (Fault fault : faults) {
+      for (Who who : fault.harm().named()) {
+        for (RobotId robot : who.named()) {
+          if (!robots.contains(robot)) {
+            throw new BadInput(
+                BadInput.quote(fault.toString()) + ": " + Who.isUnknown(robot, robots));
+          }
+        }
+      }
+    }
   }
 
   /** Whether some robot's time goes wrong, so that robots need clocks of their own. */

@@ -14,6 +14,11 @@ public sealed interface Harm permits AirHarm, RobotHarm, IntruderHarm, Crash {
   /** Whom it befalls; all for what befalls the air. */
   Who who();
 
+  /** Everybody whom its text names, in whatever part. */
+  default List<Who> named() {
+    return List.of(who());
+  }
+
   /** Does it, until the returned cure runs. */
   Runnable begin(Onset onset);
 

@@ -1,6 +1,7 @@
 package org.starl.sim.fault;
 
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.RobotId;
@@ -86,12 +87,16 @@ public record Who(Choice choice, List<RobotId> named) {
       case NAMED -> {
         for (RobotId robot : named) {
           if (!ward.isKnown(robot)) {
-            throw new BadInput("no robot is called " + robot + "; there are " + ward.robots());
+            throw new BadInput(isUnknown(robot, ward.robots()));
           }
         }
         yield named;
       }
     };
+  }
+
+  static String isUnknown(RobotId robot, Collection<RobotId> known) {
+    return "no robot is called " + robot + "; there are " + known;
   }
 
   private static List<RobotId> drawn(List<RobotId> from, int most, Rng rng) {

@@ -193,9 +193,9 @@ class FaultGrammarTest {
         Combinators.combine(
                 Combinators.combine(whos(), whos()).as(Cut.OneWay::new),
                 Combinators.combine(mm, mm, mm)
-                    .as((x, y, r) -> new Cut.Area(new Circle(new Point(-x, y), r))),
+                    .as((x, y, r) -> new Cut.Area(new Circle(new Point(0.0 - x, y), r))),
                 Combinators.combine(mm, mm)
-                    .as((x, y) -> new Cut.Area(new Rectangle(-x, -y, x, y + x))),
+                    .as((x, y) -> new Cut.Area(new Rectangle(0.0 - x, 0.0 - y, x, y + x))),
                 Arbitraries.integers().between(0, 2))
             .as((a, b, c, which) -> which == 0 ? a : which == 1 ? b : c),
         mm.map(Cut.Range::new),

@@ -13,6 +13,7 @@ import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
+import org.starl.motion.Gps;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
@@ -61,8 +62,15 @@ final class ProbeRun {
         gvh.trace.action("app", "clock", gvh.plat.clock.nowNs());
         if (gvh.gps.hasFix()) {
           Pose pose = gvh.gps.pose();
+          Gps gps = gvh.gps;
           gvh.trace.action(
-              "app", "fix", pose.xMm(), pose.yMm(), gvh.gps.errorMm(), gvh.gps.ageNs());
+              "app",
+              "fix",
+              pose.xMm(),
+              pose.yMm(),
+              gps.errorMm(),
+              gps.ageNs(),
+              gps.contradictions());
         }
         gvh.plat.stable.put("beat", new byte[1], () -> gvh.trace.action("app", "flushed"));
         sleep(100);

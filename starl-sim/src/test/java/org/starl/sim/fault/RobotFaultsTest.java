@@ -8,6 +8,7 @@ import static org.starl.sim.fault.ProbeRun.S;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.sim.Director;
 import org.starl.trace.TraceEvent;
 
 /** Every fault of a robot bites while it lasts, and stops. */
@@ -128,7 +129,10 @@ class RobotFaultsTest {
     ProbeRun run = ProbeRun.of("jump(bot1,300mm,until=3s)");
     assertThat(fixError(run, 200 * MS, FROM)).isBetween(299.0, 301.0);
     assertThat(said(run, 2, 200 * MS, FROM)).isLessThan(10);
-    assertThat(fixError(run, UNTIL + 3 * S, 12 * S)).isZero();
+    ProbeRun later = ProbeRun.of("jump(bot1,300mm," + FOR_3_S);
+    assertThat(said(later, 4, 0, FROM)).as("contradictions").isZero();
+    assertThat(said(later, 4, 0, UNTIL)).isBetween(38.0, 41.0);
+    assertThat(said(later, 4, 0, 12 * S)).isBetween(38.0, 41.0);
   }
 
   private static double clockAheadMs(ProbeRun run, int robot, long atNs) {
@@ -238,7 +242,20 @@ class RobotFaultsTest {
 
   @Test
   void aRobotThatNeverWasIsBadInput() {
-    assertThatThrownBy(() -> ProbeRun.of("stuck(bot7,at=1s)"))
+    String[] faults = {
+      "crash(bot7)",
+      "loss(0.1,from=bot7)",
+      "partition(bot0|bot7)",
+      "partition(bot0>bot7)",
+      "ram(bot0+bot7)"
+    };
+    for (String fault : faults) {
+      assertThatThrownBy(() -> ProbeRun.simulation(1, fault).build())
+          .hasMessageStartingWith("'" + fault + "': no robot is called bot7; there are [bot0,");
+    }
+    Director director = control -> {};
+    assertThatThrownBy(
+            () -> ProbeRun.of(ProbeRun.simulation(1, "stuck(bot7,at=1s)").director(director)))
         .hasMessage("'stuck(bot7,at=1s)': no robot is called bot7; there are [bot0, bot1, bot2]");
   }
 }
