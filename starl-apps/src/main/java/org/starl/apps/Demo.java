@@ -7,6 +7,17 @@ import org.starl.sim.fault.Envelope;
 /** An app with its scenarios, as the command line knows it. */
 public interface Demo {
 
+  /** What it shows. */
+  enum Kind {
+    APP,
+    /** A workload of one primitive. */
+    PRIMITIVE
+  }
+
+  default Kind kind() {
+    return Kind.APP;
+  }
+
   /** As in {@code starl run NAME}. */
   String name();
 

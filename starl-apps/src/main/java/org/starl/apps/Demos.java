@@ -1,5 +1,6 @@
 package org.starl.apps;
 
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import org.starl.apps.hello.HelloDemo;
@@ -17,6 +18,13 @@ public record Demos(List<Demo> all) {
 
   public Demos {
     all = List.copyOf(all);
+  }
+
+  /** These, then {@code others}. */
+  public Demos plus(List<Demo> others) {
+    List<Demo> both = new ArrayList<>(all);
+    both.addAll(others);
+    return new Demos(both);
   }
 
   /** Their names, in order. */

@@ -12,13 +12,24 @@ import java.util.TreeMap;
  * @param completed how many of them did it
  * @param waitsNs how long each of them waited for it, in ns
  * @param figures of the run as a whole, by name, each finite
+ * @param counts of what adds up over runs, by name
  */
 public record Measures(
-    int came, int completed, List<Long> waitsNs, SortedMap<String, Double> figures) {
+    int came,
+    int completed,
+    List<Long> waitsNs,
+    SortedMap<String, Double> figures,
+    SortedMap<String, Long> counts) {
 
   public Measures {
     waitsNs = List.copyOf(waitsNs);
     figures = Collections.unmodifiableSortedMap(new TreeMap<>(figures));
+    counts = Collections.unmodifiableSortedMap(new TreeMap<>(counts));
+  }
+
+  /** Without counts. */
+  public Measures(int came, int completed, List<Long> waitsNs, SortedMap<String, Double> figures) {
+    this(came, completed, waitsNs, figures, new TreeMap<>());
   }
 
   /** Without figures of its own. */

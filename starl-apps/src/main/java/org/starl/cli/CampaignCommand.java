@@ -116,6 +116,7 @@ final class CampaignCommand implements Callable<Integer> {
       table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
     }
     table.row("robots that got through", Long.toString(samples.completed()));
+    samples.counts().forEach((what, count) -> table.row(what, Long.toString(count)));
     for (int percent : WAITS) {
       table.row("wait, " + name(percent), Outcome.seconds(samples.waitNs(percent)));
     }
@@ -143,6 +144,7 @@ final class CampaignCommand implements Callable<Integer> {
       summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
     }
     summary.put("completed", samples.completed());
+    samples.counts().forEach((what, count) -> summary.put(what.replaceAll("[: ]+", "_"), count));
     for (int percent : WAITS) {
       summary.put("wait_p" + percent + "_s", samples.waitNs(percent) / 1e9);
     }

@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
@@ -23,7 +24,9 @@ import picocli.CommandLine.Spec;
 /** {@code starl list}. */
 @Command(
     name = "list",
-    description = "Apps with their scenarios and parameters, workloads, and settings: a line each.",
+    description =
+        "Apps and primitives with their scenarios and parameters, workloads, and settings: a line"
+            + " each.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl list"})
 final class ListCommand implements Runnable {
@@ -44,7 +47,7 @@ final class ListCommand implements Runnable {
   /**
    * One thing that the command line knows by name.
    *
-   * @param kind app, scenario, parameter, bench, setting, fault or envelope
+   * @param kind app, primitive, scenario, parameter, bench, setting, fault or envelope
    * @param of the app that it belongs to, or empty
    * @param defaultValue of a parameter or setting
    */
@@ -52,7 +55,7 @@ final class ListCommand implements Runnable {
 
     String line() {
       return switch (kind) {
-        case "app", "bench" -> kind + " " + name + ": " + what;
+        case "app", "primitive", "bench" -> kind + " " + name + ": " + what;
         case "scenario" -> "  scenario " + name + ": " + what;
         case "fault", "envelope" -> "  " + name + "  " + what;
         default -> "  " + name + "=" + defaultValue + "  " + what;
@@ -97,7 +100,8 @@ final class ListCommand implements Runnable {
     List<Item> items = new ArrayList<>();
     for (Demo demo : demos) {
       String app = demo.name();
-      items.add(new Item("app", "", app, "", demo.summary()));
+      String kind = demo.kind().name().toLowerCase(Locale.ROOT);
+      items.add(new Item(kind, "", app, "", demo.summary()));
       for (Scenario scenario : demo.scenarios()) {
         items.add(new Item("scenario", app, scenario.name(), "", scenario.what()));
       }

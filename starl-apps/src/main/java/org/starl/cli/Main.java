@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
 import org.starl.sim.Version;
 import org.starl.sim.input.BadInput;
+import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,6 +35,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
     footer = {"", "Example: starl run intersection", "Every test: starl test"})
 public final class Main implements Runnable {
 
+  /** What StarL brings: apps, and primitives with workloads of their own. */
+  static final Demos ALL = Demos.STANDARD.plus(PrimitiveWorkloads.ALL);
+
   @Option(
       names = "--stacktrace",
       scope = ScopeType.INHERIT,
@@ -56,7 +60,7 @@ public final class Main implements Runnable {
 
   /** Runs a command line and returns its exit status. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
-    return run(Demos.STANDARD, out, err, args);
+    return run(ALL, out, err, args);
   }
 
   /** The same, with other apps. */

@@ -30,8 +30,8 @@ final class RunOptions {
 
   @Parameters(
       index = "0",
-      paramLabel = "APP|FILE.yaml",
-      description = "An app ('starl list' names them), or a scenario file.")
+      paramLabel = "APP|PRIMITIVE|FILE.yaml",
+      description = "An app or a primitive ('starl list' names them), or a scenario file.")
   private String what = "";
 
   @Option(names = "--robots", paramLabel = "N", description = "How many robots.")

@@ -1,6 +1,8 @@
 package org.starl.cli;
 
 import java.util.Objects;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
@@ -24,6 +26,14 @@ final class Samples {
   /** Robots that did what they came for. */
   long completed() {
     return measures().map(i -> get(i).completed()).sum();
+  }
+
+  /** Whatever else was counted, over all runs. */
+  SortedMap<String, Long> counts() {
+    SortedMap<String, Long> sums = new TreeMap<>();
+    measures()
+        .forEach(i -> get(i).counts().forEach((what, count) -> sums.merge(what, count, Long::sum)));
+    return sums;
   }
 
   /** No more than so many percent of all waits are shorter; 0 if nobody waited. */

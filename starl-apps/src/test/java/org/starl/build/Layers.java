@@ -29,6 +29,7 @@ final class Layers {
     "org.starl.apps..",
     "org.starl.bench..",
     "org.starl.cli..",
+    "org.starl.workload..",
     "org.starl.android..",
     "org.starl.build..",
     "org.starl.docs.."

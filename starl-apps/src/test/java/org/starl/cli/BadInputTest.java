@@ -21,7 +21,7 @@ class BadInputTest {
       xyzzy | 'xyzzy' | expected one of list run campaign
       rum | 'rum' | run
       list more | 'more' | expected nothing more
-      run | APP|FILE.yaml | --help
+      run | APP|PRIMITIVE|FILE.yaml | --help
       run nope | 'nope' | expected one of hello, intersection
       run intersecton | 'intersecton' | did you mean intersection?
       run intersection hello | 'hello' | expected nothing more

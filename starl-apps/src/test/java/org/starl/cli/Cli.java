@@ -14,7 +14,7 @@ import org.starl.apps.Demos;
 record Cli(int status, List<String> out, List<String> err) {
 
   static Cli run(String... args) {
-    return run(Demos.STANDARD, args);
+    return run(Main.ALL, args);
   }
 
   static Cli run(Demos demos, String... args) {

@@ -11,7 +11,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
-import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
 import org.starl.bench.Workloads;
@@ -43,8 +42,9 @@ class HelpTest {
   void listHasALineForEach() {
     Cli cli = Cli.run("list");
     assertThat(cli.status()).isZero();
-    for (Demo demo : Demos.STANDARD.all()) {
-      assertThat(cli.out()).containsOnlyOnce("app " + demo.name() + ": " + demo.summary());
+    for (Demo demo : Main.ALL.all()) {
+      String kind = demo.kind() == Demo.Kind.APP ? "app " : "primitive ";
+      assertThat(cli.out()).containsOnlyOnce(kind + demo.name() + ": " + demo.summary());
       for (Scenario scenario : demo.scenarios()) {
         assertThat(cli.out())
             .containsOnlyOnce("  scenario " + scenario.name() + ": " + scenario.what());

@@ -17,8 +17,12 @@ public final class SetAgreement implements StarLPrimitive {
   /** A proposal is given up after so long, in ms, unless told otherwise. */
   public static final long DEFAULT_DEADLINE_MS = 30_000;
 
+  /** Action with the acceptors: this robot serves from now on, if it is one of them. */
+  static final String ACCEPTORS = "acceptors";
+
   static final String PROPOSE = "propose";
   static final String DECIDED = "decided";
+  static final String FAILED = "failed";
 
   private static final String PRIMITIVE = "agreement";
   private static final long NS_PER_MS = 1_000_000;
@@ -54,7 +58,8 @@ public final class SetAgreement implements StarLPrimitive {
         new Channel<>(PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
     source = channel.name();
     decided = gvh.variable(source, DECIDED, Decision.NONE_YET);
-    failed = gvh.variable(source, "failed", false);
+    failed = gvh.variable(source, FAILED, false);
+    gvh.trace.action(source, ACCEPTORS, acceptors.asList().toArray());
     wire = new SynodWire(gvh, channel);
     protocol = new Protocol(timing);
     wire.start(protocol);

@@ -133,7 +133,7 @@ public final class RegistrationSpec implements Monitor {
         history.learned(variable, view, report);
         // A program begins with no view: whatever the one before it was owed is void.
         if (view.number() == 0 || view.participants().contains(variable.robot())) {
-          settleIfListed(variable, view);
+          settleIfListed(variable, view, report);
         }
       }
       case RegistrationTrace.R_LIST -> history.shown(variable, report);
@@ -148,19 +148,19 @@ public final class RegistrationSpec implements Monitor {
     }
   }
 
-  private void settleIfListed(Variable variable, View view) {
+  private void settleIfListed(Variable variable, View view, Report report) {
     ProcessId asked = history(variable.source()).latestAsked(variable.robot());
-    if (view.number() == 0 || (asked != null && view.contains(asked))) {
-      settle(variable.source(), variable.robot());
+    boolean isListed = asked != null && view.contains(asked);
+    boolean settles = view.number() == 0 || isListed;
+    if (settles && settle(variable.source(), variable.robot()) && isListed) {
+      report.checked(REGISTERED);
     }
   }
 
-  private void settle(String source, RobotId robot) {
-    if (progress != null) {
-      Debt debt = new Debt(source, robot);
-      progress.settle(debt);
-      owed.remove(debt);
-    }
+  private boolean settle(String source, RobotId robot) {
+    Debt debt = new Debt(source, robot);
+    owed.remove(debt);
+    return progress != null && progress.settle(debt);
   }
 
   private void expire(long nowNs, Report report) {

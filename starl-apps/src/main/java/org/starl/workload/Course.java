@@ -1,0 +1,29 @@
+package org.starl.workload;
+
+/**
+ * When rounds begin. All but the last ones are spread over the time in which things may go wrong, the
+ * last ones begin after it.
+ *
+ * @param rounds of each robot, above 0
+ * @param busyMs faults are over by then
+ */
+record Course(int rounds, long busyMs) {
+
+  /** Rounds that begin after the faults. */
+  private static final int LAST = 3;
+
+  /** A robot's clock may still be that much ahead when faults are over. */
+  private static final long CLOCK_ERROR_MS = 2_000;
+
+  Course {
+    if (rounds <= 0 || busyMs < 0) {
+      throw new IllegalArgumentException(rounds + " rounds in " + busyMs + " ms");
+    }
+  }
+
+  /** Round {@code number}, from 0, begins no earlier than this by the robot's clock. */
+  long beginMs(int number) {
+    int early = rounds - LAST;
+    return number < early ? busyMs * number / early : busyMs + CLOCK_ERROR_MS;
+  }
+}

@@ -1,0 +1,4 @@
+@NullMarked
+package org.starl.workload;
+
+import org.jspecify.annotations.NullMarked;
