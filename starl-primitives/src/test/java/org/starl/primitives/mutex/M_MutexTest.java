@@ -16,6 +16,8 @@ import org.starl.LogicThread;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
@@ -127,6 +129,51 @@ class M_MutexTest {
     SimResult result = run(1, 1, 0, gvh -> withScriptedViews(gvh, false));
     assertThat(result.results().values())
         .containsExactly(List.of(Sections.copyOf(List.of("B")), false));
+  }
+
+  @Test
+  void anOlderIdKeepsItsVows() {
+    ProcessId older = new ProcessId(new RobotId("bot0"), (1L << 32) + 1);
+    ProcessId asker = new ProcessId(new RobotId("bot1"), 1);
+    ProcessId suspect = new ProcessId(new RobotId("bot1"), 2);
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          if (gvh.id.name().equals(new RobotId("bot0"))) {
+            ScriptedViews views = new ScriptedViews(gvh.id.freshProcess());
+            new M_Mutex(gvh, XID, views);
+            return new Script(
+                gvh,
+                script -> {
+                  views.admit(views.me());
+                  script.sleeps(5_000);
+                  views.admit(gvh.id.freshProcess());
+                  script.sleeps(5_000);
+                  return List.of();
+                });
+          }
+          List<Object> heard = new ArrayList<>();
+          Endpoint<MutexMessage> endpoint =
+              gvh.comms.open(
+                  new Channel<>("mutex", XID, new MutexCodec()), (from, m) -> heard.add(m));
+          return new Script(
+              gvh,
+              script -> {
+                script.sleeps(1_000);
+                endpoint.send(older.robot(), new MutexMessage.FenceQ(asker, older, suspect, 1));
+                script.sleeps(6_000);
+                for (ProcessId id : List.of(suspect, asker)) {
+                  endpoint.send(
+                      older.robot(),
+                      new MutexMessage.Req(id, older, 1, 1, 1, Sections.copyOf(List.of("A"))));
+                }
+                script.sleeps(2_000);
+                return heard;
+              });
+        };
+    assertThat(run(2, 1, 0, app).results().get(new RobotId("bot1")))
+        .containsExactly(
+            new MutexMessage.Fence(older, asker, suspect, Sections.NONE),
+            new MutexMessage.Ok(older, asker, 1));
   }
 
   @Test

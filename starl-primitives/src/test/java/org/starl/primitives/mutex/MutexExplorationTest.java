@@ -22,19 +22,31 @@ class MutexExplorationTest {
 
   @Test
   void twoMembersAndTwoSections() {
-    Shape shape = new Shape(List.of(BOTH), ONE_OR_TWO, 1, true);
+    Shape shape = new Shape(List.of(BOTH), ONE_OR_TWO, 1, true, 0);
     assertHolds(shape, MutexProtocol::new);
   }
 
   @Test
   void twoMembersAndTwoRequestsEach() {
-    Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 2, true);
+    Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 2, true, 0);
     assertHolds(shape, MutexProtocol::new);
   }
 
   @Test
   void aMemberAndAJoinerThatItMayNotHaveHeardOf() {
     assertHolds(joiner(), MutexProtocol::new);
+  }
+
+  @Test
+  void twoMembersOneOfWhichTakesTheOtherForCrashed() {
+    assertHolds(new Shape(List.of(BOTH), List.of(List.of("x")), 1, false, 1), MutexProtocol::new);
+  }
+
+  @Test
+  void whoGoesOnGrantingAfterItsVowIsFoundWithTheStepsToIt() {
+    Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 2);
+    Outcome outcome = new MutexExplorer(shape, Unfenced::new).explore(200_000);
+    assertThat(outcome.violation()).last().asString().startsWith("Kept");
   }
 
   @Test
@@ -49,7 +61,7 @@ class MutexExplorationTest {
     admitted.put(A, 1L);
     admitted.put(B, 2L);
     List<View> views = List.of(View.closed(List.of(A)), new View(2, admitted));
-    return new Shape(views, List.of(List.of("x")), 2, false);
+    return new Shape(views, List.of(List.of("x")), 2, false, 0);
   }
 
   private static void assertHolds(Shape shape, MutexNode.Kind kind) {
@@ -67,6 +79,18 @@ class MutexExplorationTest {
     @Override
     void noteHeard(ProcessId other, long otherAdmittedBy) {
       // The view only.
+    }
+  }
+
+  /** Grants what it has vowed not to. */
+  private static final class Unfenced extends MutexProtocol {
+    Unfenced(Self self, MutexEffects effects) {
+      super(self, effects);
+    }
+
+    @Override
+    boolean refuses(ProcessId peer) {
+      return false;
     }
   }
 }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.ProcessId;
+import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
@@ -23,12 +24,18 @@ final class MutexExplorer {
   /**
    * What is explored.
    *
-   * @param views all there will ever be, the first one known to its members; participants of later
-   *     ones learn those first
+   * @param views the first ones, the very first known to its members; participants of later ones
+   *     learn those first. Confinements add more
    * @param wants what may be requested
    * @param requests of one participant, at most
+   * @param suspicions how often somebody takes another for crashed, who is not, at most
    */
-  record Shape(List<View> views, List<List<String>> wants, int requests, boolean withdrawals) {}
+  record Shape(
+      List<View> views,
+      List<List<String>> wants,
+      int requests,
+      boolean withdrawals,
+      int suspicions) {}
 
   /** What was found: the first violation with the steps to it, or none. */
   record Outcome(int states, int entries, List<String> violation) {}
@@ -86,6 +93,8 @@ final class MutexExplorer {
     final List<String> story = new ArrayList<>();
     private final Map<String, MutexMessage> messages = new LinkedHashMap<>();
     private final List<View> learned = new ArrayList<>();
+    private final List<View> views = new ArrayList<>(shape.views());
+    private int suspicions;
 
     Situation() {
       for (ProcessId id : lastView().ids()) {
@@ -101,7 +110,7 @@ final class MutexExplorer {
     }
 
     View lastView() {
-      return shape.views().get(shape.views().size() - 1);
+      return views.get(views.size() - 1);
     }
 
     void take(int choice) {
@@ -114,13 +123,13 @@ final class MutexExplorer {
       for (int i = 0; i < nodes.size(); i++) {
         addChoices(i, all);
       }
-      for (MutexMessage message : messages.values()) {
+      messages.forEach((text, message) -> {
         for (MutexNode node : nodes) {
           if (node.id.equals(message.to())) {
-            all.add(step(message.toString(), () -> node.protocol.receive(message, 0)));
+            all.add(step(text, () -> node.protocol.receive(message, 0)));
           }
         }
-      }
+      });
       return all;
     }
 
@@ -145,7 +154,23 @@ final class MutexExplorer {
                   () -> node.protocol.release(new TreeSet<>(List.of(section)))));
         }
       }
-      for (View view : shape.views()) {
+      if (node.isIn(Phase.TRYING) && suspicions < shape.suspicions()) {
+        for (ProcessId other : node.protocol.missing()) {
+          all.add(
+              step(
+                  node.id + " takes " + other + " for crashed",
+                  () -> {
+                    suspicions++;
+                    node.protocol.suspect(other, 0);
+                  }));
+        }
+      }
+      for (Confinement each : node.proposed) {
+        if (each.changes(lastView()) && each.isVouchedForIn(lastView())) {
+          all.add(step(each.toString(), () -> views.add(each.applyTo(lastView().next()))));
+        }
+      }
+      for (View view : List.copyOf(views)) {
         boolean isOut = learned.get(i).equals(View.NONE) && !view.contains(node.id);
         if (view.number() > learned.get(i).number() && !isOut) {
           all.add(() -> learn(i, view));
@@ -166,10 +191,20 @@ final class MutexExplorer {
       nodes.get(i).protocol.learn(view);
     }
 
+    private TreeSet<String> sorted(Set<Confinement> confinements) {
+      TreeSet<String> texts = new TreeSet<>();
+      confinements.forEach(each -> texts.add(each.toString()));
+      return texts;
+    }
+
     String key() {
       StringBuilder text = new StringBuilder();
-      nodes.forEach(
-          node -> text.append(node.protocol.state()).append(node.consentedTo).append('|'));
+      nodes.forEach(node ->
+          text.append(node.protocol.state())
+              .append(node.consentedTo)
+              .append(sorted(node.proposed))
+              .append('|'));
+      text.append(views).append(suspicions);
       return text.append(new TreeSet<>(messages.keySet())).toString();
     }
   }
