@@ -6,8 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.SortedSet;
-import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.Function;
 import org.junit.jupiter.api.Test;
@@ -18,10 +16,7 @@ import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
-import org.starl.primitives.membership.Confinement;
-import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
-import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.Registration;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
@@ -220,75 +215,6 @@ class M_MutexTest {
       return "nothing wrong";
     } catch (IllegalStateException e) {
       return String.valueOf(e.getMessage());
-    }
-  }
-
-  /** A membership that does what the test says. */
-  private static final class ScriptedViews implements Membership {
-    private final TreeMap<ProcessId, Long> admitted = new TreeMap<>();
-    private final List<Runnable> listeners = new ArrayList<>();
-    private ProcessId me;
-    private View view = View.NONE;
-
-    ScriptedViews(ProcessId me) {
-      this.me = me;
-    }
-
-    void admit(ProcessId newMe) {
-      admitted.put(newMe, view.number() + 1);
-      view = new View(view.number() + 1, admitted);
-      me = newMe;
-      listeners.forEach(Runnable::run);
-    }
-
-    @Override
-    public ProcessId me() {
-      return me;
-    }
-
-    @Override
-    public View view() {
-      return view;
-    }
-
-    @Override
-    public boolean mayRequest() {
-      return view.contains(me);
-    }
-
-    @Override
-    public void onChange(Runnable listener) {
-      listeners.add(listener);
-    }
-
-    @Override
-    public void join(Member member) {
-      // Nobody leaves.
-    }
-
-    @Override
-    public void refresh() {
-      // There is nobody to ask.
-    }
-
-    @Override
-    public boolean confines() {
-      return false;
-    }
-
-    @Override
-    public void propose(Confinement confinement) {
-      throw new IllegalStateException("not in this test");
-    }
-
-    @Override
-    public void isIdleForEver(ProcessId id) {
-      // It stays in the view.
-    }
-
-    @Override
-    public void standsIn(SortedSet<String> sections) {
-      throw new IllegalStateException("not in this test");
     }
   }
 
