@@ -77,7 +77,9 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     deployment = plan.deployment();
     knownObstacles = plan.obstacles.known();
     faults = plan.settings.get(Setting.FAULTS).plus(chaos());
-    key = plan.settings.get(Setting.SEALED) ? drawKey(scenarioRng.fork("key")) : null;
+    boolean isHostile = plan.settings.get(Setting.CHAOS) == Envelope.HOSTILE;
+    boolean isSealed = isHostile || plan.settings.get(Setting.SEALED);
+    key = isSealed ? drawKey(scenarioRng.fork("key")) : null;
   }
 
   SimResult run() {

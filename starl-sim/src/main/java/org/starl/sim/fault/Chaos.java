@@ -86,7 +86,14 @@ final class Chaos {
       kinds.add(c -> new Crash(c.one(0.5) ? Who.ANY : Who.HALF, c.unsynced()));
       kinds.add(c -> new RobotHarm.Disk(c.anyOrAll(), c.ms(1, 100)));
     }
-    if (envelope == Envelope.LOGICAL || envelope == Envelope.MORTAL) {
+    if (envelope == Envelope.HOSTILE) {
+      kinds.add(c -> new AttackHarm.Forge(c.anyOrAll(), c.ms(10, 500)));
+      kinds.add(c -> new AttackHarm.Replay(c.anyOrAll(), c.ms(10, 500)));
+      kinds.add(c -> new AttackHarm.Flood(c.anyOrAll(), c.ms(5, 100)));
+    }
+    if (envelope == Envelope.LOGICAL
+        || envelope == Envelope.MORTAL
+        || envelope == Envelope.HOSTILE) {
       kinds.add(c -> new RobotHarm.Compute(c.anyOrAll(), c.ms(1, 20)));
       kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-100_000, 100_000)));
       kinds.add(c -> new RobotHarm.Skew(Who.ANY, c.ms(-1000, 1000)));

@@ -26,6 +26,12 @@ public enum Envelope {
   LOGICAL("the network's faults, crashes with restarts, slow storage, wrong clocks"),
 
   /**
+   * As {@link #LOGICAL}, and somebody who listens, forges, replays and floods. Only with a key: a run
+   * with these faults seals its datagrams.
+   */
+  HOSTILE("the logical ones, and forged, replayed and senseless datagrams against a key"),
+
+  /**
    * The network's faults, every crash with a restart, slow storage, and clocks up to 200 ppm off. For
    * robots that drive by what they agreed on.
    */

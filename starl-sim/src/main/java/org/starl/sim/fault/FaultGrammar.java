@@ -130,7 +130,19 @@ public final class FaultGrammar {
           row(
               "block(WHO)",
               "a foreign body parks before the robot",
-              call -> new IntruderHarm.Block(who(call))));
+              call -> new IntruderHarm.Block(who(call))),
+          row(
+              "forge(WHO,100ms)",
+              "somebody without the key sends changed recordings, about every so long",
+              call -> new AttackHarm.Forge(who(call), meanTime(call))),
+          row(
+              "replay(WHO,100ms)",
+              "somebody without the key sends old recordings, about every so long",
+              call -> new AttackHarm.Replay(who(call), meanTime(call))),
+          row(
+              "flood(WHO,1ms)",
+              "somebody without the key sends bytes without sense, about every so long",
+              call -> new AttackHarm.Flood(who(call), meanTime(call))));
 
   private FaultGrammar() {}
 
@@ -174,6 +186,10 @@ public final class FaultGrammar {
 
   private static Who who(Call call) {
     return call.next(Who.EXPECTED, Who::parse);
+  }
+
+  private static long meanTime(Call call) {
+    return call.next("the mean time between two", FaultGrammar::positiveNs);
   }
 
   private static double probability(Call call) {

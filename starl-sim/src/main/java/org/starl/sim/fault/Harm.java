@@ -3,7 +3,7 @@ package org.starl.sim.fault;
 import java.util.List;
 
 /** What a fault does while it lasts, when it does not matter. Immutable. */
-public sealed interface Harm permits AirHarm, RobotHarm, IntruderHarm, Crash {
+public sealed interface Harm permits AirHarm, RobotHarm, IntruderHarm, AttackHarm, Crash {
 
   /** As in its text: {@code crash}. */
   String name();

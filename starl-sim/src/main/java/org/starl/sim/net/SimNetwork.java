@@ -17,12 +17,16 @@ import org.starl.trace.TraceEvent;
  */
 public final class SimNetwork {
 
+  /** Where injected datagrams come from, as far as the trace goes. */
+  private static final RobotId NOBODY = new RobotId("nobody");
+
   private final Clock clock;
   private final TraceSink trace;
   private final Rng root;
   private final StationTable stations = new StationTable();
   private final List<SimRadio> attached = new ArrayList<>();
   private final List<Installed> rules = new ArrayList<>();
+  private final List<Tap> taps = new ArrayList<>();
   private final DeliveryPool pool = new DeliveryPool(this);
   private Latency latency = new Latency.Constant(0);
   private Loss loss = Loss.NONE;
@@ -98,19 +102,41 @@ public final class SimNetwork {
     return () -> rules.remove(installed);
   }
 
+  /** Lets somebody listen to all that is sent from now on. */
+  public Tap.Handle listen(Tap tap) {
+    // So that one tap that listens twice can stop once.
+    Tap own = (from, buffer, length) -> tap.sent(from, buffer, length);
+    taps.add(own);
+    return () -> taps.remove(own);
+  }
+
+  /**
+   * Lets {@code to} receive these bytes now, whoever they say they are from: no robot sent them, no
+   * rule and no loss befalls them. Nothing happens if {@code to} is not on the air.
+   */
+  public void inject(RobotId to, byte[] datagram) {
+    Station station = stations.find(to);
+    if (station != null && station.radio != null) {
+      SimRadio radio = station.radio;
+      Packet packet = pool.packet(datagram, datagram.length);
+      radio.inbox().schedule(clock.nowNs(), pool.delivery(NOBODY, radio, packet));
+      packet.release();
+    }
+  }
+
   public NetStatistics statistics() {
     return new NetStatistics(sent, sentBytes, delivered, lost);
   }
 
   void send(SimRadio from, RobotId to, byte[] buffer, int length) {
-    long datagram = countSent(from, length);
+    long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
     transmit(from, station(to), packet, datagram);
     packet.release();
   }
 
   void broadcast(SimRadio from, byte[] buffer, int length) {
-    long datagram = countSent(from, length);
+    long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
     if (audience == null) {
       for (int i = 0; i < attached.size(); i++) {
@@ -142,9 +168,12 @@ public final class SimNetwork {
     }
   }
 
-  private long countSent(SimRadio from, int length) {
+  private long countSent(SimRadio from, byte[] buffer, int length) {
     sent++;
     sentBytes += length;
+    for (int i = 0; i < taps.size(); i++) {
+      taps.get(i).sent(from.id(), buffer, length);
+    }
     return from.station().nextDatagram();
   }
 

@@ -82,12 +82,20 @@ final class ProbeRun {
   final List<TraceEvent> events = new ArrayList<>();
 
   static Simulation.Builder simulation(long seed, String... faults) {
+    return simulation(seed, false, faults);
+  }
+
+  private static Simulation.Builder simulation(long seed, boolean sealed, String... faults) {
     Simulation.Builder builder =
         Simulation.builder()
             .name("probe")
             .seed(seed)
             .settings(
-                SimSettings.builder().set("messageDelay", "10ms").set("duration", "12s").build());
+                SimSettings.builder()
+                    .set("messageDelay", "10ms")
+                    .set("duration", "12s")
+                    .set("sealed", sealed ? "yes" : "no")
+                    .build());
     for (int i = 0; i < 3; i++) {
       builder.robot(new RobotSpec(id(i), new Pose(0, 1000 * i, 0), true, Probe::new));
     }
@@ -99,6 +107,11 @@ final class ProbeRun {
 
   static ProbeRun of(String... faults) {
     return of(simulation(1, faults));
+  }
+
+  /** With a key that the robots share. */
+  static ProbeRun sealed(String... faults) {
+    return of(simulation(1, true, faults));
   }
 
   static ProbeRun of(Obstacles obstacles, String... faults) {

@@ -1,0 +1,76 @@
+package org.starl.sim.fault;
+
+import java.util.Arrays;
+import org.starl.RobotId;
+import org.starl.platform.Radio;
+import org.starl.random.Rng;
+import org.starl.sim.net.Tap;
+
+/**
+ * Remembers what was sent, and makes of it what robots might take for a message. It knows no more of
+ * the wire format than that names and numbers have places in it.
+ */
+final class Eavesdropper implements Tap {
+
+  private static final int RECORDINGS = 256;
+  private static final byte[] NOTHING = new byte[0];
+
+  private final byte[][] recordings = new byte[RECORDINGS][];
+  private final Rng rng;
+  private int recorded;
+
+  Eavesdropper(Rng rng) {
+    this.rng = rng;
+  }
+
+  @Override
+  public void sent(RobotId from, byte[] buffer, int length) {
+    recordings[recorded % RECORDINGS] = Arrays.copyOf(buffer, length);
+    recorded++;
+  }
+
+  /** One of the last datagrams, or nothing before the first. */
+  byte[] recorded() {
+    int there = Math.min(recorded, RECORDINGS);
+    return there == 0 ? NOTHING : recordings[rng.nextInt(there)].clone();
+  }
+
+  /** One of the last datagrams, changed in some places. */
+  byte[] changed() {
+    byte[] datagram = recorded();
+    if (datagram.length == 0) {
+      return datagram;
+    }
+    int changes = 1 + rng.nextInt(3);
+    for (int i = 0; i < changes; i++) {
+      datagram = rng.nextBoolean(0.8) ? withOtherBytes(datagram) : crossed(datagram);
+    }
+    return datagram;
+  }
+
+  /** Random bytes, of any length that a radio carries. */
+  byte[] noise() {
+    byte[] datagram = new byte[1 + rng.nextInt(Radio.MAX_BYTES)];
+    for (int i = 0; i < datagram.length; i++) {
+      datagram[i] = (byte) rng.nextInt(256);
+    }
+    return datagram;
+  }
+
+  // Small steps: numbers stay plausible, and bot1 becomes bot2.
+  private byte[] withOtherBytes(byte[] datagram) {
+    int at = rng.nextInt(datagram.length);
+    int step = rng.nextBoolean(0.7) ? 1 + rng.nextInt(3) : rng.nextInt(256);
+    datagram[at] = (byte) (rng.nextBoolean(0.5) ? datagram[at] + step : datagram[at] - step);
+    return datagram;
+  }
+
+  // The head of one datagram before the tail of another one of the same length or not.
+  private byte[] crossed(byte[] datagram) {
+    byte[] other = recorded();
+    int cut = rng.nextInt(Math.min(datagram.length, other.length));
+    byte[] crossed = other.clone();
+    System.arraycopy(datagram, 0, crossed, 0, cut);
+    return crossed;
+  }
+}
