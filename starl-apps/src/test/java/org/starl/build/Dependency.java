@@ -6,6 +6,6 @@ package org.starl.build;
  * @param module which module needs it
  * @param needed group and name, such as {@code org.jspecify:jspecify}
  * @param version of a library; the project's own for a module
- * @param scope compile or test
+ * @param scope compile, provided or test, as Maven calls them
  */
 record Dependency(String module, String needed, String version, String scope) {}

@@ -119,6 +119,7 @@ final class GradleBuild {
   private static String scope(String configuration) {
     return switch (configuration) {
       case "api", "implementation" -> "compile";
+      case "compileOnly" -> "provided";
       case "runtimeOnly" -> "runtime";
       case "testImplementation", "testRuntimeOnly" -> "test";
       default -> throw new IllegalStateException("unknown configuration " + configuration);

@@ -130,6 +130,15 @@ final class Layers {
                   .resideInAnyPackage(DESKTOP),
               org.starl.sim.fixture.SimulatorDraws.class),
           new Law(
+              "JUnit is for tests alone",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackage("org.starl.sim.junit..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.junit.."),
+              org.starl.sim.fixture.SimulatorTests.class),
+          new Law(
               "Android is the leaf's",
               noClasses()
                   .that()

@@ -76,7 +76,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     }
     deployment = plan.deployment();
     knownObstacles = plan.obstacles.known();
-    faults = plan.settings.get(Setting.FAULTS).plus(chaos());
+    faults = plan.allFaults();
     boolean isHostile = plan.settings.get(Setting.CHAOS) == Envelope.HOSTILE;
     boolean isSealed = isHostile || plan.settings.get(Setting.SEALED);
     key = isSealed ? drawKey(scenarioRng.fork("key")) : null;
@@ -112,12 +112,6 @@ final class Engine implements SimControl, Ward, AutoCloseable {
             spec);
     watchers.finished(result);
     return result;
-  }
-
-  private FaultPlan chaos() {
-    Envelope envelope = plan.settings.get(Setting.CHAOS);
-    Rng rng = behaviourRng.fork("chaos");
-    return FaultPlan.chaos(envelope, deployment.size(), plan.settings.chaosEndNs(), rng);
   }
 
   private static DeploymentKey drawKey(Rng rng) {

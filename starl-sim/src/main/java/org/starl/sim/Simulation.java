@@ -62,6 +62,14 @@ public final class Simulation {
   }
 
   /**
+   * All that is to go wrong in it: the settings' faults, then chaos, drawn by now. With these
+   * faults, sealed if chaos was hostile, and no chaos, it is the same run.
+   */
+  public FaultPlan faults() {
+    return plan.allFaults();
+  }
+
+  /**
    * Runs until every app has ended, or until the settings' time limit.
    *
    * @throws SimulationFailed if an app, a handler or the simulator itself threw
@@ -118,6 +126,11 @@ public final class Simulation {
     public Builder settings(SimSettings newSettings) {
       settings = newSettings;
       return this;
+    }
+
+    /** The settings as they stand. */
+    public SimSettings settings() {
+      return settings;
     }
 
     /** Decides the scenario: places, routes, arrivals; and behaviour unless that has its own. */
@@ -230,6 +243,16 @@ public final class Simulation {
     /** The seed of everything but the scenario. */
     long behaviourSeedOrDerived() {
       return behaviourSeed != null ? behaviourSeed : new Rng(seed).fork("behaviour").nextLong();
+    }
+
+    /** Those of the settings, then chaos; the robots must be known. */
+    FaultPlan allFaults() {
+      Rng rng = new Rng(behaviourSeedOrDerived()).fork("chaos");
+      return settings
+          .get(Setting.FAULTS)
+          .plus(
+              FaultPlan.chaos(
+                  settings.get(Setting.CHAOS), robots.size(), settings.chaosEndNs(), rng));
     }
 
     /** The robots of the start; two of one name would be taken for one. */

@@ -1,0 +1,17 @@
+package org.starl.sim.junit;
+
+import java.util.function.Consumer;
+import org.starl.sim.SimResult;
+
+/** What a {@link StarlTest} wants to know of the end of a run, besides what monitors watch. */
+@FunctionalInterface
+public interface Afterwards {
+
+  /**
+   * Checks the result of this seed's run if that went well: every app ended, every specification
+   * held. May be called more than once; checks run in that order.
+   *
+   * @param assertion throws if it does not hold
+   */
+  void check(Consumer<SimResult> assertion);
+}

@@ -1,0 +1,147 @@
+package org.starl.sim.junit;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.Setting;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.check.Campaign;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.FaultPlan;
+
+/**
+ * The runs of one test, for seeds that follow each other.
+ *
+ * @param name of the test, as Maven's {@code -Dtest} takes it
+ * @param faults of every run, besides those that the scenario has itself
+ * @param chaos to draw from; the scenario's own if none
+ * @param atMostNs when runs end whose scenario sets no end
+ * @param scenario the test's method
+ */
+record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, Scenario scenario) {
+
+  /** Of so many bad runs the failure tells what went wrong. */
+  private static final int MOST_TOLD = 5;
+
+  /** Fills the builder of one seed, and says what to check. */
+  @FunctionalInterface
+  interface Scenario {
+    void fill(long seed, Simulation.Builder simulation, List<Consumer<SimResult>> checks);
+  }
+
+  /** One run: written by the thread that runs it, read when all are over. */
+  private static final class Run {
+    private final long seed;
+    private final Simulation simulation;
+    private final List<Consumer<SimResult>> checks;
+    private @Nullable SimResult result;
+    private @Nullable Throwable error;
+
+    Run(long seed, Simulation simulation, List<Consumer<SimResult>> checks) {
+      this.seed = seed;
+      this.simulation = simulation;
+      this.checks = checks;
+    }
+
+    RunOutcome go() {
+      try {
+        SimResult mine = simulation.run();
+        result = mine;
+        return RunOutcome.of(mine);
+      } catch (RuntimeException e) {
+        error = e;
+        return RunOutcome.failed(e);
+      }
+    }
+  }
+
+  private record Bad(Run run, String what) {}
+
+  /**
+   * Runs them all.
+   *
+   * @throws AssertionError if not every run goes well
+   * @throws InterruptedException if the test's thread is interrupted
+   */
+  void run(long firstSeed, long lastSeed) throws InterruptedException {
+    Campaign campaign = new Campaign(firstSeed, lastSeed);
+    List<Run> runs = new ArrayList<>();
+    for (long seed = firstSeed; seed <= lastSeed; seed++) {
+      runs.add(planned(seed));
+    }
+    List<Bad> bad = new ArrayList<>();
+    campaign
+        .run(seed -> runs.get((int) (seed - firstSeed)).go(), (finished, planned, soFar) -> {})
+        .runs()
+        .forEach(finished ->
+            judge(runs.get((int) (finished.seed() - firstSeed)), finished.outcome(), bad));
+    if (!bad.isEmpty()) {
+      throw new AssertionError(report(bad, runs.size()), bad.get(0).run().error);
+    }
+  }
+
+  private Run planned(long seed) {
+    Simulation.Builder builder = Simulation.builder().name(name).seed(seed);
+    List<Consumer<SimResult>> checks = new ArrayList<>();
+    try {
+      return planned(seed, builder, checks);
+    } catch (AssertionError | RuntimeException wrong) {
+      // Goes on as it is, since JUnit knows some kinds; the seed is told beside it.
+      wrong.addSuppressed(new IllegalStateException("seed " + seed + "; " + replay(seed)));
+      throw wrong;
+    }
+  }
+
+  private Run planned(long seed, Simulation.Builder builder, List<Consumer<SimResult>> checks) {
+    scenario.fill(seed, builder, checks);
+    SimSettings.Builder settings = builder.settings().toBuilder();
+    if (builder.settings().get(Setting.DURATION).isZero()) {
+      settings.duration(Duration.ofNanos(atMostNs));
+    }
+    if (chaos != Envelope.NONE) {
+      settings.set(Setting.CHAOS, chaos);
+    }
+    return new Run(seed, builder.settings(settings.build()).faults(faults).build(), checks);
+  }
+
+  private static void judge(Run run, RunOutcome outcome, List<Bad> bad) {
+    SimResult result = run.result;
+    if (!outcome.isGood() || result == null) {
+      bad.add(new Bad(run, outcome.detail()));
+      return;
+    }
+    try {
+      run.checks.forEach(check -> check.accept(result));
+    } catch (AssertionError | RuntimeException e) {
+      run.error = e;
+      bad.add(new Bad(run, String.valueOf(e.getMessage()).strip()));
+    }
+  }
+
+  private String report(List<Bad> bad, int runs) {
+    List<String> lines = new ArrayList<>();
+    lines.add(name + ": " + bad.size() + " of " + runs + " runs went wrong");
+    for (Bad each : bad.subList(0, Math.min(bad.size(), MOST_TOLD))) {
+      lines.add("  seed " + each.run().seed + ": " + each.what());
+    }
+    if (bad.size() > MOST_TOLD) {
+      lines.add("  and " + (bad.size() - MOST_TOLD) + " more");
+    }
+    Run first = bad.get(0).run();
+    FaultPlan whatHappened = first.simulation.faults();
+    if (!whatHappened.isEmpty()) {
+      lines.add("faults of seed " + first.seed + ": " + whatHappened);
+    }
+    lines.add(replay(first.seed));
+    return String.join("\n", lines);
+  }
+
+  private String replay(long seed) {
+    return "replay: mvn test '-Dtest=" + name + "' -D" + StarlExtension.SEED + "=" + seed;
+  }
+}

@@ -1,0 +1,137 @@
+package org.starl.sim.junit;
+
+import java.lang.reflect.Method;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.function.Consumer;
+import org.junit.jupiter.api.extension.ExtensionConfigurationException;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.extension.InvocationInterceptor;
+import org.junit.jupiter.api.extension.ParameterContext;
+import org.junit.jupiter.api.extension.ParameterResolver;
+import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
+import org.junit.platform.commons.support.AnnotationSupport;
+import org.junit.platform.commons.support.ReflectionSupport;
+import org.starl.sim.SimResult;
+import org.starl.sim.Simulation;
+import org.starl.sim.fault.FaultPlan;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Quantities;
+
+/**
+ * Runs the methods marked {@link StarlTest}. JUnit resolves a method's parameters once; its one
+ * invocation is replaced by one for each seed, with this seed's own builder in the builder's place.
+ */
+final class StarlExtension implements ParameterResolver, InvocationInterceptor {
+
+  /** The parameter, or system property, that asks for one seed alone. */
+  static final String SEED = "starl.seed";
+
+  StarlExtension() {}
+
+  @Override
+  public boolean supportsParameter(ParameterContext parameter, ExtensionContext context) {
+    Class<?> type = parameter.getParameter().getType();
+    boolean isOfTest =
+        context
+            .getTestMethod()
+            .filter(method -> method.equals(parameter.getDeclaringExecutable()))
+            .isPresent();
+    return isOfTest
+        && (type == Simulation.Builder.class || type == Afterwards.class || type == long.class);
+  }
+
+  @Override
+  public Object resolveParameter(ParameterContext parameter, ExtensionContext context) {
+    Class<?> type = parameter.getParameter().getType();
+    if (type == long.class) {
+      return 0L;
+    }
+    Afterwards nobody = assertion -> {};
+    return type == Afterwards.class ? nobody : Simulation.builder();
+  }
+
+  @Override
+  public void interceptTestMethod(
+      Invocation<Void> invocation,
+      ReflectiveInvocationContext<Method> test,
+      ExtensionContext context)
+      throws InterruptedException {
+    invocation.skip();
+    Method method = test.getExecutable();
+    StarlTest wanted = AnnotationSupport.findAnnotation(method, StarlTest.class).orElseThrow();
+    SeededRuns runs =
+        new SeededRuns(
+            context.getRequiredTestClass().getName() + "#" + method.getName(),
+            faults(wanted),
+            wanted.chaos(),
+            atMostNs(wanted),
+            (seed, simulation, afterwards) ->
+                ReflectionSupport.invokeMethod(
+                    method,
+                    test.getTarget().orElse(null),
+                    arguments(test, seed, simulation, afterwards)));
+    Optional<Long> alone = context.getConfigurationParameter(SEED).flatMap(StarlExtension::seed);
+    if (alone.isPresent()) {
+      runs.run(alone.get(), alone.get());
+    } else if (wanted.seeds() < 1) {
+      throw new ExtensionConfigurationException("seeds = " + wanted.seeds() + ": expected some");
+    } else {
+      runs.run(wanted.firstSeed(), wanted.firstSeed() + wanted.seeds() - 1);
+    }
+  }
+
+  private static Object[] arguments(
+      ReflectiveInvocationContext<Method> test,
+      long seed,
+      Simulation.Builder simulation,
+      List<Consumer<SimResult>> checks) {
+    Class<?>[] types = test.getExecutable().getParameterTypes();
+    List<Object> arguments = new ArrayList<>(test.getArguments());
+    Afterwards afterwards = checks::add;
+    for (int i = 0; i < types.length; i++) {
+      if (types[i] == Simulation.Builder.class) {
+        arguments.set(i, simulation);
+      } else if (types[i] == Afterwards.class) {
+        arguments.set(i, afterwards);
+      } else if (types[i] == long.class) {
+        arguments.set(i, seed);
+      }
+    }
+    return arguments.toArray();
+  }
+
+  private static FaultPlan faults(StarlTest wanted) {
+    FaultPlan faults = FaultPlan.NONE;
+    for (String fault : wanted.faults()) {
+      try {
+        faults = faults.plus(FaultPlan.parse(fault));
+      } catch (BadInput wrong) {
+        throw new ExtensionConfigurationException("faults: " + wrong.getMessage(), wrong);
+      }
+    }
+    return faults;
+  }
+
+  private static long atMostNs(StarlTest wanted) {
+    try {
+      return Quantities.durationNs(wanted.atMost());
+    } catch (BadInput wrong) {
+      throw new ExtensionConfigurationException("atMost = " + wrong.getMessage(), wrong);
+    }
+  }
+
+  /** Empty if the parameter is blank, as a build passes it on where nobody set it. */
+  private static Optional<Long> seed(String text) {
+    if (text.isBlank()) {
+      return Optional.empty();
+    }
+    try {
+      return Optional.of(Long.valueOf(text.strip()));
+    } catch (NumberFormatException wrong) {
+      throw new ExtensionConfigurationException(
+          SEED + "=" + BadInput.quote(text) + ": expected a seed, a whole number", wrong);
+    }
+  }
+}

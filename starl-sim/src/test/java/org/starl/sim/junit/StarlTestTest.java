@@ -1,0 +1,294 @@
+package org.starl.sim.junit;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+import static org.junit.platform.engine.discovery.DiscoverySelectors.selectMethod;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.TestInfo;
+import org.junit.jupiter.api.extension.ConditionEvaluationResult;
+import org.junit.jupiter.api.extension.ExecutionCondition;
+import org.junit.jupiter.api.extension.ExtendWith;
+import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.platform.testkit.engine.EngineExecutionResults;
+import org.junit.platform.testkit.engine.EngineTestKit;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.fault.Envelope;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+
+/** {@link StarlTest}, as JUnit's own test kit sees it. */
+class StarlTestTest {
+
+  private static final String FIXTURE = "starl.fixture";
+  private static final Pattern SEED = Pattern.compile("-Dstarl\\.seed=(-?\\d+)");
+
+  /** Keeps the fixtures below, some of which fail, from whoever looks for tests. */
+  static final class OnlyFromHere implements ExecutionCondition {
+    @Override
+    public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
+      return context.getConfigurationParameter(FIXTURE).isPresent()
+          ? ConditionEvaluationResult.enabled("asked for")
+          : ConditionEvaluationResult.disabled("run by StarlTestTest alone");
+    }
+  }
+
+  /** Counts to three, a wait each time; some seeds make it stumble. */
+  private static final class Counter extends LogicThread {
+    private final boolean stumbles;
+
+    Counter(GlobalVarHolder gvh, boolean stumbles) {
+      super(gvh);
+      this.stumbles = stumbles;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      for (int i = 0; i < 3; i++) {
+        sleep(100);
+        gvh.trace.variable("counter", "count", Integer.toString(stumbles && i == 2 ? 7 : i));
+      }
+      return List.of("counted");
+    }
+  }
+
+  /** The count is never above 2. */
+  private static final class CountsToThree implements Monitor {
+    @Override
+    public List<String> lemmas() {
+      return List.of("counts_to_three");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof TraceEvent.Variable count && count.value().equals("7")) {
+        report.violated("counts_to_three", event.timeNs(), List.of(event.robot()), "it is 7");
+      }
+    }
+  }
+
+  @ExtendWith(OnlyFromHere.class)
+  static class Fixture {
+
+    private final List<Long> seeds = new ArrayList<>();
+
+    @StarlTest(seeds = 20)
+    void good(Simulation.Builder simulation, TestInfo info, Afterwards afterwards, long seed) {
+      assertThat(info.getTestMethod()).isPresent();
+      simulation.robots(3, gvh -> new Counter(gvh, false)).monitor(CountsToThree::new);
+      afterwards.check(result -> {
+        assertThat(result.seed()).isEqualTo(seed);
+        assertThat(result.results().values()).hasSize(3).containsOnly(List.of("counted"));
+        seeds.add(result.seed());
+      });
+      afterwards.check(result -> assertThat(seeds).isSorted().endsWith(seed));
+    }
+
+    @StarlTest(seeds = 20, firstSeed = 8)
+    void planted(Simulation.Builder simulation, long seed) {
+      simulation.robots(
+          2, gvh -> new Counter(gvh, seed % 5 == 0 && gvh.id.name().name().equals("bot1")));
+      simulation.monitor(CountsToThree::new);
+    }
+
+    @StarlTest(seeds = 3)
+    void throwing(Simulation.Builder simulation) {
+      simulation.robots(
+          1,
+          gvh -> {
+            throw new IllegalStateException("on purpose");
+          });
+    }
+
+    @StarlTest(seeds = 3, atMost = "250ms")
+    void tooLong(Simulation.Builder simulation) {
+      simulation.robots(2, gvh -> new Counter(gvh, false));
+    }
+
+    @StarlTest(seeds = 3, atMost = "1ms")
+    void longEnough(Simulation.Builder simulation) {
+      simulation
+          .settings(SimSettings.builder().duration(Duration.ofSeconds(1)).build())
+          .robots(2, gvh -> new Counter(gvh, false));
+    }
+
+    @StarlTest(seeds = 10)
+    void wrongResult(Simulation.Builder simulation, Afterwards afterwards) {
+      simulation.robots(2, gvh -> new Counter(gvh, false));
+      afterwards.check(result -> assertThat(result.seed()).isLessThan(3));
+    }
+
+    @StarlTest(seeds = 4, faults = "crash(bot1,at=150ms)")
+    void crashed(Simulation.Builder simulation, Afterwards afterwards) {
+      simulation.robots(2, gvh -> new Counter(gvh, false));
+      afterwards.check(result -> assertThat(result.results()).hasSize(2));
+    }
+
+    @StarlTest(seeds = 20, chaos = Envelope.NETWORK)
+    void chaotic(Simulation.Builder simulation, Afterwards afterwards) {
+      simulation.robots(2, gvh -> new Counter(gvh, false));
+      afterwards.check(result -> assertThat(result.seed()).isLessThan(20));
+    }
+
+    @StarlTest(seeds = 2, faults = "crush(bot1)")
+    void badFault(Simulation.Builder simulation) {
+      simulation.robots(2, gvh -> new Counter(gvh, false));
+    }
+
+    @StarlTest(seeds = 2)
+    void badScenario(Simulation.Builder simulation, long seed) {
+      assertThat(seed).isEqualTo(1);
+      simulation.robots(2, gvh -> new Counter(gvh, false));
+    }
+
+    @StarlTest
+    void assuming(Simulation.Builder simulation) {
+      assumeTrue(simulation.settings().robots() == 17);
+    }
+  }
+
+  private static EngineExecutionResults run(String method, String seed) {
+    Class<?>[] types =
+        switch (method) {
+          case "good" ->
+              new Class<?>[] {
+                Simulation.Builder.class, TestInfo.class, Afterwards.class, long.class
+              };
+          case "planted", "badScenario" -> new Class<?>[] {Simulation.Builder.class, long.class};
+          case "wrongResult", "crashed", "chaotic" ->
+              new Class<?>[] {Simulation.Builder.class, Afterwards.class};
+          default -> new Class<?>[] {Simulation.Builder.class};
+        };
+    return EngineTestKit.engine("junit-jupiter")
+        .configurationParameter(FIXTURE, "yes")
+        .configurationParameter(StarlExtension.SEED, seed)
+        .selectors(selectMethod(Fixture.class, method, types))
+        .execute();
+  }
+
+  private static Throwable failure(EngineExecutionResults results) {
+    assertThat(results.testEvents().failed().count()).as("failed tests").isOne();
+    return results
+        .testEvents()
+        .failed()
+        .list()
+        .get(0)
+        .getRequiredPayload(org.junit.platform.engine.TestExecutionResult.class)
+        .getThrowable()
+        .orElseThrow();
+  }
+
+  private static List<String> failureLines(String method, String seed) {
+    return failure(run(method, seed)).getMessage().lines().toList();
+  }
+
+  @Test
+  void itPassesWhenEverySeedDoes() {
+    for (String good : List.of("good", "longEnough")) {
+      run(good, "").testEvents().assertStatistics(stats -> stats.started(1).succeeded(1));
+    }
+  }
+
+  @Test
+  void aPlantedBugIsCaughtAndThePrintedSeedReplaysIt() {
+    List<String> lines = failureLines("planted", "");
+    assertThat(lines.get(0)).endsWith("StarlTestTest$Fixture#planted: 4 of 20 runs went wrong");
+    assertThat(lines.subList(1, 5))
+        .extracting(line -> line.substring(0, line.indexOf(':')))
+        .containsExactly("  seed 10", "  seed 15", "  seed 20", "  seed 25");
+    assertThat(lines.get(1)).endsWith("counts_to_three violated at 0.300 s by bot1: it is 7");
+    String replay = lines.get(lines.size() - 1);
+    assertThat(replay)
+        .startsWith("replay: mvn test '-Dtest=org.starl.sim.junit.StarlTestTest$Fixture#planted' ");
+    Matcher seed = SEED.matcher(replay);
+    assertThat(seed.find()).isTrue();
+    List<String> again = failureLines("planted", seed.group(1));
+    assertThat(again.get(0)).endsWith("planted: 1 of 1 runs went wrong");
+    assertThat(again.subList(1, again.size())).containsExactly(lines.get(1), replay);
+  }
+
+  @Test
+  void aGoodSeedAlonePasses() {
+    run("planted", "11").testEvents().assertStatistics(stats -> stats.started(1).succeeded(1));
+  }
+
+  @Test
+  void theSeedMayBeASystemProperty() {
+    System.setProperty(StarlExtension.SEED, "25");
+    try {
+      Throwable failure =
+          failure(
+              EngineTestKit.engine("junit-jupiter")
+                  .enableImplicitConfigurationParameters(true)
+                  .configurationParameter(FIXTURE, "yes")
+                  .selectors(
+                      selectMethod(Fixture.class, "planted", Simulation.Builder.class, long.class))
+                  .execute());
+      assertThat(failure).hasMessageContaining("1 of 1 runs").hasMessageContaining("seed 25: ");
+    } finally {
+      System.clearProperty(StarlExtension.SEED);
+    }
+  }
+
+  @Test
+  void anAppThatThrowsIsTheCause() {
+    Throwable failure = failure(run("throwing", ""));
+    assertThat(failure).hasMessageContaining("3 of 3 runs").hasMessageContaining("on purpose");
+    assertThat(failure).hasRootCauseMessage("on purpose");
+  }
+
+  @Test
+  void aRunThatDoesNotFinishFails() {
+    assertThat(failureLines("tooLong", "").get(1))
+        .isEqualTo("  seed 1: not finished: [bot0, bot1]");
+  }
+
+  @Test
+  void aCheckThatDoesNotHoldFailsAndManySeedsAreCounted() {
+    List<String> lines = failureLines("wrongResult", "");
+    assertThat(lines.get(0)).endsWith("8 of 10 runs went wrong");
+    assertThat(lines).anyMatch(line -> line.startsWith("  seed 3: ")).contains("  and 3 more");
+    assertThat(failure(run("wrongResult", ""))).cause().isInstanceOf(AssertionError.class);
+  }
+
+  @Test
+  void faultsHappenAndAreTold() {
+    assertThat(failureLines("crashed", ""))
+        .hasSizeGreaterThan(4)
+        .contains("faults of seed 1: crash(bot1,at=150ms)");
+    assertThat(failureLines("chaotic", ""))
+        .anyMatch(line -> line.startsWith("faults of seed 20: "));
+  }
+
+  @Test
+  void whatIsWrittenWrongIsTold() {
+    assertThat(failure(run("badFault", "")))
+        .hasMessageContaining("faults: ")
+        .hasMessageContaining("crush");
+    assertThat(failure(run("good", "x"))).hasMessageContaining("starl.seed='x': expected a seed");
+  }
+
+  @Test
+  void aScenarioThatThrowsSaysItsSeed() {
+    Throwable failure = failure(run("badScenario", ""));
+    assertThat(failure).isInstanceOf(AssertionError.class);
+    assertThat(failure.getSuppressed())
+        .singleElement()
+        .extracting(Throwable::getMessage)
+        .asString()
+        .startsWith("seed 2; replay: mvn test ");
+  }
+
+  @Test
+  void anAssumptionThatDoesNotHoldAborts() {
+    run("assuming", "").testEvents().assertStatistics(stats -> stats.started(1).aborted(1));
+  }
+}
