@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.spec.Circumstances;
@@ -85,7 +86,9 @@ public final class AgreementSpec implements Monitor {
   private void acted(Action action) {
     switch (action.name()) {
       case SetAgreement.ACCEPTORS ->
-          acceptors.putIfAbsent(action.source(), action.args().stream().map(RobotId::new).toList());
+          acceptors.putIfAbsent(
+              action.source(),
+              action.args().stream().map(RobotId::new).collect(Collectors.toList()));
       case SetAgreement.PROPOSE -> {
         proposals
             .computeIfAbsent(action.source(), source -> new TreeSet<>())
