@@ -33,7 +33,8 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     footer = {
       "",
-      "Example: starl campaign intersection --seeds 1..500 --loss 0.3 --delay 'uniform(10ms,200ms)'"
+      "Example: starl campaign intersection --seeds 1..500 --loss 0.3 --delay 'uniform(10ms,200ms)'",
+      "         starl campaign mutex --seeds 1..100 --chaos --shrink"
     })
 final class CampaignCommand implements Callable<Integer> {
 
@@ -52,6 +53,13 @@ final class CampaignCommand implements Callable<Integer> {
 
   @Option(names = "--stop", description = "Stop at the first run that does not go well.")
   private boolean stop;
+
+  @Option(
+      names = "--shrink",
+      description =
+          "Take from the first run that does not go well what it does not need for that: robots,"
+              + " faults, time.")
+  private boolean shrink;
 
   @Mixin private JsonOption json = new JsonOption();
 
@@ -72,17 +80,28 @@ final class CampaignCommand implements Callable<Integer> {
     CampaignResult result =
         campaign.run(seed -> run(chosen, seed, carriers, samples), progress::show);
     progress.end();
+    CampaignResult.Run bad = result.firstBad();
+    Shrinking.Shrunk shrunk =
+        bad == null || !shrink
+            ? null
+            : new Shrinking(Main.demos(spec), chosen, bad.seed(), carriers).run(err);
     if (json.isOn()) {
-      out.println(Json.line(summary(chosen, range, result, samples)));
+      Map<String, Object> summary = summary(chosen, range, result, samples);
+      if (shrunk != null) {
+        summary.put("shrunk", shrunk.json());
+      }
+      out.println(Json.line(summary));
     } else {
       table(chosen, result, samples).forEach(out::println);
     }
-    CampaignResult.Run bad = result.firstBad();
     if (bad == null) {
       return ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
     err.println("replay: " + options.replay("run", bad.seed()));
+    if (shrunk != null) {
+      shrunk.lines().forEach(err::println);
+    }
     return ExitStatus.VIOLATED;
   }
 
@@ -105,7 +124,7 @@ final class CampaignCommand implements Callable<Integer> {
     RunOutcome outcome = RunOutcome.of(result);
     SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
     figures.putAll(measures.figures());
-    return new RunOutcome(outcome.verdict(), outcome.detail(), figures);
+    return outcome.withFigures(figures);
   }
 
   private static List<String> table(Chosen chosen, CampaignResult result, Samples samples) {

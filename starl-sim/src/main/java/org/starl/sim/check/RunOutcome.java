@@ -5,16 +5,24 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.sim.SimResult;
+import org.starl.sim.SimulationFailed;
+import org.starl.sim.kernel.RobotError;
+import org.starl.spec.SpecReport;
 
 /**
  * What came of one run of a campaign.
  *
+ * @param what is wrong, to compare runs by: the lemma that was violated first, the type of the
+ *     exception; empty if there is neither
+ * @param atNs when that was, in ns of virtual time; -1 if that is not known
  * @param detail one line: the first violation, who did not finish, what was thrown; empty if good
  * @param figures finite numbers to make statistics of, by name
  */
-public record RunOutcome(Verdict verdict, String detail, SortedMap<String, Double> figures) {
+public record RunOutcome(
+    Verdict verdict, String what, long atNs, String detail, SortedMap<String, Double> figures) {
 
   private static final double NS_PER_S = 1e9;
+  private static final long UNKNOWN = -1;
 
   /** How a run went, from good to bad. */
   public enum Verdict {
@@ -39,7 +47,13 @@ public record RunOutcome(Verdict verdict, String detail, SortedMap<String, Doubl
   }
 
   public static RunOutcome good(SortedMap<String, Double> figures) {
-    return new RunOutcome(Verdict.GOOD, "", figures);
+    return new RunOutcome(Verdict.GOOD, "", UNKNOWN, "", figures);
+  }
+
+  /** A run that violated a specification. */
+  public static RunOutcome violated(SpecReport.Violation first, SortedMap<String, Double> figures) {
+    return new RunOutcome(
+        Verdict.VIOLATED, first.lemma(), first.timeNs(), first.toString(), figures);
   }
 
   /**
@@ -53,25 +67,42 @@ public record RunOutcome(Verdict verdict, String detail, SortedMap<String, Doubl
     figures.put("datagrams_sent", (double) result.network().sent());
     figures.put("datagrams_lost", (double) result.network().lost());
     if (!result.spec().holds()) {
-      String first = result.spec().violations().get(0).toString();
-      return new RunOutcome(Verdict.VIOLATED, first, figures);
+      return violated(result.spec().violations().get(0), figures);
     }
     if (!result.isFinished()) {
       String who = "not finished: " + result.unfinished();
-      return new RunOutcome(Verdict.UNFINISHED, who, figures);
+      return new RunOutcome(Verdict.UNFINISHED, "", UNKNOWN, who, figures);
     }
     return good(figures);
   }
 
   /** A run that an exception ended. */
   public static RunOutcome failed(RuntimeException error) {
+    Throwable cause =
+        error instanceof SimulationFailed && error.getCause() != null ? error.getCause() : error;
+    long atNs = UNKNOWN;
+    if (cause instanceof RobotError robotError) {
+      atNs = robotError.timeNs();
+      cause = robotError.getCause() == null ? robotError : robotError.getCause();
+    }
     String message = error.getMessage();
     String detail = message == null ? error.getClass().getSimpleName() : firstLine(message);
-    return new RunOutcome(Verdict.FAILED, detail, new TreeMap<>());
+    return new RunOutcome(
+        Verdict.FAILED, cause.getClass().getName(), atNs, detail, new TreeMap<>());
+  }
+
+  /** The same with other figures. */
+  public RunOutcome withFigures(SortedMap<String, Double> newFigures) {
+    return new RunOutcome(verdict, what, atNs, detail, newFigures);
   }
 
   public boolean isGood() {
     return verdict == Verdict.GOOD;
+  }
+
+  /** Whether the other run went the same way: violated the same lemma, threw the same type. */
+  public boolean isLike(RunOutcome other) {
+    return verdict == other.verdict && what.equals(other.what);
   }
 
   private static String firstLine(String text) {

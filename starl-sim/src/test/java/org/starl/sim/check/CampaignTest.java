@@ -24,6 +24,7 @@ import org.starl.LogicThread;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.spec.SpecReport.Violation;
 
 class CampaignTest {
 
@@ -32,7 +33,7 @@ class CampaignTest {
   private static RunOutcome outcome(long seed, long badEvery) {
     TreeMap<String, Double> figures = new TreeMap<>(Map.of("seed", (double) seed));
     return seed % badEvery == 0
-        ? new RunOutcome(Verdict.VIOLATED, "seed " + seed, figures)
+        ? RunOutcome.violated(new Violation("even", seed, List.of(), "seed " + seed), figures)
         : RunOutcome.good(figures);
   }
 

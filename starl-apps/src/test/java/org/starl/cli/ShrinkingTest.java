@@ -1,0 +1,165 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.hello.HelloDemo;
+import org.starl.sim.SimSettings;
+import org.starl.sim.fault.Envelope;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+
+/** {@code starl campaign --shrink}. */
+class ShrinkingTest {
+
+  private static final Demos FRAGILE = new Demos(List.of(new Fragile()));
+
+  @TempDir private Path folder;
+
+  /** Hello, of which three robots bear no wheels that are stuck. */
+  private static final class Fragile implements Demo {
+    private final Demo hello = new HelloDemo();
+
+    @Override
+    public String name() {
+      return "fragile";
+    }
+
+    @Override
+    public String summary() {
+      return "hello that must not be stuck";
+    }
+
+    @Override
+    public Envelope envelope() {
+      return hello.envelope();
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return List.of(new Parameter("least", "3", "robots that are fragile"));
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return hello.defaultSettings(request);
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Plan plan = hello.plan(request, settings);
+      int least = Integer.parseInt(request.parameter("least"));
+      plan.simulation().monitor(() -> new NeverStuck(least));
+      return plan;
+    }
+  }
+
+  private static final class NeverStuck implements Monitor {
+    private final int least;
+    private int robots;
+
+    NeverStuck(int least) {
+      this.least = least;
+    }
+
+    @Override
+    public List<String> lemmas() {
+      return List.of("never_stuck");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      robots += event instanceof TraceEvent.Joined ? 1 : 0;
+      if (event instanceof TraceEvent.Fault fault
+          && fault.name().equals(TraceEvent.Fault.BEGIN)
+          && fault.detail().startsWith("stuck")
+          && robots >= least) {
+        report.violated("never_stuck", event.timeNs(), List.of(event.robot()), fault.detail());
+      }
+    }
+  }
+
+  private Cli paste(String line) {
+    List<String> words = new ArrayList<>();
+    Matcher word =
+        Pattern.compile("'([^']*)'|\\S+").matcher(line.substring("replay: ./starl ".length()));
+    while (word.find()) {
+      words.add(word.group(1) == null ? word.group() : word.group(1));
+    }
+    words.addAll(List.of("--png", folder.resolve("replay.png").toString()));
+    return Cli.run(FRAGILE, words.toArray(String[]::new));
+  }
+
+  private static String last(List<String> lines, String beginning) {
+    return lines.stream().filter(l -> l.startsWith(beginning)).reduce((a, b) -> b).orElseThrow();
+  }
+
+  /** Without the campaign's progress, which depends on the machine. */
+  private static List<String> shrinking(Cli cli) {
+    return cli.err().subList(cli.err().indexOf(first(cli.err(), "shrink 1: ")), cli.err().size());
+  }
+
+  private static String first(List<String> lines, String beginning) {
+    return lines.stream().filter(l -> l.startsWith(beginning)).findFirst().orElseThrow();
+  }
+
+  @Test
+  void aRunOfChaosShrinksToTheOneFaultThatMattersAndThePrintedCommandFailsAlike() {
+    String[] args =
+        "campaign fragile --seeds 1..8 --robots 6 --loss 0.1 --chaos --shrink".split(" ");
+    Cli cli = Cli.run(FRAGILE, args);
+    assertThat(cli.status()).as("%s", cli).isEqualTo(1);
+    assertThat(cli.err()).anyMatch(line -> line.matches("shrink 1: 6 robots, 1 setting, .*"));
+    String replay = last(cli.err(), "replay: ");
+    assertThat(replay)
+        .matches(
+            "replay: \\./starl run fragile --seed \\d --robots 3 --for \\d+(ms|s)"
+                + " --fault 'stuck\\([^']*\\)'");
+    assertThat(last(cli.err(), "shrunk in ")).matches(".* -> 3 robots, 1 fault, \\d+(ms|s)");
+    String violation = last(cli.err(), "seed ");
+    Cli again = paste(replay);
+    assertThat(again.status()).isEqualTo(1);
+    assertThat(again.out()).contains("VIOLATED: " + violation.replaceFirst("seed \\d+: ", ""));
+    assertThat(Cli.run(FRAGILE, args).err()).containsSubsequence(shrinking(cli));
+  }
+
+  @Test
+  void aScenarioFileShrinksToACommandWithoutIt() throws IOException {
+    Path file =
+        Files.writeString(
+            folder.resolve("my.yaml"),
+            "app: fragile\nrobots: 4\nleast: 2\nspeedError: 0.05\n"
+                + "faults: [\"stuck(bot1,at=2s,for=3s)\", \"noise(all,9mm)\", \"slow(any,0.5)\"]\n");
+    Cli cli =
+        Cli.run(FRAGILE, "campaign", file.toString(), "--seeds", "5..5", "--shrink", "--json");
+    JsonNode json = new ObjectMapper().readTree(cli.text()).get("shrunk");
+    assertThat(json.get("replay").asText())
+        .isEqualTo(
+            "./starl run fragile --seed 5 --robots 2 --for 2100ms"
+                + " --fault 'stuck(bot1,at=2s,for=187ms)' --set least=2");
+    assertThat(json.get("robots").asInt()).isEqualTo(2);
+    assertThat(paste("replay: " + json.get("replay").asText()).status()).isEqualTo(1);
+  }
+
+  @Test
+  void thereIsNothingToShrinkWhereAllGoesWell() {
+    Cli cli = Cli.run(FRAGILE, "campaign fragile --seeds 1..2 --shrink".split(" "));
+    assertThat(cli.status()).isZero();
+    assertThat(cli.err()).noneMatch(line -> line.startsWith("shr"));
+  }
+}

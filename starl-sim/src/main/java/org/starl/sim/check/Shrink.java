@@ -1,0 +1,230 @@
+package org.starl.sim.check;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.TreeSet;
+import java.util.function.Function;
+import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.sim.fault.Fault;
+import org.starl.sim.fault.Span;
+import org.starl.sim.fault.TimeRange;
+
+/**
+ * Takes from a run that goes badly what it does not need for that: robots, settings, faults, time.
+ * What is left goes badly in the same way (same lemma, same kind of exception), and nothing more of
+ * what is tried here can be taken from it, if there were runs enough to find out. Faults are taken out
+ * in halves, quarters, and one by one (Zeller, Hildebrandt, "Simplifying and isolating
+ * failure-inducing input", IEEE TSE 28(2), 2002), then shortened.
+ *
+ * <p>Equal runs shrink alike: nothing is drawn. The runs are made one after another, on the calling
+ * thread.
+ */
+public final class Shrink {
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long END_STEP_NS = 100 * NS_PER_MS;
+  private static final long SHORTEST_FAULT_NS = 100 * NS_PER_MS;
+
+  /** An end is not looked for more exactly than to this part of it. */
+  private static final int END_PARTS = 50;
+
+  private final Function<Trial, RunOutcome> runner;
+  private final int mostRuns;
+  private final Progress progress;
+  // Passes try again what an earlier one has tried.
+  private final Map<Trial, RunOutcome> known = new LinkedHashMap<>();
+  private int runs;
+
+  /** Told of each run. */
+  @FunctionalInterface
+  public interface Progress {
+
+    /**
+     * @param run its number, from 1, which is the run to shrink
+     * @param isKept whether it goes as badly, so that its trial is the smallest so far
+     */
+    void tried(int run, Trial trial, RunOutcome outcome, boolean isKept);
+  }
+
+  /**
+   * What is left.
+   *
+   * @param outcome of the trial
+   * @param runs that it took
+   * @param isSmallest false if there were not runs enough to know that nothing more can be taken
+   */
+  public record Result(Trial trial, RunOutcome outcome, int runs, boolean isSmallest) {}
+
+  /** The smallest so far. */
+  private record Best(Trial trial, RunOutcome outcome) {}
+
+  /**
+   * @param runner makes and runs a trial: equal trials have equal outcomes. What it throws is a
+   *     failed run; {@code BadInput} is one that no run to shrink has, so that what cannot be run is
+   *     not taken
+   * @param mostRuns no more are made
+   */
+  public Shrink(Function<Trial, RunOutcome> runner, int mostRuns, Progress progress) {
+    this.runner = runner;
+    this.mostRuns = mostRuns;
+    this.progress = progress;
+  }
+
+  /**
+   * Shrinks.
+   *
+   * @throws IllegalArgumentException if {@code from} goes well
+   */
+  public Result shrink(Trial from) {
+    RunOutcome outcome = run(from);
+    if (outcome.isGood()) {
+      throw new IllegalArgumentException("nothing to shrink: " + from + " goes well");
+    }
+    known.put(from, outcome);
+    runs = 1;
+    progress.tried(runs, from, outcome, true);
+    Best best = new Best(from, outcome);
+    Best before;
+    do {
+      before = best;
+      best = withFewerRobots(best);
+      best = withFewerSettings(best);
+      best = withFewerFaults(best);
+      best = withShorterFaults(best);
+      best = withEarlierEnd(best);
+    } while (!best.equals(before) && runs < mostRuns);
+    return new Result(best.trial(), best.outcome(), runs, best.equals(before));
+  }
+
+  private Best withFewerRobots(Best start) {
+    Best best = start;
+    boolean shrank = true;
+    while (shrank) {
+      int now = best.trial().robots();
+      TreeSet<Integer> fewer = new TreeSet<>();
+      for (int robots : new int[] {0, 1, 2, 3, now / 4, now / 2, now * 3 / 4, now - 1}) {
+        if (robots >= 0 && robots < now) {
+          fewer.add(robots);
+        }
+      }
+      shrank = false;
+      for (int robots : fewer) {
+        Best next = tried(best, best.trial().withRobots(robots));
+        if (next != best) {
+          best = next;
+          shrank = true;
+          break;
+        }
+      }
+    }
+    return best;
+  }
+
+  private Best withFewerSettings(Best start) {
+    Best best = start;
+    for (int i = best.trial().settings().size() - 1; i >= 0; i--) {
+      best = tried(best, best.trial().withoutSetting(i));
+    }
+    return best;
+  }
+
+  private Best withFewerFaults(Best start) {
+    Best best = start;
+    for (int part = best.trial().faults().size(); part > 0; part /= 2) {
+      int from = 0;
+      while (from < best.trial().faults().size()) {
+        int count = Math.min(part, best.trial().faults().size() - from);
+        Best next = tried(best, best.trial().withoutFaults(from, count));
+        from += next == best ? count : 0;
+        best = next;
+      }
+    }
+    return best;
+  }
+
+  private Best withShorterFaults(Best start) {
+    Best best = start;
+    for (int i = 0; i < best.trial().faults().size(); i++) {
+      boolean shrank = true;
+      while (shrank) {
+        Fault fault = best.trial().faults().get(i);
+        Fault shorter = halved(fault);
+        Best next = shorter.equals(fault) ? best : tried(best, best.trial().withFault(i, shorter));
+        shrank = next != best;
+        best = next;
+      }
+    }
+    return best;
+  }
+
+  /** Lasting half as long, in whole ms; the same if that is too short, or it lasts for ever. */
+  private static Fault halved(Fault fault) {
+    Span span = fault.span();
+    TimeRange lasting = span.lasting();
+    if (lasting != null) {
+      long halfNs = wholeMs(lasting.mostNs() / 2);
+      return halfNs < SHORTEST_FAULT_NS
+          ? fault
+          : new Fault(fault.harm(), new Span(span.at(), TimeRange.exactly(halfNs), Span.NEVER));
+    }
+    long halfNs = (span.untilNs() - span.at().mostNs()) / 2;
+    return !span.isFinite() || halfNs < SHORTEST_FAULT_NS
+        ? fault
+        : new Fault(fault.harm(), new Span(span.at(), null, wholeMs(span.at().mostNs() + halfNs)));
+  }
+
+  private static long wholeMs(long ns) {
+    return ns / NS_PER_MS * NS_PER_MS;
+  }
+
+  private Best withEarlierEnd(Best start) {
+    if (start.outcome().verdict() == Verdict.UNFINISHED) {
+      // Any run is unfinished that is short enough.
+      return start;
+    }
+    Best best = start;
+    long atNs = best.outcome().atNs();
+    if (atNs >= 0) {
+      long soonNs = (atNs / END_STEP_NS + 1) * END_STEP_NS;
+      Best next =
+          soonNs < best.trial().endNs() ? tried(best, best.trial().withEndNs(soonNs)) : best;
+      if (next != best || soonNs >= best.trial().endNs()) {
+        return next;
+      }
+    }
+    long tooSoonNs = Math.max(atNs, 0);
+    long stepNs = Math.max(END_STEP_NS, best.trial().endNs() / END_PARTS);
+    while (best.trial().endNs() - tooSoonNs > 2 * stepNs) {
+      long middleNs = tooSoonNs + (best.trial().endNs() - tooSoonNs) / 2;
+      middleNs = middleNs / END_STEP_NS * END_STEP_NS;
+      Best next = tried(best, best.trial().withEndNs(middleNs));
+      tooSoonNs = next == best ? middleNs : tooSoonNs;
+      best = next;
+    }
+    return best;
+  }
+
+  /** {@code trial} if it goes as badly as {@code best}, else {@code best}. */
+  private Best tried(Best best, Trial trial) {
+    RunOutcome before = known.get(trial);
+    if (before == null && runs >= mostRuns) {
+      return best;
+    }
+    RunOutcome outcome = before == null ? run(trial) : before;
+    boolean isKept = outcome.isLike(best.outcome());
+    if (before == null) {
+      known.put(trial, outcome);
+      runs++;
+      progress.tried(runs, trial, outcome, isKept);
+    }
+    return isKept ? new Best(trial, outcome) : best;
+  }
+
+  private RunOutcome run(Trial trial) {
+    try {
+      return runner.apply(trial);
+    } catch (RuntimeException e) {
+      return RunOutcome.failed(e);
+    }
+  }
+}

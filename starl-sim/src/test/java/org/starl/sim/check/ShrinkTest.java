@@ -1,0 +1,184 @@
+package org.starl.sim.check;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeMap;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.junit.jupiter.api.Test;
+import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.sim.fault.Fault;
+import org.starl.sim.fault.FaultGrammar;
+import org.starl.sim.input.BadInput;
+import org.starl.spec.SpecReport.Violation;
+
+class ShrinkTest {
+
+  private static final long S = 1_000_000_000;
+  private static final Shrink.Progress SILENT = (run, trial, outcome, isKept) -> {};
+  private static final RunOutcome GOOD = RunOutcome.good(new TreeMap<>());
+
+  private static RunOutcome violated(String lemma, long atNs) {
+    return RunOutcome.violated(
+        new Violation(lemma, atNs, List.of(), "on purpose"), new TreeMap<>());
+  }
+
+  private static List<Fault> faults(int count) {
+    List<Fault> faults = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      faults.add(FaultGrammar.parse("loss(0.5,at=" + i + "s,until=" + (i + 8) + "s)"));
+    }
+    return faults;
+  }
+
+  private static Trial trial(int robots, int faults) {
+    return new Trial(robots, List.of("messageLoss", "speedError"), faults(faults), 1200 * S);
+  }
+
+  private static Shrink.Result shrink(Trial from, Function<Trial, RunOutcome> runner) {
+    return new Shrink(runner, 10_000, SILENT).shrink(from);
+  }
+
+  private static Function<Trial, RunOutcome> failsIf(Predicate<Trial> isBad) {
+    return trial -> isBad.test(trial) ? violated("Lemma", 12_340_000_000L) : GOOD;
+  }
+
+  @Test
+  void allThatIsNotNeededGoes() {
+    Shrink.Result result =
+        shrink(trial(12, 9), failsIf(t -> t.robots() >= 3 && t.endNs() > 12_340_000_000L));
+    assertThat(result.trial()).isEqualTo(new Trial(3, List.of(), List.of(), 12_400_000_000L));
+    assertThat(result.isSmallest()).isTrue();
+    assertThat(result.trial()).hasToString("3 robots, 0 faults, 12400ms");
+  }
+
+  @Property(tries = 200)
+  void exactlyTheFaultsThatAreNeededStay(
+      @ForAll @Size(max = 5) List<@IntRange(max = 19) Integer> needed,
+      @ForAll @IntRange(min = 1, max = 20) int robots) {
+    List<Fault> all = faults(20);
+    List<String> beginnings =
+        needed.stream().distinct().sorted().map(i -> begin(all.get(i))).toList();
+    Shrink.Result result =
+        shrink(
+            trial(20, 20),
+            failsIf(t ->
+                t.robots() >= robots
+                    && t.faults().stream()
+                        .map(ShrinkTest::begin)
+                        .toList()
+                        .containsAll(beginnings)));
+    assertThat(result.trial().faults()).extracting(ShrinkTest::begin).isEqualTo(beginnings);
+    assertThat(result.trial().robots()).isEqualTo(robots);
+    // Halved while that is 100 ms at least.
+    assertThat(result.trial().faults())
+        .allSatisfy(f -> assertThat(f.span().untilNs() - f.span().at().mostNs()).isLessThan(S / 4));
+  }
+
+  private static String begin(Fault fault) {
+    return fault.span().at().toString();
+  }
+
+  @Test
+  void anotherLemmaIsAnotherFailure() {
+    Shrink.Result result =
+        shrink(trial(8, 4), t -> violated(t.robots() >= 5 ? "Lemma" : "Other", S));
+    assertThat(result.trial().robots()).isEqualTo(5);
+    assertThat(result.outcome().what()).isEqualTo("Lemma");
+  }
+
+  @Test
+  void whatCannotBeRunIsNotTaken() {
+    Shrink.Result result =
+        shrink(
+            trial(8, 4),
+            t -> {
+              if (t.robots() != 8) {
+                throw new BadInput("robots: expected 8");
+              }
+              throw new IllegalStateException("on purpose");
+            });
+    assertThat(result.trial().robots()).isEqualTo(8);
+    assertThat(result.trial().faults()).isEmpty();
+    assertThat(result.outcome().verdict()).isEqualTo(Verdict.FAILED);
+    assertThat(result.outcome().what()).isEqualTo("java.lang.IllegalStateException");
+  }
+
+  @Test
+  void anUnfinishedRunIsNotMadeShorter() {
+    RunOutcome unfinished =
+        new RunOutcome(Verdict.UNFINISHED, "", -1, "not finished", new TreeMap<>());
+    Shrink.Result result = shrink(trial(8, 4), t -> unfinished);
+    assertThat(result.trial()).isEqualTo(new Trial(0, List.of(), List.of(), 1200 * S));
+  }
+
+  @Test
+  void anEndIsLookedForWhereTheTimeOfTheFailureIsNotKnown() {
+    RunOutcome failed = RunOutcome.failed(new IllegalStateException("on purpose"));
+    Shrink.Result result = shrink(trial(1, 0), t -> t.endNs() > 77 * S ? failed : GOOD);
+    assertThat(result.trial().endNs()).isBetween(77 * S, 81 * S);
+  }
+
+  @Test
+  void aLemmaOfTheRunsEndKeepsTheTimeThatItNeeds() {
+    // Found at the end, as progress is; in a run of less than 60 s it is not owed.
+    Shrink.Result result =
+        shrink(trial(1, 0), t -> t.endNs() >= 60 * S ? violated("Lemma", 5 * S) : GOOD);
+    assertThat(result.trial().endNs()).isBetween(60 * S, 63 * S);
+  }
+
+  @Test
+  void itIsTheSameEveryTimeAndRunsNoTrialTwice() {
+    List<List<String>> told = new ArrayList<>();
+    for (int i = 0; i < 2; i++) {
+      List<String> lines = new ArrayList<>();
+      List<Trial> trials = new ArrayList<>();
+      Function<Trial, RunOutcome> runner =
+          failsIf(t -> t.robots() * 2 + t.faults().size() > 13 && !t.settings().isEmpty());
+      new Shrink(
+              t -> {
+                assertThat(trials).doesNotContain(t);
+                trials.add(t);
+                return runner.apply(t);
+              },
+              10_000,
+              (run, t, outcome, isKept) -> lines.add(run + " " + t + " " + isKept))
+          .shrink(trial(9, 7));
+      told.add(lines);
+    }
+    assertThat(told.get(0)).isEqualTo(told.get(1)).hasSizeGreaterThan(10);
+    assertThat(told.get(0).get(0)).isEqualTo("1 9 robots, 2 settings, 7 faults, 1200s true");
+  }
+
+  @Test
+  void itStopsAfterSoManyRunsAndSaysSo() {
+    int[] runs = {0};
+    Shrink.Result result =
+        new Shrink(
+                t -> {
+                  runs[0]++;
+                  return violated("Lemma", S);
+                },
+                4,
+                SILENT)
+            .shrink(trial(9, 7));
+    assertThat(runs[0]).isEqualTo(4);
+    assertThat(result.runs()).isEqualTo(4);
+    assertThat(result.isSmallest()).isFalse();
+    assertThat(result.outcome().isGood()).isFalse();
+  }
+
+  @Test
+  void aGoodRunIsRefused() {
+    assertThatThrownBy(() -> shrink(trial(2, 1), t -> GOOD))
+        .isInstanceOf(IllegalArgumentException.class)
+        .hasMessageContaining("2 robots, 2 settings, 1 fault, 1200s goes well");
+  }
+}
