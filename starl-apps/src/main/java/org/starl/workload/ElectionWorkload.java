@@ -29,7 +29,7 @@ final class ElectionWorkload extends PrimitiveDemo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(rounds(5), BUSY, STRATEGY);
+    return List.of(rounds(5), busy("20s"), STRATEGY);
   }
 
   @Override

@@ -51,7 +51,7 @@ final class GeocastWorkload extends PrimitiveDemo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(rounds(12), BUSY);
+    return List.of(rounds(12), busy("20s"));
   }
 
   @Override

@@ -36,7 +36,7 @@ final class MotionWorkload extends PrimitiveDemo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(rounds(8), BUSY);
+    return List.of(rounds(8), busy("20s"));
   }
 
   @Override

@@ -53,7 +53,7 @@ final class MutexWorkload extends PrimitiveDemo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(rounds(10), BUSY, SECTIONS, MEMBERS);
+    return List.of(rounds(10), busy("20s"), SECTIONS, MEMBERS);
   }
 
   @Override

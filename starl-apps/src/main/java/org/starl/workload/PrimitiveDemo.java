@@ -25,9 +25,8 @@ abstract class PrimitiveDemo implements Demo {
   /** Robots start so far apart that none is in another one's way. */
   static final double SPACING_MM = 3000;
 
-  static final Parameter BUSY =
-      new Parameter("busy", "20s", "rounds are spread over so long; the last three begin after it");
-
+  private static final String ROUNDS = "rounds";
+  private static final String BUSY = "busy";
   private static final int MAX_ROUNDS = 1000;
   private static final long NS_PER_MS = 1_000_000;
   private static final int DEFAULT_ROBOTS = 5;
@@ -56,13 +55,18 @@ abstract class PrimitiveDemo implements Demo {
   }
 
   static Parameter rounds(int count) {
-    return new Parameter("rounds", Integer.toString(count), "how often each robot asks, from 1");
+    return new Parameter(ROUNDS, Integer.toString(count), "how often each robot asks, from 1");
+  }
+
+  static Parameter busy(String duration) {
+    return new Parameter(
+        BUSY, duration, "rounds, and chaos, are spread over so long; the last three begin after it");
   }
 
   @Override
   public SimSettings.Builder defaultSettings(Request request) {
     return SimSettings.builder()
-        .set(Setting.CHAOS_FOR, Duration.ofMillis(durationMs(request, BUSY.key())));
+        .set(Setting.CHAOS_FOR, Duration.ofMillis(durationMs(request, BUSY)));
   }
 
   @Override
@@ -70,14 +74,21 @@ abstract class PrimitiveDemo implements Demo {
     RoundsStory story = new RoundsStory();
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
     prepare(simulation, request, settings);
-    return new Plan(simulation, story, new Layer() {}, Obstacles.NONE);
+    Obstacles obstacles = obstacles(request);
+    simulation.obstacles(obstacles);
+    return new Plan(simulation, story, new Layer() {}, obstacles);
   }
 
   /** Adds robots and monitors. */
   abstract void prepare(Simulation.Builder simulation, Request request, SimSettings settings);
 
+  /** What stands on the floor. */
+  Obstacles obstacles(Request request) {
+    return Obstacles.NONE;
+  }
+
   static Course course(Request request) {
-    return new Course(whole(request, "rounds", 1, MAX_ROUNDS), durationMs(request, BUSY.key()));
+    return new Course(whole(request, ROUNDS, 1, MAX_ROUNDS), durationMs(request, BUSY));
   }
 
   static long durationMs(Request request, String key) {

@@ -15,6 +15,7 @@ public final class PrimitiveWorkloads {
           new GeocastWorkload(),
           new MotionWorkload(),
           new MutexWorkload(),
+          new PathsWorkload(),
           new RegistrationWorkload());
 
   private PrimitiveWorkloads() {}

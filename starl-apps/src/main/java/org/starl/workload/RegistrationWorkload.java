@@ -24,7 +24,7 @@ final class RegistrationWorkload extends PrimitiveDemo {
 
   @Override
   public List<Parameter> parameters() {
-    return List.of(rounds(10), BUSY);
+    return List.of(rounds(10), busy("20s"));
   }
 
   @Override

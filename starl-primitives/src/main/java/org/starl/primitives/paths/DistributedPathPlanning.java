@@ -237,9 +237,29 @@ public final class DistributedPathPlanning implements StarLPrimitive {
 
   private PlanTask task(List<Capsule> taken) {
     double bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
-    Point here = gvh.gps.pose().at();
     return new PlanTask(
-        here, target, bounds, gvh.gps.knownObstacles().all(), taken, bodyMm, radiusMm - bodyMm);
+        start(), target, bounds, gvh.gps.knownObstacles().all(), taken, bodyMm, radiusMm - bodyMm);
+  }
+
+  /**
+   * Where a way begins: on the line of the tube that it holds, if it stands near it. That is as far
+   * from everything as a way must be; the robot itself stops anywhere within the goal radius, and from
+   * nearer to a wall or to another one's tube there would be no way.
+   */
+  private Point start() {
+    Point here = gvh.gps.pose().at();
+    Point nearest = here;
+    double nearestMm = settings.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm();
+    for (Tube tube : claims.held()) {
+      for (int i = 0; i < tube.parts(); i++) {
+        Point onLine = tube.part(i).axis().nearest(here);
+        if (onLine.distanceMm(here) < nearestMm) {
+          nearest = onLine;
+          nearestMm = onLine.distanceMm(here);
+        }
+      }
+    }
+    return nearest;
   }
 
   private void planned(Found found) {

@@ -134,9 +134,12 @@ final class TubeClaims {
     rearm();
   }
 
+  /** Wants no tube any more; where it stands it asks for all the same, until it has it. */
   void withdraw() {
-    claimant.withdraw(nowNs());
-    rearm();
+    if (standing == null) {
+      claimant.withdraw(nowNs());
+      rearm();
+    }
   }
 
   /**

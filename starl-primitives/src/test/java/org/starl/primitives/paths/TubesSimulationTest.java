@@ -194,6 +194,26 @@ class TubesSimulationTest {
   }
 
   @Test
+  void whoWasToldBeforeAnybodyHadAPlaceGetsThereOnceTheAirIsClear() {
+    int robots = 3;
+    TubeSettings hasty = new TubeSettings(60, 1_000, 10_000, 200, 2_000, 200, 2_000);
+    SimSettings deaf = weather("0", "0mm").toBuilder().set("faults", "loss(1,until=25s)").build();
+    Simulation.Builder builder = ring(7, deaf);
+    for (int i = 0; i < robots; i++) {
+      builder.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              onRing(i, robots),
+              true,
+              gvh -> new Traveller(gvh, hasty, 5)));
+    }
+    SimResult result = builder.build().run();
+    assertHolds(result);
+    assertThat(result.results().values())
+        .allSatisfy(ends -> assertThat(ends).startsWith("FAIL DEADLINE").contains("DONE NONE"));
+  }
+
+  @Test
   void whileAMajorityIsGoneNothingMovesAndTheOthersAreTold() {
     int robots = 4;
     TubeSettings hasty = new TubeSettings(60, 1_000, 10_000, 200, 2_000, 200, 2_000);
