@@ -60,7 +60,9 @@ abstract class PrimitiveDemo implements Demo {
 
   static Parameter busy(String duration) {
     return new Parameter(
-        BUSY, duration, "rounds, and chaos, are spread over so long; the last three begin after it");
+        BUSY,
+        duration,
+        "rounds, and chaos, are spread over so long; the last three begin after it");
   }
 
   @Override
