@@ -22,7 +22,7 @@ import org.starl.primitives.agreement.SynodMessage.Vote;
  * One voter. Whatever it promises or accepts is on stable storage before it says so: a voter that
  * forgets a promise lets two values be decided.
  *
- * <p>Pure: it writes and answers through its {@link Out}, and never waits.
+ * <p>Pure: it writes and answers through its {@link SynodLink}, and never waits.
  */
 final class Acceptor {
 
@@ -31,7 +31,7 @@ final class Acceptor {
 
   private static final int MAX_WISHES = 32;
 
-  private final Out out;
+  private final SynodLink link;
   private @Nullable Decided decided;
   private final TreeMap<Long, Slot> slots;
 
@@ -42,23 +42,10 @@ final class Acceptor {
   private long flushedVersion;
   private final Queue<Waiting> waiting = new ArrayDeque<>();
 
-  Acceptor(AcceptorRecord record, Out out) {
-    this.out = out;
+  Acceptor(AcceptorRecord record, SynodLink link) {
+    this.link = link;
     this.decided = record.decided();
     this.slots = new TreeMap<>(record.slots());
-  }
-
-  /** Where an acceptor's effects go. */
-  interface Out {
-
-    /** Sends, best effort. */
-    void send(RobotId to, SynodMessage message);
-
-    /**
-     * Writes {@code record} in place of the one before, and calls {@link Acceptor#flushed} with
-     * {@code version}, later, once it would survive a crash. Writes are flushed in order.
-     */
-    void persist(long version, byte[] record);
   }
 
   /** An answer that must not go out before its version is flushed. */
@@ -73,13 +60,13 @@ final class Acceptor {
   void prepare(RobotId from, Prepare m) {
     Decided known = decided;
     if (known != null && known.number() >= m.number()) {
-      out.send(from, known);
+      link.send(from, known);
       return;
     }
     keepWish(from, m);
     Slot slot = slots.get(m.number());
     if (slot != null && m.ballot().compareTo(slot.promised()) < 0) {
-      out.send(from, new Nack(m.number(), m.ballot(), slot.promised()));
+      link.send(from, new Nack(m.number(), m.ballot(), slot.promised()));
       return;
     }
     Vote vote = slot == null ? null : slot.vote();
@@ -95,12 +82,12 @@ final class Acceptor {
   void accept(RobotId from, Accept m) {
     Decided known = decided;
     if (known != null && known.number() >= m.number()) {
-      out.send(from, known);
+      link.send(from, known);
       return;
     }
     Slot slot = slots.get(m.number());
     if (slot != null && m.ballot().compareTo(slot.promised()) < 0) {
-      out.send(from, new Nack(m.number(), m.ballot(), slot.promised()));
+      link.send(from, new Nack(m.number(), m.ballot(), slot.promised()));
       return;
     }
     Slot voted = new Slot(m.ballot(), new Vote(m.ballot(), m.value()));
@@ -125,7 +112,7 @@ final class Acceptor {
     flushedVersion = Math.max(flushedVersion, flushed);
     while (!waiting.isEmpty() && waiting.element().version() <= flushedVersion) {
       Waiting next = waiting.remove();
-      out.send(next.to(), next.answer());
+      link.send(next.to(), next.answer());
     }
   }
 
@@ -136,12 +123,12 @@ final class Acceptor {
 
   private void persist() {
     version++;
-    out.persist(version, new AcceptorRecord(decided, slots).toBytes());
+    link.persist(version, new AcceptorRecord(decided, slots).toBytes());
   }
 
   private void answerOnceFlushed(RobotId to, SynodMessage answer) {
     if (version <= flushedVersion) {
-      out.send(to, answer);
+      link.send(to, answer);
     } else {
       waiting.add(new Waiting(version, to, answer));
     }

@@ -62,7 +62,7 @@ public final class SetAgreement implements StarLPrimitive {
     gvh.trace.action(source, ACCEPTORS, acceptors.asList().toArray());
     wire = new SynodWire(gvh, channel);
     protocol = new Protocol(timing);
-    wire.start(protocol);
+    wire.start(protocol, this::show);
   }
 
   /**
@@ -75,12 +75,12 @@ public final class SetAgreement implements StarLPrimitive {
   public void propose(byte[] value) {
     Value proposed = Value.of(value);
     gvh.trace.action(source, PROPOSE, proposed);
-    wire.call(() -> protocol.propose(proposed, gvh.plat.clock.nowNs()));
+    wire.call(nowNs -> protocol.propose(proposed, nowNs));
   }
 
   /** Asks the acceptors whether something is decided, without proposing anything. */
   public void refresh() {
-    wire.call(() -> protocol.synod.queryAll());
+    wire.call(nowNs -> protocol.synod.queryAll());
   }
 
   public GvhVariable<Decision> decided() {
@@ -107,7 +107,15 @@ public final class SetAgreement implements StarLPrimitive {
     return source.startsWith(PRIMITIVE + "/");
   }
 
-  private final class Protocol implements SynodWire.Client, SynodPort {
+  private void show() {
+    SynodMessage.Decided latest = protocol.synod.latest();
+    if (latest != null) {
+      decided.set(new Decision.Decided(latest.value()));
+    }
+    failed.set(protocol.gaveUp);
+  }
+
+  private final class Protocol implements SynodProtocol, SynodListener {
     private final Synod synod;
     private long deadlineNs = Long.MAX_VALUE;
     private boolean gaveUp;
@@ -120,7 +128,7 @@ public final class SetAgreement implements StarLPrimitive {
               gvh.id.freshProcess(),
               timing,
               gvh.plat.entropy.fork(source),
-              wire.record(),
+              wire,
               this);
     }
 
@@ -160,25 +168,6 @@ public final class SetAgreement implements StarLPrimitive {
     }
 
     @Override
-    public void settled() {
-      SynodMessage.Decided latest = synod.latest();
-      if (latest != null) {
-        decided.set(new Decision.Decided(latest.value()));
-      }
-      failed.set(gaveUp);
-    }
-
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      wire.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      wire.persist(version, record);
-    }
-
-    @Override
     public void chosen(long number, Value value) {
       for (RobotId acceptor : acceptors) {
         if (!acceptor.equals(gvh.id.name())) {
@@ -191,11 +180,6 @@ public final class SetAgreement implements StarLPrimitive {
     @Override
     public void learned(long number, Value value) {
       deadlineNs = Long.MAX_VALUE;
-    }
-
-    @Override
-    public void rumour(long number) {
-      // Only a list of views has something to hide meanwhile.
     }
   }
 }

@@ -23,12 +23,13 @@ import org.starl.random.Rng;
  * and whoever crashes and restarts. A learner may skip numbers, so a value must be complete in
  * itself where more than one number is used.
  *
- * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link SynodPort};
- * {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link SynodLink}
+ * and a {@link SynodListener}; {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
  */
 public final class Synod {
 
-  private final SynodPort port;
+  private final SynodLink link;
+  private final SynodListener listener;
   private final Participants acceptors;
   private final Proposer proposer;
   private final @Nullable Acceptor acceptor;
@@ -37,9 +38,8 @@ public final class Synod {
   /**
    * @param acceptors who votes; the same on every robot, for ever
    * @param proposerId used by no other proposer, ever
-   * @param record what this robot's acceptor has last written, or null if it never wrote
-   * @throws IllegalStateException if the record is damaged: an acceptor without its memory must
-   *     never vote again
+   * @throws IllegalStateException if the acceptor's record is damaged: an acceptor without its
+   *     memory must never vote again
    */
   public Synod(
       RobotId self,
@@ -47,16 +47,16 @@ public final class Synod {
       ProcessId proposerId,
       SynodTiming timing,
       Rng rng,
-      byte @Nullable [] record,
-      SynodPort port) {
+      SynodLink link,
+      SynodListener listener) {
     if (acceptors.size() == 0) {
       throw new IllegalArgumentException("no acceptors: expected at least one");
     }
-    this.port = port;
+    this.link = link;
+    this.listener = listener;
     this.acceptors = acceptors;
     this.proposer = new Proposer(proposerId, acceptors, timing, rng, new ProposerOut());
-    this.acceptor =
-        acceptors.contains(self) ? new Acceptor(restored(record), new AcceptorOut()) : null;
+    this.acceptor = acceptors.contains(self) ? new Acceptor(restored(link.record()), link) : null;
     this.latest = acceptor == null ? null : acceptor.decided();
   }
 
@@ -105,13 +105,13 @@ public final class Synod {
     if (!proposer.isIdle() && proposer.number() <= number) {
       proposer.stop();
     }
-    port.learned(number, value);
+    listener.learned(number, value);
   }
 
   /** Asks {@code acceptor} for the latest decree, if that is later than the one known here. */
   public void query(RobotId acceptor) {
     Decided known = latest;
-    port.send(acceptor, new Query(known == null ? 0 : known.number()));
+    link.send(acceptor, new Query(known == null ? 0 : known.number()));
   }
 
   /** Asks all acceptors. */
@@ -162,14 +162,14 @@ public final class Synod {
   private void heardOf(long number) {
     Decided known = latest;
     if (known == null || number > known.number()) {
-      port.rumour(number);
+      listener.rumour(number);
     }
   }
 
   private void answer(RobotId from, Query m) {
     Decided known = latest;
     if (known != null && known.number() > m.number()) {
-      port.send(from, known);
+      link.send(from, known);
     }
   }
 
@@ -181,27 +181,15 @@ public final class Synod {
     }
   }
 
-  private final class AcceptorOut implements Acceptor.Out {
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      port.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      port.persist(version, record);
-    }
-  }
-
   private final class ProposerOut implements Proposer.Out {
     @Override
     public void send(RobotId to, SynodMessage message) {
-      port.send(to, message);
+      link.send(to, message);
     }
 
     @Override
     public void chosen(long number, Value value) {
-      port.chosen(number, value);
+      listener.chosen(number, value);
       learn(number, value);
     }
   }

@@ -1,5 +1,6 @@
 package org.starl.primitives.agreement;
 
+import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.RobotId;
@@ -12,13 +13,13 @@ import org.starl.platform.Timer;
  * Ties a protocol that stands on a {@link Synod} to its robot: channel, stable record, one timer.
  * Strand only.
  */
-public final class SynodWire {
+public final class SynodWire implements SynodLink {
 
   private final GlobalVarHolder gvh;
   private final String stableKey;
   private final Timer timer;
   private final Endpoint<SynodMessage> endpoint;
-  private @Nullable Client client;
+  private @Nullable Started started;
   private long setForNs = Long.MAX_VALUE;
   private boolean closed;
 
@@ -30,54 +31,45 @@ public final class SynodWire {
     this.endpoint = gvh.comms.open(channel, this::received);
   }
 
-  /** Begins to serve {@code protocol}; once, in the piece of the strand that made this wire. */
-  public void start(Client protocol) {
-    client = protocol;
-    protocol.settled();
-    rearm(protocol);
+  /**
+   * Begins to serve {@code protocol}; once, in the piece of the strand that made this wire.
+   *
+   * @param settled shows what has changed: runs now, and whenever the protocol has taken an input and
+   *     all its effects are out
+   */
+  public void start(SynodProtocol protocol, Runnable settled) {
+    started = new Started(protocol, settled);
+    settle();
   }
 
-  /** A protocol as its wire sees it. Times are now, in ns. */
-  public interface Client {
+  private record Started(SynodProtocol protocol, Runnable settled) {}
 
-    void received(RobotId from, SynodMessage message, long nowNs);
-
-    void flushed(long version, long nowNs);
-
-    void timer(long nowNs);
-
-    /** When {@link #timer} is due; {@code Long.MAX_VALUE} for never. */
-    long wakeAtNs();
-
-    /** The protocol has taken an input and all its effects are out: show what has changed. */
-    void settled();
-  }
-
-  /** What {@link #persist} has last written, or null; also before a restart. */
+  @Override
   public byte @Nullable [] record() {
     Stable stable = gvh.plat.stable;
     return stable.get(stableKey);
   }
 
-  /** Calls the protocol; every call from outside goes this way, for the timer's sake. */
-  public void call(Runnable action) {
+  /** Calls the protocol, now in ns; every call from outside goes this way, for the timer's sake. */
+  public void call(LongConsumer action) {
     if (closed) {
       throw new IllegalStateException("a call after close()");
     }
-    action.run();
-    client().settled();
-    rearm(client());
+    action.accept(gvh.plat.clock.nowNs());
+    settle();
   }
 
+  @Override
   public void send(RobotId to, SynodMessage message) {
     endpoint.send(to, message);
   }
 
   /** Runs {@code settled} as an input once the message is delivered or given up. */
   public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
-    endpoint.sendReliably(to, message).whenSettled(() -> input(settled));
+    endpoint.sendReliably(to, message).whenSettled(() -> input(nowNs -> settled.run()));
   }
 
+  @Override
   public void persist(long version, byte[] record) {
     gvh.plat.stable.put(stableKey, record, () -> flushed(version));
   }
@@ -89,35 +81,36 @@ public final class SynodWire {
     endpoint.close();
   }
 
-  private void input(Runnable action) {
+  private void input(LongConsumer action) {
     if (!closed) {
       call(action);
     }
   }
 
   private void received(RobotId from, SynodMessage message) {
-    input(() -> client().received(from, message, gvh.plat.clock.nowNs()));
+    input(nowNs -> started().protocol().received(from, message, nowNs));
   }
 
   private void flushed(long version) {
-    input(() -> client().flushed(version, gvh.plat.clock.nowNs()));
+    input(nowNs -> started().protocol().flushed(version, nowNs));
   }
 
   private void expired() {
     setForNs = Long.MAX_VALUE;
-    input(() -> client().timer(gvh.plat.clock.nowNs()));
+    input(nowNs -> started().protocol().timer(nowNs));
   }
 
-  private Client client() {
-    Client started = client;
-    if (started == null) {
+  private Started started() {
+    Started known = started;
+    if (known == null) {
       throw new IllegalStateException("not started");
     }
-    return started;
+    return known;
   }
 
-  private void rearm(Client protocol) {
-    long wakeAtNs = protocol.wakeAtNs();
+  private void settle() {
+    started().settled().run();
+    long wakeAtNs = started().protocol().wakeAtNs();
     if (closed || wakeAtNs == setForNs) {
       return;
     }

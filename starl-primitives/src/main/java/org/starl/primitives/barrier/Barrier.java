@@ -13,7 +13,6 @@ import org.starl.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.primitives.agreement.SynodCodec;
-import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodWire;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
@@ -88,14 +87,14 @@ public final class Barrier implements BarrierPrim {
             first,
             settings,
             gvh.plat.entropy.fork(source),
-            wire.record(),
-            new Port(),
+            wire,
+            this::send,
             gvh.plat.clock.nowNs());
     List<Object> ids = new ArrayList<>(first);
     ids.add(0, me);
     gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
     endpoint = gvh.comms.open(channel, this::received);
-    wire.start(new Client());
+    wire.start(protocol, this::show);
   }
 
   // A second one would propose under the same id without the memory of the first: that breaks
@@ -126,7 +125,7 @@ public final class Barrier implements BarrierPrim {
   @Override
   public void arrive() {
     gvh.trace.action(source, BarrierTrace.ARRIVE, protocol.generation(), protocol.me());
-    wire.call(() -> protocol.arrive(gvh.plat.clock.nowNs()));
+    wire.call(protocol::arrive);
   }
 
   @Override
@@ -156,51 +155,15 @@ public final class Barrier implements BarrierPrim {
   private void received(RobotId from, BarrierMessage message) {
     // Nobody speaks for another robot.
     if (message.from().robot().equals(from)) {
-      wire.call(() -> protocol.received(message, gvh.plat.clock.nowNs()));
+      wire.call(nowNs -> protocol.received(message, nowNs));
     }
   }
 
-  private final class Client implements SynodWire.Client {
-    @Override
-    public void received(RobotId from, SynodMessage message, long nowNs) {
-      protocol.received(from, message, nowNs);
-    }
-
-    @Override
-    public void flushed(long version, long nowNs) {
-      protocol.flushed(version, nowNs);
-    }
-
-    @Override
-    public void timer(long nowNs) {
-      protocol.timer(nowNs);
-    }
-
-    @Override
-    public long wakeAtNs() {
-      return protocol.wakeAtNs();
-    }
-
-    @Override
-    public void settled() {
-      outcome.set(protocol.outcome());
-    }
+  private void send(RobotId to, BarrierMessage message) {
+    endpoint.send(to, message);
   }
 
-  private final class Port implements BarrierPort {
-    @Override
-    public void send(RobotId to, BarrierMessage message) {
-      endpoint.send(to, message);
-    }
-
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      wire.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      wire.persist(version, record);
-    }
+  private void show() {
+    outcome.set(protocol.outcome());
   }
 }

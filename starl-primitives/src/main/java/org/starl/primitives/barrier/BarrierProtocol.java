@@ -6,13 +6,14 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.Synod;
+import org.starl.primitives.agreement.SynodLink;
+import org.starl.primitives.agreement.SynodListener;
 import org.starl.primitives.agreement.SynodMessage;
-import org.starl.primitives.agreement.SynodPort;
+import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.barrier.BarrierMessage.Arrival;
 import org.starl.primitives.barrier.BarrierMessage.Here;
@@ -24,10 +25,9 @@ import org.starl.random.Rng;
  * Synod, from what the outcome before it was. Whoever waits and sees the end of its generation, all
  * arrived or some given up, proposes it.
  *
- * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link BarrierPort};
- * {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ * <p>Calls, messages and timers in, effects out through a {@link SynodLink} and a {@link BarrierPort}.
  */
-class BarrierProtocol {
+class BarrierProtocol implements SynodProtocol {
 
   private static final long NS_PER_MS = 1_000_000;
   private static final long NEVER = Long.MAX_VALUE;
@@ -39,6 +39,7 @@ class BarrierProtocol {
   private final SortedSet<ProcessId> first;
   private final BarrierCodec codec;
   private final BarrierSettings settings;
+  private final SynodLink link;
   private final BarrierPort port;
   private final Synod synod;
   private final Suspicion suspicion;
@@ -67,25 +68,24 @@ class BarrierProtocol {
   /**
    * @param first the members of generation 1, whose robots are those who vote; the same on every
    *     robot, for ever
-   * @param record what this robot's acceptor has last written, or null
    */
   BarrierProtocol(
       ProcessId me,
       SortedSet<ProcessId> first,
       BarrierSettings settings,
       Rng rng,
-      byte @Nullable [] record,
+      SynodLink link,
       BarrierPort port,
       long nowNs) {
     this.me = me;
     this.first = Collections.unmodifiableSortedSet(new TreeSet<>(first));
     this.codec = new BarrierCodec(first);
     this.settings = settings;
+    this.link = link;
     this.port = port;
     this.nowNs = nowNs;
     this.suspicion = new Suspicion(settings.silenceMs() * NS_PER_MS);
-    this.synod =
-        new Synod(me.robot(), robots(), me, settings.timing(), rng, record, new SynodEffects());
+    this.synod = new Synod(me.robot(), robots(), me, settings.timing(), rng, link, new Decrees());
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
       decided(known.number(), codec.read(known.value()));
@@ -150,17 +150,20 @@ class BarrierProtocol {
     }
   }
 
-  void received(RobotId from, SynodMessage message, long now) {
+  @Override
+  public void received(RobotId from, SynodMessage message, long now) {
     nowNs = now;
     synod.received(from, message, now);
   }
 
-  void flushed(long version, long now) {
+  @Override
+  public void flushed(long version, long now) {
     nowNs = now;
     synod.flushed(version);
   }
 
-  void timer(long now) {
+  @Override
+  public void timer(long now) {
     nowNs = now;
     synod.timer(now);
     if (waiting && now >= deadlineNs) {
@@ -174,7 +177,8 @@ class BarrierProtocol {
     }
   }
 
-  long wakeAtNs() {
+  @Override
+  public long wakeAtNs() {
     long ownNs = Math.min(deadlineNs, Math.min(proposeAtNs, sayAtNs));
     return waiting
         ? Math.min(synod.wakeAtNs(), Math.min(ownNs, suspicion.wakeAtNs(nowNs)))
@@ -225,7 +229,7 @@ class BarrierProtocol {
   }
 
   private void tellOutcomes(ProcessId to) {
-    port.send(to.robot(), new SynodMessage.Decided(decided, codec.toValue(outcomes)));
+    link.send(to.robot(), new SynodMessage.Decided(decided, codec.toValue(outcomes)));
   }
 
   /** Works for the end of this generation if it is in sight. */
@@ -338,22 +342,12 @@ class BarrierProtocol {
     return arrivals.computeIfAbsent(itsGeneration, g -> new TreeSet<>());
   }
 
-  private final class SynodEffects implements SynodPort {
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      port.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      port.persist(version, record);
-    }
-
+  private final class Decrees implements SynodListener {
     @Override
     public void chosen(long number, Value value) {
       for (ProcessId member : first) {
         if (!member.equals(me)) {
-          port.send(member.robot(), new SynodMessage.Decided(number, value));
+          link.send(member.robot(), new SynodMessage.Decided(number, value));
         }
       }
     }
@@ -361,11 +355,6 @@ class BarrierProtocol {
     @Override
     public void learned(long number, Value value) {
       decided(number, codec.read(value));
-    }
-
-    @Override
-    public void rumour(long number) {
-      // Whoever works for an outcome has told that it waits.
     }
   }
 }

@@ -9,7 +9,6 @@ import org.starl.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.primitives.agreement.SynodCodec;
-import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodWire;
 
 /**
@@ -60,18 +59,18 @@ public final class Election implements ElectionPrim {
             participants,
             settings,
             gvh.plat.entropy.fork(source),
-            wire.record(),
+            wire,
             new Port(),
             gvh.plat.clock.nowNs());
     gvh.trace.action(source, ElectionTrace.ELECTION, participants.size(), me);
     endpoint = gvh.comms.open(channel, this::received);
-    wire.start(new Client());
+    wire.start(protocol, this::show);
   }
 
   @Override
   public void do_election() {
     gvh.trace.action(source, ElectionTrace.DO_ELECTION, me);
-    wire.call(() -> protocol.do_election(gvh.plat.clock.nowNs()));
+    wire.call(protocol::do_election);
   }
 
   @Override
@@ -111,36 +110,13 @@ public final class Election implements ElectionPrim {
   private void received(RobotId from, ElectionMessage message) {
     // Nobody speaks for another robot.
     if (message.from().robot().equals(from)) {
-      wire.call(() -> protocol.received(message, gvh.plat.clock.nowNs()));
+      wire.call(nowNs -> protocol.received(message, nowNs));
     }
   }
 
-  private final class Client implements SynodWire.Client {
-    @Override
-    public void received(RobotId from, SynodMessage message, long nowNs) {
-      protocol.received(from, message, nowNs);
-    }
-
-    @Override
-    public void flushed(long version, long nowNs) {
-      protocol.flushed(version, nowNs);
-    }
-
-    @Override
-    public void timer(long nowNs) {
-      protocol.timer(nowNs);
-    }
-
-    @Override
-    public long wakeAtNs() {
-      return protocol.wakeAtNs();
-    }
-
-    @Override
-    public void settled() {
-      leader.set(protocol.leader());
-      failed.set(protocol.leader() instanceof Leader.Fail);
-    }
+  private void show() {
+    leader.set(protocol.leader());
+    failed.set(protocol.leader() instanceof Leader.Fail);
   }
 
   private final class Port implements ElectionPort {
@@ -152,16 +128,6 @@ public final class Election implements ElectionPrim {
     @Override
     public void broadcast(ElectionMessage message) {
       endpoint.broadcast(message);
-    }
-
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      wire.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      wire.persist(version, record);
     }
 
     @Override

@@ -6,8 +6,10 @@ import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.Synod;
+import org.starl.primitives.agreement.SynodLink;
+import org.starl.primitives.agreement.SynodListener;
 import org.starl.primitives.agreement.SynodMessage;
-import org.starl.primitives.agreement.SynodPort;
+import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
@@ -18,10 +20,9 @@ import org.starl.random.Rng;
  * One robot's part in one election: terms 1, 2, 3, ... each decided by the Synod. The strategy says
  * whom to propose and when, and nothing else.
  *
- * <p>Pure and clock-driven: calls, messages and timers in, effects out through an {@link
- * ElectionPort}; {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ * <p>Calls, messages and timers in, effects out through a {@link SynodLink} and an {@link ElectionPort}.
  */
-class ElectionProtocol {
+class ElectionProtocol implements SynodProtocol {
 
   private static final long NS_PER_MS = 1_000_000;
   private static final long NEVER = Long.MAX_VALUE;
@@ -52,14 +53,13 @@ class ElectionProtocol {
 
   /**
    * @param participants who may be elected, and who votes; the same on every robot, for ever
-   * @param record what this robot's acceptor has last written, or null
    */
   ElectionProtocol(
       ProcessId me,
       Participants participants,
       ElectionSettings settings,
       Rng rng,
-      byte @Nullable [] record,
+      SynodLink link,
       ElectionPort port,
       long nowNs) {
     this.me = me;
@@ -77,8 +77,8 @@ class ElectionProtocol {
             me,
             settings.timing(),
             rng.fork("synod"),
-            record,
-            new SynodEffects());
+            link,
+            new Decrees());
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
       decided(known.number(), ElectionCodec.leader(known.value()));
@@ -121,17 +121,20 @@ class ElectionProtocol {
     }
   }
 
-  void received(RobotId from, SynodMessage message, long now) {
+  @Override
+  public void received(RobotId from, SynodMessage message, long now) {
     nowNs = now;
     synod.received(from, message, now);
   }
 
-  void flushed(long version, long now) {
+  @Override
+  public void flushed(long version, long now) {
     nowNs = now;
     synod.flushed(version);
   }
 
-  void timer(long now) {
+  @Override
+  public void timer(long now) {
     nowNs = now;
     synod.timer(now);
     if (now >= deadlineNs) {
@@ -148,7 +151,8 @@ class ElectionProtocol {
     }
   }
 
-  long wakeAtNs() {
+  @Override
+  public long wakeAtNs() {
     long ownNs = Math.min(deadlineNs, Math.min(planAtNs, sayAtNs));
     return Math.min(synod.wakeAtNs(), Math.min(ownNs, suspicion.wakeAtNs(nowNs)));
   }
@@ -315,17 +319,7 @@ class ElectionProtocol {
     return new Candidacy(me, term, draw);
   }
 
-  private final class SynodEffects implements SynodPort {
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      port.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      port.persist(version, record);
-    }
-
+  private final class Decrees implements SynodListener {
     @Override
     public void chosen(long number, Value value) {
       port.broadcast(new Elected(me, number, ElectionCodec.leader(value)));
@@ -334,11 +328,6 @@ class ElectionProtocol {
     @Override
     public void learned(long number, Value value) {
       decided(number, ElectionCodec.leader(value));
-    }
-
-    @Override
-    public void rumour(long number) {
-      // Who works for a term has told so by its candidacy.
     }
   }
 }

@@ -67,17 +67,17 @@ public final class Registration implements RegPrim, Membership {
             acceptors,
             settings,
             gvh.plat.entropy.fork(source),
-            wire.record(),
+            wire,
             gvh.id.boot() == 1,
             new Port(),
             gvh.plat.clock.nowNs());
     shownMe = protocol.me();
-    wire.start(new Client());
+    wire.start(protocol, this::show);
   }
 
   @Override
   public void do_register() {
-    wire.call(() -> protocol.do_register(gvh.plat.clock.nowNs()));
+    wire.call(protocol::do_register);
   }
 
   @Override
@@ -87,7 +87,7 @@ public final class Registration implements RegPrim, Membership {
     if (asked != null) {
       asked.leaves();
     }
-    wire.call(() -> protocol.unregister(gvh.plat.clock.nowNs()));
+    wire.call(protocol::unregister);
   }
 
   @Override
@@ -151,22 +151,22 @@ public final class Registration implements RegPrim, Membership {
 
   @Override
   public void propose(Confinement confinement) {
-    wire.call(() -> protocol.confine(confinement, gvh.plat.clock.nowNs()));
+    wire.call(nowNs -> protocol.confine(confinement, nowNs));
   }
 
   @Override
   public void isIdleForEver(ProcessId id) {
-    wire.call(() -> protocol.isIdleForEver(id, gvh.plat.clock.nowNs()));
+    wire.call(nowNs -> protocol.isIdleForEver(id, nowNs));
   }
 
   @Override
   public void standsIn(SortedSet<String> sections) {
-    wire.call(() -> protocol.standsIn(sections, gvh.plat.clock.nowNs()));
+    wire.call(nowNs -> protocol.standsIn(sections, nowNs));
   }
 
   @Override
   public void refresh() {
-    wire.call(() -> protocol.refresh(gvh.plat.clock.nowNs()));
+    wire.call(protocol::refresh);
   }
 
   @Override
@@ -196,47 +196,10 @@ public final class Registration implements RegPrim, Membership {
     }
   }
 
-  private final class Client implements SynodWire.Client {
-    @Override
-    public void received(RobotId from, SynodMessage message, long nowNs) {
-      protocol.received(from, message, nowNs);
-    }
-
-    @Override
-    public void flushed(long version, long nowNs) {
-      protocol.flushed(version, nowNs);
-    }
-
-    @Override
-    public void timer(long nowNs) {
-      protocol.timer(nowNs);
-    }
-
-    @Override
-    public long wakeAtNs() {
-      return protocol.wakeAtNs();
-    }
-
-    @Override
-    public void settled() {
-      show();
-    }
-  }
-
   private final class Port implements RegistrationPort {
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      wire.send(to, message);
-    }
-
     @Override
     public void sendReliably(RobotId to, SynodMessage message, Runnable settled) {
       wire.sendReliably(to, message, settled);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      wire.persist(version, record);
     }
 
     @Override

@@ -9,14 +9,8 @@ import org.starl.primitives.membership.View;
 /** Where a {@link RegistrationProtocol}'s effects go. */
 interface RegistrationPort {
 
-  /** Sends, best effort; to this robot itself as well. */
-  void send(RobotId to, SynodMessage message);
-
   /** Sends until acknowledged or in vain for long, and then runs {@code settled} as an input. */
   void sendReliably(RobotId to, SynodMessage message, Runnable settled);
-
-  /** As {@link org.starl.primitives.agreement.SynodPort#persist}. */
-  void persist(long version, byte[] record);
 
   /** An id that this robot has never used and will never use again. */
   ProcessId freshProcess();

@@ -4,13 +4,14 @@ import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.Synod;
+import org.starl.primitives.agreement.SynodLink;
+import org.starl.primitives.agreement.SynodListener;
 import org.starl.primitives.agreement.SynodMessage;
-import org.starl.primitives.agreement.SynodPort;
+import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -20,10 +21,9 @@ import org.starl.random.Rng;
  * One robot's part in one registration: views 1, 2, 3, ... each decided by the Synod, each derived
  * from the decided one before. Who wants a change proposes it; there is no leader.
  *
- * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link
- * RegistrationPort}; {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ * <p>Calls, messages and timers in, effects out through a {@link SynodLink} and a {@link RegistrationPort}.
  */
-class RegistrationProtocol {
+class RegistrationProtocol implements SynodProtocol {
 
   private static final long NS_PER_MS = 1_000_000;
 
@@ -70,7 +70,6 @@ class RegistrationProtocol {
   private boolean wasPutOut;
 
   /**
-   * @param record what this robot's acceptor has last written, or null
    * @param isFirstStart whether this robot starts for the first time, and so is who the initial view
    *     says it is
    */
@@ -79,7 +78,7 @@ class RegistrationProtocol {
       Participants acceptors,
       RegistrationSettings settings,
       Rng rng,
-      byte @Nullable [] record,
+      SynodLink link,
       boolean isFirstStart,
       RegistrationPort port,
       long nowNs) {
@@ -91,7 +90,7 @@ class RegistrationProtocol {
     this.suspense = new Suspense(settings.nullMs() * NS_PER_MS, rng.fork("suspense"));
     this.wants = new Wants(self, port);
     this.me = freshProcess();
-    this.synod = new Synod(self, acceptors, me, settings.timing(), rng, record, new SynodEffects());
+    this.synod = new Synod(self, acceptors, me, settings.timing(), rng, link, new Decrees());
     start(isFirstStart);
   }
 
@@ -196,17 +195,20 @@ class RegistrationProtocol {
 
   // Inputs.
 
-  void received(RobotId from, SynodMessage message, long now) {
+  @Override
+  public void received(RobotId from, SynodMessage message, long now) {
     nowNs = now;
     synod.received(from, message, now);
   }
 
-  void flushed(long version, long now) {
+  @Override
+  public void flushed(long version, long now) {
     nowNs = now;
     synod.flushed(version);
   }
 
-  void timer(long now) {
+  @Override
+  public void timer(long now) {
     nowNs = now;
     synod.timer(now);
     if (now >= deadlineNs) {
@@ -227,7 +229,8 @@ class RegistrationProtocol {
     }
   }
 
-  long wakeAtNs() {
+  @Override
+  public long wakeAtNs() {
     long ownNs = Math.min(deadlineNs, queryAtNs);
     long othersNs = Math.min(suspense.wakeAtNs(), news.wakeAtNs());
     return Math.min(synod.wakeAtNs(), Math.min(ownNs, othersNs));
@@ -384,17 +387,7 @@ class RegistrationProtocol {
     return id;
   }
 
-  private final class SynodEffects implements SynodPort {
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      port.send(to, message);
-    }
-
-    @Override
-    public void persist(long version, byte[] record) {
-      port.persist(version, record);
-    }
-
+  private final class Decrees implements SynodListener {
     @Override
     public void chosen(long number, Value value) {
       Set<RobotId> concerned = new TreeSet<>(acceptors);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
@@ -26,8 +27,13 @@ class AcceptorTest {
 
   private final List<SynodMessage> answers = new ArrayList<>();
   private final List<byte[]> records = new ArrayList<>();
-  private final Acceptor.Out out =
-      new Acceptor.Out() {
+  private final SynodLink link =
+      new SynodLink() {
+        @Override
+        public byte @Nullable [] record() {
+          return null;
+        }
+
         @Override
         public void send(RobotId to, SynodMessage message) {
           answers.add(message);
@@ -38,7 +44,7 @@ class AcceptorTest {
           records.add(record);
         }
       };
-  private final Acceptor acceptor = new Acceptor(AcceptorRecord.NEW, out);
+  private final Acceptor acceptor = new Acceptor(AcceptorRecord.NEW, link);
 
   @Test
   void aPromiseWaitsUntilItIsFlushed() {
@@ -122,7 +128,7 @@ class AcceptorTest {
     acceptor.accept(BOT2, new Accept(3, HIGH, A));
     answers.clear();
     byte[] lastRecord = records.get(records.size() - 1);
-    Acceptor restarted = new Acceptor(AcceptorRecord.fromBytes(lastRecord), out);
+    Acceptor restarted = new Acceptor(AcceptorRecord.fromBytes(lastRecord), link);
     restarted.prepare(BOT1, new Prepare(3, LOW, Value.EMPTY));
     Ballot higher = new Ballot(2, LOW.proposer());
     restarted.prepare(BOT1, new Prepare(3, higher, Value.EMPTY));

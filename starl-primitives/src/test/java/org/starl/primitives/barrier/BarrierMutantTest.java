@@ -7,11 +7,11 @@ import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.ProcessId;
+import org.starl.primitives.agreement.SynodLink;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
 
@@ -42,10 +42,10 @@ class BarrierMutantTest {
         SortedSet<ProcessId> first,
         BarrierSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         BarrierPort port,
         long nowNs) {
-      super(me, first, settings, rng, record, port, nowNs);
+      super(me, first, settings, rng, link, port, nowNs);
     }
 
     @Override
@@ -63,10 +63,10 @@ class BarrierMutantTest {
         SortedSet<ProcessId> first,
         BarrierSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         BarrierPort port,
         long nowNs) {
-      super(me, first, settings, rng, record, port, nowNs);
+      super(me, first, settings, rng, link, port, nowNs);
       others = new TreeSet<>(first);
       others.remove(me);
     }
@@ -86,10 +86,10 @@ class BarrierMutantTest {
         SortedSet<ProcessId> first,
         BarrierSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         BarrierPort port,
         long nowNs) {
-      super(me, first, settings, rng, record, port, nowNs);
+      super(me, first, settings, rng, link, port, nowNs);
       collector = first.first();
     }
 
@@ -113,10 +113,10 @@ class BarrierMutantTest {
         SortedSet<ProcessId> first,
         BarrierSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         BarrierPort port,
         long nowNs) {
-      super(me, first, settings, rng, record, port, nowNs);
+      super(me, first, settings, rng, link, port, nowNs);
     }
 
     @Override

@@ -1,11 +1,10 @@
 package org.starl.primitives.barrier;
 
 import java.util.SortedSet;
-import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
-import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.lives.LiveRobot;
 import org.starl.random.Rng;
 
@@ -40,8 +39,8 @@ final class Member extends LiveRobot {
   }
 
   @Override
-  protected Program program(ProcessId me, byte @Nullable [] record) {
-    return new Stay(me, record);
+  protected Program program(ProcessId me) {
+    return new Stay(me);
   }
 
   /** Makes a robot's protocol; mutants make another one. */
@@ -51,7 +50,7 @@ final class Member extends LiveRobot {
         SortedSet<ProcessId> first,
         BarrierSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         BarrierPort port,
         long nowNs);
   }
@@ -59,9 +58,9 @@ final class Member extends LiveRobot {
   private final class Stay extends Program implements BarrierPort {
     private final BarrierProtocol protocol;
     private final BarrierCodec codec = new BarrierCodec(gathering.first());
-    private final SynodCodec synodCodec = new SynodCodec(codec);
 
-    Stay(ProcessId me, byte @Nullable [] record) {
+    Stay(ProcessId me) {
+      super(new SynodCodec(new BarrierCodec(gathering.first())));
       show("outcome", BarrierOutcome.NONE_YET);
       protocol =
           gathering.maker.make(
@@ -69,7 +68,7 @@ final class Member extends LiveRobot {
               gathering.first(),
               gathering.settings,
               gathering.world.rng.fork(me.toString()),
-              record,
+              this,
               this,
               gathering.world.nowNs());
       Object[] ids = new Object[gathering.first().size() + 1];
@@ -84,18 +83,8 @@ final class Member extends LiveRobot {
     }
 
     @Override
-    protected long wakeAtNs() {
-      return protocol.wakeAtNs();
-    }
-
-    @Override
-    protected void timer(long nowNs) {
-      protocol.timer(nowNs);
-    }
-
-    @Override
-    protected void flushed(long version, long nowNs) {
-      protocol.flushed(version, nowNs);
+    protected BarrierProtocol protocol() {
+      return protocol;
     }
 
     @Override
@@ -110,16 +99,6 @@ final class Member extends LiveRobot {
           message,
           codec,
           (program, m) -> ((Stay) program).protocol.received(m, gathering.world.nowNs()));
-    }
-
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      RobotId from = name;
-      transmit(
-          to,
-          message,
-          synodCodec,
-          (program, m) -> ((Stay) program).protocol.received(from, m, gathering.world.nowNs()));
     }
   }
 }

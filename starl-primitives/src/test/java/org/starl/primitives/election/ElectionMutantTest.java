@@ -2,11 +2,11 @@ package org.starl.primitives.election;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.Participants;
 import org.starl.ProcessId;
+import org.starl.primitives.agreement.SynodLink;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
 
@@ -38,10 +38,10 @@ class ElectionMutantTest {
         Participants participants,
         ElectionSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         ElectionPort port,
         long nowNs) {
-      super(me, participants, settings, rng, record, port, nowNs);
+      super(me, participants, settings, rng, link, port, nowNs);
     }
 
     @Override
@@ -57,10 +57,10 @@ class ElectionMutantTest {
         Participants participants,
         ElectionSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         ElectionPort port,
         long nowNs) {
-      super(me, participants, settings, rng, record, port, nowNs);
+      super(me, participants, settings, rng, link, port, nowNs);
     }
 
     @Override
@@ -76,10 +76,10 @@ class ElectionMutantTest {
         Participants participants,
         ElectionSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         ElectionPort port,
         long nowNs) {
-      super(me, participants, settings.withDeadlineMs(1_000_000), rng, record, port, nowNs);
+      super(me, participants, settings.withDeadlineMs(1_000_000), rng, link, port, nowNs);
     }
 
     @Override
@@ -95,10 +95,10 @@ class ElectionMutantTest {
         Participants participants,
         ElectionSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         ElectionPort port,
         long nowNs) {
-      super(me, participants, settings.withDeadlineMs(1_000_000), rng, record, port, nowNs);
+      super(me, participants, settings.withDeadlineMs(1_000_000), rng, link, port, nowNs);
     }
   }
 

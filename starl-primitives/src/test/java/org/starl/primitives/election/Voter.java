@@ -1,11 +1,10 @@
 package org.starl.primitives.election;
 
-import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
-import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.lives.LiveRobot;
 import org.starl.random.Rng;
 
@@ -41,8 +40,8 @@ final class Voter extends LiveRobot {
   }
 
   @Override
-  protected Program program(ProcessId me, byte @Nullable [] record) {
-    return new Ballot(me, record);
+  protected Program program(ProcessId me) {
+    return new Ballot(me);
   }
 
   /** Makes a robot's protocol; mutants make another one. */
@@ -52,7 +51,7 @@ final class Voter extends LiveRobot {
         Participants participants,
         ElectionSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         ElectionPort port,
         long nowNs);
   }
@@ -61,7 +60,8 @@ final class Voter extends LiveRobot {
     private final ElectionProtocol protocol;
     private boolean takesPart;
 
-    Ballot(ProcessId me, byte @Nullable [] record) {
+    Ballot(ProcessId me) {
+      super(SYNOD_CODEC);
       show("Leader", Leader.NONE);
       act("Election", convoy.world.robots.size(), me);
       protocol =
@@ -70,7 +70,7 @@ final class Voter extends LiveRobot {
               convoy.participants(),
               convoy.settings,
               convoy.world.rng.fork(me.toString()),
-              record,
+              this,
               this,
               convoy.world.nowNs());
     }
@@ -82,18 +82,8 @@ final class Voter extends LiveRobot {
     }
 
     @Override
-    protected long wakeAtNs() {
-      return protocol.wakeAtNs();
-    }
-
-    @Override
-    protected void timer(long nowNs) {
-      protocol.timer(nowNs);
-    }
-
-    @Override
-    protected void flushed(long version, long nowNs) {
-      protocol.flushed(version, nowNs);
+    protected ElectionProtocol protocol() {
+      return protocol;
     }
 
     @Override
@@ -109,16 +99,6 @@ final class Voter extends LiveRobot {
     @Override
     public void broadcast(ElectionMessage message) {
       broadcast(message, CODEC, Ballot::receive);
-    }
-
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      RobotId from = name;
-      transmit(
-          to,
-          message,
-          SYNOD_CODEC,
-          (program, m) -> ((Ballot) program).protocol.received(from, m, convoy.world.nowNs()));
     }
 
     private static void receive(Program program, ElectionMessage message) {

@@ -11,6 +11,10 @@ import org.starl.RobotId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
+import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodLink;
+import org.starl.primitives.agreement.SynodMessage;
+import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.trace.TraceEvent;
 
 /** One robot of a {@link LiveWorld}: its disk, which survives, and its program, which may not. */
@@ -35,7 +39,7 @@ public abstract class LiveRobot {
   }
 
   /** Makes the program anew, over what its acceptor has last written. */
-  protected abstract Program program(ProcessId me, byte @Nullable [] record);
+  protected abstract Program program(ProcessId me);
 
   public boolean isUp() {
     return program != null;
@@ -55,8 +59,7 @@ public abstract class LiveRobot {
     if (boot > 1) {
       fault(TraceEvent.Fault.RESTART);
     }
-    byte[] found = diskForgets || disk == null ? null : disk.clone();
-    Program begun = program(new ProcessId(name, ((long) boot << 32) + 1), found);
+    Program begun = program(new ProcessId(name, ((long) boot << 32) + 1));
     program = begun;
     begun.settle();
   }
@@ -71,17 +74,18 @@ public abstract class LiveRobot {
   }
 
   /** One run of the robot's program. */
-  public abstract class Program {
+  public abstract class Program implements SynodLink {
 
+    private final SynodCodec synodCodec;
     private final Map<String, String> shown = new TreeMap<>();
     private long timerSetForNs = Long.MAX_VALUE;
     private long lastFlushNs;
 
-    protected abstract long wakeAtNs();
+    protected Program(SynodCodec synodCodec) {
+      this.synodCodec = synodCodec;
+    }
 
-    protected abstract void timer(long nowNs);
-
-    protected abstract void flushed(long version, long nowNs);
+    protected abstract SynodProtocol protocol();
 
     /** Shows all variables, through {@link #show}. */
     protected abstract void settled();
@@ -121,6 +125,22 @@ public abstract class LiveRobot {
       }
     }
 
+    @Override
+    public byte @Nullable [] record() {
+      byte[] written = disk;
+      return diskForgets || written == null ? null : written.clone();
+    }
+
+    @Override
+    public void send(RobotId to, SynodMessage message) {
+      transmit(
+          to,
+          message,
+          synodCodec,
+          (program, m) -> program.protocol().received(name, m, world.nowNs()));
+    }
+
+    @Override
     public void persist(long version, byte[] record) {
       long flushMs = world.rng.nextLong(0, world.weather().maxFlushMs());
       lastFlushNs = Math.max(lastFlushNs, world.nowNs() + flushMs * LiveWorld.NS_PER_MS);
@@ -130,7 +150,7 @@ public abstract class LiveRobot {
           () -> {
             if (isCurrent()) {
               disk = written;
-              call(() -> flushed(version, world.nowNs()));
+              call(() -> protocol().flushed(version, world.nowNs()));
             }
           });
     }
@@ -141,7 +161,7 @@ public abstract class LiveRobot {
 
     private void settle() {
       settled();
-      long wakeAtNs = wakeAtNs();
+      long wakeAtNs = protocol().wakeAtNs();
       if (wakeAtNs != timerSetForNs) {
         timerSetForNs = wakeAtNs;
         if (wakeAtNs != Long.MAX_VALUE) {
@@ -153,7 +173,7 @@ public abstract class LiveRobot {
     private void expired(long setForNs) {
       if (isCurrent() && timerSetForNs == setForNs) {
         timerSetForNs = Long.MAX_VALUE;
-        call(() -> timer(world.nowNs()));
+        call(() -> protocol().timer(world.nowNs()));
       }
     }
   }

@@ -32,9 +32,9 @@ class RegistrationMutantTest {
         RegistrationSpec.KEEPS,
         town ->
             town.maker =
-                (self, acceptors, settings, rng, record, port, now) ->
+                (self, acceptors, settings, rng, link, port, now) ->
                     new RegistrationProtocol(
-                        self, acceptors, settings, rng, record, false, port, now) {
+                        self, acceptors, settings, rng, link, false, port, now) {
                       private View first = View.NONE;
 
                       @Override
@@ -48,9 +48,9 @@ class RegistrationMutantTest {
         RegistrationSpec.KEEPS,
         town ->
             town.maker =
-                (self, acceptors, settings, rng, record, port, now) ->
+                (self, acceptors, settings, rng, link, port, now) ->
                     new RegistrationProtocol(
-                        self, acceptors, settings, rng, record, false, port, now) {
+                        self, acceptors, settings, rng, link, false, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         SortedMap<ProcessId, Long> fewer = new TreeMap<>(decided.admitted());
@@ -63,9 +63,9 @@ class RegistrationMutantTest {
         RegistrationSpec.KEEPS,
         town ->
             town.maker =
-                (self, acceptors, settings, rng, record, port, now) ->
+                (self, acceptors, settings, rng, link, port, now) ->
                     new RegistrationProtocol(
-                        self, acceptors, settings, rng, record, false, port, now) {
+                        self, acceptors, settings, rng, link, false, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         View next = super.proposal(decided, wanted, wishes);
@@ -81,9 +81,9 @@ class RegistrationMutantTest {
         RegistrationSpec.KEEPS,
         town ->
             town.maker =
-                (self, acceptors, settings, rng, record, port, now) ->
+                (self, acceptors, settings, rng, link, port, now) ->
                     new RegistrationProtocol(
-                        self, acceptors, settings, rng, record, false, port, now) {
+                        self, acceptors, settings, rng, link, false, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         View next = super.proposal(decided, wanted, wishes);
@@ -94,9 +94,9 @@ class RegistrationMutantTest {
         RegistrationSpec.FRESH,
         town ->
             town.maker =
-                (self, acceptors, settings, rng, record, port, now) ->
+                (self, acceptors, settings, rng, link, port, now) ->
                     new RegistrationProtocol(
-                        self, acceptors, settings, rng, record, false, port, now) {
+                        self, acceptors, settings, rng, link, false, port, now) {
                       private final List<ProcessId> seen = new ArrayList<>();
 
                       @Override

@@ -188,8 +188,8 @@ class RegistrationProtocolTest {
             List.of(new ProcessId(town.robot(0).name, 1), new ProcessId(town.robot(1).name, 1)));
     town.settings = town.settings.withInitialView(first);
     town.maker =
-        (self, who, set, rng, record, port, now) ->
-            new RegistrationProtocol(self, who, set, rng, record, record == null, port, now);
+        (self, who, set, rng, link, port, now) ->
+            new RegistrationProtocol(self, who, set, rng, link, link.record() == null, port, now);
     town.startAll();
     assertThat(isIn(town, 0)).isTrue();
     assertThat(town.robot(1).protocol().rList().isAgreed()).isTrue();

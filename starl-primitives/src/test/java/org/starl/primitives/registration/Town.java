@@ -6,9 +6,9 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.function.UnaryOperator;
-import org.jspecify.annotations.Nullable;
 import org.starl.Participants;
 import org.starl.RobotId;
+import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.random.Rng;
 import org.starl.spec.Monitor;
@@ -32,7 +32,7 @@ final class Town {
         Participants acceptors,
         RegistrationSettings settings,
         Rng rng,
-        byte @Nullable [] record,
+        SynodLink link,
         RegistrationPort port,
         long nowNs);
   }
@@ -46,8 +46,8 @@ final class Town {
   Weather weather = Weather.FAIR;
   RegistrationSettings settings = RegistrationSettings.DEFAULT;
   Maker maker =
-      (self, who, set, r, rec, port, now) ->
-          new RegistrationProtocol(self, who, set, r, rec, false, port, now);
+      (self, who, set, r, link, port, now) ->
+          new RegistrationProtocol(self, who, set, r, link, false, port, now);
 
   /** What becomes of a message on its way. */
   UnaryOperator<SynodMessage> tamper = UnaryOperator.identity();

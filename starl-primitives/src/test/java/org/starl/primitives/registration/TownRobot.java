@@ -10,6 +10,7 @@ import org.starl.RobotId;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.primitives.agreement.SynodCodec;
+import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
@@ -138,7 +139,8 @@ final class TownRobot {
     return read;
   }
 
-  private final class Program implements RegistrationPort {
+  private final class Program implements RegistrationPort, SynodLink {
+    private final byte @Nullable [] record;
     private final int itsBoot;
     private final RegistrationProtocol protocol;
     private final List<ProcessId> mine = new ArrayList<>();
@@ -151,6 +153,7 @@ final class TownRobot {
 
     Program(int itsBoot, byte @Nullable [] record) {
       this.itsBoot = itsBoot;
+      this.record = record;
       trace("view", View.NONE.toString());
       protocol =
           town.maker.make(
@@ -158,7 +161,7 @@ final class TownRobot {
               town.acceptors,
               town.settings,
               town.rng.fork(name + "/" + town.nowNs()),
-              record,
+              this,
               this,
               town.nowNs());
     }
@@ -203,6 +206,11 @@ final class TownRobot {
 
     private void receive(RobotId from, SynodMessage message) {
       call(() -> protocol.received(from, message, town.nowNs()));
+    }
+
+    @Override
+    public byte @Nullable [] record() {
+      return record;
     }
 
     @Override
