@@ -1,0 +1,74 @@
+package org.starl.primitives.specimen;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
+import org.starl.random.Rng;
+
+/**
+ * Robots that meet at one barrier again and again. Each counts whom it has heard, and when it has
+ * heard all it goes on and forgets the count, as the original StarL's barrier did: who has come into
+ * the next generation already is forgotten as well, and everybody waits for ever.
+ */
+final class ForgetfulBarrier extends LogicThread {
+
+  private static final String XID = "specimen";
+  private static final String SOURCE = "barrier/" + XID;
+  private static final long GENERATIONS = 20;
+
+  private final boolean isMended;
+  private final List<RobotId> all;
+  private final Rng rng;
+  private final Endpoint<Word> endpoint;
+  private final Map<Long, TreeSet<RobotId>> heard = new TreeMap<>();
+  private long generation;
+
+  /**
+   * @param isMended whether each generation has a count of its own
+   */
+  ForgetfulBarrier(GlobalVarHolder gvh, boolean isMended) {
+    super(gvh);
+    this.isMended = isMended;
+    all = gvh.id.participants().asList();
+    rng = gvh.plat.entropy.fork("specimen");
+    endpoint =
+        gvh.comms.open(
+            new Channel<>("barrier", XID, Word.CODEC),
+            (from, word) -> count(word.number()).add(from));
+  }
+
+  private TreeSet<RobotId> count(long itsGeneration) {
+    return heard.computeIfAbsent(isMended ? itsGeneration : 0, g -> new TreeSet<>());
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    List<Object> ids = new ArrayList<>();
+    ids.add(id(gvh.id.name()));
+    all.forEach(robot -> ids.add(id(robot)));
+    gvh.trace.action(SOURCE, "Barrier", ids.toArray());
+    for (generation = 1; generation <= GENERATIONS; generation++) {
+      sleep(50 + rng.nextInt(200));
+      gvh.trace.action(SOURCE, "arrive", generation, id(gvh.id.name()));
+      for (RobotId robot : all) {
+        endpoint.sendReliably(robot, new Word("ARRIVED", generation));
+      }
+      await(() -> count(generation).size() == all.size());
+      heard.remove(isMended ? generation : 0L);
+      gvh.trace.variable(SOURCE, "outcome", generation + ":passed");
+    }
+    return List.of();
+  }
+
+  private static ProcessId id(RobotId robot) {
+    return new ProcessId(robot, 1);
+  }
+}

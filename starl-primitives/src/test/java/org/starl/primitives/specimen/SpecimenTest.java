@@ -1,0 +1,141 @@
+package org.starl.primitives.specimen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import java.util.function.Supplier;
+import org.junit.jupiter.api.TestReporter;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.primitives.barrier.BarrierSpec;
+import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.mutex.MutexSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.sim.check.Shrink;
+import org.starl.sim.check.Trial;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.FaultPlan;
+import org.starl.spec.Monitor;
+
+/**
+ * Bugs that the original StarL had, written anew from their description, on whole simulated robots
+ * in a network that does whatever a network may do: each is caught by our specifications, on one of
+ * the first seeds, and its run shrinks. Mended in that one place, the same run is good.
+ */
+class SpecimenTest {
+
+  private static final int SEEDS = 50;
+  private static final int ROBOTS = 5;
+  private static final int MOST_RUNS = 400;
+  private static final long END_NS = Duration.ofSeconds(60).toNanos();
+  private static final long BOUND_NS = Duration.ofSeconds(10).toNanos();
+
+  private interface Maker {
+    LogicThread make(GlobalVarHolder gvh, boolean isMended);
+  }
+
+  enum Specimen {
+    TOKEN_MUTEX_WITH_STALE_OWNER_BROADCASTS(
+        "Exclusive", TokenMutex::new, () -> new MutexSpec(Contender.XID)),
+    SET_MUTEX_WITH_LIST_INDEX_AND_DOUBLE_REPLIES(
+        "Exclusive",
+        setMutex(EnumSet.allOf(SetMutex.Bug.class)),
+        () -> new MutexSpec(Contender.XID)),
+    SET_MUTEX_WITH_LIST_INDEX_ALONE(
+        "Exclusive",
+        setMutex(EnumSet.of(SetMutex.Bug.LIST_INDEX)),
+        () -> new MutexSpec(Contender.XID)),
+    SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE(
+        "Exclusive",
+        setMutex(EnumSet.of(SetMutex.Bug.DOUBLE_REPLIES)),
+        () -> new MutexSpec(Contender.XID)),
+    BARRIER_THAT_LOSES_EARLY_ARRIVALS(
+        "NotHung", ForgetfulBarrier::new, () -> new BarrierSpec(BOUND_NS, 2 * END_NS)),
+    GEOCAST_RECTANGLE_WITH_SWAPPED_EDGE("exclusion", CrookedGeocast::new, GeocastSpec::new);
+
+    private final String lemma;
+    private final Maker maker;
+    private final Supplier<Monitor> spec;
+
+    Specimen(String lemma, Maker maker, Supplier<Monitor> spec) {
+      this.lemma = lemma;
+      this.maker = maker;
+      this.spec = spec;
+    }
+
+    private static Maker setMutex(Set<SetMutex.Bug> bugs) {
+      return (gvh, isMended) -> new SetMutex(gvh, isMended ? Set.of() : bugs);
+    }
+
+    Simulation simulation(long seed, Trial trial, Envelope chaos, boolean isMended) {
+      SimSettings settings =
+          SimSettings.builder()
+              .duration(Duration.ofNanos(trial.endNs()))
+              .set(Setting.CHAOS, chaos)
+              .build();
+      return Simulation.builder()
+          .name(name())
+          .seed(seed)
+          .settings(settings)
+          .faults(new FaultPlan(trial.faults()))
+          .robots(trial.robots(), gvh -> maker.make(gvh, isMended))
+          .monitor(spec)
+          .build();
+    }
+
+    /** The run of one seed, chaos written out. */
+    Trial whole(long seed) {
+      Trial calm = new Trial(ROBOTS, List.of(), List.of(), END_NS);
+      FaultPlan chaos = simulation(seed, calm, Envelope.NETWORK, false).faults();
+      return new Trial(ROBOTS, List.of(), chaos.faults(), END_NS);
+    }
+
+    RunOutcome run(long seed, Trial trial, boolean isMended) {
+      return RunOutcome.of(simulation(seed, trial, Envelope.NONE, isMended).run());
+    }
+
+    boolean isCaught(RunOutcome outcome) {
+      return outcome.verdict() == Verdict.VIOLATED && outcome.what().equals(lemma);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void itIsCaughtAndItsRunShrinks(Specimen specimen, TestReporter reporter) {
+    long seed = 1;
+    while (seed <= SEEDS && !specimen.isCaught(specimen.run(seed, specimen.whole(seed), false))) {
+      seed++;
+    }
+    assertThat(seed)
+        .as("%s: caught on a seed of 1..%d", specimen, SEEDS)
+        .isLessThanOrEqualTo(SEEDS);
+    long caught = seed;
+    Trial whole = specimen.whole(caught);
+    Shrink.Result shrunk =
+        new Shrink(
+                trial -> specimen.run(caught, trial, false),
+                MOST_RUNS,
+                (run, trial, outcome, isKept) -> {})
+            .shrink(whole);
+    Trial least = shrunk.trial();
+    reporter.publishEntry(
+        specimen.name(),
+        "seed " + caught + ": " + whole + " -> " + least + ": " + shrunk.outcome().detail());
+    assertThat(specimen.isCaught(shrunk.outcome())).as("%s", shrunk).isTrue();
+    assertThat(least.endNs()).isLessThan(whole.endNs());
+    assertThat(least.robots()).isLessThanOrEqualTo(whole.robots());
+    assertThat(least.faults()).hasSizeLessThan(whole.faults().size());
+    assertThat(specimen.run(caught, least, false)).isEqualTo(shrunk.outcome());
+    assertThat(specimen.run(caught, whole, true).verdict()).isNotEqualTo(Verdict.VIOLATED);
+    assertThat(specimen.run(caught, least, true).verdict()).isNotEqualTo(Verdict.VIOLATED);
+  }
+}
