@@ -1,22 +1,43 @@
 package org.starl.comms;
 
+import java.nio.charset.StandardCharsets;
+
 /**
  * Where messages of one kind meet: a primitive's name, the id of its instance, and the codec. Two
  * instances of one primitive never hear each other.
- *
- * @param primitive 1 to 31 letters, digits, {@code _}, {@code -} or {@code .}
- * @param instance likewise
  */
-public record Channel<T>(String primitive, String instance, Codec<T> codec) {
+public final class Channel<T> {
 
-  public Channel {
+  private final String name;
+  private final Codec<T> codec;
+
+  /** The name on the wire: of a channel that many robots share, it is one array for all. */
+  final byte[] wireName;
+
+  /**
+   * @param primitive 1 to 31 letters, digits, {@code _}, {@code -} or {@code .}
+   * @param instance likewise
+   */
+  public Channel(String primitive, String instance, Codec<T> codec) {
     check(primitive);
     check(instance);
+    this.name = primitive + "/" + instance;
+    this.codec = codec;
+    this.wireName = name.getBytes(StandardCharsets.US_ASCII);
   }
 
   /** {@code primitive/instance}, as on the wire and in the trace. */
   public String name() {
-    return primitive + "/" + instance;
+    return name;
+  }
+
+  public Codec<T> codec() {
+    return codec;
+  }
+
+  @Override
+  public String toString() {
+    return name;
   }
 
   /** Whether {@code name} is that of a channel: two valid parts and a slash. */

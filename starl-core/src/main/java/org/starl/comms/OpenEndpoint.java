@@ -1,6 +1,5 @@
 package org.starl.comms;
 
-import java.nio.charset.StandardCharsets;
 import org.starl.RobotId;
 
 /** An endpoint of {@link Comms}: its channel, its handler, and whether it is open. */
@@ -15,7 +14,7 @@ final class OpenEndpoint<T> implements Endpoint<T> {
   OpenEndpoint(Comms comms, Channel<T> channel, Handler<T> handler) {
     this.comms = comms;
     this.channel = channel;
-    this.name = channel.name().getBytes(StandardCharsets.US_ASCII);
+    this.name = channel.wireName;
     this.handler = handler;
   }
 
