@@ -54,6 +54,20 @@ public final class GlobalVarHolder {
     return cell;
   }
 
+  /**
+   * For a primitive whose second instance would act under the same id without the memory of the
+   * first: asks this before it makes its variables.
+   *
+   * @throws IllegalStateException if this start of the robot's program has had {@code source} already
+   */
+  public void requireFirst(String source) {
+    for (GvhVariable<?> variable : variables) {
+      if (variable.source().equals(source)) {
+        throw new IllegalStateException(source + ": this robot has had this instance already");
+      }
+    }
+  }
+
   /** Adds a variable whose owner computes its value when it is read. */
   public void register(GvhVariable<?> variable) {
     variables.add(variable);

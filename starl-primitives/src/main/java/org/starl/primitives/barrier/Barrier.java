@@ -29,7 +29,6 @@ public final class Barrier implements BarrierPrim {
   private final SynodWire wire;
   private final BarrierProtocol protocol;
   private final GvhCell<BarrierOutcome> outcome;
-  private boolean closed;
 
   /** Among all robots of the deployment; see the other constructors. */
   public Barrier(GlobalVarHolder gvh, String xid) {
@@ -48,7 +47,7 @@ public final class Barrier implements BarrierPrim {
   }
 
   public Barrier(GlobalVarHolder gvh, String xid, Participants members, BarrierSettings settings) {
-    this(gvh, xid, new ProcessId(gvh.id.name(), gvh.id.boot()), firstStarts(members), settings);
+    this(gvh, xid, new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(members), settings);
   }
 
   /**
@@ -64,21 +63,18 @@ public final class Barrier implements BarrierPrim {
         gvh,
         xid + "." + registered(membership).number(),
         membership.me(),
-        new TreeSet<>(membership.view().ids()),
+        membership.view(),
         settings);
   }
 
   private Barrier(
-      GlobalVarHolder gvh,
-      String instance,
-      ProcessId me,
-      SortedSet<ProcessId> first,
-      BarrierSettings settings) {
+      GlobalVarHolder gvh, String instance, ProcessId me, View group, BarrierSettings settings) {
     this.gvh = gvh;
+    SortedSet<ProcessId> first = new TreeSet<>(group.ids());
     BarrierCodec codec = new BarrierCodec(first);
     Channel<BarrierMessage> channel = new Channel<>(BarrierTrace.PRIMITIVE, instance, codec);
     source = channel.name();
-    requireFirst();
+    gvh.requireFirst(source);
     outcome = gvh.variable(source, BarrierTrace.OUTCOME, BarrierOutcome.NONE_YET);
     wire = new SynodWire(gvh, new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(codec)));
     protocol =
@@ -95,24 +91,6 @@ public final class Barrier implements BarrierPrim {
     gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
     endpoint = gvh.comms.open(channel, this::received);
     wire.start(protocol, this::show);
-  }
-
-  // A second one would propose under the same id without the memory of the first: that breaks
-  // safety.
-  private void requireFirst() {
-    for (GvhVariable<?> variable : gvh.variables()) {
-      if (variable.source().equals(source)) {
-        throw new IllegalStateException(source + ": this robot has had this instance already");
-      }
-    }
-  }
-
-  private static SortedSet<ProcessId> firstStarts(Participants members) {
-    SortedSet<ProcessId> ids = new TreeSet<>();
-    for (RobotId robot : members) {
-      ids.add(new ProcessId(robot, 1));
-    }
-    return ids;
   }
 
   private static View registered(Membership membership) {
@@ -145,11 +123,8 @@ public final class Barrier implements BarrierPrim {
 
   @Override
   public void close() {
-    if (!closed) {
-      closed = true;
-      wire.close();
-      endpoint.close();
-    }
+    wire.close();
+    endpoint.close();
   }
 
   private void received(RobotId from, BarrierMessage message) {

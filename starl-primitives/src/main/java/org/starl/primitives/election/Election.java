@@ -26,7 +26,6 @@ public final class Election implements ElectionPrim {
   private final ElectionProtocol protocol;
   private final GvhCell<Leader> leader;
   private final GvhCell<Boolean> failed;
-  private boolean closed;
 
   /** Among all robots of the deployment. */
   public Election(GlobalVarHolder gvh, String xid) {
@@ -100,11 +99,8 @@ public final class Election implements ElectionPrim {
 
   @Override
   public void close() {
-    if (!closed) {
-      closed = true;
-      wire.close();
-      endpoint.close();
-    }
+    wire.close();
+    endpoint.close();
   }
 
   private void received(RobotId from, ElectionMessage message) {

@@ -76,6 +76,15 @@ public record View(
     return new View(1, admitted);
   }
 
+  /** View 1 of the closed group in which each robot is who it is at its first start. */
+  public static View closed(Participants robots) {
+    List<ProcessId> ids = new ArrayList<>();
+    for (RobotId robot : robots) {
+      ids.add(new ProcessId(robot, 1));
+    }
+    return closed(ids);
+  }
+
   /** Whether {@code id} is listed as free to act. */
   public boolean contains(ProcessId id) {
     return admitted.containsKey(id);

@@ -89,7 +89,7 @@ public final class M_Mutex implements MutexPrim {
     this.times = times;
     Channel<MutexMessage> channel = new Channel<>(MutexTrace.PRIMITIVE, xid, new MutexCodec());
     source = channel.name();
-    requireFirst();
+    gvh.requireFirst(source);
     crit = gvh.variable(source, "crit", false);
     failed = gvh.variable(source, "failed", false);
     failure = gvh.variable(source, "failure", MutexFailure.NONE);
@@ -104,11 +104,8 @@ public final class M_Mutex implements MutexPrim {
 
   /** The group in which each robot is who it is at its first start. */
   public static Membership closedGroup(GlobalVarHolder gvh, Participants participants) {
-    SortedSet<ProcessId> ids = new TreeSet<>();
-    for (RobotId robot : participants) {
-      ids.add(new ProcessId(robot, 1));
-    }
-    return Membership.closed(new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(ids));
+    return Membership.closed(
+        new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(participants));
   }
 
   @Override
@@ -315,15 +312,6 @@ public final class M_Mutex implements MutexPrim {
   private void requireOpen() {
     if (closed) {
       throw new IllegalStateException(source + " is closed");
-    }
-  }
-
-  // A second one would act under the same id without the memory of the first: that breaks safety.
-  private void requireFirst() {
-    for (GvhVariable<?> variable : gvh.variables()) {
-      if (variable.source().equals(source)) {
-        throw new IllegalStateException(source + ": this robot has had this instance already");
-      }
     }
   }
 
