@@ -12,6 +12,7 @@ import org.starl.apps.Request;
 import org.starl.apps.Scenario;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.Bounds;
 import org.starl.apps.intersection.spec.IntersectionSpec;
@@ -38,6 +39,7 @@ public final class IntersectionDemo implements Demo {
   private static final Crossing CROSSING = Crossing.STANDARD;
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
+  private static final long AFTER_FAULTS_NS = 15_000_000_000L;
   private static final long MAX_ARRIVALS_NS = 1000L * 3600 * 1_000_000_000;
 
   private static final Parameter SCENARIO =
@@ -171,11 +173,13 @@ public final class IntersectionDemo implements Demo {
 
   private static Plan simulation(List<Car> cars, Obstacles floor, SimSettings settings) {
     IntersectionStory story = new IntersectionStory();
+    Operator operator = new Operator();
     Simulation.Builder simulation =
         Simulation.builder()
             .settings(settings)
             .obstacles(floor)
-            .director(new Traffic(CROSSING, settings.robotRadiusMm(), cars))
+            .director(new Traffic(CROSSING, settings.robotRadiusMm(), cars, operator))
+            .observer(operator)
             .observer(story);
     SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
@@ -185,7 +189,10 @@ public final class IntersectionDemo implements Demo {
               car.id(),
               car.start(),
               false,
-              gvh -> new IntersectionApp(gvh, XID, CROSSING, car.trip())));
+              gvh ->
+                  operator.isOffFloor(car.id())
+                      ? new TowedCar(gvh, XID, gvh.id.participants(), 0)
+                      : new IntersectionApp(gvh, XID, CROSSING, car.trip())));
     }
     watch(simulation, new Bounds(deltaNs(settings), cars.size(), 0), settings);
     return new Plan(simulation, story, new IntersectionLayer(CROSSING, trips), floor);
@@ -200,8 +207,12 @@ public final class IntersectionDemo implements Demo {
 
   /** Within this time a message arrives that is repeated until it is answered. */
   static long deltaNs(SimSettings settings) {
+    boolean hasFaults =
+        !settings.get(Setting.FAULTS).isEmpty() || settings.get(Setting.CHAOS) != Envelope.NONE;
+    // What was lost in a fault is repeated after a while, and who has died is given up after another.
     return Bounds.deltaNs(
-        settings.messageDelay().longestNs(), settings.messageLoss().probability());
+            settings.messageDelay().longestNs(), settings.messageLoss().probability())
+        + (hasFaults ? AFTER_FAULTS_NS : 0);
   }
 
   private static int debris(Request request) {

@@ -9,12 +9,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.BiFunction;
+import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Region;
-import org.starl.motion.MotionFlag;
 import org.starl.sim.Director;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimControl;
@@ -37,6 +37,8 @@ final class OpenRoad implements Director {
   private final long untilNs;
   private final BiFunction<Arrival, Trip, RobotSpec> programs;
   private final OpenRoadStory story;
+  private final Operator operator;
+  private final Participants units;
   private final Map<Zone, Deque<Arrival>> outside = new EnumMap<>(Zone.class);
   private final List<Car> cars = new ArrayList<>();
   private final Map<RobotId, Trip> trips = new TreeMap<>();
@@ -47,6 +49,7 @@ final class OpenRoad implements Director {
   /**
    * @param untilNs the end of arrivals
    * @param programs makes the robot of an arrival
+   * @param units at the roadside, which are there from the start to the end
    */
   OpenRoad(
       Crossing crossing,
@@ -54,13 +57,17 @@ final class OpenRoad implements Director {
       Arrivals arrivals,
       long untilNs,
       BiFunction<Arrival, Trip, RobotSpec> programs,
-      OpenRoadStory story) {
+      OpenRoadStory story,
+      Operator operator,
+      Participants units) {
     this.crossing = crossing;
     this.radiusMm = radiusMm;
     this.arrivals = arrivals;
     this.untilNs = untilNs;
     this.programs = programs;
     this.story = story;
+    this.operator = operator;
+    this.units = units;
   }
 
   /** The trips of the cars that are there now. */
@@ -99,8 +106,11 @@ final class OpenRoad implements Director {
         story.cameIn(waiting.remove());
       }
     }
+    story.towed(operator.towed());
     if (!isOver()) {
       control.at(nowNs + LOOK_EVERY_NS, () -> look(control));
+    } else {
+      units.forEach(control::leave);
     }
   }
 
@@ -126,15 +136,17 @@ final class OpenRoad implements Director {
 
   private boolean isGone(SimControl control, Car car) {
     RobotId id = car.id();
+    operator.look(control, id);
     if (control.isOnFloor(id)
-        && control.motionflag(id) == MotionFlag.IDLE
+        && operator.isReady(id)
         && car.exit().contains(control.truePose(id).at())) {
-      control.takeOffFloor(id);
+      operator.drivesOff(control, id);
     }
     if (!control.isFinished(id)) {
       return false;
     }
     control.leave(id);
+    operator.forget(id);
     trips.remove(id);
     return true;
   }

@@ -8,6 +8,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.RoadsideUnit;
+import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.Bounds;
 import org.starl.apps.intersection.view.IntersectionLayer;
@@ -49,6 +50,7 @@ final class OpenRoadPlan {
       ids.add(new RobotId(UNIT + i));
     }
     Participants units = Participants.of(ids);
+    Operator operator = new Operator();
     OpenRoadStory story = new OpenRoadStory(untilNs);
     OpenRoad road =
         new OpenRoad(
@@ -56,8 +58,10 @@ final class OpenRoadPlan {
             settings.robotRadiusMm(),
             new Arrivals(rateHz, untilNs, settings.robotName(), rng),
             untilNs,
-            (arrival, trip) -> car(arrival, trip, units),
-            story);
+            (arrival, trip) -> car(arrival, trip, units, operator),
+            story,
+            operator,
+            units);
     Bounds bounds = new Bounds(IntersectionDemo.deltaNs(settings), MOST_CARS, PLACES);
     Simulation.Builder simulation =
         Simulation.builder()
@@ -65,6 +69,7 @@ final class OpenRoadPlan {
             .endNs(untilNs + bounds.drainNs())
             .obstacles(floor)
             .director(road)
+            .observer(operator)
             .observer(story);
     for (int i = 0; i < corners.size(); i++) {
       simulation.robot(
@@ -75,11 +80,14 @@ final class OpenRoadPlan {
     return new Plan(simulation, story, new IntersectionLayer(crossing, road.trips(), units), floor);
   }
 
-  private RobotSpec car(Arrival arrival, Trip trip, Participants units) {
+  private RobotSpec car(Arrival arrival, Trip trip, Participants units, Operator operator) {
     return new RobotSpec(
         arrival.id(),
         crossing.placePose(arrival.route().from(), Crossing.PLACES - 1),
         true,
-        gvh -> new IntersectionApp(gvh, xid, crossing, trip, units));
+        gvh ->
+            operator.isOffFloor(arrival.id())
+                ? new TowedCar(gvh, xid, units, PLACES)
+                : new IntersectionApp(gvh, xid, crossing, trip, units));
   }
 }

@@ -7,7 +7,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
 import org.starl.apps.Story;
@@ -25,13 +27,15 @@ final class OpenRoadStory implements Story {
 
   private final long untilNs;
   private final SortedMap<RobotId, Arrival> waiting = new TreeMap<>();
+  private final Set<RobotId> onFloor = new TreeSet<>();
   private final Map<Zone, Integer> queues = new EnumMap<>(Zone.class);
   private final Map<Zone, Integer> beyondEdge = new EnumMap<>(Zone.class);
   private final List<Long> waitsNs = new ArrayList<>();
   private int arrived;
   private int cameIn;
   private int turnedAway;
-  private int crossed;
+  private int left;
+  private int towed;
   private int stopped;
   private int longestQueue;
   private int longestBeyondEdge;
@@ -56,11 +60,21 @@ final class OpenRoadStory implements Story {
     cameIn++;
     count(beyondEdge, arrival, -1);
     waiting.put(arrival.id(), arrival);
+    onFloor.add(arrival.id());
   }
 
   /** So many who had arrived never came onto the road. */
   void turnedAway(int cars) {
     turnedAway += cars;
+  }
+
+  /** So many were towed until now. */
+  void towed(int cars) {
+    towed = cars;
+  }
+
+  private int crossed() {
+    return left - towed;
   }
 
   private static int count(Map<Zone, Integer> byArm, Arrival arrival, int more) {
@@ -77,9 +91,13 @@ final class OpenRoadStory implements Story {
       } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {
         stopped++;
       }
-    } else if (event instanceof TraceEvent.Left left) {
-      crossed++;
-      lastLeftNs = left.timeNs();
+    } else if (event instanceof TraceEvent.Left gone && onFloor.remove(gone.robot())) {
+      left++;
+      lastLeftNs = gone.timeNs();
+      Arrival towedBefore = waiting.remove(gone.robot());
+      if (towedBefore != null) {
+        count(queues, towedBefore, -1);
+      }
     }
   }
 
@@ -107,9 +125,9 @@ final class OpenRoadStory implements Story {
             + turnedAway
             + " turned away at the end of arrivals");
     lines.add(
-        crossed
+        crossed()
             + " crossed ("
-            + perMinute(crossed, lastLeftNs)
+            + perMinute(crossed(), lastLeftNs)
             + "), the last one left at "
             + seconds(lastLeftNs));
     lines.add(
@@ -124,6 +142,9 @@ final class OpenRoadStory implements Story {
             + longestQueue
             + " cars; beyond the edge: "
             + longestBeyondEdge);
+    if (towed > 0) {
+      lines.add(towed + " dead cars were towed");
+    }
     if (stopped > 0) {
       lines.add("cars were stopped by something " + (stopped == 1 ? "once" : stopped + " times"));
     }
@@ -134,11 +155,12 @@ final class OpenRoadStory implements Story {
   public Measures measures() {
     SortedMap<String, Double> figures = new TreeMap<>();
     figures.put("arrived", (double) arrived);
-    figures.put("crossed", (double) crossed);
-    figures.put("crossed_per_min", lastLeftNs == 0 ? 0 : crossed * NS_PER_MIN / lastLeftNs);
+    figures.put("crossed", (double) crossed());
+    figures.put("crossed_per_min", lastLeftNs == 0 ? 0 : crossed() * NS_PER_MIN / lastLeftNs);
     figures.put("longest_queue", (double) longestQueue);
+    figures.put("towed", (double) towed);
     figures.put("turned_away", (double) turnedAway);
-    return new Measures(cameIn, crossed, waitsNs, figures);
+    return new Measures(cameIn, crossed(), waitsNs, figures);
   }
 
   private long[] sortedWaitsNs() {

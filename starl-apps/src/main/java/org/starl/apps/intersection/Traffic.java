@@ -10,14 +10,13 @@ import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Region;
-import org.starl.motion.MotionFlag;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 
 /**
  * Cars come and go: a car appears at the head of its lane once it is ready and nobody is left in the
- * arrival zone; one that has come to a stand at the end of a road, has given back all its zones and
- * so has stopped its motion ({@code IDLE}) leaves the floor.
+ * arrival zone; one that has come to a stand at the end of a road, and has given back all its zones,
+ * leaves the floor.
  */
 final class Traffic implements Director {
 
@@ -26,10 +25,15 @@ final class Traffic implements Director {
   private final double radiusMm;
   private final List<Region> exits = new ArrayList<>();
   private final SortedMap<String, Deque<Car>> lanes = new TreeMap<>();
+  private final List<Car> cars;
   private final List<Car> onFloor = new ArrayList<>();
+  private final Operator operator;
+  private boolean isOver;
 
-  Traffic(Crossing crossing, double radiusMm, List<Car> cars) {
+  Traffic(Crossing crossing, double radiusMm, List<Car> cars, Operator operator) {
     this.radiusMm = radiusMm;
+    this.cars = List.copyOf(cars);
+    this.operator = operator;
     for (Zone zone : Zone.values()) {
       exits.add(crossing.exitRegion(zone));
     }
@@ -44,6 +48,7 @@ final class Traffic implements Director {
   }
 
   private void look(SimControl control) {
+    cars.forEach(car -> operator.look(control, car.id()));
     onFloor.removeIf(car -> leaves(control, car));
     for (Deque<Car> lane : lanes.values()) {
       Car first = lane.peek();
@@ -51,9 +56,17 @@ final class Traffic implements Director {
         onFloor.add(lane.remove());
       }
     }
-    if (!onFloor.isEmpty() || lanes.values().stream().anyMatch(lane -> !lane.isEmpty())) {
+    isOver =
+        lanes.values().stream().allMatch(Deque::isEmpty)
+            && cars.stream().allMatch(car -> control.isFinished(car.id()));
+    if (!isOver) {
       control.at(control.nowNs() + LOOK_EVERY_NS, () -> look(control));
     }
+  }
+
+  @Override
+  public boolean isOver() {
+    return isOver;
   }
 
   private boolean appears(SimControl control, Car car) {
@@ -73,12 +86,15 @@ final class Traffic implements Director {
 
   private boolean leaves(SimControl control, Car car) {
     RobotId id = car.id();
-    if (control.motionflag(id) != MotionFlag.IDLE) {
+    if (!control.isOnFloor(id)) {
+      return true;
+    }
+    if (!operator.isReady(id)) {
       return false;
     }
     for (Region exit : exits) {
       if (exit.contains(control.truePose(id).at())) {
-        control.takeOffFloor(id);
+        operator.drivesOff(control, id);
         return true;
       }
     }

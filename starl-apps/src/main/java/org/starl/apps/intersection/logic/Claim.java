@@ -3,6 +3,8 @@ package org.starl.apps.intersection.logic;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.Participants;
+import org.starl.RobotId;
+import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.RegPrim;
@@ -23,9 +25,12 @@ final class Claim {
     LEAVING
   }
 
+  private final RobotId self;
   private final RegPrim reg;
+  private final Membership membership;
   private final MutexPrim mutex;
   private String place = "";
+  private boolean startedAnew;
   private State state = State.OUT;
 
   /**
@@ -34,7 +39,9 @@ final class Claim {
    */
   Claim(GlobalVarHolder gvh, String xid, Participants acceptors) {
     Registration registration = new Registration(gvh, xid, acceptors);
+    self = gvh.id.name();
     reg = registration;
+    membership = registration;
     mutex = new M_Mutex(gvh, xid, registration);
   }
 
@@ -46,13 +53,37 @@ final class Claim {
     place = aPlace;
   }
 
+  /**
+   * For a program that has started anew: its body is in this place of those of this rank, and has to
+   * hold it, or, if it is empty, in none of them.
+   */
+  void standsIn(String aPlace) {
+    startedAnew = true;
+    if (aPlace.isEmpty()) {
+      mutex.standsIn(List.of());
+    } else {
+      mutex.standsIn(List.of(aPlace));
+      want(aPlace);
+    }
+  }
+
   boolean isHeld() {
     return state == State.HELD;
   }
 
-  /** Whether it holds nothing, wants nothing and is not registered. */
+  /** Whether it waits for its place. */
+  boolean isWaiting() {
+    return !place.isEmpty() && state != State.HELD;
+  }
+
+  /** Whether it holds nothing, wants nothing and is not registered, as earlier starts are not. */
   boolean isOver() {
-    return state == State.OUT && place.isEmpty();
+    return state == State.OUT && place.isEmpty() && !(startedAnew && isMentioned());
+  }
+
+  private boolean isMentioned() {
+    return membership.view().number() == 0
+        || membership.view().mentioned().stream().anyMatch(id -> id.robot().equals(self));
   }
 
   String place() {
@@ -87,6 +118,9 @@ final class Claim {
       case ASKING -> {
         if (mutex.od_mutex()) {
           state = State.HELD;
+          if (startedAnew) {
+            mutex.standsIn(List.of()); // who it was before need not keep the place any more
+          }
         } else if (mutex.failed().get()) {
           boolean mustRegister = mutex.failure().get().mustRegister();
           state = mustRegister ? State.OUT : State.REGISTERING;

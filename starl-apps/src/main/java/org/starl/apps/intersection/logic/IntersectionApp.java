@@ -9,6 +9,7 @@ import org.starl.GvhCell;
 import org.starl.LogicThread;
 import org.starl.Participants;
 import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionParameters;
 import org.starl.primitives.mutex.M_Mutex;
@@ -34,6 +35,9 @@ import org.starl.primitives.registration.Registration;
  *       finds it free.
  *   <li>On an open road a car comes onto its arm behind others: in QUEUE it drives up, place by
  *       place, until it is in the arrival zone, where the figure begins.
+ *   <li>A program that has started anew does not know how far the car has come. In RESUME it waits
+ *       for a position fix, says which zones its body may be in, so that who it was before keeps no
+ *       others, and goes on from the first of them: it may turn back to that zone's middle.
  *   <li>To unregister takes messages, as to register does: UNREGISTER_WAIT is where a car waits for
  *       it. Where a primitive gives up and says so ({@code failed}), the car asks again: in MUTEX_S
  *       for its zones, in S_0 to be registered, also where the mutex failed because it is no longer.
@@ -41,8 +45,9 @@ import org.starl.primitives.registration.Registration;
  */
 public final class IntersectionApp extends LogicThread {
 
-  /** Figure 4's locations, QUEUE and UNREGISTER_WAIT. */
+  /** Figure 4's locations, RESUME, QUEUE and UNREGISTER_WAIT. */
   public enum Location {
+    RESUME,
     QUEUE,
     S_0,
     REGISTER_WAIT,
@@ -71,6 +76,7 @@ public final class IntersectionApp extends LogicThread {
   private static final double GOAL_RADIUS_MM = 10;
 
   private final Crossing crossing;
+  private final Trip trip;
   private final ItemPosition exit;
   private final RegPrim reg;
   private final MutexPrim mutex;
@@ -102,13 +108,14 @@ public final class IntersectionApp extends LogicThread {
       GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip, Participants acceptors) {
     super(gvh);
     this.crossing = crossing;
+    this.trip = trip;
     exit = trip.exit();
     myseq = new ArrayDeque<>(trip.stations());
     Registration registration = new Registration(gvh, xid, acceptors);
     reg = registration;
     mutex = new M_Mutex(gvh, xid, registration);
     lane = new Lane(gvh, xid, crossing, trip.approach(), acceptors);
-    gvh.trace.action(SOURCE, TRIP, trip.label(), trip.zones());
+    tellTrip();
     location = gvh.variable(SOURCE, LOCATION, start());
     tracedSeq = gvh.variable(SOURCE, MYSEQ, names(myseq));
     gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters()));
@@ -124,6 +131,12 @@ public final class IntersectionApp extends LogicThread {
     while (location.get() != Location.DONE) {
       lane.look();
       switch (location.get()) {
+        case RESUME -> {
+          if (gvh.gps.hasFix()) {
+            resume();
+            location.set(lane.isAtTheHead() ? Location.S_0 : Location.QUEUE);
+          }
+        }
         case QUEUE -> {
           if (gvh.gps.hasFix()) {
             lane.drive(this::arrivedOrRetried);
@@ -141,8 +154,13 @@ public final class IntersectionApp extends LogicThread {
         case REGISTER_WAIT -> {
           if (reg.getList() instanceof RList.Agreed agreed) {
             plist = agreed.list();
-            mutex.do_mutex(names(myseq), plist);
-            location.set(Location.MUTEX_WAIT);
+            if (myseq.isEmpty()) {
+              gvh.plat.moat.doMove(exit);
+              location.set(Location.S_1);
+            } else {
+              mutex.do_mutex(names(myseq), plist);
+              location.set(Location.MUTEX_WAIT);
+            }
           } else if (reg.failed().get()) {
             location.set(Location.S_0);
           }
@@ -153,6 +171,12 @@ public final class IntersectionApp extends LogicThread {
         }
         case MUTEX_WAIT -> {
           if (mutex.od_mutex()) {
+            if (lane.isWaiting()) {
+              break; // for a place that the car stands in
+            }
+            if (startedAnew()) {
+              mutex.standsIn(List.of()); // who it was before need not keep anything any more
+            }
             gvh.plat.moat.doMove(myseq.element());
             location.set(Location.MOVE_WAIT);
           } else if (mutex.failed().get()) {
@@ -200,7 +224,48 @@ public final class IntersectionApp extends LogicThread {
     if (myseq.isEmpty()) {
       return Location.DONE;
     }
+    if (startedAnew()) {
+      return Location.RESUME;
+    }
+    lane.begin();
     return lane.isAtTheHead() ? Location.S_0 : Location.QUEUE;
+  }
+
+  private boolean startedAnew() {
+    return gvh.id.boot() > 1;
+  }
+
+  /** Finds out how far the car has come: {@code myseq} is what is left from the first zone it is in. */
+  private void resume() {
+    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
+    List<String> occupied = new ArrayList<>();
+    for (ItemPosition station : myseq) {
+      if (!gvh.gps.isClearOf(crossing.region(csName(station)), radiusMm)) {
+        occupied.add(csName(station));
+      }
+    }
+    mutex.standsIn(occupied);
+    boolean isBeyond = occupied.isEmpty() && isNearerTo(exit, trip.stations().get(0));
+    while (isBeyond ? !myseq.isEmpty() : isBehind(occupied)) {
+      myseq.remove();
+    }
+    lane.beginAnew(isBeyond || !occupied.isEmpty());
+    tellTrip();
+    tracedSeq.set(names(myseq));
+  }
+
+  /** Whether the car is in some zones, and the next one of its trip is none of them. */
+  private boolean isBehind(List<String> occupied) {
+    return !occupied.isEmpty() && !occupied.contains(csName(myseq.element()));
+  }
+
+  private boolean isNearerTo(ItemPosition one, ItemPosition other) {
+    Point at = gvh.gps.pose().at();
+    return at.distanceMm(one.at()) < at.distanceMm(other.at());
+  }
+
+  private void tellTrip() {
+    gvh.trace.action(SOURCE, TRIP, trip.label(), names(myseq));
   }
 
   /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */

@@ -42,7 +42,6 @@ public final class Lane {
     for (int rank = 0; rank < approach.size(); rank++) {
       claims.add(new Claim(gvh, instance(xid, rank), acceptors));
     }
-    wantNext();
   }
 
   /** The instance of registration and mutex for the places of one rank: {@code crossing.queue0}. */
@@ -58,6 +57,44 @@ public final class Lane {
   /** Whether no place is held any more, and every registration is left. */
   boolean isOver() {
     return claims.stream().allMatch(Claim::isOver);
+  }
+
+  /** Whether a place is wanted and not held. */
+  boolean isWaiting() {
+    return claims.stream().anyMatch(Claim::isWaiting);
+  }
+
+  /** For a car that has come onto the road. */
+  void begin() {
+    wantNext();
+  }
+
+  /**
+   * For a program that has started anew: finds out where on its arm the car stands, wants what it
+   * stands in, and goes on from there.
+   *
+   * @param isPast whether the car has reached the critical zones or is beyond them
+   */
+  void beginAnew(boolean isPast) {
+    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
+    int rank = ahead.size();
+    int behind = 0;
+    boolean isFound = false;
+    for (ItemPosition place : ahead) {
+      rank--;
+      boolean isThere = !gvh.gps.isClearOf(crossing.region(place.name()), radiusMm);
+      claims.get(rank).standsIn(isThere ? place.name() : "");
+      isFound |= isThere;
+      behind += isFound ? 0 : 1;
+    }
+    if (isPast) {
+      ahead.clear();
+    } else if (isFound) {
+      for (int i = 0; i < behind; i++) {
+        ahead.remove();
+      }
+    }
+    wantNext();
   }
 
   /** Whether a place is held. */
@@ -84,7 +121,7 @@ public final class Lane {
         giveBackWhatIsBehind();
         wantNext();
       }
-    } else if (claims.get(ahead.size() - 1).isHeld()) {
+    } else if (!isWaiting()) {
       gvh.plat.moat.doMove(next);
       isDriving = true;
     }
@@ -94,15 +131,21 @@ public final class Lane {
   void giveBackWhatIsBehind() {
     double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
     for (Claim claim : claims) {
-      if (claim.isHeld() && gvh.gps.isClearOf(crossing.region(claim.place()), radiusMm)) {
+      if (claim.isHeld()
+          && !isAhead(claim.place())
+          && gvh.gps.isClearOf(crossing.region(claim.place()), radiusMm)) {
         claim.release();
       }
     }
   }
 
+  private boolean isAhead(String place) {
+    return ahead.stream().anyMatch(next -> next.name().equals(place));
+  }
+
   private void wantNext() {
     ItemPosition next = ahead.peek();
-    if (next != null) {
+    if (next != null && claims.get(ahead.size() - 1).place().isEmpty()) {
       claims.get(ahead.size() - 1).want(next.name());
     }
   }

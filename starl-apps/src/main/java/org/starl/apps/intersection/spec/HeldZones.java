@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.mutex.MutexEvent;
 import org.starl.primitives.mutex.MutexTrace;
@@ -24,9 +25,11 @@ public final class HeldZones {
   private final String onlySource;
   private final Map<RobotId, Car> cars = new TreeMap<>();
 
+  private record Hold(ProcessId who, SortedSet<String> sections) {}
+
   /** What one car holds, requests and was refused, by mutex. */
   private static final class Car {
-    private final Map<String, SortedSet<String>> held = new TreeMap<>();
+    private final Map<String, Hold> held = new TreeMap<>();
     private final Map<String, SortedSet<String>> requested = new TreeMap<>();
     private final Set<String> refused = new TreeSet<>();
   }
@@ -61,9 +64,9 @@ public final class HeldZones {
       case MutexEvent.OdMutex grant -> {
         Car car = car(grant);
         car.requested.remove(mutex);
-        car.held.put(mutex, grant.held());
+        car.held.put(mutex, new Hold(grant.who(), grant.held()));
       }
-      case MutexEvent.Release release -> holds(car(release), mutex, release.left());
+      case MutexEvent.Release release -> holds(car(release), mutex, release.who(), release.left());
       case MutexEvent.Withdraw withdrawal -> {
         Car car = car(withdrawal);
         car.requested.remove(mutex);
@@ -81,36 +84,54 @@ public final class HeldZones {
       case MutexEvent.Fence vow -> {
         // A vow takes nothing from whom it is about.
       }
-      case MutexEvent.StandsIn word -> {
-        // A new start has no access yet.
-      }
+      case MutexEvent.StandsIn word -> startedAnew(car(word), mutex, word);
     }
+  }
+
+  /** What an earlier start of the car's program held, was its own; of that, the body is in these. */
+  private static void startedAnew(Car car, String mutex, MutexEvent.StandsIn word) {
+    Hold hold = car.held.get(mutex);
+    if (hold != null && bootOf(hold.who()) < bootOf(word.who())) {
+      TreeSet<String> left = new TreeSet<>(hold.sections());
+      left.retainAll(word.sections());
+      holds(car, mutex, hold.who(), left);
+      car.requested.remove(mutex);
+    }
+  }
+
+  private static long bootOf(ProcessId id) {
+    return id.inc() >>> Integer.SIZE;
   }
 
   private Car car(MutexEvent event) {
     return cars.computeIfAbsent(event.who().robot(), robot -> new Car());
   }
 
-  private static void holds(Car car, String mutex, SortedSet<String> left) {
+  private static void holds(Car car, String mutex, ProcessId who, SortedSet<String> left) {
     if (left.isEmpty()) {
       car.held.remove(mutex);
     } else {
-      car.held.put(mutex, left);
+      car.held.put(mutex, new Hold(who, left));
     }
   }
 
   /** crit_set: what {@code robot} has access to. */
   public SortedSet<String> held(RobotId robot) {
     Car car = cars.get(robot);
-    return car == null ? NONE : union(car.held);
+    if (car == null || car.held.isEmpty()) {
+      return NONE;
+    }
+    TreeSet<String> all = new TreeSet<>();
+    car.held.values().forEach(hold -> all.addAll(hold.sections()));
+    return all;
   }
 
   /** Whether {@code robot} has access to {@code zone}. */
   boolean holds(RobotId robot, String zone) {
     Car car = cars.get(robot);
     if (car != null) {
-      for (SortedSet<String> held : car.held.values()) {
-        if (held.contains(zone)) {
+      for (Hold hold : car.held.values()) {
+        if (hold.sections().contains(zone)) {
           return true;
         }
       }
@@ -132,15 +153,11 @@ public final class HeldZones {
   /** req_set: what {@code robot} waits for. */
   SortedSet<String> requested(RobotId robot) {
     Car car = cars.get(robot);
-    return car == null ? NONE : union(car.requested);
-  }
-
-  private static SortedSet<String> union(Map<String, SortedSet<String>> byMutex) {
-    if (byMutex.isEmpty()) {
+    if (car == null || car.requested.isEmpty()) {
       return NONE;
     }
     TreeSet<String> all = new TreeSet<>();
-    byMutex.values().forEach(all::addAll);
+    car.requested.values().forEach(all::addAll);
     return all;
   }
 

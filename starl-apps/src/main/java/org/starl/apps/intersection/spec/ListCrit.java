@@ -58,7 +58,8 @@ final class ListCrit implements Monitor {
     last = event;
     zones.observe(event);
     if (trips.observe(event)) {
-      states.put(event.robot(), new State());
+      // A program that has started anew tells another path, from where the car stands.
+      states.putIfAbsent(event.robot(), new State());
     } else if (event instanceof TraceEvent.Left) {
       states.remove(event.robot());
     } else if (event instanceof Variable variable
@@ -117,7 +118,7 @@ final class ListCrit implements Monitor {
           zones.held(robot).containsAll(rest)
               ? ""
               : myseq + " is not all held, " + zones.held(robot);
-      case MUTEX_S, S_1, UNREGISTER_WAIT, DONE -> "";
+      case RESUME, MUTEX_S, S_1, UNREGISTER_WAIT, DONE -> "";
     };
   }
 }

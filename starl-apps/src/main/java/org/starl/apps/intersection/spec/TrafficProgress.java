@@ -17,7 +17,8 @@ import org.starl.trace.TraceEvent.Variable;
 /**
  * {@code traffic_progress} (paper, section 3): within a bound every approaching vehicle departs. It is
  * owed from the moment at which a car comes onto the floor until it leaves it, while no fault is
- * under way; a parked car and a roadside unit owe nothing.
+ * under way and no car is dead: who stands behind one owes nothing. Nor does a parked car or a
+ * roadside unit.
  */
 final class TrafficProgress implements Monitor {
 
@@ -25,6 +26,7 @@ final class TrafficProgress implements Monitor {
 
   private final Within<RobotId> departures;
   private final Circumstances circumstances = new Circumstances();
+  private final Set<RobotId> dead = new TreeSet<>();
   private final Trips trips = new Trips();
   // Bodies on the floor of which it is not known yet whether they are cars'.
   private final Set<RobotId> unknown = new TreeSet<>();
@@ -41,8 +43,17 @@ final class TrafficProgress implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
-    if (circumstances.observe(event)) {
-      departures.assumeAll(circumstances.isFair(), event.timeNs());
+    boolean isChanged = circumstances.observe(event);
+    if (event instanceof TraceEvent.Fault) {
+      dead.removeIf(circumstances::isUp);
+      if (!circumstances.isUp(event.robot())) {
+        dead.add(event.robot());
+      }
+    } else if (event instanceof Left) {
+      dead.remove(event.robot());
+    }
+    if (isChanged) {
+      departures.assumeAll(circumstances.isFair() && dead.isEmpty(), event.timeNs());
     }
     if (trips.observe(event) && unknown.remove(event.robot())) {
       owe(event.robot(), event.timeNs());
