@@ -51,6 +51,12 @@ class IntersectionTest {
   }
 
   @ParameterizedTest
+  @ValueSource(longs = {1, 2, 3})
+  void carsCrossUnderChaos(long seed) {
+    run(request(seed, 6, Map.of()), Map.of("chaos", "moving"));
+  }
+
+  @ParameterizedTest
   @ValueSource(longs = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10})
   void drawnCarsCross(long seed) {
     run(

@@ -113,6 +113,28 @@ class OpenRoadTest {
     run(plan(8, "20/min", Map.of("idealMotion", "true")), 8, new Floor());
   }
 
+  @ParameterizedTest
+  @ValueSource(longs = {10, 11, 12})
+  void whoseProgramStartsAnewGoesOnWhereItStands(long seed) {
+    Plan plan = plan(seed, "12/min", Map.of("chaos", "moving", "chaosFor", "60s"));
+    run(plan, seed, new Floor());
+    assertThat(plan.story().measures().completed()).isGreaterThan(4);
+  }
+
+  @Test
+  void aDeadCarIsTowedAndTheOthersGoOn() {
+    Plan plan =
+        plan(
+            13,
+            "12/min",
+            Map.of("faults", "crash(any,at=25s); crash(any,at=32s); crash(any,at=40s)"));
+    run(plan, 13, new Floor());
+    Map<String, Double> figures = plan.story().measures().figures();
+    assertThat(figures.get("towed")).isPositive();
+    assertThat(figures.get("crossed") + figures.get("towed"))
+        .isEqualTo(plan.story().measures().came());
+  }
+
   @Test
   void nobodyNeedCome() {
     Plan plan = plan(9, "1/h", Map.of());

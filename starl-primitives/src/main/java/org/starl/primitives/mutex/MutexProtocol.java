@@ -234,13 +234,7 @@ class MutexProtocol implements Fences.Owner {
     if (phase == Phase.TRYING && patience.isOver(nowNs)) {
       withdraw(missing.isEmpty() ? MutexFailure.OCCUPIED : MutexFailure.DEADLINE);
     } else if (phase == Phase.TRYING && patience.resends(nowNs)) {
-      sendRequests();
-      if (canConfine && !missing.isEmpty()) {
-        patience.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
-        if (patience.wantsNews()) {
-          effects.refresh();
-        }
-      }
+      goOnWaiting(nowNs);
     }
     fences.timer(nowNs);
   }
@@ -250,6 +244,20 @@ class MutexProtocol implements Fences.Owner {
     if (canConfine && missing.contains(peer) && mayRequest()) {
       Long by = heard.get(peer);
       fences.suspect(peer, by == null ? view.admittedBy(peer) : by, nowNs);
+    }
+  }
+
+  private void goOnWaiting(long nowNs) {
+    if (missing.isEmpty() && isOccupied() && patience.isOverForGhosts(nowNs)) {
+      withdraw(MutexFailure.OCCUPIED);
+      return;
+    }
+    sendRequests();
+    if (canConfine && !missing.isEmpty()) {
+      patience.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
+      if (patience.wantsNews()) {
+        effects.refresh();
+      }
     }
   }
 

@@ -15,6 +15,7 @@ final class Patience {
 
   private final MutexTimes times;
   private final Suspicion suspicion;
+  private long begunNs;
   private long deadlineNs = Long.MAX_VALUE;
   private long resendAtNs = Long.MAX_VALUE;
   private long resendNs;
@@ -26,6 +27,7 @@ final class Patience {
   }
 
   void begin(long nowNs) {
+    begunNs = nowNs;
     deadlineNs = nowNs + times.deadlineMs() * NS_PER_MS;
     resendNs = times.resendMs() * NS_PER_MS;
     resendAtNs = nowNs + resendNs;
@@ -38,6 +40,11 @@ final class Patience {
 
   boolean isOver(long nowNs) {
     return nowNs >= deadlineNs;
+  }
+
+  /** Whether to give up if only a ghost stands in the way. */
+  boolean isOverForGhosts(long nowNs) {
+    return nowNs - begunNs >= times.occupiedMs() * NS_PER_MS;
   }
 
   /** Whether the request is to be repeated now. */

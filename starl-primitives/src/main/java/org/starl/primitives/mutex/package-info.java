@@ -41,7 +41,8 @@
  * may still hold by the fencer's consent. Only one has a say without whom f cannot enter: who is listed
  * wherever f is (as old as f or older), or was asked by f. What the fences have in common bounds what
  * f holds and ever will ({@code Kept}); a view confines f to that. Those who learn it need f's answer
- * no more; requests that meet the rest wait, and fail as {@code OCCUPIED}; all others go on. Why it
+ * no more; requests that meet the rest fail as {@code OCCUPIED}, soon, lest those behind them wait as well;
+ * all others go on. Why it
  * takes a view: two that suspect each other may both vow, but views are in order, and f may do without
  * its fencer only by a view that lists f and not the fencer. A fence counts only while its fencer is
  * listed. The ghost shrinks as fencers know better, when f says itself that it is done, and by the own

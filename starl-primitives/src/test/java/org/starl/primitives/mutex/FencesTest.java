@@ -121,6 +121,16 @@ class FencesTest {
   }
 
   @Test
+  void whoOnlyAGhostStandsInTheWayOfGivesWaySoonToThoseBehindIt() {
+    MutexTimes times = MutexTimes.DEFAULT;
+    assertThat(times.occupiedMs()).isLessThan(times.suspectMs()).isLessThan(times.deadlineMs());
+    Patience patience = new Patience(times);
+    patience.begin(7 * S);
+    assertThat(patience.isOverForGhosts(7 * S + times.occupiedMs() * S / 1000 - 1)).isFalse();
+    assertThat(patience.isOverForGhosts(7 * S + times.occupiedMs() * S / 1000)).isTrue();
+  }
+
+  @Test
   void theGhostOfItsOwnRobotDoesNotBlockIt() {
     ProcessId older = new ProcessId(new RobotId("b"), 1);
     ProcessId newer = new ProcessId(new RobotId("b"), 2);

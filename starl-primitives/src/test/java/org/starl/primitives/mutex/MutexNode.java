@@ -22,7 +22,7 @@ final class MutexNode implements MutexEffects {
     MutexProtocol make(MutexProtocol.Self self, MutexEffects effects);
   }
 
-  static final MutexTimes TIMES = new MutexTimes(250, 1.5, 1_000, 1_000_000, 1_000_000);
+  static final MutexTimes TIMES = new MutexTimes(250, 1.5, 1_000, 1_000_000, 1_000_000, 1_000_000);
 
   final ProcessId id;
   final MutexProtocol protocol;
