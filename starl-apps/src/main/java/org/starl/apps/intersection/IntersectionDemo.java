@@ -209,9 +209,9 @@ public final class IntersectionDemo implements Demo {
   static long deltaNs(SimSettings settings) {
     boolean hasFaults =
         !settings.get(Setting.FAULTS).isEmpty() || settings.get(Setting.CHAOS) != Envelope.NONE;
-    // What was lost in a fault is repeated after a while, and who has died is given up after another.
-    return Bounds.deltaNs(
-            settings.messageDelay().longestNs(), settings.messageLoss().probability())
+    // What was lost in a fault is repeated after a while, and who has died is given up after
+    // another.
+    return Bounds.deltaNs(settings.messageDelay().longestNs(), settings.messageLoss().probability())
         + (hasFaults ? AFTER_FAULTS_NS : 0);
   }
 

@@ -87,6 +87,7 @@ final class OpenRoad implements Director {
 
   private void look(SimControl control) {
     long nowNs = control.nowNs();
+    units.forEach(unit -> operator.lookAtUnit(control, unit));
     cars.removeIf(car -> isGone(control, car));
     for (Arrival next = arrivals.poll(nowNs); next != null; next = arrivals.poll(nowNs)) {
       outside.computeIfAbsent(next.route().from(), arm -> new ArrayDeque<>()).add(next);

@@ -16,7 +16,8 @@ import org.starl.trace.TraceEvent.Variable;
 /**
  * Takes cars off the floor: those that have crossed and given back all that they held, and those whose
  * program has been dead for a minute. On such a car, and on one whose program dies when it is off the
- * floor already, another program is started, which says that the car is nowhere any more.
+ * floor already, another program is started, which says that the car is nowhere any more. A roadside
+ * unit that has been dead for a minute is started again.
  */
 final class Operator implements SimObserver {
 
@@ -54,20 +55,34 @@ final class Operator implements SimObserver {
 
   /** Looks after a car that is there; to be called now and then. */
   void look(SimControl control, RobotId car) {
-    if (control.isUp(car)) {
-      deadSinceNs.remove(car);
-      return;
-    }
-    long nowNs = control.nowNs();
-    Long sinceNs = deadSinceNs.putIfAbsent(car, nowNs);
-    if (sinceNs != null && nowNs - sinceNs >= TOW_AFTER_NS) {
-      deadSinceNs.remove(car);
+    if (isLongDead(control, car)) {
       if (control.isOnFloor(car)) {
         towed++;
         drivesOff(control, car);
       }
       control.restart(car, Unsynced.LOST);
     }
+  }
+
+  /** The same for a roadside unit, which is started again where it stands. */
+  void lookAtUnit(SimControl control, RobotId unit) {
+    if (isLongDead(control, unit)) {
+      control.restart(unit, Unsynced.LOST);
+    }
+  }
+
+  private boolean isLongDead(SimControl control, RobotId robot) {
+    if (control.isUp(robot)) {
+      deadSinceNs.remove(robot);
+      return false;
+    }
+    long nowNs = control.nowNs();
+    Long sinceNs = deadSinceNs.putIfAbsent(robot, nowNs);
+    boolean isLong = sinceNs != null && nowNs - sinceNs >= TOW_AFTER_NS;
+    if (isLong) {
+      deadSinceNs.remove(robot);
+    }
+    return isLong;
   }
 
   /** Whether a program that starts on {@code car} now starts off the floor, where the car has been. */
