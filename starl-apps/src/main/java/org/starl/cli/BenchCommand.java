@@ -7,6 +7,7 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.bench.Measurement;
+import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
 import org.starl.sim.input.BadInput;
@@ -26,11 +27,17 @@ import picocli.CommandLine.Spec;
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
 final class BenchCommand implements Callable<Integer> {
 
-  @Parameters(index = "0", paramLabel = "WORKLOAD", description = "b1 or b2; see 'starl list'.")
+  @Parameters(
+      index = "0",
+      paramLabel = "WORKLOAD",
+      description = "b1, b2 or mutex; see 'starl list'.")
   private String name = "";
 
-  @Option(names = "--robots", paramLabel = "N", description = "How many robots; 256 unless given.")
-  private String robots = "256";
+  @Option(
+      names = "--robots",
+      paramLabel = "N",
+      description = "How many robots, 256 unless given; for mutex the most, 64 unless given.")
+  private @Nullable String robots;
 
   @Option(names = "--style", paramLabel = "STYLE", description = "blocking or step.")
   private Workload.Style style = Workload.Style.BLOCKING;
@@ -48,16 +55,22 @@ final class BenchCommand implements Callable<Integer> {
   @Override
   public Integer call() {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    if (name.equals(MutexCost.NAME)) {
+      showMutexCost(out);
+      return ExitStatus.GOOD;
+    }
     Workload workload =
         Workloads.byName(name)
             .orElseThrow(() ->
                 new BadInput(
-                    "no workload is called " + BadInput.quote(name) + ": expected b1 or b2"));
+                    "no workload is called "
+                        + BadInput.quote(name)
+                        + ": expected b1, b2 or mutex"));
     Carriers.chosen(null, spec.commandLine().getErr());
     List<Measurement> taken =
         Measurement.take(
             workload,
-            (int) Numbers.whole("--robots", robots, 1, 10_000_000),
+            (int) Numbers.whole("--robots", robots == null ? "256" : robots, 1, 10_000_000),
             style,
             (int) Numbers.whole("--runs", runs, 1, 1000),
             Seeds.of(seed));
@@ -65,6 +78,35 @@ final class BenchCommand implements Callable<Integer> {
       out.println(json.isOn() ? Json.line(run.asMap()) : line(run));
     }
     return ExitStatus.GOOD;
+  }
+
+  /** In Markdown, for the docs. */
+  private void showMutexCost(PrintWriter out) {
+    int most = (int) Numbers.whole("--robots", robots == null ? "64" : robots, 2, 256);
+    List<MutexCost> rows = MutexCost.take(most, Seeds.of(seed));
+    if (json.isOn()) {
+      rows.forEach(row -> out.println(Json.line(row.asMap())));
+      return;
+    }
+    out.println(
+        "| robots | free: ms to enter (theory) | free: messages an entry (theory)"
+            + " | busy: ms to enter, median | most (bound) | busy: messages an entry |");
+    out.println("|---|---|---|---|---|---|");
+    for (MutexCost row : rows) {
+      out.println(
+          String.format(
+              Locale.ROOT,
+              "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |",
+              row.robots(),
+              row.freeMs(),
+              row.freeTheoryMs(),
+              row.freeMessages(),
+              row.messagesTheory(),
+              row.busyMedianMs(),
+              row.busyMostMs(),
+              row.busyBoundMs(),
+              row.busyMessages()));
+    }
   }
 
   private static String line(Measurement run) {

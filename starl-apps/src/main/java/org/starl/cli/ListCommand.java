@@ -11,6 +11,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
+import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
 import org.starl.sim.Setting;
@@ -112,6 +113,7 @@ final class ListCommand implements Runnable {
     for (Workload workload : Workloads.all()) {
       items.add(new Item("bench", "", workload.name(), "", workload.summary()));
     }
+    items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));
     for (Setting<?> setting : Setting.all()) {
       items.add(new Item("setting", "", setting.key(), setting.defaultText(), setting.meaning()));
     }

@@ -93,7 +93,7 @@ class BadInputTest {
       record intersection --png t=12 | --png | '12' | expected a duration with a unit
       verify-determinism nope | 'nope' | expected one of
       bench | WORKLOAD
-      bench b9 | 'b9' | expected b1 or b2
+      bench b9 | 'b9' | expected b1, b2 or mutex
       bench b1 --robots none | --robots | 'none' | expected a whole number
       bench b1 --robots 0 | --robots | '0' | expected a whole number
       bench b1 --runs 0 | --runs | '0' | expected a whole number

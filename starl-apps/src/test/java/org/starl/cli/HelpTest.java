@@ -80,6 +80,20 @@ class HelpTest {
   }
 
   @Test
+  void benchTellsWhatAnEntryCostsBesideTheTheory() throws IOException {
+    Cli table = Cli.run("bench", "mutex", "--robots", "4");
+    assertThat(table.status()).as("%s", table).isZero();
+    assertThat(table.out()).hasSize(4);
+    assertThat(table.out().get(3)).startsWith("| 4 | 20 (20) | 9.0 (9) | ");
+    JsonNode two =
+        new ObjectMapper().readTree(Cli.run("bench", "mutex", "--robots", "2", "--json").text());
+    assertThat(two.get("free_ms").asDouble()).isEqualTo(two.get("free_theory_ms").asDouble());
+    // Both ask at once: one enters after its answer, the other a message after it has left.
+    assertThat(two.get("busy_most_ms").asDouble()).isEqualTo(130);
+    assertThat(two.get("busy_bound_ms").asDouble()).isEqualTo(140);
+  }
+
+  @Test
   void determinismIsVerified() throws IOException {
     Cli cli = Cli.run("verify-determinism", "hello", "--seed", "7");
     assertThat(cli.status()).as("%s", cli).isZero();

@@ -6,9 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -16,7 +13,6 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
-import org.starl.apps.Request;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.check.Determinism;
@@ -29,29 +25,10 @@ class WorkloadsTest {
     return PrimitiveWorkloads.ALL.stream().map(Demo::name);
   }
 
-  private static Plan plan(String name, long seed, Map<String, String> set) {
-    Demo demo =
-        PrimitiveWorkloads.ALL.stream()
-            .filter(d -> d.name().equals(name))
-            .findFirst()
-            .orElseThrow();
-    SortedMap<String, String> parameters = new TreeMap<>();
-    demo.parameters().forEach(p -> parameters.put(p.key(), p.defaultValue()));
-    Map<String, String> settings = new TreeMap<>(Map.of("duration", "300s"));
-    set.forEach(
-        (key, value) -> (parameters.containsKey(key) ? parameters : settings).put(key, value));
-    Request request = new Request(seed, OptionalInt.empty(), parameters);
-    SimSettings.Builder builder = demo.defaultSettings(request);
-    settings.forEach(builder::set);
-    Plan plan = demo.plan(request, builder.build());
-    plan.simulation().name(name).seed(seed);
-    return plan;
-  }
-
   @ParameterizedTest
   @MethodSource("names")
   void inAWorldThatBehavesAllIsServedAndEverySpecificationHasItsSay(String name) {
-    Plan plan = plan(name, 7, Map.of("busy", "5s", "positionNoise", "5mm"));
+    Plan plan = Runs.plan(name, 7, Map.of("busy", "5s", "positionNoise", "5mm"));
     SimResult result = plan.simulation().build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
     assertThat(result.isFinished()).isTrue();
@@ -67,7 +44,7 @@ class WorkloadsTest {
   @ParameterizedTest
   @ValueSource(strings = {"agreement", "barrier", "election", "mutex", "registration"})
   void whereNothingIsHeardAnyMoreTheRunDoesNotFinish(String name) {
-    Plan plan = plan(name, 7, Map.of("faults", "loss(1,at=5s)"));
+    Plan plan = Runs.plan(name, 7, Map.of("faults", "loss(1,at=5s)"));
     SimResult result = plan.simulation().build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
     assertThat(result.unfinished()).isNotEmpty();
@@ -78,7 +55,7 @@ class WorkloadsTest {
   @MethodSource("names")
   void chaosDependsOnTheSeedAlone(String name) throws IOException {
     Map<String, String> set = Map.of("busy", "3s", "chaos", "logical", "rounds", "4");
-    Determinism check = Determinism.verify(() -> plan(name, 3, set).simulation());
+    Determinism check = Determinism.verify(() -> Runs.plan(name, 3, set).simulation());
     assertThat(check.holds()).as("%s", check.difference()).isTrue();
   }
 
@@ -111,7 +88,7 @@ class WorkloadsTest {
   }
 
   private static void assertRefused(String name, String key, String value, String expected) {
-    assertThatThrownBy(() -> plan(name, 1, Map.of(key, value)))
+    assertThatThrownBy(() -> Runs.plan(name, 1, Map.of(key, value)))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining(expected);
   }

@@ -1,0 +1,29 @@
+package org.starl.workload;
+
+import java.util.Map;
+import org.junit.jupiter.api.Nested;
+import org.starl.sim.fault.Envelope;
+
+/** The contract of {@code MutexPrim}, over both kinds of membership. */
+class MutexContractTest {
+
+  @Nested
+  class AmongTheRegistered extends PrimitiveContract {
+    AmongTheRegistered() {
+      super("mutex", Map.of("members", "registered"));
+    }
+  }
+
+  /** In which a robot that has restarted is nobody: it bears no crash. */
+  @Nested
+  class InAFixedGroup extends PrimitiveContract {
+    InAFixedGroup() {
+      super("mutex", Map.of("members", "fixed"));
+    }
+
+    @Override
+    Envelope envelope() {
+      return Envelope.NETWORK;
+    }
+  }
+}

@@ -1,0 +1,34 @@
+package org.starl.workload;
+
+import java.util.Map;
+import org.junit.jupiter.api.Nested;
+
+/** The contract of {@code DistributedPathPlanning}, over both planners. */
+class PathsContractTest {
+
+  /** Drives take long, to compute as well: few and short runs. */
+  private abstract static class Over extends PrimitiveContract {
+    Over(String planner) {
+      super("paths", Map.of("planner", planner, "rounds", "3", "busy", "15s"));
+    }
+
+    @Override
+    long seeds() {
+      return 2;
+    }
+  }
+
+  @Nested
+  class OverShortestPaths extends Over {
+    OverShortestPaths() {
+      super("optimal");
+    }
+  }
+
+  @Nested
+  class OverRandomTrees extends Over {
+    OverRandomTrees() {
+      super("rrt");
+    }
+  }
+}

@@ -1,0 +1,89 @@
+package org.starl.workload;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.starl.sim.fault.Envelope;
+
+/**
+ * What every implementation of a primitive owes, whichever it is: under all that its envelope holds
+ * no specification is violated; then all is well again, and everybody is served in time.
+ */
+abstract class PrimitiveContract {
+
+  private static final int ROBOTS = 5;
+
+  private final String primitive;
+  private final SortedMap<String, String> implementation;
+
+  /**
+   * @param implementation what to set to have this one
+   */
+  PrimitiveContract(String primitive, Map<String, String> implementation) {
+    this.primitive = primitive;
+    this.implementation = new TreeMap<>(implementation);
+  }
+
+  /** What it bears. */
+  Envelope envelope() {
+    return Runs.demo(primitive).envelope();
+  }
+
+  /** A few here; campaigns run thousands. */
+  long seeds() {
+    return 6;
+  }
+
+  private Runs.Ended run(long seed, Map<String, String> more) {
+    Map<String, String> set = new TreeMap<>(implementation);
+    set.putAll(more);
+    return Runs.run(Runs.plan(primitive, seed, set));
+  }
+
+  private String replay(long seed, String more) {
+    StringBuilder line = new StringBuilder("./starl run " + primitive + " --seed " + seed + more);
+    implementation.forEach((key, value) -> line.append(" --set ").append(key + "=" + value));
+    return line.toString();
+  }
+
+  @Test
+  void chaosViolatesNothingAndWhenItHasHealedEverybodyIsServedInTime() {
+    String chaos = envelope().toString();
+    for (long seed = 1; seed <= seeds(); seed++) {
+      Runs.Ended ended = run(seed, Map.of("chaos", chaos));
+      String what = replay(seed, " --set chaos=" + chaos);
+      assertThat(ended.result().spec().holds()).as("%s: %s", what, ended.result().spec()).isTrue();
+      assertThat(ended.result().unfinished()).as(what).isEmpty();
+      assertThat(ended.faults()).as(what).isPositive();
+      assertThat(ended.servedAfterHealing()).as(what).hasSize(ROBOTS);
+      assertThat(ended.servedAfterHealing().values()).as(what).allMatch(times -> times >= 3);
+    }
+  }
+
+  @Test
+  void lossAndDelayWithoutEndAreBorneToo() {
+    Map<String, String> foul =
+        Map.of("messageLoss", "0.3", "messageDelay", "exponential(50ms)", "busy", "5s");
+    Runs.Ended ended = run(1, foul);
+    String what = replay(1, " --loss 0.3 --delay 'exponential(50ms)' --set busy=5s");
+    assertThat(ended.result().spec().holds()).as("%s: %s", what, ended.result().spec()).isTrue();
+    assertThat(ended.result().unfinished()).as(what).isEmpty();
+  }
+
+  @Test
+  void noSpecificationIsSilent() {
+    List<String> silent = new ArrayList<>();
+    Runs.Ended ended = run(1, Map.of("positionNoise", "5mm", "busy", "5s"));
+    for (String lemma : ended.result().spec().lemmas()) {
+      if (ended.result().spec().checks(lemma) == 0) {
+        silent.add(lemma);
+      }
+    }
+    assertThat(silent).as(replay(1, "")).isEmpty();
+  }
+}
