@@ -30,7 +30,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       CampaignCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,
-      BenchCommand.class
+      BenchCommand.class,
+      RobotCommand.class
     },
     footer = {"", "Example: starl run intersection", "Every test: starl test"})
 public final class Main implements Runnable {

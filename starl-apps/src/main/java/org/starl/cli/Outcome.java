@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import org.starl.apps.Measures;
 import org.starl.sim.SimResult;
+import org.starl.spec.SpecReport;
 
 /** A run's result as the command line tells it. */
 final class Outcome {
@@ -31,20 +32,24 @@ final class Outcome {
             + " datagrams sent, "
             + result.network().lost()
             + " copies lost");
-    long checks = 0;
-    for (String lemma : result.spec().lemmas()) {
-      checks += result.spec().checks(lemma);
-    }
     if (result.spec().holds()) {
-      lines.add(
-          result.spec().lemmas().size()
-              + " specifications held, in "
-              + checks
-              + " checks: "
-              + String.join(" ", result.spec().lemmas()));
+      lines.add(held(result.spec()));
     }
     lines.addAll(complaints(result));
     return lines;
+  }
+
+  /** What held, where all did. */
+  static String held(SpecReport spec) {
+    long checks = 0;
+    for (String lemma : spec.lemmas()) {
+      checks += spec.checks(lemma);
+    }
+    return spec.lemmas().size()
+        + " specifications held, in "
+        + checks
+        + " checks: "
+        + String.join(" ", spec.lemmas());
   }
 
   /** What went wrong; nothing if all is good. */

@@ -2,13 +2,16 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Measures;
 import org.starl.apps.Plan;
+import org.starl.processes.FleetResult;
+import org.starl.sim.Blueprint;
 import org.starl.sim.SimResult;
-import org.starl.sim.Simulation;
 import org.starl.sim.export.PositionTable;
 import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.input.BadInput;
@@ -53,6 +56,8 @@ final class RunCommand implements Callable<Integer> {
       description = "What carries robots that wait: virtual or platform (threads).")
   private @Nullable CarrierKind carrier;
 
+  @Mixin private ProcessOptions processes = new ProcessOptions();
+
   @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
@@ -66,34 +71,85 @@ final class RunCommand implements Callable<Integer> {
     Plan plan = chosen.plan(seedNumber);
     String app = chosen.demo().name();
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber) : png;
-    SimResult result;
+    boolean areProcesses = processes.areOn();
+    String again = options.replay("run", seedNumber);
+    String replay =
+        areProcesses
+            ? "the same at other times: " + again + processes.replay()
+            : "replay: " + again;
+    Ran ran;
     try {
-      result = run(plan, pictureName, err);
+      ran = run(plan, pictureName, areProcesses, seedNumber, err);
     } catch (BadInput e) {
       throw e;
     } catch (RuntimeException e) {
-      err.println("replay: " + options.replay("run", seedNumber));
+      err.println(replay);
       throw e;
     }
     if (json.isOn()) {
-      Map<String, Object> object = Outcome.json(app, result, plan.story().measures());
+      Map<String, Object> object = ran.json(app, plan.story().measures());
       object.put("picture", pictureName);
       out.println(Json.line(object));
     } else {
       out.println(app + ", seed " + seedNumber);
       plan.story().lines().forEach(out::println);
-      Outcome.lines(result, plan.story().measures()).forEach(out::println);
+      ran.lines(plan.story().measures()).forEach(out::println);
       out.println("picture: " + pictureName);
     }
-    if (Outcome.isGood(result)) {
+    if (ran.isGood()) {
       return ExitStatus.GOOD;
     }
-    err.println("replay: " + options.replay("run", seedNumber));
+    err.println(replay);
     return ExitStatus.VIOLATED;
   }
 
+  /** What came of it, simulated or as processes. */
+  private interface Ran {
+    List<String> lines(Measures measures);
+
+    Map<String, Object> json(String app, Measures measures);
+
+    boolean isGood();
+  }
+
+  private record Simulated(SimResult result) implements Ran {
+    @Override
+    public List<String> lines(Measures measures) {
+      return Outcome.lines(result, measures);
+    }
+
+    @Override
+    public Map<String, Object> json(String app, Measures measures) {
+      return Outcome.json(app, result, measures);
+    }
+
+    @Override
+    public boolean isGood() {
+      return Outcome.isGood(result);
+    }
+  }
+
+  private record Processes(FleetResult result) implements Ran {
+    @Override
+    public List<String> lines(Measures measures) {
+      return ProcessOutcome.lines(result);
+    }
+
+    @Override
+    public Map<String, Object> json(String app, Measures measures) {
+      return ProcessOutcome.json(app, result, measures);
+    }
+
+    @Override
+    public boolean isGood() {
+      return result.isGood();
+    }
+  }
+
   /** Runs it; the files that were asked for are there whatever comes of it. */
-  private SimResult run(Plan plan, String pictureName, PrintWriter err) throws IOException {
+  private Ran run(
+      Plan plan, String pictureName, boolean areProcesses, long seedNumber, PrintWriter err)
+      throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
         ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
         Picture picture = new Picture(plan, new Moment.Best(), "--png", pictureName)) {
@@ -101,8 +157,12 @@ final class RunCommand implements Callable<Integer> {
           .observer(traceFile.observer())
           .observer(csvFile.observer())
           .observer(picture.recorder());
-      Simulation simulation = plan.simulation().carriers(Carriers.chosen(carrier, err)).build();
-      return simulation.run();
+      if (areProcesses) {
+        Blueprint blueprint = plan.simulation().build().blueprint();
+        return new Processes(processes.run(blueprint, options.words(seedNumber), err));
+      }
+      plan.simulation().carriers(Carriers.chosen(carrier, err));
+      return new Simulated(plan.simulation().build().run());
     }
   }
 }

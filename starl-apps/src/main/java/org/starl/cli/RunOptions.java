@@ -95,25 +95,36 @@ final class RunOptions {
     return chosen(demos, isFile ? ScenarioFile.read(what) : ScenarioFile.ofApp(what));
   }
 
-  /** The options after the app's name that say the same again, seed aside. */
+  /** The command line that says the same again. */
   String replay(String command, long seed) {
-    StringBuilder line = new StringBuilder("./starl " + command + " " + Shell.quote(what));
-    line.append(" --seed ").append(seed);
-    append(line, "--robots", robots);
-    append(line, "--for", duration);
-    append(line, "--loss", loss);
-    append(line, "--delay", delay);
-    append(line, "--gps-noise", gpsNoise);
-    line.append(ideal ? " --ideal" : "");
-    faults.forEach(fault -> append(line, "--fault", fault));
-    line.append(chaos ? " --chaos" : "");
-    sets.forEach((key, value) -> append(line, "--set", key + "=" + value));
+    StringBuilder line = new StringBuilder("./starl " + command);
+    words(seed).forEach(word -> line.append(' ').append(Shell.quote(word)));
     return line.toString();
   }
 
-  private static void append(StringBuilder line, String option, @Nullable String value) {
+  /** The words after the command that say the same again. */
+  List<String> words(long seed) {
+    List<String> words = new ArrayList<>(List.of(what, "--seed", Long.toString(seed)));
+    add(words, "--robots", robots);
+    add(words, "--for", duration);
+    add(words, "--loss", loss);
+    add(words, "--delay", delay);
+    add(words, "--gps-noise", gpsNoise);
+    if (ideal) {
+      words.add("--ideal");
+    }
+    faults.forEach(fault -> add(words, "--fault", fault));
+    if (chaos) {
+      words.add("--chaos");
+    }
+    sets.forEach((key, value) -> add(words, "--set", key + "=" + value));
+    return words;
+  }
+
+  private static void add(List<String> words, String option, @Nullable String value) {
     if (value != null) {
-      line.append(' ').append(option).append(' ').append(Shell.quote(value));
+      words.add(option);
+      words.add(value);
     }
   }
 

@@ -41,6 +41,10 @@ record Allowance(String rule, String path, String reason) {
             "starl-apps" + MAIN + "cli/Samples.java",
             "gathers the figures of a campaign's runs"),
         new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-apps" + MAIN + "processes/",
+            "pipes to real processes, whose robots have strands in real time"),
+        new Allowance(
             "writing to the console",
             "starl-apps" + MAIN + "cli/Main.java",
             "where the command line's two writers are made"),

@@ -30,6 +30,7 @@ final class Layers {
     "org.starl.bench..",
     "org.starl.cli..",
     "org.starl.workload..",
+    "org.starl.processes..",
     "org.starl.android..",
     "org.starl.build..",
     "org.starl.docs.."

@@ -17,7 +17,6 @@ import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
-import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.Impairments;
@@ -77,9 +76,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     deployment = plan.deployment();
     knownObstacles = plan.obstacles.known();
     faults = plan.allFaults();
-    boolean isHostile = plan.settings.get(Setting.CHAOS) == Envelope.HOSTILE;
-    boolean isSealed = isHostile || plan.settings.get(Setting.SEALED);
-    key = isSealed ? drawKey(scenarioRng.fork("key")) : null;
+    key = plan.key();
   }
 
   SimResult run() {
@@ -112,14 +109,6 @@ final class Engine implements SimControl, Ward, AutoCloseable {
             spec);
     watchers.finished(result);
     return result;
-  }
-
-  private static DeploymentKey drawKey(Rng rng) {
-    byte[] secret = new byte[DeploymentKey.BYTES];
-    for (int i = 0; i < secret.length; i++) {
-      secret[i] = (byte) rng.nextInt(256);
-    }
-    return new DeploymentKey(secret);
   }
 
   private boolean isOver() {

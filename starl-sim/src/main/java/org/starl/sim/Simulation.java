@@ -17,7 +17,9 @@ import org.starl.RobotId;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
+import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
+import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.input.BadInput;
@@ -55,6 +57,7 @@ public final class Simulation {
         plan.header(),
         plan.settings,
         plan.obstacles,
+        plan.key(),
         plan.robots,
         plan.director,
         plan.monitors,
@@ -264,6 +267,20 @@ public final class Simulation {
         throw new BadInput("two robots of one name among " + ids);
       }
       return deployment;
+    }
+
+    /** What the run's datagrams are sealed with, or null for none. */
+    @Nullable DeploymentKey key() {
+      boolean isHostile = settings.get(Setting.CHAOS) == Envelope.HOSTILE;
+      if (!isHostile && !settings.get(Setting.SEALED)) {
+        return null;
+      }
+      Rng rng = new Rng(seed).fork("key");
+      byte[] secret = new byte[DeploymentKey.BYTES];
+      for (int i = 0; i < secret.length; i++) {
+        secret[i] = (byte) rng.nextInt(256);
+      }
+      return new DeploymentKey(secret);
     }
 
     TraceHeader header() {

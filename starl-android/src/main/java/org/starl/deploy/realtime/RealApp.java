@@ -101,7 +101,7 @@ final class RealApp {
   }
 
   private void resume() throws Throwable {
-    long startNs = strand.nowNs();
+    long startNs = strand.beginPiece();
     lock.lock();
     try {
       hasBaton = true;

@@ -37,6 +37,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   private StrandUse use = StrandUse.NONE;
 
   private volatile @Nullable RealApp app;
+  private volatile long pieceNs;
 
   /**
    * A strand that runs from now on.
@@ -48,6 +49,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     this.name = name;
     this.clock = clock;
     this.onError = onError;
+    this.pieceNs = clock.nowNs();
     this.thread = new Thread(this::loop, name + " strand");
     thread.setDaemon(true);
     thread.start();
@@ -122,6 +124,14 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     }
   }
 
+  /**
+   * A clock for the strand alone that stands still while a piece runs, at the time at which it began:
+   * all that lies between two waits happens at one time, as in the simulator.
+   */
+  public Clock pieceClock() {
+    return () -> pieceNs;
+  }
+
   public boolean isClosed() {
     lock.lock();
     try {
@@ -148,6 +158,13 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   long nowNs() {
     return clock.nowNs();
+  }
+
+  /** A piece begins, at the time returned. */
+  long beginPiece() {
+    long nowNs = clock.nowNs();
+    pieceNs = nowNs;
+    return nowNs;
   }
 
   /** Sets an alarm, anew if it is set; a closed strand has none. */
@@ -218,7 +235,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
       due.ring();
       return;
     }
-    long startNs = clock.nowNs();
+    long startNs = beginPiece();
     try {
       due.ring();
     } finally {

@@ -18,11 +18,13 @@ final class IntersectionStory implements Story {
 
   private static final double NS_PER_S = 1e9;
 
-  private final SortedMap<RobotId, Crossed> cars = new TreeMap<>();
+  private final SortedMap<RobotId, List<Crossed>> cars = new TreeMap<>();
 
-  /** Times in ns; negative for what has not happened. */
+  /** One trip. Times in ns; negative for what has not happened. */
   private static final class Crossed {
     private String trip = "?";
+    private String rest = "";
+    private long crashedNs = -1;
     private long arrivedNs = -1;
     private long askedNs = -1;
     private long grantedNs = -1;
@@ -41,12 +43,29 @@ final class IntersectionStory implements Story {
         }
       }
       case Variable variable -> changed(variable);
-      case TraceEvent.Joined joined -> car(joined.robot()).arrivedNs = joined.timeNs();
+      case TraceEvent.Joined joined -> arrived(joined.robot(), joined.timeNs());
       case TraceEvent.Left left -> car(left.robot()).leftNs = left.timeNs();
+      case TraceEvent.Fault fault -> {
+        if (fault.name().equals(TraceEvent.Fault.CRASH)) {
+          car(fault.robot()).crashedNs = fault.timeNs();
+        }
+      }
       default -> {
         // No part of the story.
       }
     }
+  }
+
+  private void arrived(RobotId robot, long timeNs) {
+    Crossed last = car(robot);
+    if (last.arrivedNs < 0) {
+      last.arrivedNs = timeNs;
+      return;
+    }
+    Crossed again = new Crossed();
+    again.trip = last.trip;
+    again.arrivedNs = timeNs;
+    trips(robot).add(again);
   }
 
   private void changed(Variable variable) {
@@ -65,6 +84,9 @@ final class IntersectionStory implements Story {
           // On its way between two of these.
         }
       }
+    } else if (variable.name().equals("myseq")
+        && variable.source().equals(IntersectionApp.SOURCE)) {
+      car.rest = variable.value();
     } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {
       car.bumps++;
     }
@@ -73,7 +95,11 @@ final class IntersectionStory implements Story {
   @Override
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    cars.forEach((robot, car) -> lines.add(line(robot, car)));
+    cars.forEach((robot, trips) -> {
+      for (Crossed trip : trips) {
+        lines.add(line(robot, trip));
+      }
+    });
     return lines;
   }
 
@@ -88,6 +114,8 @@ final class IntersectionStory implements Story {
     }
     if (car.grantedNs >= 0) {
       line.append(", waited ").append(seconds(car.grantedNs - car.askedNs));
+    } else if (car.askedNs >= 0 && car.crashedNs < 0) {
+      line.append(", still waits for ").append(car.rest);
     }
     if (car.bumps > 0) {
       line.append(", was stopped ").append(car.bumps == 1 ? "once" : car.bumps + " times");
@@ -98,6 +126,12 @@ final class IntersectionStory implements Story {
     if (car.doneNs > 0) {
       line.append(", had unregistered at ").append(seconds(car.doneNs));
     }
+    if (car.crashedNs >= 0) {
+      line.append(", crashed at ").append(seconds(car.crashedNs));
+      if (car.grantedNs >= 0 && car.leftNs < 0) {
+        line.append(" with ").append(car.rest).append(" before it");
+      }
+    }
     return line.toString();
   }
 
@@ -105,19 +139,27 @@ final class IntersectionStory implements Story {
   public Measures measures() {
     int crossed = 0;
     List<Long> waits = new ArrayList<>();
-    for (Crossed car : cars.values()) {
-      if (car.grantedNs >= 0) {
-        waits.add(car.grantedNs - car.askedNs);
-      }
-      if (car.leftNs >= 0) {
-        crossed++;
+    for (List<Crossed> trips : cars.values()) {
+      for (Crossed trip : trips) {
+        if (trip.grantedNs >= 0) {
+          waits.add(trip.grantedNs - trip.askedNs);
+        }
+        if (trip.leftNs >= 0) {
+          crossed++;
+        }
       }
     }
     return new Measures(cars.size(), crossed, waits);
   }
 
+  /** The trip that it is on, or was on last. */
   private Crossed car(RobotId robot) {
-    return cars.computeIfAbsent(robot, id -> new Crossed());
+    List<Crossed> trips = trips(robot);
+    return trips.get(trips.size() - 1);
+  }
+
+  private List<Crossed> trips(RobotId robot) {
+    return cars.computeIfAbsent(robot, id -> new ArrayList<>(List.of(new Crossed())));
   }
 
   private static String seconds(long ns) {

@@ -1,0 +1,65 @@
+package org.starl.processes;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
+import org.starl.RobotId;
+import org.starl.platform.Clock;
+import org.starl.platform.TraceSink;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceWriter;
+
+/**
+ * A child's trace on its way to the parent. Each event is out when {@link #record} returns. A parent
+ * that is gone is no concern of it: the child's orders end as well. From any thread.
+ */
+final class Outbox implements TraceSink {
+
+  private final RobotId self;
+  private final TraceWriter writer;
+  private final ReentrantLock lock = new ReentrantLock();
+
+  Outbox(RobotId self, TraceHeader header, OutputStream out) {
+    this.self = self;
+    writer = new TraceWriter(out, header);
+  }
+
+  @Override
+  public boolean isOn() {
+    return true;
+  }
+
+  @Override
+  public void record(TraceEvent event) {
+    lock.lock();
+    try {
+      writer.record(event);
+      writer.flush();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Tells the parent. */
+  void say(Clock clock, Word word, Object... args) {
+    List<String> texts = new ArrayList<>();
+    for (Object arg : args) {
+      texts.add(String.valueOf(arg));
+    }
+    record(word.event(clock.nowNs(), self, texts));
+  }
+
+  /** The trace is whole. */
+  void end(long timeNs) throws IOException {
+    lock.lock();
+    try {
+      writer.end(timeNs);
+      writer.close();
+    } finally {
+      lock.unlock();
+    }
+  }
+}

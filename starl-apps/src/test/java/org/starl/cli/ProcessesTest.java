@@ -1,0 +1,141 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.BufferedReader;
+import java.io.InputStreamReader;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Plan;
+import org.starl.processes.Fleet;
+import org.starl.processes.FleetResult;
+import org.starl.processes.FleetSettings;
+import org.starl.processes.Kill;
+import org.starl.sim.Blueprint;
+
+/** {@code starl run --processes}: robots that are processes of this machine, in real time. */
+class ProcessesTest {
+
+  private static final long LIMIT_S = 60;
+
+  @TempDir private Path folder;
+
+  private String[] hello(String... more) {
+    List<String> words =
+        new ArrayList<>(List.of("run", "hello", "--processes", "--robots", "2", "--seed", "3"));
+    words.addAll(List.of("--png", folder.resolve("a.png").toString()));
+    words.addAll(List.of(more));
+    return words.toArray(String[]::new);
+  }
+
+  @Test
+  void aKilledRobotIsToldAndTheOtherGoesOn() {
+    Cli cli = Cli.run(hello("--kill", "bot0@motion.motionflag=MOVING"));
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.text())
+        .contains("bot1: DONE", "bot0's process ", " was killed at ", "as asked", "safe: ")
+        .contains("2 processes came 1 time to the end");
+    assertThat(cli.err()).anyMatch(line -> line.startsWith("bot0 is process "));
+  }
+
+  @Test
+  void noRobotSurvivesItsParent() throws Exception {
+    List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
+    command.remove(RobotCommand.NAME);
+    command.addAll(List.of(hello()));
+    Process parent = new ProcessBuilder(command).start();
+    List<ProcessHandle> robots = new ArrayList<>();
+    try (BufferedReader lines =
+        new BufferedReader(
+            new InputStreamReader(parent.getErrorStream(), StandardCharsets.UTF_8))) {
+      for (int robot = 0; robot < 2; robot++) {
+        String line = lines.readLine();
+        assertThat(line).startsWith("bot" + robot + " is process ");
+        ProcessHandle.of(Long.parseLong(line.substring(line.lastIndexOf(' ') + 1)))
+            .ifPresent(robots::add);
+      }
+    }
+    parent.destroyForcibly();
+    for (ProcessHandle robot : robots) {
+      assertThat(robot.onExit().get(LIMIT_S, TimeUnit.SECONDS).isAlive()).isFalse();
+    }
+  }
+
+  /** Two cars that need the same zones: whoever comes in first is killed inside. */
+  @Test
+  void whereACarWasKilledInMidCrossingTheOtherStaysOut() throws Exception {
+    List<String> words =
+        List.of(
+            "intersection", "--seed", "1", "--robots", "2", "--loss", "0.2", "--set", "debris=0");
+    Plan plan = plan();
+    Blueprint blueprint = plan.simulation().build().blueprint();
+    FleetSettings settings =
+        new FleetSettings(
+            1,
+            List.of(
+                Kill.parse("bot0@app.location=MOVE_WAIT+2500ms"),
+                Kill.parse("bot1@app.location=MOVE_WAIT+2500ms")),
+            Duration.ofSeconds(200),
+            Duration.ofSeconds(3));
+    List<String> told = new ArrayList<>();
+    FleetResult fleet;
+    try (Fleet cars = new Fleet(blueprint, ProcessOptions.command(words), settings, told::add)) {
+      fleet = cars.run();
+    }
+    assertThat(fleet.isGood()).as("%s %s", fleet, told).isTrue();
+    assertThat(fleet.deaths()).hasSize(1);
+    assertThat(fleet.run().unfinished()).hasSize(1);
+    assertThat(fleet.run().spec().checks("traffic_safety")).isGreaterThan(100);
+    assertThat(ProcessOutcome.lines(fleet))
+        .anyMatch(line -> line.contains("lives, and is not through: it waits for what bot"))
+        .anyMatch(line -> line.startsWith("safe: "));
+    assertThat(plan.story().lines()).anyMatch(line -> line.contains(", still waits for ["));
+    assertThat(plan.story().lines()).anyMatch(line -> line.contains(", crashed at "));
+  }
+
+  /** What the words of the test above say. */
+  private static Plan plan() {
+    Demo demo = Demos.STANDARD.byName("intersection").orElseThrow();
+    SortedMap<String, String> parameters = new TreeMap<>();
+    demo.parameters().forEach(each -> parameters.put(each.key(), each.defaultValue()));
+    parameters.put("debris", "0");
+    SortedMap<String, String> settings = new TreeMap<>();
+    settings.put("messageLoss", "0.2");
+    return new Chosen(demo, OptionalInt.of(2), parameters, settings).plan(1);
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      value = {
+        "run hello --rounds 2 | --rounds: expected --processes too",
+        "run hello --kill bot0@2s | --kill: expected --processes too",
+        "run hello --processes --kill bot0 | --kill: 'bot0': expected WHO@WHEN",
+        "run hello --processes --kill bot9@2s | --kill: 'bot9@2s': expected one of [bot0",
+        "run hello --processes --rounds 0 | --rounds: ",
+        "run hello --processes --fault stuck(bot0,at=2s) | expected crash(NAME,at=TIME)",
+        "run hello --processes --fault crash(bot0,at=2s,restart=1s) | without restart",
+        "run hello --processes --chaos | --chaos: ",
+      })
+  void whatProcessesCannotDoIsRefused(String line, String expected) {
+    List<String> words = new ArrayList<>(List.of(line.split(" ")));
+    words.addAll(List.of("--png", folder.resolve("a.png").toString()));
+    Cli cli = Cli.run(words.toArray(String[]::new));
+    assertThat(cli.status()).as("%s", cli).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err()).hasSize(1);
+    assertThat(cli.err().get(0)).contains(expected);
+  }
+}
