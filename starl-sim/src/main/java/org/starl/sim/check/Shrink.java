@@ -110,7 +110,7 @@ public final class Shrink {
       shrank = false;
       for (int robots : fewer) {
         Best next = tried(best, best.trial().withRobots(robots));
-        if (next != best) {
+        if (!next.equals(best)) {
           best = next;
           shrank = true;
           break;
@@ -135,7 +135,7 @@ public final class Shrink {
       while (from < best.trial().faults().size()) {
         int count = Math.min(part, best.trial().faults().size() - from);
         Best next = tried(best, best.trial().withoutFaults(from, count));
-        from += next == best ? count : 0;
+        from += next.equals(best) ? count : 0;
         best = next;
       }
     }
@@ -150,7 +150,7 @@ public final class Shrink {
         Fault fault = best.trial().faults().get(i);
         Fault shorter = halved(fault);
         Best next = shorter.equals(fault) ? best : tried(best, best.trial().withFault(i, shorter));
-        shrank = next != best;
+        shrank = !next.equals(best);
         best = next;
       }
     }
@@ -188,7 +188,7 @@ public final class Shrink {
       long soonNs = (atNs / END_STEP_NS + 1) * END_STEP_NS;
       Best next =
           soonNs < best.trial().endNs() ? tried(best, best.trial().withEndNs(soonNs)) : best;
-      if (next != best || soonNs >= best.trial().endNs()) {
+      if (!next.equals(best) || soonNs >= best.trial().endNs()) {
         return next;
       }
     }
@@ -198,7 +198,7 @@ public final class Shrink {
       long middleNs = tooSoonNs + (best.trial().endNs() - tooSoonNs) / 2;
       middleNs = middleNs / END_STEP_NS * END_STEP_NS;
       Best next = tried(best, best.trial().withEndNs(middleNs));
-      tooSoonNs = next == best ? middleNs : tooSoonNs;
+      tooSoonNs = next.equals(best) ? middleNs : tooSoonNs;
       best = next;
     }
     return best;
