@@ -7,11 +7,11 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.spec.Circumstances;
+import org.starl.spec.Dues;
+import org.starl.spec.Dues.Seat;
 import org.starl.spec.Monitor;
-import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -27,17 +27,17 @@ public final class AgreementSpec implements Monitor {
   static final String VALIDITY = "Validity";
   static final String DECIDED = "Decided";
 
-  private final @Nullable Within<Debt> decidedWithin;
+  private final Dues progress;
   private final Circumstances circumstances = new Circumstances();
   private final Map<String, Set<String>> proposals = new TreeMap<>();
   private final Map<String, First> decisions = new TreeMap<>();
   private final Map<String, List<RobotId>> acceptors = new TreeMap<>();
-  private final Set<Debt> owed = new LinkedHashSet<>();
-  private final Set<Debt> knowing = new LinkedHashSet<>();
+  private final Set<Seat> owed = new LinkedHashSet<>();
+  private final Set<Seat> knowing = new LinkedHashSet<>();
 
   /** Safety only. */
   public AgreementSpec() {
-    decidedWithin = null;
+    this(Dues.NO_BOUND);
   }
 
   /**
@@ -48,25 +48,26 @@ public final class AgreementSpec implements Monitor {
    *     the whole bound, once that is so again; in ns
    */
   public AgreementSpec(long decidedWithinNs) {
-    decidedWithin = new Within<>(decidedWithinNs);
+    progress =
+        new Dues(
+            DECIDED,
+            decidedWithinNs,
+            sinceNs -> "knows no decision of what it proposed by " + sinceNs + " ns");
   }
 
   /** Who first knew a decision, and which. */
   private record First(RobotId robot, String value) {}
 
-  /** What one robot is to know of one instance. */
-  private record Debt(String source, RobotId robot) {}
-
   @Override
   public List<String> lemmas() {
-    return decidedWithin == null
-        ? List.of(AGREEMENT, VALIDITY)
-        : List.of(AGREEMENT, VALIDITY, DECIDED);
+    return progress.isBounded()
+        ? List.of(AGREEMENT, VALIDITY, DECIDED)
+        : List.of(AGREEMENT, VALIDITY);
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
+    progress.expire(event.timeNs(), report);
     if (circumstances.observe(event)) {
       knowing.removeIf(debt -> !circumstances.isUp(debt.robot()));
       List.copyOf(owed).forEach(debt -> assume(debt, event.timeNs()));
@@ -80,7 +81,7 @@ public final class AgreementSpec implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    expire(endNs, report);
+    progress.expire(endNs, report);
   }
 
   private void acted(Action action) {
@@ -93,10 +94,10 @@ public final class AgreementSpec implements Monitor {
         proposals
             .computeIfAbsent(action.source(), source -> new TreeSet<>())
             .add(action.args().get(0));
-        Debt debt = new Debt(action.source(), action.robot());
-        if (decidedWithin != null && !knowing.contains(debt)) {
+        Seat debt = new Seat(action.source(), action.robot());
+        if (!knowing.contains(debt)) {
           owed.add(debt);
-          decidedWithin.owe(debt, action.timeNs());
+          progress.owe(debt, action.timeNs());
           assume(debt, action.timeNs());
         }
       }
@@ -113,7 +114,7 @@ public final class AgreementSpec implements Monitor {
     boolean isFailure =
         variable.name().equals(SetAgreement.FAILED)
             && variable.value().equals(Boolean.TRUE.toString());
-    Debt debt = new Debt(variable.source(), variable.robot());
+    Seat debt = new Seat(variable.source(), variable.robot());
     if (isDecision) {
       decided(variable, report);
       knowing.add(debt);
@@ -123,34 +124,19 @@ public final class AgreementSpec implements Monitor {
     }
   }
 
-  private boolean settle(Debt debt) {
+  private boolean settle(Seat debt) {
     owed.remove(debt);
-    return decidedWithin != null && decidedWithin.settle(debt);
+    return progress.settle(debt);
   }
 
-  private void assume(Debt debt, long nowNs) {
+  private void assume(Seat debt, long nowNs) {
     if (!circumstances.isUp(debt.robot())) {
       settle(debt);
-    } else if (decidedWithin != null) {
+    } else {
       List<RobotId> voters = acceptors.getOrDefault(debt.source(), List.of());
       long up = voters.stream().filter(circumstances::isUp).count();
       boolean majority = 2 * up > voters.size();
-      decidedWithin.assume(debt, majority && circumstances.isFair(), nowNs);
-    }
-  }
-
-  private void expire(long nowNs, Report report) {
-    if (decidedWithin != null) {
-      decidedWithin.expire(
-          nowNs,
-          (debt, sinceNs, deadlineNs) -> {
-            report.checked(DECIDED);
-            report.violated(
-                DECIDED,
-                deadlineNs,
-                List.of(debt.robot()),
-                debt.source() + ": knows no decision of what it proposed by " + sinceNs + " ns");
-          });
+      progress.assume(debt, majority && circumstances.isFair(), nowNs);
     }
   }
 

@@ -4,12 +4,12 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.spec.Circumstances;
+import org.starl.spec.Dues;
+import org.starl.spec.Dues.Seat;
 import org.starl.spec.Monitor;
-import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -26,15 +26,14 @@ public final class BarrierSpec implements Monitor {
   static final String UNIFORM = "Uniform";
   static final String NOT_HUNG = "NotHung";
 
-  private final @Nullable Within<Seat> released;
-  private final @Nullable Within<Seat> told;
+  private final Dues released;
+  private final Dues told;
   private final Circumstances circumstances = new Circumstances();
   private final Map<String, Generations> barriers = new TreeMap<>();
 
   /** Safety only. */
   public BarrierSpec() {
-    released = null;
-    told = null;
+    this(Dues.NO_BOUND, Dues.NO_BOUND);
   }
 
   /**
@@ -47,16 +46,17 @@ public final class BarrierSpec implements Monitor {
    *     the barriers' deadlines
    */
   public BarrierSpec(long releasedWithinNs, long toldWithinNs) {
-    released = new Within<>(releasedWithinNs);
-    told = new Within<>(toldWithinNs);
+    released =
+        new Dues(
+            NOT_HUNG,
+            releasedWithinNs,
+            sinceNs -> "waits, though nobody is to come, since " + sinceNs + " ns");
+    told = new Dues(NOT_HUNG, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
   }
-
-  /** One robot's place at one barrier. */
-  private record Seat(String source, RobotId robot) {}
 
   @Override
   public List<String> lemmas() {
-    return released == null ? List.of(NO_EARLY, UNIFORM) : List.of(NO_EARLY, UNIFORM, NOT_HUNG);
+    return released.isBounded() ? List.of(NO_EARLY, UNIFORM, NOT_HUNG) : List.of(NO_EARLY, UNIFORM);
   }
 
   @Override
@@ -107,7 +107,7 @@ public final class BarrierSpec implements Monitor {
 
   /** Brings all debts up to date. */
   private void owe(long nowNs, Report report) {
-    if (released == null || told == null) {
+    if (!released.isBounded()) {
       return;
     }
     barriers.forEach((source, generations) -> {
@@ -129,23 +129,8 @@ public final class BarrierSpec implements Monitor {
   }
 
   private void expire(long nowNs, Report report) {
-    expire(released, "waits, though nobody is to come,", nowNs, report);
-    expire(told, "waits", nowNs, report);
-  }
-
-  private static void expire(@Nullable Within<Seat> debts, String what, long nowNs, Report report) {
-    if (debts != null) {
-      debts.expire(
-          nowNs,
-          (seat, sinceNs, deadlineNs) -> {
-            report.checked(NOT_HUNG);
-            report.violated(
-                NOT_HUNG,
-                deadlineNs,
-                List.of(seat.robot()),
-                seat.source() + ": " + what + " since " + sinceNs + " ns");
-          });
-    }
+    released.expire(nowNs, report);
+    told.expire(nowNs, report);
   }
 
   private Generations generations(String source) {

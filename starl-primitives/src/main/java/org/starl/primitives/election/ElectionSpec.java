@@ -3,12 +3,12 @@ package org.starl.primitives.election;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.spec.Circumstances;
+import org.starl.spec.Dues;
+import org.starl.spec.Dues.Seat;
 import org.starl.spec.Monitor;
-import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -27,15 +27,14 @@ public final class ElectionSpec implements Monitor {
   static final String ELECTED = "Elected";
   static final String TOLD = "Told";
 
-  private final @Nullable Within<Seat> elected;
-  private final @Nullable Within<Seat> told;
+  private final Dues elected;
+  private final Dues told;
   private final Circumstances circumstances = new Circumstances();
   private final Map<String, Ballots> elections = new TreeMap<>();
 
   /** Safety only. */
   public ElectionSpec() {
-    elected = null;
-    told = null;
+    this(Dues.NO_BOUND, Dues.NO_BOUND);
   }
 
   /**
@@ -48,18 +47,19 @@ public final class ElectionSpec implements Monitor {
    *     happens, in ns: the elections' deadline
    */
   public ElectionSpec(long electedWithinNs, long toldWithinNs) {
-    elected = new Within<>(electedWithinNs);
-    told = new Within<>(toldWithinNs);
+    elected =
+        new Dues(
+            ELECTED,
+            electedWithinNs,
+            sinceNs -> "knows no live leader of the latest term since " + sinceNs + " ns");
+    told = new Dues(TOLD, toldWithinNs, sinceNs -> "Leader is null since " + sinceNs + " ns");
   }
-
-  /** One robot's place in one election. */
-  private record Seat(String source, RobotId robot) {}
 
   @Override
   public List<String> lemmas() {
-    return elected == null
-        ? List.of(AGREEMENT, SOUNDNESS)
-        : List.of(AGREEMENT, SOUNDNESS, ELECTED, TOLD);
+    return elected.isBounded()
+        ? List.of(AGREEMENT, SOUNDNESS, ELECTED, TOLD)
+        : List.of(AGREEMENT, SOUNDNESS);
   }
 
   @Override
@@ -115,7 +115,7 @@ public final class ElectionSpec implements Monitor {
 
   /** Brings all debts up to date. */
   private void owe(long nowNs, Report report) {
-    if (elected == null || told == null) {
+    if (!elected.isBounded()) {
       return;
     }
     elections.forEach((source, ballots) -> {
@@ -129,15 +129,15 @@ public final class ElectionSpec implements Monitor {
           }
           case FAILED -> {
             elected.settle(seat);
-            met(told, seat, TOLD, report);
+            told.meet(seat, report);
           }
           case SERVED -> {
-            met(elected, seat, ELECTED, report);
-            met(told, seat, TOLD, report);
+            elected.meet(seat, report);
+            told.meet(seat, report);
           }
           case MISLED -> {
             elected.owe(seat, nowNs);
-            met(told, seat, TOLD, report);
+            told.meet(seat, report);
           }
           case WAITING -> {
             elected.owe(seat, nowNs);
@@ -149,31 +149,9 @@ public final class ElectionSpec implements Monitor {
     });
   }
 
-  private static void met(Within<Seat> debts, Seat seat, String lemma, Report report) {
-    if (debts.settle(seat)) {
-      report.checked(lemma);
-    }
-  }
-
   private void expire(long nowNs, Report report) {
-    expire(elected, ELECTED, "knows no live leader of the latest term", nowNs, report);
-    expire(told, TOLD, "Leader is null", nowNs, report);
-  }
-
-  private static void expire(
-      @Nullable Within<Seat> debts, String lemma, String what, long nowNs, Report report) {
-    if (debts != null) {
-      debts.expire(
-          nowNs,
-          (seat, sinceNs, deadlineNs) -> {
-            report.checked(lemma);
-            report.violated(
-                lemma,
-                deadlineNs,
-                List.of(seat.robot()),
-                seat.source() + ": " + what + " since " + sinceNs + " ns");
-          });
-    }
+    elected.expire(nowNs, report);
+    told.expire(nowNs, report);
   }
 
   private Ballots ballots(String source) {

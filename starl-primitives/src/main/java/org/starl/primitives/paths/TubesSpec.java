@@ -9,8 +9,9 @@ import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.geometry.Point;
 import org.starl.spec.Bodies;
+import org.starl.spec.Dues;
+import org.starl.spec.Dues.Seat;
 import org.starl.spec.Monitor;
-import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -42,16 +43,15 @@ public final class TubesSpec implements Monitor {
   private final SortedMap<String, SortedMap<RobotId, List<Tube>>> held = new TreeMap<>();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> outside = new TreeSet<>();
-  private final Within<Task> tasks;
+  private final Dues tasks;
   private long nextLookNs;
-
-  private record Task(String source, RobotId robot) {}
 
   /**
    * @param boundNs the settings' deadline, and the longest drive
    */
   public TubesSpec(long boundNs) {
-    tasks = new Within<>(boundNs);
+    tasks =
+        new Dues(TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
   }
 
   @Override
@@ -61,7 +61,7 @@ public final class TubesSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
+    tasks.expire(event.timeNs(), report);
     lookUntil(event.timeNs(), report);
     bodies.observe(event);
     switch (event) {
@@ -72,12 +72,12 @@ public final class TubesSpec implements Monitor {
       }
       case Action action -> {
         if (TubeTrace.isTubes(action.source()) && action.name().equals(TubeTrace.GO_TO)) {
-          tasks.owe(new Task(action.source(), action.robot()), action.timeNs());
+          tasks.owe(new Seat(action.source(), action.robot()), action.timeNs());
         }
       }
       case Fault fault -> {
         if (fault.name().equals(Fault.CRASH)) {
-          held.keySet().forEach(source -> tasks.settle(new Task(source, fault.robot())));
+          held.keySet().forEach(source -> tasks.settle(new Seat(source, fault.robot())));
         }
       }
       case TraceEvent.Moved moved -> lookAt(moved.timeNs(), report);
@@ -89,7 +89,7 @@ public final class TubesSpec implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    expire(endNs, report);
+    tasks.expire(endNs, report);
     lookUntil(endNs, report);
     lookAt(endNs, report);
   }
@@ -103,9 +103,7 @@ public final class TubesSpec implements Monitor {
       checkTubes(variable, all, report);
       lookAt(variable.timeNs(), report);
     } else if (variable.name().equals(TubeTrace.FLAG) && isEnd(variable.value())) {
-      if (tasks.settle(new Task(variable.source(), robot))) {
-        report.checked(TOLD);
-      }
+      tasks.meet(new Seat(variable.source(), robot), report);
     }
   }
 
@@ -189,18 +187,5 @@ public final class TubesSpec implements Monitor {
               + ") mm is not inside what it holds: "
               + Tube.text(tubes));
     }
-  }
-
-  private void expire(long nowNs, Report report) {
-    tasks.expire(
-        nowNs,
-        (task, sinceNs, deadlineNs) -> {
-          report.checked(TOLD);
-          report.violated(
-              TOLD,
-              deadlineNs,
-              List.of(task.robot()),
-              task.source() + ": goTo at " + sinceNs + " ns is neither done nor failed");
-        });
   }
 }

@@ -6,14 +6,14 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.jspecify.annotations.Nullable;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Lives;
 import org.starl.primitives.membership.View;
+import org.starl.spec.Dues;
+import org.starl.spec.Dues.Seat;
 import org.starl.spec.Monitor;
-import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -32,15 +32,15 @@ public final class RegistrationSpec implements Monitor {
   static final String SOUNDNESS = "Soundness";
   static final String REGISTERED = "Registered";
 
-  private final @Nullable Within<Debt> progress;
+  private final Dues progress;
   private final Map<String, ViewHistory> histories = new TreeMap<>();
   private final Map<String, List<RobotId>> acceptors = new TreeMap<>();
-  private final Set<Debt> owed = new LinkedHashSet<>();
+  private final Set<Seat> owed = new LinkedHashSet<>();
   private final Lives lives = new Lives();
 
   /** Safety only. */
   public RegistrationSpec() {
-    progress = null;
+    this(Dues.NO_BOUND);
   }
 
   /**
@@ -50,21 +50,23 @@ public final class RegistrationSpec implements Monitor {
    * @param registeredWithinNs from {@code do_register} until a view lists the robot, in ns
    */
   public RegistrationSpec(long registeredWithinNs) {
-    progress = new Within<>(registeredWithinNs);
+    progress =
+        new Dues(
+            REGISTERED,
+            registeredWithinNs,
+            sinceNs -> "do_register at " + sinceNs + " ns, and in no view since");
   }
-
-  private record Debt(String source, RobotId robot) {}
 
   @Override
   public List<String> lemmas() {
-    return progress == null
-        ? List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS)
-        : List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS, REGISTERED);
+    return progress.isBounded()
+        ? List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS, REGISTERED)
+        : List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS);
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
+    progress.expire(event.timeNs(), report);
     boolean changed = lives.observe(event);
     switch (event) {
       case Action action when RegistrationTrace.isRegistration(action.source()) -> acted(action);
@@ -84,30 +86,26 @@ public final class RegistrationSpec implements Monitor {
     }
   }
 
-  private void assume(Debt debt, long nowNs) {
+  private void assume(Seat debt, long nowNs) {
     List<RobotId> voters = acceptors.getOrDefault(debt.source(), List.of());
     long up = voters.stream().filter(lives::isUp).count();
     boolean majority = voters.isEmpty() || 2 * up > voters.size();
-    if (progress != null) {
-      progress.assume(debt, majority && lives.isFair(), nowNs);
-    }
+    progress.assume(debt, majority && lives.isFair(), nowNs);
   }
 
   @Override
   public void finish(long endNs, Report report) {
-    expire(endNs, report);
+    progress.expire(endNs, report);
   }
 
   private void acted(Action action) {
     switch (action.name()) {
       case RegistrationTrace.DO_REGISTER -> {
         history(action.source()).asked(action.robot(), id(action));
-        if (progress != null) {
-          Debt debt = new Debt(action.source(), action.robot());
-          progress.owe(debt, action.timeNs());
-          owed.add(debt);
-          assume(debt, action.timeNs());
-        }
+        Seat debt = new Seat(action.source(), action.robot());
+        progress.owe(debt, action.timeNs());
+        owed.add(debt);
+        assume(debt, action.timeNs());
       }
       case RegistrationTrace.ACCEPTORS ->
           acceptors.putIfAbsent(
@@ -158,24 +156,9 @@ public final class RegistrationSpec implements Monitor {
   }
 
   private boolean settle(String source, RobotId robot) {
-    Debt debt = new Debt(source, robot);
+    Seat debt = new Seat(source, robot);
     owed.remove(debt);
-    return progress != null && progress.settle(debt);
-  }
-
-  private void expire(long nowNs, Report report) {
-    if (progress != null) {
-      progress.expire(
-          nowNs,
-          (debt, sinceNs, deadlineNs) -> {
-            report.checked(REGISTERED);
-            report.violated(
-                REGISTERED,
-                deadlineNs,
-                List.of(debt.robot()),
-                debt.source() + ": do_register at " + sinceNs + " ns, and in no view since");
-          });
-    }
+    return progress.settle(debt);
   }
 
   private ViewHistory history(String source) {
