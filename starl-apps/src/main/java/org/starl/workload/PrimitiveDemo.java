@@ -127,11 +127,9 @@ abstract class PrimitiveDemo implements Demo {
       Function<GlobalVarHolder, ? extends Client> client) {
     int side = (int) Math.ceil(Math.sqrt(count));
     for (int i = 0; i < count; i++) {
-      Pose start =
-          new Pose(
-              SPACING_MM * (i % side) + SPACING_MM / 2,
-              SPACING_MM * (i / side) + SPACING_MM / 2,
-              0);
+      int column = i % side;
+      int row = i / side;
+      Pose start = new Pose(SPACING_MM * (column + 0.5), SPACING_MM * (row + 0.5), 0);
       simulation.robot(new RobotSpec(new RobotId(settings.robotName() + i), start, true, client));
     }
   }
