@@ -245,6 +245,29 @@ class TubesSimulationTest {
     assertThat(result.spec().violations("Inside")).isPositive();
   }
 
+  /** A planted bug: a planner that takes a task and is never heard of again. */
+  @Test
+  void aRobotThatNeverTellsIsCaught() {
+    Simulation.Builder builder = ring(3, weather("0", "0mm"));
+    builder.robot(
+        new RobotSpec(new RobotId("bot0"), new Pose(4000, 1000, 0), true, NeverTold::new));
+    SimResult result = builder.build().run();
+    assertThat(result.spec().violations("Told")).isPositive();
+  }
+
+  private static final class NeverTold extends LogicThread {
+    NeverTold(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      gvh.trace.action("tubes/floor", "goTo", 4000, 7000);
+      await(() -> false);
+      return List.of();
+    }
+  }
+
   private static final class ShortCutter extends LogicThread {
     ShortCutter(GlobalVarHolder gvh) {
       super(gvh);

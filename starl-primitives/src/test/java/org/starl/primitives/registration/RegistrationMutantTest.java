@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.ProcessId;
@@ -107,6 +108,20 @@ class RegistrationMutantTest {
                         seen.addAll(decided.ids());
                         return new View(next.number(), more);
                       }
+                    }),
+    WHO_NEVER_ASKED(
+        RegistrationSpec.SOUNDNESS,
+        town ->
+            town.maker =
+                (self, acceptors, settings, rng, link, port, now) ->
+                    new RegistrationProtocol(
+                        self, acceptors, settings, rng, link, false, port, now) {
+                      @Override
+                      View proposal(View decided, Change wanted, List<Value> wishes) {
+                        View next = super.proposal(decided, wanted, wishes);
+                        ProcessId unasked = new ProcessId(me().robot(), me().inc() + 1_000);
+                        return next.contains(unasked) ? next : next.with(unasked);
+                      }
                     });
 
     private final String lemma;
@@ -136,5 +151,31 @@ class RegistrationMutantTest {
       report = life.live();
     } while (report.violations(mutant.lemma) == 0 && seeds < SEEDS);
     assertThat(report.violations(mutant.lemma)).as("%s, seeds 1..%d", mutant, seeds).isPositive();
+  }
+
+  @Test
+  void whereNobodyIsLetInTheSpecificationSeesIt() {
+    assertThat(notRegistered(false)).isZero();
+    assertThat(notRegistered(true)).isPositive();
+  }
+
+  /** How many of four who register are not in within 2 s. */
+  private static long notRegistered(boolean isWrong) {
+    Town town = new Town(1, 4, 4, new RegistrationSpec(2_000_000_000L));
+    town.weather = Weather.FAIR;
+    if (isWrong) {
+      town.maker =
+          (self, acceptors, settings, rng, link, port, now) ->
+              new RegistrationProtocol(self, acceptors, settings, rng, link, false, port, now) {
+                @Override
+                View proposal(View decided, Change wanted, List<Value> wishes) {
+                  return decided.next();
+                }
+              };
+    }
+    town.startAll();
+    town.robots.values().forEach(TownRobot::do_register);
+    town.runForMs(4_000);
+    return town.finish().violations(RegistrationSpec.REGISTERED);
   }
 }

@@ -40,6 +40,19 @@ abstract class Contender extends LogicThread {
   /** What is asked for in the next round. */
   abstract SortedSet<String> draw(Rng draws);
 
+  /** The logical time of the request that comes now. */
+  abstract long time();
+
+  /** Whom the view lists. */
+  List<RobotId> listed() {
+    return all;
+  }
+
+  /** Whose consent a request needs, this robot's own included. */
+  List<RobotId> asked() {
+    return all;
+  }
+
   abstract void request(SortedSet<String> sections);
 
   abstract boolean isIn();
@@ -51,12 +64,11 @@ abstract class Contender extends LogicThread {
 
   @Override
   public List<Object> callStarL() {
-    List<ProcessId> ids = all.stream().map(Contender::id).toList();
-    gvh.trace.action(SOURCE, "view", id, View.closed(ids));
+    gvh.trace.action(SOURCE, "view", id, View.closed(ids(listed())));
     for (int round = 1; round <= ROUNDS; round++) {
       pause(1 + rng.nextInt(8));
       SortedSet<String> sections = draw(rng);
-      gvh.trace.action(SOURCE, "do_mutex", id, round, round, text(sections), text(ids));
+      gvh.trace.action(SOURCE, "do_mutex", id, round, time(), text(sections), text(ids(asked())));
       request(sections);
       while (!isIn()) {
         pause(1);
@@ -76,6 +88,15 @@ abstract class Contender extends LogicThread {
       sleep(TICK_MS);
       tick();
     }
+  }
+
+  /** Tells that this robot consents. */
+  final void tellGrant(RobotId to, long number) {
+    gvh.trace.action(SOURCE, "grant", id, id(to), number);
+  }
+
+  private static List<ProcessId> ids(List<RobotId> robots) {
+    return robots.stream().map(Contender::id).toList();
   }
 
   private static ProcessId id(RobotId robot) {

@@ -23,13 +23,18 @@ import org.starl.random.Rng;
  */
 final class SetMutex extends Contender {
 
-  /** Which of the two are in it. */
+  /** Which bugs are in it: those two, and some that the original did not have. */
   enum Bug {
     LIST_INDEX,
-    DOUBLE_REPLIES
+    DOUBLE_REPLIES,
+    /** Only the next ones in the list are asked. */
+    ASKS_NEIGHBOURS,
+    /** Who is on no list is let in as well. */
+    LETS_STRANGERS_IN
   }
 
   private final Set<Bug> bugs;
+  private final boolean tellsGrants;
   private final Endpoint<Word> endpoint;
   private final SortedSet<RobotId> missing = new TreeSet<>();
   private final SortedMap<RobotId, Long> kept = new TreeMap<>();
@@ -38,9 +43,13 @@ final class SetMutex extends Contender {
   private long clock;
   private long time;
 
-  SetMutex(GlobalVarHolder gvh, Set<Bug> bugs) {
+  /**
+   * @param tellsGrants whether it says in the trace to whom it consents
+   */
+  SetMutex(GlobalVarHolder gvh, Set<Bug> bugs, boolean tellsGrants) {
     super(gvh);
     this.bugs = bugs;
+    this.tellsGrants = tellsGrants;
     endpoint = gvh.comms.open(new Channel<>("mutex", XID, Word.CODEC), this::received);
   }
 
@@ -50,15 +59,34 @@ final class SetMutex extends Contender {
   }
 
   @Override
+  List<RobotId> listed() {
+    return bugs.contains(Bug.LETS_STRANGERS_IN) ? all.subList(0, all.size() - 1) : all;
+  }
+
+  @Override
+  List<RobotId> asked() {
+    int index = all.indexOf(me);
+    return bugs.contains(Bug.ASKS_NEIGHBOURS)
+        ? all.subList(Math.max(0, index - 1), Math.min(all.size(), index + 2))
+        : all;
+  }
+
+  @Override
+  long time() {
+    return bugs.contains(Bug.LIST_INDEX) ? 0 : clock + 1;
+  }
+
+  @Override
   void request(SortedSet<String> sections) {
     number++;
+    time = time();
     clock++;
-    time = bugs.contains(Bug.LIST_INDEX) ? 0 : clock;
     wanted = sections;
-    missing.addAll(others);
+    missing.addAll(asked());
+    missing.remove(me);
     List<String> names = new ArrayList<>(List.of(Long.toString(time)));
     names.addAll(sections);
-    for (RobotId other : others) {
+    for (RobotId other : missing) {
       endpoint.sendReliably(other, new Word("REQUEST", number, names));
     }
   }
@@ -76,6 +104,9 @@ final class SetMutex extends Contender {
   }
 
   private void reply(RobotId to, long itsNumber) {
+    if (tellsGrants) {
+      tellGrant(to, itsNumber);
+    }
     endpoint.sendReliably(to, new Word("REPLY", itsNumber));
   }
 

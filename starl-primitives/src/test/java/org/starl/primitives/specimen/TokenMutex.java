@@ -45,6 +45,11 @@ final class TokenMutex extends Contender {
   }
 
   @Override
+  long time() {
+    return handovers;
+  }
+
+  @Override
   void request(SortedSet<String> sections) {
     wants = true;
   }

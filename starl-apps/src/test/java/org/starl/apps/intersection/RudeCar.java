@@ -1,0 +1,100 @@
+package org.starl.apps.intersection;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.LogicThread;
+import org.starl.ProcessId;
+import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.apps.intersection.logic.Trip;
+import org.starl.geometry.ItemPosition;
+import org.starl.motion.MotionFlag;
+
+/** A car that does not do as it should, in one way, and tells of what it does as others do. */
+final class RudeCar extends LogicThread {
+
+  private static final String MUTEX = "mutex/crossing";
+
+  /** What is wrong with it. */
+  enum Fault {
+    /** Drives without a word to the mutex. */
+    DOES_NOT_ASK,
+    /** Has a mutex that grants at once, whoever else is inside. */
+    ASKS_NOBODY,
+    /** Gives a zone back as soon as it has come to its middle. */
+    GIVES_BACK_TOO_EARLY,
+    /** Stands at the head of its arm for ever. */
+    NEVER_LEAVES
+  }
+
+  private final Fault fault;
+  private final Trip trip;
+  private final ProcessId id;
+  private final GvhCell<Location> location;
+  private final GvhCell<List<String>> myseq;
+  private List<String> held = List.of();
+
+  RudeCar(GlobalVarHolder gvh, Trip trip, Fault fault) {
+    super(gvh);
+    this.fault = fault;
+    this.trip = trip;
+    id = gvh.id.freshProcess();
+    gvh.trace.action(IntersectionApp.SOURCE, IntersectionApp.TRIP, trip.label(), trip.zones());
+    location = gvh.variable(IntersectionApp.SOURCE, IntersectionApp.LOCATION, Location.S_0);
+    myseq = gvh.variable(IntersectionApp.SOURCE, IntersectionApp.MYSEQ, trip.zones());
+    gvh.plat.moat.setParameters(IntersectionApp.motion(gvh.plat.moat.parameters()));
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    await(gvh.gps::hasFix);
+    await(() -> fault != Fault.NEVER_LEAVES);
+    if (fault != Fault.DOES_NOT_ASK) {
+      held = trip.zones();
+      gvh.trace.action(MUTEX, "do_mutex", id, 1, 1, text(held), id);
+      gvh.trace.action(MUTEX, "od_mutex", id, 1, text(held));
+    }
+    location.set(Location.MOVE_WAIT);
+    for (ItemPosition station : trip.stations()) {
+      driveTo(station);
+      List<String> left = new ArrayList<>(myseq.get());
+      left.remove(station.name());
+      myseq.set(List.copyOf(left));
+      if (fault == Fault.GIVES_BACK_TOO_EARLY) {
+        giveBack(left);
+      }
+    }
+    location.set(Location.S_1);
+    driveTo(trip.exit());
+    if (!held.isEmpty()) {
+      giveBack(List.of());
+    }
+    gvh.plat.moat.motion_stop();
+    location.set(Location.DONE);
+    return List.of();
+  }
+
+  private void driveTo(ItemPosition target) {
+    gvh.plat.moat.doMove(target);
+    while (gvh.plat.moat.motionflag().get() != MotionFlag.DONE) {
+      if (gvh.plat.moat.motionflag().get() == MotionFlag.FAIL) {
+        sleep(1000);
+        gvh.plat.moat.doMove(target);
+      }
+      sleep(100);
+    }
+  }
+
+  private void giveBack(List<String> left) {
+    List<String> given = new ArrayList<>(held);
+    given.removeAll(left);
+    held = List.copyOf(left);
+    gvh.trace.action(MUTEX, "release", id, 1, text(given), text(held));
+  }
+
+  private static String text(List<String> zones) {
+    return String.join(" ", zones.stream().sorted().toList());
+  }
+}

@@ -1,0 +1,67 @@
+package org.starl.apps.intersection;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.spec.Bounds;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+
+/** Whole cars that are rude, on the floor: what is checked at the intersection must see them. */
+class RudeCarsTest {
+
+  private static final int SEEDS = 20;
+  private static final int CARS = 6;
+
+  private static SimResult run(RudeCar.Fault fault, long seed) {
+    SimSettings settings =
+        SimSettings.builder()
+            .set(Setting.FLOOR_HEIGHT, SimSettings.defaults().get(Setting.FLOOR_WIDTH))
+            .duration(Duration.ofSeconds(fault == RudeCar.Fault.NEVER_LEAVES ? 1800 : 60))
+            .build();
+    List<Car> cars =
+        Cars.drawn(Crossing.STANDARD, settings.robotName(), CARS, new Rng(seed).fork("cars"));
+    Operator operator = new Operator();
+    Simulation.Builder simulation =
+        Simulation.builder()
+            .seed(seed)
+            .settings(settings)
+            .obstacles(Floor.kerbs(Crossing.STANDARD))
+            .director(new Traffic(Crossing.STANDARD, settings.robotRadiusMm(), cars, operator))
+            .observer(operator);
+    for (Car car : cars) {
+      simulation.robot(
+          new RobotSpec(car.id(), car.start(), false, gvh -> new RudeCar(gvh, car.trip(), fault)));
+    }
+    IntersectionDemo.watch(
+        simulation, new Bounds(IntersectionDemo.deltaNs(settings), CARS, 0), settings);
+    return simulation.build().run();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "DOES_NOT_ASK, Inv_list_crit",
+    "DOES_NOT_ASK, traffic_safety",
+    "ASKS_NOBODY, Inv_mux_safety",
+    "ASKS_NOBODY, Exclusive",
+    "GIVES_BACK_TOO_EARLY, occupied_is_held",
+    "NEVER_LEAVES, traffic_progress",
+  })
+  void aRudeCarIsSeen(RudeCar.Fault fault, String lemma) {
+    long seed = 0;
+    SimResult result;
+    do {
+      seed++;
+      result = run(fault, seed);
+    } while (result.spec().violations(lemma) == 0 && seed < SEEDS);
+    assertThat(result.spec().violations(lemma)).as("%s, seeds 1..%d", fault, SEEDS).isPositive();
+  }
+}

@@ -1,0 +1,42 @@
+package org.starl.primitives.specimen;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.primitives.agreement.AgreementSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+
+/** Agreements that are none: the specification must see each, or it proves nothing. */
+class NaiveAgreementTest {
+
+  private static final int SEEDS = 20;
+  private static final Duration BOUND = Duration.ofSeconds(5);
+
+  @ParameterizedTest
+  @CsvSource({
+    "FIRST_HEARD, Agreement",
+    "SUM_OF_ALL, Validity",
+    "LEAST_OF_ALL, Decided",
+  })
+  void whatIsNoAgreementIsCaught(NaiveAgreement.Way way, String lemma) {
+    long seed = 0;
+    SimResult result;
+    do {
+      seed++;
+      result =
+          Simulation.builder()
+              .seed(seed)
+              .settings(
+                  SimSettings.builder().duration(BOUND.multipliedBy(2)).messageLoss(0.2).build())
+              .robots(4, gvh -> new NaiveAgreement(gvh, way))
+              .monitor(() -> new AgreementSpec(BOUND.toNanos()))
+              .build()
+              .run();
+    } while (result.spec().violations(lemma) == 0 && seed < SEEDS);
+    assertThat(result.spec().violations(lemma)).as("%s, seeds 1..%d", way, SEEDS).isPositive();
+  }
+}
