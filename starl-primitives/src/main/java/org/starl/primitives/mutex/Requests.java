@@ -48,11 +48,19 @@ final class Requests {
     }
   }
 
+  private static final int LEAST_SWEEP = 512;
+
   private final Map<ProcessId, Request> latest = new TreeMap<>();
+  private int sweepAt = LEAST_SWEEP;
   private final Set<Request> active = new LinkedHashSet<>();
   private final Map<String, Set<Request>> contenders = new LinkedHashMap<>();
 
   Request of(ProcessId who) {
+    if (latest.size() >= sweepAt) {
+      // What is idle and has consented to nothing that is open is as good as new.
+      latest.values().removeIf(r -> !r.isActive() && r.consentedTo.isEmpty());
+      sweepAt = Math.max(LEAST_SWEEP, 2 * latest.size());
+    }
     return latest.computeIfAbsent(who, Request::new);
   }
 

@@ -43,6 +43,24 @@ class MutexSpecTest {
   }
 
   @Test
+  void whoWaitsOrHoldsIsWatchedHoweverManyComeAndGo() {
+    ask(0, I, 1, "A");
+    enter(1, I, "A");
+    ask(2, J, 2, "A");
+    event(3, new MutexEvent.Grant(K, J, 1));
+    for (int i = 0; i < 5_000; i++) {
+      ProcessId passer = new ProcessId(new RobotId("p" + i), 1);
+      ask(4, passer, 3, "Z");
+      event(4, new MutexEvent.Withdraw(passer, 1, MutexFailure.WITHDRAWN));
+    }
+    // K has consented to J, and comes before it nevertheless.
+    ask(5, K, 1, "A");
+    assertThat(monitors.report().violations(MutexSpec.PROMISE)).isEqualTo(1);
+    enter(6, J, "A");
+    assertThat(finish(7).violations(MutexSpec.EXCLUSIVE)).isEqualTo(1);
+  }
+
+  @Test
   void aSectionThatWasGivenBackIsFree() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");

@@ -77,6 +77,19 @@ class RegistrationSpecTest {
   }
 
   @Test
+  void inALongRunTheLatestViewsAreStillWatched() {
+    acts(0, "a", "do_register", "a#1");
+    acts(0, "b", "do_register", "b#1");
+    for (int number = 1; number <= 2_000; number++) {
+      sees(number, "a", number + ":a#1@1");
+    }
+    sees(2_001, "b", "3:b#1@3"); // of so long ago that nobody knows any more
+    assertThat(monitors.report().violations(RegistrationSpec.AGREEMENT)).isZero();
+    sees(2_002, "b", "1990:b#1@1990");
+    assertThat(report(2_003).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
+  }
+
+  @Test
   void anIdThatNeverAskedViolatesSoundness() {
     acts(0, "a", "do_register", "a#1");
     acts(0, "b", "do_register", "a#2");
