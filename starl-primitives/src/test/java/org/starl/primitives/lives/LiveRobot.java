@@ -142,7 +142,7 @@ public abstract class LiveRobot {
 
     @Override
     public void persist(long version, byte[] record) {
-      long flushMs = world.rng.nextLong(0, world.weather().maxFlushMs());
+      long flushMs = world.rng.nextLong(0, world.weather.maxFlushMs());
       lastFlushNs = Math.max(lastFlushNs, world.nowNs() + flushMs * LiveWorld.NS_PER_MS);
       byte[] written = record.clone();
       world.at(

@@ -14,6 +14,7 @@ import org.starl.ProcessId;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.Value;
+import org.starl.primitives.lives.Weather;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.spec.SpecReport;
