@@ -20,6 +20,8 @@ import org.starl.sim.Simulation;
 /**
  * {@code starl campaign barrier}: those who are registered meet, generation after generation, in a
  * barrier of each view. Who restarts, or was left out, registers anew, and there is another barrier.
+ * Who has done all its rounds stays registered, to vote for those who have not; they are told that it
+ * did not come, and go on without it.
  */
 final class BarrierWorkload extends PrimitiveDemo {
 
@@ -78,7 +80,7 @@ final class BarrierWorkload extends PrimitiveDemo {
       await(() -> barrier.outcome().get().isTold() || reg.ts() > view || !reg.mayRequest());
       BarrierOutcome outcome = barrier.outcome().get();
       if (outcome instanceof BarrierOutcome.Excluded) {
-        leave();
+        unregister(); // and so come back by way of another view
       }
       return outcome instanceof BarrierOutcome.Passed;
     }
@@ -88,8 +90,7 @@ final class BarrierWorkload extends PrimitiveDemo {
       return new Barrier(gvh, XID, reg, settings);
     }
 
-    @Override
-    protected void leave() {
+    private void unregister() {
       while (!reg.isUnregistered()) {
         reg.unregister();
         await(() -> reg.isUnregistered() || reg.failed().get());
