@@ -31,7 +31,7 @@ class PrimitivesBetweenProcessesTest {
   @ParameterizedTest
   @ValueSource(strings = {"geocast", "registration", "mutex", "election"})
   void theContractIsKept(String primitive) {
-    Cli cli = run(primitive, "1s", "--set", "rounds=3");
+    Cli cli = run(primitive, "1s", "--set", "rounds=2");
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.text())
         .contains("3 processes came 3 times to the end of the app", "safe: ")
@@ -40,7 +40,7 @@ class PrimitivesBetweenProcessesTest {
 
   @Test
   void aLeaderIsFoundAnewWhenAProcessIsKilled() {
-    Cli cli = run("election", "6s", "--set", "rounds=4", "--kill", "bot2@3s");
+    Cli cli = run("election", "4s", "--set", "rounds=4", "--kill", "bot2@2s");
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.text())
         .contains("bot2's process ", " was killed at ", "safe: ")
