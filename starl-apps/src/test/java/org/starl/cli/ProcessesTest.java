@@ -55,6 +55,8 @@ class ProcessesTest {
   void noRobotSurvivesItsParent() throws Exception {
     List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
     command.remove(RobotCommand.NAME);
+    // Who is killed so cannot tidy up.
+    command.add(1, "-Djava.io.tmpdir=" + folder);
     command.addAll(List.of(hello()));
     Process parent = new ProcessBuilder(command).start();
     List<ProcessHandle> robots = new ArrayList<>();
