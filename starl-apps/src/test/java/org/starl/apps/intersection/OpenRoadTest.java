@@ -10,9 +10,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.RobotId;
 import org.starl.apps.Plan;
+import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.logic.Zone;
+import org.starl.geometry.Point;
+import org.starl.geometry.Region;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
+import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -26,11 +31,17 @@ class OpenRoadTest {
     private final SortedSet<RobotId> onFloor = new TreeSet<>();
     private final SortedSet<RobotId> came = new TreeSet<>();
     private int most;
+    private final Bodies bodies = new Bodies();
     private int stopped;
+    private int crowded;
     private long lastJoinedNs;
 
     @Override
     public void observed(TraceEvent event) {
+      if (event instanceof TraceEvent.Joined joined) {
+        crowded += isAlone(joined) ? 0 : 1;
+      }
+      bodies.observe(event);
       if (event instanceof TraceEvent.Joined joined) {
         onFloor.add(joined.robot());
         came.add(joined.robot());
@@ -43,6 +54,20 @@ class OpenRoadTest {
           && v.value().equals("FAIL")) {
         stopped++;
       }
+    }
+
+    /** Whether nobody has any part of its body in the place in which a car appears. */
+    private boolean isAlone(TraceEvent.Joined joined) {
+      for (Zone arm : Zone.values()) {
+        Region edge = Crossing.STANDARD.place(arm, Crossing.PLACES - 1);
+        for (RobotId other : bodies.robots()) {
+          Point at = bodies.poseAt(other, joined.timeNs()).at();
+          if (edge.contains(joined.pose().at()) && edge.distanceMm(at) < joined.radiusMm()) {
+            return false;
+          }
+        }
+      }
+      return true;
     }
   }
 
@@ -100,6 +125,7 @@ class OpenRoadTest {
     // On each arm three, and some that cross or leave.
     assertThat(floor.most - 3).isBetween(12, 20);
     assertThat(figures.get("longest_queue")).isGreaterThan(5);
+    assertThat(floor.crowded).as("nobody appears in a place that is not free").isZero();
     assertThat(floor.stopped).as("nobody runs into anybody").isZero();
   }
 
