@@ -9,7 +9,7 @@
  * angles in radians, counter-clockwise from the x axis.
  *
  * <p>May import: {@code org.starl} value types, {@code org.starl.geometry}, {@code
- * org.starl.random}, {@code org.starl.trace}.
+ * org.starl.motion}, {@code org.starl.random}, {@code org.starl.trace}.
  */
 @NullMarked
 package org.starl.platform;

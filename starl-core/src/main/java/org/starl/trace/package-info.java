@@ -3,7 +3,8 @@
  * a header first). Monitors, viewers and recorders see a run through these events only, so that a
  * recorded run serves them as well as a live one.
  *
- * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}.
+ * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}, {@code
+ * org.starl.platform}.
  */
 @NullMarked
 package org.starl.trace;

@@ -1,7 +1,7 @@
 /**
  * The smallest app, as a simulation.
  *
- * <p>May import: core, sim, {@code logic} beside it.
+ * <p>May import: core, primitives, sim, {@code org.starl.apps}, {@code logic} beside it.
  */
 @NullMarked
 package org.starl.apps.hello;
