@@ -7,8 +7,10 @@ import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
@@ -67,6 +69,8 @@ public final class Fleet implements AutoCloseable {
   private boolean isRunning;
   private boolean isEnding;
   private long lastNewsNs;
+  // What the robots have told since the last death.
+  private final Set<String> news = new TreeSet<>();
 
   /** What the parent knows of a robot. */
   private static final class Robot {
@@ -204,7 +208,7 @@ public final class Fleet implements AutoCloseable {
     if (event instanceof Joined) {
       robot.isPromisedPlace = false;
     }
-    if (event instanceof Action || event instanceof Variable) {
+    if (isNews(event)) {
       lastNewsNs = nowNs();
     }
     for (Kill kill : settings.kills()) {
@@ -212,6 +216,25 @@ public final class Fleet implements AutoCloseable {
         killsDue.put(kill, event.timeNs() + kill.afterNs());
       }
     }
+  }
+
+  /** Whether a robot has come where it was not before: who only tries again and again tells none. */
+  private boolean isNews(TraceEvent event) {
+    return switch (event) {
+      case Variable variable ->
+          news.add(
+              variable.robot()
+                  + " "
+                  + variable.source()
+                  + " "
+                  + variable.name()
+                  + " "
+                  + variable.value());
+      case Action action when action.source().indexOf('/') < 0 ->
+          news.add(
+              action.robot() + " " + action.source() + " " + action.name() + " " + action.args());
+      default -> false;
+    };
   }
 
   private void heard(Robot robot, Did did) {
@@ -348,6 +371,7 @@ public final class Fleet implements AutoCloseable {
     long atNs = Math.max(robot.lastNs, robot.killedNs);
     Death death = new Death(id, robot.member.pid(), atNs, wasAsked, gone.status());
     deaths.add(death);
+    news.clear();
     lastNewsNs = isRunning ? nowNs() : 0;
     if (bodies.isOnFloor(id)) {
       Moved stop = new Moved(atNs, id, bodies.poseAt(id, atNs), 0, 0);

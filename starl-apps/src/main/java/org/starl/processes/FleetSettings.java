@@ -9,7 +9,7 @@ import java.util.List;
  * @param rounds how often each robot's app runs, from 1
  * @param kills processes to end as {@code kill -9} does
  * @param limit the fleet is stopped after this time
- * @param quiet once a process is gone, the fleet is stopped when nobody has done anything for so
+ * @param quiet once a process is gone, the fleet is stopped when nobody has told anything new for so
  *     long: those who are left wait for what the dead one holds
  */
 public record FleetSettings(int rounds, List<Kill> kills, Duration limit, Duration quiet) {
