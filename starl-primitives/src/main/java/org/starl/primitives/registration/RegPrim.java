@@ -11,7 +11,7 @@ public interface RegPrim extends StarLPrimitive {
    * or {@link #failed} becomes true at the deadline.
    *
    * <p>If others took this robot for crashed, wrongly, it is not registered any more, {@link #rList} is
-   * null, and this is how it comes back.
+   * null and {@link #failed} told, and this is how it comes back.
    *
    * @throws IllegalStateException if this robot is registered, registering or unregistering
    */
@@ -29,7 +29,10 @@ public interface RegPrim extends StarLPrimitive {
   /** The number of the latest list that this robot has learned; 0 before any. */
   long ts();
 
-  /** Whether the latest call was given up at its deadline. */
+  /**
+   * Whether the latest call was given up at its deadline, or others have put this robot out since: call
+   * {@link #do_register} again.
+   */
   GvhVariable<Boolean> failed();
 
   /**

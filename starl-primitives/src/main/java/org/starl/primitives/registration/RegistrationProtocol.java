@@ -171,8 +171,7 @@ class RegistrationProtocol implements SynodProtocol {
       port.givesUp(id);
     }
     if (id.equals(me) && phase == Phase.IN) {
-      wasPutOut = true;
-      settle(Phase.OUT);
+      isPutOut();
     }
     changeIfNew();
   }
@@ -338,8 +337,7 @@ class RegistrationProtocol implements SynodProtocol {
       // What was given up at its deadline has come about after all: nobody need ask again.
       isOut();
     } else if (phase == Phase.IN && !listed) {
-      wasPutOut = true;
-      settle(Phase.OUT);
+      isPutOut();
     }
     suspense.learned(learned.number(), nowNs);
     change();
@@ -366,6 +364,13 @@ class RegistrationProtocol implements SynodProtocol {
     deadlineNs = Long.MAX_VALUE;
     boolean wantsNews = next != Phase.OUT || wants.hasOwnWord();
     queryAtNs = wantsNews ? nowNs + settings.queryMs() * NS_PER_MS : Long.MAX_VALUE;
+  }
+
+  /** Others gave me up: told, since a list that is null may also be on its way. */
+  private void isPutOut() {
+    wasPutOut = true;
+    failed = true;
+    settle(Phase.OUT);
   }
 
   private void isOut() {

@@ -219,7 +219,9 @@ class RegistrationProtocolTest {
     assertThat(town.robot(1).protocol().view().ghost(wronged)).isNotNull();
     assertThat(town.robot(3).protocol().phase()).isEqualTo(Phase.OUT);
     assertThat(town.robot(3).protocol().rList().isAgreed()).isFalse();
+    assertThat(town.robot(3).protocol().hasFailed()).as("it is told").isTrue();
     town.robot(3).do_register();
+    assertThat(town.robot(3).protocol().hasFailed()).isFalse();
     town.runForMs(500);
     assertThat(isIn(town, 3)).isTrue();
     assertThat(town.robot(1).protocol().view().ghost(wronged)).isNotNull();
