@@ -27,6 +27,7 @@ public final class Painter {
   private static final int FLOOR_PX = 900;
   private static final int LEGEND_PX = 520;
   private static final int MARGIN_PX = 24;
+  private static final int LEAST_NAME_PX = 62;
   private static final int LINE_PX = 19;
   private static final int ENTRY_GAP_PX = 16;
   private static final double WORLD_MARGIN_MM = 150;
@@ -171,6 +172,10 @@ public final class Painter {
     List<RobotId> robots = new ArrayList<>(scene.robots());
     robots.sort(Comparator.comparing(robot -> scene.pose(robot).isEmpty()));
     y += LINE_PX + ENTRY_GAP_PX;
+    int namePx = LEAST_NAME_PX;
+    for (RobotId robot : robots) {
+      namePx = Math.max(namePx, page.getFontMetrics().stringWidth(robot.name() + "  "));
+    }
     for (int i = 0; i < robots.size(); i++) {
       List<String> lines = layer.describe(robots.get(i), scene).lines().toList();
       int heightPx = Math.max(1, lines.size()) * LINE_PX + ENTRY_GAP_PX;
@@ -184,7 +189,7 @@ public final class Painter {
       page.setColor(INK);
       page.drawString(robots.get(i).name(), x + 18, y);
       for (int line = 0; line < lines.size(); line++) {
-        page.drawString(lines.get(line), x + 80, y + line * LINE_PX);
+        page.drawString(lines.get(line), x + 18 + namePx, y + line * LINE_PX);
       }
       y += heightPx;
     }
