@@ -151,8 +151,12 @@ public final class Comms {
   private void arrived(byte[] buffer, int length) {
     if (seal == null) {
       received(buffer, length, UNSEALED);
-    } else if (seal.isGenuine(buffer, length)) {
-      received(buffer, length - Seal.BYTES, Seal.count(buffer, length));
+      return;
+    }
+    // Counts begin with 1: what says less was not sealed by this code.
+    long count = seal.isGenuine(buffer, length) ? Seal.count(buffer, length) : 0;
+    if (count > 0) {
+      received(buffer, length - Seal.BYTES, count);
     } else {
       books.countReceived();
       books.dropped(DropReason.FORGED, null, length + " bytes");
