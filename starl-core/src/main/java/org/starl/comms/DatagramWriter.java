@@ -72,9 +72,7 @@ final class DatagramWriter {
 
   /** Gives a datagram that is transmitted again the clock of now. */
   static void setClock(byte[] datagram, long clock) {
-    for (int i = 0; i < Long.BYTES; i++) {
-      datagram[Header.CLOCK_AT + i] = (byte) (clock >>> (56 - 8 * i));
-    }
+    WireWriter.putI64(datagram, Header.CLOCK_AT, clock);
   }
 
   private void start(int kind, long number, long clock, @Nullable RobotId to) {

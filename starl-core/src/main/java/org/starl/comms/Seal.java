@@ -46,9 +46,7 @@ final class Seal {
     }
     System.arraycopy(datagram, 0, sealed, 0, length);
     transmissions++;
-    for (int i = 0; i < Long.BYTES; i++) {
-      sealed[length + i] = (byte) (transmissions >>> (56 - 8 * i));
-    }
+    WireWriter.putI64(sealed, length, transmissions);
     compute(sealed, length + Long.BYTES);
     System.arraycopy(code, 0, sealed, length + Long.BYTES, TAG_BYTES);
     return length + BYTES;
@@ -74,11 +72,7 @@ final class Seal {
 
   /** Which transmission of its sender's a genuine datagram is, from 1. */
   static long count(byte[] datagram, int length) {
-    long count = 0;
-    for (int i = length - BYTES; i < length - TAG_BYTES; i++) {
-      count = count << 8 | (datagram[i] & 0xFF);
-    }
-    return count;
+    return WireReader.getI64(datagram, length - BYTES);
   }
 
   private void compute(byte[] bytes, int length) {

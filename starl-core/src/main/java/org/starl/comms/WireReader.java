@@ -68,10 +68,17 @@ public final class WireReader {
   }
 
   public long i64() {
-    need(8);
+    need(Long.BYTES);
+    long value = getI64(buffer, position);
+    position += Long.BYTES;
+    return value;
+  }
+
+  /** Reads the eight bytes from {@code at} on, as {@link WireWriter#putI64} wrote them. */
+  static long getI64(byte[] bytes, int at) {
     long value = 0;
-    for (int i = 0; i < 8; i++) {
-      value = value << 8 | (buffer[position++] & 0xFF);
+    for (int i = 0; i < Long.BYTES; i++) {
+      value = value << 8 | (bytes[at + i] & 0xFF);
     }
     return value;
   }

@@ -78,9 +78,15 @@ public final class WireWriter {
   }
 
   public void i64(long value) {
-    room(8);
-    for (int shift = 56; shift >= 0; shift -= 8) {
-      buffer[length++] = (byte) (value >>> shift);
+    room(Long.BYTES);
+    putI64(buffer, length, value);
+    length += Long.BYTES;
+  }
+
+  /** Writes the eight bytes from {@code at} on of an array that somebody else keeps. */
+  static void putI64(byte[] bytes, int at, long value) {
+    for (int i = 0; i < Long.BYTES; i++) {
+      bytes[at + i] = (byte) (value >>> (56 - 8 * i));
     }
   }
 
