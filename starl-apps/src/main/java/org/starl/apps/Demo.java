@@ -1,6 +1,9 @@
 package org.starl.apps;
 
+import java.nio.file.Path;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 
@@ -31,6 +34,21 @@ public interface Demo {
 
   /** What {@code --set} may change besides the simulator's settings. */
   List<Parameter> parameters();
+
+  /** Each parameter's default value, by its key; a map of the caller's own. */
+  default SortedMap<String, String> defaults() {
+    SortedMap<String, String> defaults = new TreeMap<>();
+    parameters().forEach(parameter -> defaults.put(parameter.key(), parameter.defaultValue()));
+    return defaults;
+  }
+
+  /**
+   * What it can be run on of a folder with the input files of the original StarL and with grid maps:
+   * {@code starl bench apps} makes a table of it.
+   */
+  default List<Input> inputs(Path data) {
+    return List.of();
+  }
 
   /** What chaos draws from: the faults under which the app's specifications hold. */
   default Envelope envelope() {

@@ -1,6 +1,7 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Objects;
@@ -30,7 +31,7 @@ final class BenchCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "WORKLOAD",
-      description = "b1, b2 or mutex; see 'starl list'.")
+      description = "b1, b2, mutex or apps; see 'starl list'.")
   private String name = "";
 
   @Option(
@@ -48,16 +49,31 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--seed", paramLabel = "S", description = "1 unless given.")
   private String seed = "1";
 
+  @Option(
+      names = "--inputs",
+      paramLabel = "FOLDER",
+      description = "Of apps: the folder with the apps' input files.")
+  private @Nullable Path inputs;
+
+  @Option(names = "--seeds", paramLabel = "A..B", description = "Of apps; 1..200 unless given.")
+  private String seeds = "1..200";
+
+  @Option(names = "--app", paramLabel = "APP", description = "Of apps: this one only.")
+  private @Nullable String app;
+
   @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
   @Override
-  public Integer call() {
+  public Integer call() throws InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     if (name.equals(MutexCost.NAME)) {
       showMutexCost(out);
       return ExitStatus.GOOD;
+    }
+    if (name.equals(AppsTable.NAME)) {
+      return showApps(out, spec) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     }
     Workload workload =
         Workloads.byName(name)
@@ -65,7 +81,7 @@ final class BenchCommand implements Callable<Integer> {
                 new BadInput(
                     "no workload is called "
                         + BadInput.quote(name)
-                        + ": expected b1, b2 or mutex"));
+                        + ": expected b1, b2, mutex or apps"));
     Carriers.chosen(null, spec.commandLine().getErr());
     List<Measurement> taken =
         Measurement.take(
@@ -78,6 +94,15 @@ final class BenchCommand implements Callable<Integer> {
       out.println(json.isOn() ? Json.line(run.asMap()) : line(run));
     }
     return ExitStatus.GOOD;
+  }
+
+  private boolean showApps(PrintWriter out, CommandSpec spec) throws InterruptedException {
+    if (inputs == null) {
+      throw new BadInput("bench apps: expected --inputs FOLDER, the apps' input files");
+    }
+    PrintWriter err = spec.commandLine().getErr();
+    return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.chosen(null, err), out, err)
+        .print(Main.demos(spec), app, json.isOn());
   }
 
   /** In Markdown, for the docs. */

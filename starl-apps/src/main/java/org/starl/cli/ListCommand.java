@@ -114,6 +114,7 @@ final class ListCommand implements Runnable {
       items.add(new Item("bench", "", workload.name(), "", workload.summary()));
     }
     items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));
+    items.add(new Item("bench", "", AppsTable.NAME, "", AppsTable.SUMMARY));
     for (Setting<?> setting : Setting.all()) {
       items.add(new Item("setting", "", setting.key(), setting.defaultText(), setting.meaning()));
     }

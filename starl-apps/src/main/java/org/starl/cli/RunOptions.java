@@ -5,13 +5,10 @@ import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import java.util.SortedMap;
-import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
-import org.starl.apps.Parameter;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
@@ -25,8 +22,6 @@ import picocli.CommandLine.Parameters;
 
 /** The options of every command that runs an app. */
 final class RunOptions {
-
-  private static final String DEFAULT_DURATION = "1200s";
 
   @Parameters(
       index = "0",
@@ -97,9 +92,9 @@ final class RunOptions {
 
   /** The command line that says the same again. */
   String replay(String command, long seed) {
-    StringBuilder line = new StringBuilder("./starl " + command);
-    words(seed).forEach(word -> line.append(' ').append(Shell.quote(word)));
-    return line.toString();
+    List<String> words = new ArrayList<>(List.of(command));
+    words.addAll(words(seed));
+    return Shell.starl(words);
   }
 
   /** The words after the command that say the same again. */
@@ -142,12 +137,8 @@ final class RunOptions {
 
   private Chosen chosen(Demos demos, ScenarioFile file) {
     Demo demo = demo(demos, file);
-    SortedMap<String, String> parameters = new TreeMap<>();
-    for (Parameter parameter : demo.parameters()) {
-      parameters.put(parameter.key(), parameter.defaultValue());
-    }
+    SortedMap<String, String> parameters = demo.defaults();
     Map<String, String> settings = new LinkedHashMap<>();
-    settings.put(Setting.DURATION.key(), DEFAULT_DURATION);
     file.values()
         .forEach((key, value) ->
             set(file.where(key), key, meant(demo, key, value), parameters, settings));
@@ -158,15 +149,7 @@ final class RunOptions {
       String value = meant(demo, flag.key(), flag.value());
       set(flag.option() + ": ", flag.key(), value, parameters, settings);
     }
-    String wanted = settings.remove(Setting.ROBOTS.key());
-    if (wanted != null) {
-      settings.put(Setting.ROBOTS.key(), wanted);
-    }
-    return new Chosen(
-        demo,
-        wanted == null ? OptionalInt.empty() : OptionalInt.of(Integer.parseInt(wanted)),
-        parameters,
-        settings);
+    return Chosen.of(demo, parameters, settings);
   }
 
   /** {@code chaos: true} is what the app must bear. */

@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.util.List;
 import java.util.regex.Pattern;
 
 /** Words of a command line that a person can paste. */
@@ -12,5 +13,12 @@ final class Shell {
   /** {@code word} as a POSIX shell reads it back. */
   static String quote(String word) {
     return PLAIN.matcher(word).matches() ? word : "'" + word.replace("'", "'\\''") + "'";
+  }
+
+  /** The command line {@code ./starl WORD...}. */
+  static String starl(List<String> words) {
+    StringBuilder line = new StringBuilder("./starl");
+    words.forEach(word -> line.append(' ').append(quote(word)));
+    return line.toString();
   }
 }

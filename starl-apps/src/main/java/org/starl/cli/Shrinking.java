@@ -1,15 +1,12 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.Set;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
@@ -53,9 +50,7 @@ final class Shrinking {
   record Shrunk(Trial from, Shrink.Result result, List<String> words) {
 
     String command() {
-      List<String> quoted = new ArrayList<>(List.of("./starl"));
-      words.forEach(word -> quoted.add(Shell.quote(word)));
-      return String.join(" ", quoted);
+      return Shell.starl(words);
     }
 
     List<String> lines() {
@@ -113,7 +108,7 @@ final class Shrinking {
             (run, trial, outcome, isKept) ->
                 err.println("shrink " + run + ": " + trial + ": " + said(outcome, isKept)));
     Shrink.Result result = shrink.shrink(from);
-    List<String> words = words(chosen(result.trial()));
+    List<String> words = chosen(result.trial()).words("run", seed);
     RunOutcome again = outcome(parsed(words));
     if (!again.equals(result.outcome())) {
       throw new IllegalStateException(
@@ -154,33 +149,6 @@ final class Shrinking {
       settings.put(Setting.ROBOTS.key(), Integer.toString(robots.getAsInt()));
     }
     return new Chosen(whole.demo(), robots, whole.parameters(), settings);
-  }
-
-  /** The command that runs it, without the scenario file if it came from one. */
-  private List<String> words(Chosen chosen) {
-    List<String> words = new ArrayList<>(List.of("run", chosen.demo().name()));
-    words.addAll(List.of("--seed", Long.toString(seed)));
-    Map<String, String> sets = new LinkedHashMap<>(chosen.settings());
-    option(words, "--robots", sets.remove(Setting.ROBOTS.key()));
-    option(words, "--for", sets.remove(Setting.DURATION.key()));
-    FaultPlan.parse(sets.getOrDefault(Setting.FAULTS.key(), ""))
-        .faults()
-        .forEach(fault -> option(words, "--fault", fault.toString()));
-    sets.remove(Setting.FAULTS.key());
-    for (Parameter parameter : chosen.demo().parameters()) {
-      String value = chosen.parameters().get(parameter.key());
-      if (!parameter.defaultValue().equals(value)) {
-        option(words, "--set", parameter.key() + "=" + value);
-      }
-    }
-    sets.forEach((key, value) -> option(words, "--set", key + "=" + value));
-    return words;
-  }
-
-  private static void option(List<String> words, String option, @Nullable String value) {
-    if (value != null) {
-      words.addAll(List.of(option, value));
-    }
   }
 
   /** What {@code starl run} makes of these words. */

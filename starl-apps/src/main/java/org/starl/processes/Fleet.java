@@ -29,6 +29,7 @@ import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimResult;
 import org.starl.sim.net.NetStatistics;
+import org.starl.sim.world.Collisions;
 import org.starl.spec.Bodies;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
@@ -435,6 +436,8 @@ public final class Fleet implements AutoCloseable {
             results,
             unfinished,
             new NetStatistics(merged.datagrams(), merged.bytes(), copies - lost, lost),
+            // Each body is alone in its process.
+            Collisions.NONE,
             spec);
     blueprint.observers().forEach(observer -> observer.finished(run));
     return new FleetResult(run, rounds, deaths, errors, silenceNs);

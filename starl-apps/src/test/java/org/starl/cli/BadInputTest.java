@@ -53,6 +53,9 @@ class BadInputTest {
       run intersection --set debrs=1 | 'debrs' | did you mean debris?
       run intersection --set messageLos=1 | 'messageLos' | did you mean messageLoss?
       run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
+      bench b9 | 'b9' | expected b1, b2, mutex or apps
+      bench apps | expected --inputs FOLDER
+      bench apps --inputs /no/such | --inputs | /no/such | expected a folder
       run intersection --set scenario=figure8 | 'figure8' | expected drawn, figure7, legacy or open
       run intersection --set arrivals=20 | arrivals: '20' | expected a rate | 20/min
       run intersection --set arrivals=0/min | arrivals: '0/min' | expected a rate above 0
@@ -93,7 +96,6 @@ class BadInputTest {
       record intersection --png t=12 | --png | '12' | expected a duration with a unit
       verify-determinism nope | 'nope' | expected one of
       bench | WORKLOAD
-      bench b9 | 'b9' | expected b1, b2 or mutex
       bench b1 --robots none | --robots | 'none' | expected a whole number
       bench b1 --robots 0 | --robots | '0' | expected a whole number
       bench b1 --runs 0 | --runs | '0' | expected a whole number

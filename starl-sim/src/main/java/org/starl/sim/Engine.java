@@ -106,6 +106,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
             results,
             unfinished(),
             network.statistics(),
+            world.collisions(),
             spec);
     watchers.finished(result);
     return result;

@@ -4,6 +4,7 @@ import java.util.List;
 import java.util.SortedMap;
 import org.starl.RobotId;
 import org.starl.sim.net.NetStatistics;
+import org.starl.sim.world.Collisions;
 import org.starl.spec.SpecReport;
 
 /**
@@ -26,6 +27,7 @@ public record SimResult(
     SortedMap<RobotId, List<Object>> results,
     List<RobotId> unfinished,
     NetStatistics network,
+    Collisions collisions,
     SpecReport spec) {
 
   /** Whether every app came to its end within the time limit. */

@@ -2,10 +2,12 @@ package org.starl.apps.intersection;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
 import org.starl.apps.Demo;
+import org.starl.apps.Input;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
@@ -89,6 +91,17 @@ public final class IntersectionDemo implements Demo {
   @Override
   public Envelope envelope() {
     return Envelope.MOVING;
+  }
+
+  @Override
+  public List<Input> inputs(Path data) {
+    Path folder = data.resolve("starl-original/intersection");
+    return List.of(
+        new Input(
+            "intersection/",
+            folder,
+            new TreeMap<>(Map.of(SCENARIO.key(), "legacy", FILES.key(), folder.toString())),
+            "25 of 25 good at 0, 20 and 40 % loss; at 60 %, 3 of 5 stuck, 1 of 5 overlapping"));
   }
 
   @Override

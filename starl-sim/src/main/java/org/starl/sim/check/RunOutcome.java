@@ -58,7 +58,8 @@ public record RunOutcome(
 
   /**
    * What a run says of itself: the first violation, or who did not finish. Its figures are {@code
-   * end_s}, {@code kernel_events}, {@code datagrams_sent} and {@code datagrams_lost}.
+   * end_s}, {@code kernel_events}, {@code datagrams_sent}, {@code datagrams_lost}, {@code
+   * robots_collided} and {@code walls_hit}.
    */
   public static RunOutcome of(SimResult result) {
     SortedMap<String, Double> figures = new TreeMap<>();
@@ -66,6 +67,8 @@ public record RunOutcome(
     figures.put("kernel_events", (double) result.events());
     figures.put("datagrams_sent", (double) result.network().sent());
     figures.put("datagrams_lost", (double) result.network().lost());
+    figures.put("robots_collided", (double) result.collisions().ofRobots());
+    figures.put("walls_hit", (double) result.collisions().withWalls());
     if (!result.spec().holds()) {
       return violated(result.spec().violations().get(0), figures);
     }

@@ -52,6 +52,9 @@ final class Collider {
   private final BodyGrid.Visitor addNear = this::addNear;
   private final WallGrid.Visitor addNearWall = this::addNearWall;
 
+  private long robotContacts;
+  private long wallContacts;
+
   Collider(World world, BodyGrid grid, WallGrid walls) {
     this.world = world;
     this.grid = grid;
@@ -81,6 +84,11 @@ final class Collider {
         other.setDue(nowNs);
       }
     }
+  }
+
+  /** So far. */
+  Collisions collisions() {
+    return new Collisions(robotContacts, wallContacts);
   }
 
   /** {@code body} is gone: who touched it may be free. */
@@ -159,11 +167,13 @@ final class Collider {
       if (nearGapMm[i] <= World.TOUCH_MM && !bodies.contains(near[i])) {
         bodies.add(near[i]);
         near[i].touchedBodies.add(body);
+        robotContacts++;
       }
     }
     for (int i = 0; i < nearWallCount; i++) {
       if (nearWallGapMm[i] <= World.TOUCH_MM && !body.touchedWalls.contains(nearWalls[i])) {
         body.touchedWalls.add(nearWalls[i]);
+        wallContacts++;
       }
     }
   }

@@ -67,6 +67,11 @@ public final class World {
     return whatIsAt(pose, radiusMm).isEmpty();
   }
 
+  /** How often bodies have begun to touch, so far. */
+  public Collisions collisions() {
+    return collider.collisions();
+  }
+
   /**
    * Puts a robot's body on the floor; it stands still.
    *

@@ -1,0 +1,62 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Input;
+
+/** {@code starl bench apps} on the files of the original StarL. */
+class AppsTableTest {
+
+  private static final Path DATA =
+      Path.of(System.getProperty("starl.shared", "../../shared")).resolve("data");
+
+  @BeforeAll
+  static void theFilesAreThere() {
+    assumeTrue(Files.isDirectory(DATA), "skipped: no folder " + DATA + " (set -Dstarl.shared)");
+  }
+
+  @Test
+  void aRowForEachInputWithAndWithoutLoss() {
+    Cli result =
+        Cli.run(
+            "bench",
+            "apps",
+            "--inputs",
+            DATA.toString(),
+            "--app",
+            "intersection",
+            "--seeds",
+            "1..2");
+
+    assertThat(result.status()).isZero();
+    assertThat(result.out().subList(2, 4))
+        .satisfiesExactly(
+            row ->
+                assertThat(row).startsWith("| intersection | intersection/ | none | 2 | 2 | 0 |"),
+            row ->
+                assertThat(row).startsWith("| intersection | intersection/ | 20 % | 2 | 2 | 0 |"));
+  }
+
+  @Test
+  void everyInputIsThereAndCanBePlanned() {
+    for (Demo demo : Demos.STANDARD.all()) {
+      List<Input> inputs = demo.inputs(DATA);
+      for (Input input : inputs) {
+        assertThat(input.path()).as(demo.name() + " on " + input.name()).exists();
+        var parameters = demo.defaults();
+        assertThat(parameters.keySet()).containsAll(input.parameters().keySet());
+        parameters.putAll(input.parameters());
+        assertThat(Chosen.of(demo, parameters, Map.of()).plan(1).simulation().build()).isNotNull();
+      }
+    }
+  }
+}
