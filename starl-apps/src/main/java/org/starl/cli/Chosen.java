@@ -29,7 +29,7 @@ record Chosen(
     Map<String, String> settings) {
 
   /** How long a run may take where neither the user nor the app says so. */
-  private static final Duration LONGEST = Duration.ofSeconds(1200);
+  private static final Duration LONGEST = Duration.ofMinutes(20);
 
   /** These parameters and settings; among the settings may be the number of robots. */
   static Chosen of(Demo demo, SortedMap<String, String> parameters, Map<String, String> settings) {
