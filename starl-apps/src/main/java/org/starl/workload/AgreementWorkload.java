@@ -14,7 +14,6 @@ import org.starl.sim.Simulation;
 /** {@code starl campaign agreement}: in each round all robots propose a value of their own. */
 final class AgreementWorkload extends PrimitiveDemo {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final long THINK_MS = 50;
 
   AgreementWorkload() {
@@ -29,9 +28,8 @@ final class AgreementWorkload extends PrimitiveDemo {
   @Override
   void prepare(Simulation.Builder simulation, Request request, SimSettings settings) {
     Course course = course(request);
-    long withinNs = 10 * Bounds.deltaNs(settings);
-    // Later than the bound, so that what is not decided by then is seen, and not told before.
-    long deadlineMs = 3 * withinNs / (2 * NS_PER_MS);
+    long withinNs = Bounds.withinNs(settings);
+    long deadlineMs = Bounds.deadlineMs(withinNs);
     place(
         simulation, settings, count(request, 1, 64), gvh -> new Proposer(gvh, course, deadlineMs));
     simulation.monitor(() -> new AgreementSpec(withinNs));

@@ -3,7 +3,6 @@ package org.starl.workload;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
@@ -42,9 +41,9 @@ final class BarrierWorkload extends PrimitiveDemo {
   @Override
   void prepare(Simulation.Builder simulation, Request request, SimSettings settings) {
     Course course = course(request);
-    long withinNs = 10 * Bounds.deltaNs(settings);
+    long withinNs = Bounds.withinNs(settings);
     RegistrationSettings how =
-        RegistrationSettings.DEFAULT.withDeadlineMs(3 * withinNs / (2 * NS_PER_MS));
+        RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
     place(simulation, settings, count(request, 1, 32), gvh -> new Guest(gvh, course, how));
     simulation.monitor(() -> new RegistrationSpec(withinNs));
     // By a clock that is slow by a tenth and was put back by a second, the deadlines are later.
@@ -58,10 +57,7 @@ final class BarrierWorkload extends PrimitiveDemo {
 
     Guest(GlobalVarHolder gvh, Course course, RegistrationSettings settings) {
       super(gvh, course, THINK_MS);
-      reg = new Registration(gvh, XID, gvh.id.participants(), settings);
-      if (gvh.id.boot() > 1) {
-        reg.standsIn(new TreeSet<>()); // who this robot was before is nowhere
-      }
+      reg = registration(XID, settings);
     }
 
     @Override

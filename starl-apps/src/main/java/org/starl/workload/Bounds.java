@@ -12,6 +12,8 @@ final class Bounds {
   /** So improbable that it is not met in any campaign. */
   private static final double NEVER = 1e-9;
 
+  private static final long NS_PER_MS = 1_000_000;
+
   private Bounds() {}
 
   /**
@@ -29,5 +31,15 @@ final class Bounds {
       copies += (long) Math.ceil(StrictMath.log(NEVER) / StrictMath.log(loss));
     }
     return settings.messageDelay().longestNs() + copies * RESEND_NS;
+  }
+
+  /** Within this time a primitive that takes a few rounds of messages has done what it was asked. */
+  static long withinNs(SimSettings settings) {
+    return 10 * deltaNs(settings);
+  }
+
+  /** A deadline, in ms, that passes after {@code withinNs}: what is late is seen, not told before. */
+  static long deadlineMs(long withinNs) {
+    return 3 * withinNs / (2 * NS_PER_MS);
   }
 }

@@ -1,8 +1,11 @@
 package org.starl.workload;
 
 import java.util.List;
+import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.primitives.registration.Registration;
+import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.random.Rng;
 
 /**
@@ -82,4 +85,13 @@ abstract class Client extends LogicThread {
 
   /** After the last round. */
   protected void leave() {}
+
+  /** One's place in a group to which everybody of the deployment may belong. */
+  protected final Registration registration(String xid, RegistrationSettings settings) {
+    Registration registration = new Registration(gvh, xid, gvh.id.participants(), settings);
+    if (gvh.id.boot() > 1) {
+      registration.standsIn(new TreeSet<>()); // who this robot was before is nowhere
+    }
+    return registration;
+  }
 }

@@ -40,10 +40,9 @@ final class ElectionWorkload extends PrimitiveDemo {
             .withStrategy(strategy(request.parameter(STRATEGY.key())))
             .withDeadlineMs(DEADLINE_MS);
     place(simulation, settings, count(request, 1, 64), gvh -> new Voter(gvh, course, how));
-    long deltaNs = Bounds.deltaNs(settings);
     // By a clock that is slow by a tenth and was put back by a second, the deadline is later.
     long toldNs = (DEADLINE_MS + DEADLINE_MS / 5 + 1_000) * NS_PER_MS;
-    simulation.monitor(() -> new ElectionSpec(10 * deltaNs, toldNs));
+    simulation.monitor(() -> new ElectionSpec(Bounds.withinNs(settings), toldNs));
   }
 
   private static ElectionStrategy strategy(String name) {

@@ -66,9 +66,9 @@ final class MutexWorkload extends PrimitiveDemo {
     // Later than the bounds, so that what does not come by then is seen, and not told before.
     MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / NS_PER_MS);
     simulation.monitor(() -> new MutexSpec(XID, bounds));
-    long withinNs = 10 * deltaNs;
+    long withinNs = Bounds.withinNs(settings);
     RegistrationSettings how =
-        RegistrationSettings.DEFAULT.withDeadlineMs(3 * withinNs / (2 * NS_PER_MS));
+        RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
     if (isOpen(request.parameter(MEMBERS.key()))) {
       place(
           simulation,

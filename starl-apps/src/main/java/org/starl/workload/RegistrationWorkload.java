@@ -1,7 +1,6 @@
 package org.starl.workload;
 
 import java.util.List;
-import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
@@ -16,7 +15,6 @@ final class RegistrationWorkload extends PrimitiveDemo {
 
   private static final long THINK_MS = 500;
   private static final long STAY_MS = 1_000;
-  private static final long NS_PER_MS = 1_000_000;
 
   RegistrationWorkload() {
     super("registration", "robots register, stay a while, and unregister, again and again");
@@ -30,10 +28,9 @@ final class RegistrationWorkload extends PrimitiveDemo {
   @Override
   void prepare(Simulation.Builder simulation, Request request, SimSettings settings) {
     Course course = course(request);
-    long withinNs = 10 * Bounds.deltaNs(settings);
-    // Later than the bound, so that what is not in by then is seen, and not told before.
+    long withinNs = Bounds.withinNs(settings);
     RegistrationSettings how =
-        RegistrationSettings.DEFAULT.withDeadlineMs(3 * withinNs / (2 * NS_PER_MS));
+        RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
     place(simulation, settings, count(request, 1, 32), gvh -> new Member(gvh, course, how));
     simulation.monitor(() -> new RegistrationSpec(withinNs));
   }
@@ -43,10 +40,7 @@ final class RegistrationWorkload extends PrimitiveDemo {
 
     Member(GlobalVarHolder gvh, Course course, RegistrationSettings settings) {
       super(gvh, course, THINK_MS);
-      reg = new Registration(gvh, "town", gvh.id.participants(), settings);
-      if (gvh.id.boot() > 1) {
-        reg.standsIn(new TreeSet<>()); // who this robot was before is nowhere
-      }
+      reg = registration("town", settings);
     }
 
     @Override
