@@ -13,6 +13,7 @@ dependencies {
     implementation(libs.jackson.databind)
     implementation(libs.jackson.dataformat.yaml)
     testImplementation(libs.archunit)
+    testImplementation(libs.json.schema.validator)
     implementation(libs.jspecify)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)

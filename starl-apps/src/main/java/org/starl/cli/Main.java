@@ -30,6 +30,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       CampaignCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,
+      SchemaCommand.class,
       BenchCommand.class,
       RobotCommand.class
     },

@@ -37,7 +37,7 @@ import org.starl.sim.input.BadInput;
 record ScenarioFile(
     String file, String app, Map<String, String> values, Map<String, Integer> lines) {
 
-  private static final String APP = "app";
+  static final String APP = "app";
   private static final String FAULTS = "faults";
 
   private static final String EXPECTED = "expected lines such as 'app: intersection'";

@@ -12,6 +12,7 @@ import org.starl.primitives.election.ElectionStrategy;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Form;
 
 /** {@code starl campaign election}: in each round all robots take part in one more election. */
 final class ElectionWorkload extends PrimitiveDemo {
@@ -21,7 +22,11 @@ final class ElectionWorkload extends PrimitiveDemo {
   private static final long NS_PER_MS = 1_000_000;
 
   private static final Parameter STRATEGY =
-      new Parameter("strategy", "random", "how robots elect: random (ballots) or bully");
+      new Parameter(
+          "strategy",
+          "random",
+          "how robots elect: random (ballots) or bully",
+          Form.choice(List.of("random", "bully")));
 
   ElectionWorkload() {
     super("election", "robots elect one leader after another, and follow all of them");

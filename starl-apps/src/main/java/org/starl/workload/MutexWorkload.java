@@ -19,6 +19,7 @@ import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Form;
 
 /**
  * {@code starl campaign mutex}: robots register, enter one or two of a few sections again and again,
@@ -40,12 +41,13 @@ final class MutexWorkload extends PrimitiveDemo {
   private static final long NS_PER_MS = 1_000_000;
 
   private static final Parameter SECTIONS =
-      new Parameter("sections", "4", "how many sections there are, 1 to 26");
+      new Parameter("sections", "4", "how many sections there are, 1 to 26", Form.whole(1, 26));
   private static final Parameter MEMBERS =
       new Parameter(
           "members",
           "registered",
-          "registered: who registers; fixed: all robots, for ever, which bears no crash");
+          "registered: who registers; fixed: all robots, for ever, which bears no crash",
+          Form.choice(List.of("registered", "fixed")));
 
   MutexWorkload() {
     super("mutex", "robots enter sets of sections, each again and again, over a registration");

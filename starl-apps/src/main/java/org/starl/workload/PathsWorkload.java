@@ -21,6 +21,7 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Form;
 
 /**
  * {@code starl campaign paths}: robots drive to places all over a floor with walls, each in a tube
@@ -39,7 +40,11 @@ final class PathsWorkload extends PrimitiveDemo {
   private static final long TOLD_NS = 600_000_000_000L;
 
   private static final Parameter PLANNER =
-      new Parameter("planner", "optimal", "how paths are found: optimal or rrt");
+      new Parameter(
+          "planner",
+          "optimal",
+          "how paths are found: optimal or rrt",
+          Form.choice(List.of("optimal", "rrt")));
 
   PathsWorkload() {
     super("paths", "robots drive all over a floor with walls, in tubes that never meet");

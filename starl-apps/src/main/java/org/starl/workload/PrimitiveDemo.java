@@ -16,7 +16,9 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Form;
 import org.starl.sim.input.Quantities;
+import org.starl.sim.input.Quantity;
 import org.starl.sim.record.Layer;
 
 /** A primitive's workload as the command line knows it. */
@@ -55,14 +57,19 @@ abstract class PrimitiveDemo implements Demo {
   }
 
   static Parameter rounds(int count) {
-    return new Parameter(ROUNDS, Integer.toString(count), "how often each robot asks, from 1");
+    return new Parameter(
+        ROUNDS,
+        Integer.toString(count),
+        "how often each robot asks, from 1",
+        Form.whole(1, MAX_ROUNDS));
   }
 
   static Parameter busy(String duration) {
     return new Parameter(
         BUSY,
         duration,
-        "rounds, and chaos, are spread over so long; the last three begin after it");
+        "rounds, and chaos, are spread over so long; the last three begin after it",
+        Form.amount(Quantity.DURATION));
   }
 
   @Override

@@ -20,7 +20,8 @@ import org.starl.sim.Setting;
 class HelpTest {
 
   @ParameterizedTest
-  @ValueSource(strings = {"list", "run", "campaign", "verify-determinism", "record", "bench"})
+  @ValueSource(
+      strings = {"list", "run", "campaign", "verify-determinism", "record", "schema", "bench"})
   void everyCommandHelpsWithAnExample(String command) {
     Cli cli = Cli.run(command, "--help");
     assertThat(cli.status()).isZero();

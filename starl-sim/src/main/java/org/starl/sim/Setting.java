@@ -12,7 +12,9 @@ import org.starl.motion.MotionParameters;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Form;
 import org.starl.sim.input.Quantities;
+import org.starl.sim.input.Quantity;
 import org.starl.sim.net.Latency;
 
 /**
@@ -63,7 +65,8 @@ public final class Setting<T> {
           String::strip,
           text -> text,
           text -> RobotId.isValid(text + "00000000"),
-          "a letter, then up to 23 of A-Z a-z 0-9 _ - .");
+          "a letter, then up to 23 of A-Z a-z 0-9 _ - .",
+          new Form.Text("^\\s*[A-Za-z][A-Za-z0-9_.-]{0,23}\\s*$"));
   public static final Setting<Double> ROBOT_RADIUS =
       distance("robotRadius", 165, "radius of a robot's body");
   public static final Setting<Boolean> IDEAL_MOTION =
@@ -77,7 +80,8 @@ public final class Setting<T> {
           Quantities::speedMmPerS,
           Quantities::speedText,
           value -> value > 0,
-          "a speed above 0");
+          "a speed above 0",
+          Form.above0(Quantity.SPEED));
   public static final Setting<CollisionPolicy> COLLISION_POLICY =
       new Setting<>(
           "collisionPolicy",
@@ -87,7 +91,8 @@ public final class Setting<T> {
           Setting::collisionPolicy,
           CollisionPolicy::name,
           value -> true,
-          "a collision policy");
+          "a collision policy",
+          Form.choice(Arrays.stream(CollisionPolicy.values()).map(CollisionPolicy::name).toList()));
   public static final Setting<Double> SPEED_ERROR =
       probability("speedError", "wheel speeds are off by up to this fraction, per command");
 
@@ -101,7 +106,8 @@ public final class Setting<T> {
           Setting::readDuration,
           Setting::durationText,
           value -> !value.isZero() && !value.isNegative(),
-          "a duration above 0");
+          "a duration above 0",
+          Form.above0(Quantity.DURATION));
   public static final Setting<Double> POSITION_NOISE =
       distance("positionNoise", 0, "a fix lies at most this far from the truth");
   public static final Setting<Double> HEADING_NOISE =
@@ -113,7 +119,8 @@ public final class Setting<T> {
           Quantities::angleRad,
           Quantities::angleText,
           value -> value >= 0 && value <= StrictMath.PI,
-          "an angle from 0 to 180deg");
+          "an angle from 0 to 180deg",
+          Form.amount(Quantity.ANGLE));
   public static final Setting<Boolean> POSITION_IN_PHASE =
       yesOrNo("positionInPhase", false, "all robots get their fixes at the same instants");
   public static final Setting<Duration> STABLE_DELAY =
@@ -131,7 +138,8 @@ public final class Setting<T> {
           Latency::parse,
           Latency::toString,
           value -> true,
-          "a delay");
+          "a delay",
+          new Form.Text(Latency.PATTERN));
   public static final Setting<Double> MESSAGE_LOSS =
       probability("messageLoss", "probability that a datagram is lost, per recipient");
   public static final Setting<Boolean> SEALED =
@@ -147,7 +155,8 @@ public final class Setting<T> {
           FaultPlan::parse,
           FaultPlan::toString,
           value -> true,
-          "faults");
+          "faults",
+          Form.FAULTS);
 
   public static final Setting<Envelope> CHAOS =
       new Setting<>(
@@ -158,7 +167,8 @@ public final class Setting<T> {
           Envelope::parse,
           Envelope::toString,
           value -> true,
-          "an envelope of faults");
+          "an envelope of faults",
+          Form.choice(Arrays.stream(Envelope.values()).map(Envelope::toString).toList()));
   public static final Setting<Duration> CHAOS_FOR =
       duration("chaosFor", 0, "chaos is over after so long; 0ms: half the run, at most 60s");
 
@@ -191,6 +201,7 @@ public final class Setting<T> {
   private final Function<T, String> writer;
   private final Function<T, Boolean> isValid;
   private final String expected;
+  private final Form form;
 
   private Setting(
       String key,
@@ -200,7 +211,8 @@ public final class Setting<T> {
       Function<String, T> reader,
       Function<T, String> writer,
       Function<T, Boolean> isValid,
-      String expected) {
+      String expected,
+      Form form) {
     this.key = key;
     this.type = type;
     this.defaultValue = defaultValue;
@@ -209,6 +221,7 @@ public final class Setting<T> {
     this.writer = writer;
     this.isValid = isValid;
     this.expected = expected;
+    this.form = form;
     TABLE.add(this);
   }
 
@@ -225,6 +238,11 @@ public final class Setting<T> {
   /** One line for people. */
   public String meaning() {
     return meaning;
+  }
+
+  /** Which values it takes. */
+  public Form form() {
+    return form;
   }
 
   public T defaultValue() {
@@ -277,7 +295,8 @@ public final class Setting<T> {
         text -> (int) Quantities.whole(text, least, Integer.MAX_VALUE),
         String::valueOf,
         value -> value >= least,
-        "a whole number of at least " + least);
+        "a whole number of at least " + least,
+        Form.whole(least, Integer.MAX_VALUE));
   }
 
   private static Setting<Double> number(String key, double initial, String meaning) {
@@ -289,7 +308,8 @@ public final class Setting<T> {
         Quantities::number,
         Quantities::numberText,
         Setting::isAmount,
-        "a number of at least 0");
+        "a number of at least 0",
+        Form.amount(Quantity.NUMBER));
   }
 
   private static Setting<Double> distance(String key, double initialMm, String meaning) {
@@ -302,7 +322,8 @@ public final class Setting<T> {
         Quantities::distanceMm,
         Quantities::distanceText,
         value -> isAmount(value) && (value > 0 || initialMm == 0),
-        initialMm > 0 ? "a distance above 0" : "a distance of at least 0");
+        initialMm > 0 ? "a distance above 0" : "a distance of at least 0",
+        new Form.Amount(Quantity.DISTANCE, initialMm > 0));
   }
 
   private static Setting<Double> probability(String key, String meaning) {
@@ -314,7 +335,8 @@ public final class Setting<T> {
         Quantities::probability,
         Quantities::numberText,
         value -> value >= 0 && value <= 1,
-        "a number from 0 to 1");
+        "a number from 0 to 1",
+        Form.amount(Quantity.PROBABILITY));
   }
 
   private static Setting<Duration> duration(String key, long initialMs, String meaning) {
@@ -326,7 +348,8 @@ public final class Setting<T> {
         Setting::readDuration,
         Setting::durationText,
         value -> !value.isNegative(),
-        "a duration of at least 0");
+        "a duration of at least 0",
+        Form.amount(Quantity.DURATION));
   }
 
   private static Setting<Boolean> yesOrNo(String key, boolean initial, String meaning) {
@@ -338,12 +361,21 @@ public final class Setting<T> {
         Quantities::yesOrNo,
         String::valueOf,
         value -> true,
-        "true or false");
+        "true or false",
+        Form.YES_NO);
   }
 
   private static Setting<String> text(String key, String initial, String meaning) {
     return new Setting<>(
-        key, String.class, initial, meaning, String::strip, text -> text, value -> true, "a text");
+        key,
+        String.class,
+        initial,
+        meaning,
+        String::strip,
+        text -> text,
+        value -> true,
+        "a text",
+        Form.TEXT);
   }
 
   private static CollisionPolicy collisionPolicy(String text) {

@@ -29,7 +29,9 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.input.Form;
 import org.starl.sim.input.Quantities;
+import org.starl.sim.input.Quantity;
 
 /** The paper's section 3: {@code starl run intersection}. */
 public final class IntersectionDemo implements Demo {
@@ -58,12 +60,14 @@ public final class IntersectionDemo implements Demo {
           "debris",
           "1",
           "pieces of debris on the crossing, 0 to 8, from the seed: nobody knows of them, and"
-              + " somebody clears them away after 5 to 30 s");
+              + " somebody clears them away after 5 to 30 s",
+          Form.whole(0, MAX_DEBRIS));
   private static final Parameter ARRIVALS =
       new Parameter(
           "arrivals",
           "",
-          "for scenario=open, which it implies: how often cars arrive, such as 20/min (the default)");
+          "for scenario=open, which it implies: how often cars arrive, such as 20/min (the default)",
+          Form.above0(Quantity.RATE));
   private static final Parameter FILES =
       new Parameter(
           "files", "", "folder of start.wpt, dest.wpt and obstacles.wpt, for scenario=legacy");

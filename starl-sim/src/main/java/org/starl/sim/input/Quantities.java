@@ -3,6 +3,8 @@ package org.starl.sim.input;
 import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.RoundingMode;
+import java.util.Collection;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -15,8 +17,11 @@ import java.util.regex.Pattern;
  */
 public final class Quantities {
 
+  /** A number without its sign. */
+  static final String NUMBER = "[0-9]{1,19}(?:\\.[0-9]{1,18})?";
+
   private static final Pattern NUMBER_AND_UNIT =
-      Pattern.compile("([+-]?[0-9]{1,19}(?:\\.[0-9]{1,18})?)\\s*([a-z]*)");
+      Pattern.compile("([+-]?" + NUMBER + ")\\s*([a-z]*)");
 
   private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]{1,1000}");
 
@@ -37,9 +42,27 @@ public final class Quantities {
   }
 
   private static final BigDecimal LONGEST_NS = BigDecimal.valueOf(Long.MAX_VALUE / 4);
-  private static final BigDecimal LONGEST_MM = BigDecimal.valueOf(1_000_000_000);
+  static final BigDecimal LONGEST_MM = BigDecimal.valueOf(1_000_000_000);
 
   private Quantities() {}
+
+  static Collection<String> durationUnits() {
+    return Collections.unmodifiableCollection(NS_PER_UNIT.keySet());
+  }
+
+  static Collection<String> distanceUnits() {
+    return Collections.unmodifiableCollection(MM_PER_UNIT.keySet());
+  }
+
+  /** Units of time that a rate counts by. */
+  static Collection<String> rateUnits() {
+    return NS_PER_UNIT.keySet().stream().filter(Quantities::isRateUnit).toList();
+  }
+
+  private static boolean isRateUnit(String unit) {
+    BigDecimal ns = NS_PER_UNIT.get(unit);
+    return ns != null && ns.compareTo(BigDecimal.valueOf(1_000_000_000)) >= 0;
+  }
 
   /** A time span of at least 0, in ns: {@code 250us}, {@code 100ms}, {@code 1.5s}, {@code 0}. */
   public static long durationNs(String text) {
@@ -127,8 +150,9 @@ public final class Quantities {
     String expected = "a rate above 0 with a unit (/s /min /h), such as 20/min";
     String stripped = text.strip();
     int slash = stripped.indexOf('/');
-    BigDecimal unit = slash < 0 ? null : NS_PER_UNIT.get(stripped.substring(slash + 1).strip());
-    if (unit == null || unit.compareTo(NS_PER_UNIT.get("s")) < 0) {
+    String per = slash < 0 ? "" : stripped.substring(slash + 1).strip();
+    BigDecimal unit = NS_PER_UNIT.get(per);
+    if (unit == null || !isRateUnit(per)) {
       throw notA(text, expected);
     }
     Matcher matcher = NUMBER_AND_UNIT.matcher(stripped.substring(0, slash).strip());

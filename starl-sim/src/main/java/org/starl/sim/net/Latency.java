@@ -5,6 +5,7 @@ import java.util.List;
 import org.starl.random.Rng;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
+import org.starl.sim.input.Quantity;
 
 /**
  * How long a datagram takes: a distribution of delays in ns, none below 0. Its text is what {@link
@@ -12,6 +13,11 @@ import org.starl.sim.input.Quantities;
  * normal(100ms,20ms)}, {@code exponential(50ms)}.
  */
 public sealed interface Latency {
+
+  /** Matches every text that {@link #parse} reads, and some that it does not. */
+  String PATTERN =
+      "^\\s*(constant|uniform|normal|exponential)\\s*\\([^()]+\\)\\s*$|"
+          + Quantity.DURATION.pattern();
 
   /** One delay, in ns, at least 0. */
   long drawNs(Rng rng);
