@@ -25,6 +25,9 @@ final class TubesWorld {
   private static final int MESH_MM = 500;
   private static final long STEP_NS = 20_000_000;
 
+  /** A word and its answer, once more for what a grant makes it say, and as often again. */
+  private static final int SETTLING = 4;
+
   /** What a planted bug changes. */
   record Bugs(int needed, boolean storesOnlyHeld, boolean votesBeforeFlush, boolean seesOnlyHeld) {
     static Bugs none(int robots) {
@@ -72,6 +75,40 @@ final class TubesWorld {
   /** Claims granted, without those of places to stand. */
   int granted() {
     return granted;
+  }
+
+  /**
+   * Makes the network whole, so that every claim is decided, and lets each robot in turn claim what
+   * meets nobody's tube.
+   *
+   * @return how many of these are granted; all, unless somebody is stuck for good
+   */
+  int grantedOnceWhole() {
+    settle();
+    for (Node node : nodes) {
+      node.standStill();
+    }
+    settle();
+    int before = granted;
+    for (Node node : nodes) {
+      node.askToStay();
+      settle();
+    }
+    return granted - before;
+  }
+
+  /** Time passes, and all that is said and written arrives. */
+  private void settle() {
+    for (int i = 0; i < SETTLING; i++) {
+      nowNs += TubeSettings.DEFAULT.maxResendNs();
+      for (Node node : nodes) {
+        node.claimant.timer(nowNs);
+      }
+      while (!air.isEmpty()) {
+        air.remove(0).run();
+        nodes.forEach(Node::flush);
+      }
+    }
   }
 
   private void deliver() {
@@ -132,6 +169,26 @@ final class TubesWorld {
         claimant.ask(wayFrom(held.get(0).end()), nowNs);
       }
       show();
+    }
+
+    /** Holds one tube: its latest, or the place where it stands. */
+    void standStill() {
+      List<Tube> held = claimant.holding().held();
+      if (held.isEmpty()) {
+        claimant.ask(Tube.disc(start, RADIUS_MM), nowNs);
+      } else if (held.size() > 1) {
+        claimant.keep(List.of(held.get(1)), nowNs);
+      }
+      show();
+    }
+
+    /** Asks for a way that leads nowhere: what it holds, nobody else can. */
+    void askToStay() {
+      List<Tube> held = claimant.holding().held();
+      if (!held.isEmpty()) {
+        Point end = held.get(0).end();
+        claimant.ask(new Tube(List.of(end, end), RADIUS_MM), nowNs);
+      }
     }
 
     private Tube wayFrom(Point from) {

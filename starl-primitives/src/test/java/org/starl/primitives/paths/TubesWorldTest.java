@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.statistics.Statistics;
 import org.junit.jupiter.api.Test;
 import org.starl.primitives.paths.TubesWorld.Bugs;
-import org.starl.spec.SpecReport;
 
 /** The claims' protocol by itself, as it is and with planted bugs. */
 class TubesWorldTest {
@@ -18,9 +18,13 @@ class TubesWorldTest {
   @Property(tries = 30, edgeCases = EdgeCasesMode.NONE)
   void noTwoTubesMeetWhateverTheNetworkAndTheVotersDo(@ForAll long seed) {
     TubesWorld world = new TubesWorld(seed, ROBOTS, Bugs.none(ROBOTS));
-    SpecReport report = world.run(STEPS);
-    assertThat(report.violations()).isEmpty();
-    assertThat(world.granted()).as("a run in which nothing is granted tests nothing").isPositive();
+    assertThat(world.run(STEPS).violations()).isEmpty();
+    // A run in which nothing is granted tests nothing. By chance there is one in some five hundred.
+    Statistics.label("something is granted")
+        .collect(world.granted() > 0)
+        .coverage(tries -> tries.check(true).percentage(share -> share > 50));
+    assertThat(world.grantedOnceWhole()).as("nobody is stuck for good").isEqualTo(ROBOTS);
+    assertThat(world.run(0).violations()).isEmpty();
   }
 
   @Test
