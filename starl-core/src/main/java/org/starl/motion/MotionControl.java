@@ -1,5 +1,6 @@
 package org.starl.motion;
 
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhCell;
@@ -8,6 +9,7 @@ import org.starl.Log;
 import org.starl.Trace;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
@@ -45,6 +47,7 @@ public final class MotionControl {
   private MotionParameters inUse;
   private WheelCommand commanded = WheelCommand.STOP;
   private boolean bumped;
+  private Consumer<Contact> contactListener = contact -> {};
   private long dueNs;
   private @Nullable MotionRun run;
 
@@ -134,6 +137,14 @@ public final class MotionControl {
     return parameters;
   }
 
+  /**
+   * Sets the one listener that is told, on the strand and before the wheels react, whenever a bump
+   * sensor changes during a motion and one is closed, under whatever collision policy.
+   */
+  public void onContact(Consumer<Contact> listener) {
+    contactListener = listener;
+  }
+
   private void begin(MotionTask newTask, MotionRun newRun) {
     run = newRun;
     inUse = parameters;
@@ -192,8 +203,8 @@ public final class MotionControl {
     bumped = bumps.any();
     gps.commanded(commanded, bumped);
     if (run != null && run.needsSteps()) {
-      if (bumped && marksContacts()) {
-        mark(bumps);
+      if (bumped && gps.location() instanceof Location.Known known) {
+        touched(new Contact(known, bumps));
       }
       step(clock.nowNs());
       if (run != null && !run.needsSteps()) {
@@ -207,12 +218,12 @@ public final class MotionControl {
         || inUse.collisionPolicy() == CollisionPolicy.USE_COLBACK;
   }
 
-  private void mark(Bumps bumps) {
-    if (gps.location() instanceof Location.Known known) {
-      gps.knownObstacles()
-          .learn(
-              KnownObstacles.contact(known.pose(), bumps, inUse.robotRadiusMm()),
-              inUse.contactMarkMm());
+  private void touched(Contact contact) {
+    if (marksContacts()) {
+      Pose pose = contact.at().pose();
+      Point guess = KnownObstacles.contact(pose, contact.bumps(), inUse.robotRadiusMm());
+      gps.knownObstacles().learn(guess, inUse.contactMarkMm());
     }
+    contactListener.accept(contact);
   }
 }

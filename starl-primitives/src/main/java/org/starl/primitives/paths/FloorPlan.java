@@ -15,6 +15,7 @@ import org.locationtech.jts.operation.buffer.BufferParameters;
 import org.locationtech.jts.operation.overlayng.UnaryUnionNG;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 
 /**
@@ -36,6 +37,8 @@ final class FloorPlan {
   /** Rounding of the input, of the corners, and what lines move when they are noded on the grid. */
   private static final double ROUNDING_MM = 2.5;
 
+  private static final double FRAME_MM = 10;
+
   private static final PrecisionModel WHOLE_MM = new PrecisionModel(1);
 
   private final GeometryFactory factory = new GeometryFactory();
@@ -56,6 +59,10 @@ final class FloorPlan {
     for (Capsule capsule : task.taken()) {
       widened.add(plan.widen(List.of(plan.line(capsule.axis())), marginMm(task, capsule)));
     }
+    for (org.starl.geometry.Polygon place : task.keepOut()) {
+      widened.add(plan.asItIs(place));
+    }
+    widened.add(plan.frame(task));
     Geometry whole = plan.union(widened);
     whole.normalize();
     List<int[][]> rings = new ArrayList<>();
@@ -101,6 +108,43 @@ final class FloorPlan {
     if (!body.isValid() || !obstacle.closed()) {
       lines.add(factory.createLineString(outline));
     }
+  }
+
+  private Geometry asItIs(org.starl.geometry.Polygon place) {
+    List<Point> points = place.vertices();
+    Coordinate[] outline = new Coordinate[points.size() + 1];
+    for (int i = 0; i < outline.length; i++) {
+      outline[i] = coordinate(points.get(i % points.size()));
+    }
+    Polygon body = factory.createPolygon(outline);
+    return body.isValid() ? body : GeometryFixer.fix(body);
+  }
+
+  /**
+   * All that is off the floor, as a thin frame around it: what reaches it is one body with it, so that
+   * each room of the free space is one hole.
+   */
+  private Geometry frame(PlanTask task) {
+    Rectangle inner = FreeSpace.inner(task.bounds(), task.marginMm());
+    if (inner == null) {
+      return factory.createPolygon();
+    }
+    return factory.createPolygon(ring(inner, FRAME_MM), new LinearRing[] {ring(inner, 0)});
+  }
+
+  private LinearRing ring(Rectangle inner, double outwardsMm) {
+    double xMin = inner.xMinMm() - outwardsMm;
+    double yMin = inner.yMinMm() - outwardsMm;
+    double xMax = inner.xMaxMm() + outwardsMm;
+    double yMax = inner.yMaxMm() + outwardsMm;
+    return factory.createLinearRing(
+        new Coordinate[] {
+          new Coordinate(xMin, yMin),
+          new Coordinate(xMax, yMin),
+          new Coordinate(xMax, yMax),
+          new Coordinate(xMin, yMax),
+          new Coordinate(xMin, yMin)
+        });
   }
 
   private Geometry line(Segment axis) {

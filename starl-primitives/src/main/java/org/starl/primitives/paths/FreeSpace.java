@@ -1,6 +1,7 @@
 package org.starl.primitives.paths;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
@@ -17,6 +18,7 @@ final class FreeSpace {
   private final int[] next;
   private final int[] previous;
   private final EdgeGrid grid;
+  private final Rooms rooms;
   private final int xMin;
   private final int yMin;
   private final int xMax;
@@ -46,11 +48,43 @@ final class FreeSpace {
       }
       first += length;
     }
-    xMin = whole(StrictMath.ceil(bounds.xMinMm() + marginMm));
-    yMin = whole(StrictMath.ceil(bounds.yMinMm() + marginMm));
-    xMax = whole(StrictMath.floor(bounds.xMaxMm() - marginMm));
-    yMax = whole(StrictMath.floor(bounds.yMaxMm() - marginMm));
+    xMin = low(bounds.xMinMm(), marginMm);
+    yMin = low(bounds.yMinMm(), marginMm);
+    xMax = high(bounds.xMaxMm(), marginMm);
+    yMax = high(bounds.yMaxMm(), marginMm);
     grid = new EdgeGrid(x, y, next);
+    rooms = new Rooms(rings);
+  }
+
+  private static int low(double mm, double marginMm) {
+    return whole(StrictMath.ceil(mm + marginMm));
+  }
+
+  private static int high(double mm, double marginMm) {
+    return whole(StrictMath.floor(mm - marginMm));
+  }
+
+  /** Where centres may be in {@code bounds}; null if it is too narrow for more than a line. */
+  static @Nullable Rectangle inner(Rectangle bounds, double marginMm) {
+    int left = low(bounds.xMinMm(), marginMm);
+    int bottom = low(bounds.yMinMm(), marginMm);
+    int right = high(bounds.xMaxMm(), marginMm);
+    int top = high(bounds.yMaxMm(), marginMm);
+    return left < right && bottom < top ? new Rectangle(left, bottom, right, top) : null;
+  }
+
+  /** The room that a free place lies in, or {@link Rooms#NONE}: no way leads from one to another. */
+  int room(int px, int py) {
+    return rooms.at(px, py);
+  }
+
+  /** Whether a room reaches one of these sides of the bounds; so may the place of no known room. */
+  boolean reachesSide(int room, boolean left, boolean bottom, boolean right, boolean top) {
+    return room == Rooms.NONE
+        || (left && rooms.xMin(room) <= xMin)
+        || (bottom && rooms.yMin(room) <= yMin)
+        || (right && rooms.xMax(room) >= xMax)
+        || (top && rooms.yMax(room) >= yMax);
   }
 
   /** The nearest whole number of mm. */

@@ -24,7 +24,14 @@ public final class OptimalPlanner implements PathPlanner {
     FreeSpace space = FloorPlan.of(task);
     Ends ends = Ends.of(task);
     Plan.Blocked blocked = ends.blockedIn(space);
-    return blocked != null ? blocked : new Search(space, ends).run();
+    return blocked != null ? blocked : search(space, ends);
+  }
+
+  /** Between two free ends. */
+  static Plan search(FreeSpace space, Ends ends) {
+    int startRoom = space.room(ends.startX(), ends.startY());
+    boolean isCutOff = startRoom != space.room(ends.goalX(), ends.goalY());
+    return isCutOff ? new Plan.NoPath() : new Search(space, ends).run();
   }
 
   /** An edge that nobody has looked along yet: the line is tested when its turn has come. */

@@ -4,6 +4,7 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
 
 /**
@@ -12,6 +13,7 @@ import org.starl.geometry.Rectangle;
  * @param bounds the body stays inside
  * @param obstacles stand all the time that the way takes
  * @param taken regions of others to keep out of, as if they were obstacles
+ * @param keepOut where the body's centre may not be, as it is: not widened; its border is free
  * @param bodyRadiusMm the body is a disc of this radius, above 0
  * @param clearanceMm the body keeps at least this far from everything, at least 0
  */
@@ -21,6 +23,7 @@ public record PlanTask(
     Rectangle bounds,
     Obstacles obstacles,
     List<Capsule> taken,
+    List<Polygon> keepOut,
     double bodyRadiusMm,
     double clearanceMm) {
 
@@ -29,6 +32,7 @@ public record PlanTask(
 
   public PlanTask {
     taken = List.copyOf(taken);
+    keepOut = List.copyOf(keepOut);
     boolean sizes = bodyRadiusMm > 0 && clearanceMm >= 0 && bodyRadiusMm + clearanceMm <= MAX_MM;
     if (!sizes || !start.isFinite() || !goal.isFinite()) {
       throw new IllegalArgumentException(
@@ -48,6 +52,18 @@ public record PlanTask(
         || bounds.yMaxMm() > MAX_MM) {
       throw new IllegalArgumentException("bounds " + bounds + ": expected within 134 km of 0");
     }
+  }
+
+  /** With nowhere that only the centre keeps out of. */
+  public PlanTask(
+      Point start,
+      Point goal,
+      Rectangle bounds,
+      Obstacles obstacles,
+      List<Capsule> taken,
+      double bodyRadiusMm,
+      double clearanceMm) {
+    this(start, goal, bounds, obstacles, taken, List.of(), bodyRadiusMm, clearanceMm);
   }
 
   /** From where a robot believes to be, around what it believes to be in the way. */

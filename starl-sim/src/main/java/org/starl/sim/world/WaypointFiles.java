@@ -1,10 +1,5 @@
 package org.starl.sim.world;
 
-import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.charset.CharacterCodingException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -55,24 +50,7 @@ public final class WaypointFiles {
    */
   public static WaypointFile read(Path path) {
     String expected = "expected a waypoint file with lines such as " + WAY;
-    if (Files.isDirectory(path)) {
-      throw new BadInput(path + ": is a folder; " + expected);
-    }
-    if (!Files.exists(path)) {
-      throw new BadInput(path + ": no such file; " + expected);
-    }
-    try {
-      byte[] bytes = Files.readAllBytes(path);
-      String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
-      if (text.indexOf('\0') < 0) {
-        return parse(path.toString(), text);
-      }
-    } catch (CharacterCodingException noText) {
-      throw new BadInput(path + ": is no text; " + expected);
-    } catch (IOException unreadable) {
-      throw new BadInput(path + ": cannot be read (" + unreadable + "); " + expected);
-    }
-    throw new BadInput(path + ": is no text; " + expected);
+    return parse(path.toString(), TextFile.read(path, expected));
   }
 
   /**

@@ -1,7 +1,7 @@
 /**
  * The simulated floor and what stands and drives on it: bodies, walls, bumps, and each robot's own
- * ports into it (chassis, positioning, stable storage); and the reader of waypoint and obstacle
- * files.
+ * ports into it (chassis, positioning, stable storage); and the readers of waypoint and
+ * obstacle files and of grid maps.
  *
  * <p>Contract: a body is a disc. Between two changes of its motion it drives with constant forward
  * and turning speed, and its pose follows in closed form ({@link org.starl.geometry.Kinematics}).

@@ -1,0 +1,120 @@
+package org.starl.sim.world;
+
+import java.nio.file.Path;
+import java.util.BitSet;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.starl.sim.input.BadInput;
+
+/**
+ * Reads the grid maps of the public path-finding benchmarks (N. Sturtevant, "Benchmarks for
+ * grid-based pathfinding", 2012; movingai.com):
+ *
+ * <pre>
+ * type octile
+ * height 32
+ * width 32
+ * map
+ * @@@.@.@@@.......   as many rows of as many cells
+ * </pre>
+ *
+ * A cell {@code .} or {@code G} is free; {@code @ O T S W} (out of bounds, trees, swamp, water) are
+ * blocked. Either kind of line end is fine, and blank lines at the end. Anything else is a {@link
+ * BadInput} that names file, line and what was expected.
+ */
+public final class GridMaps {
+
+  private static final int MAX_SIDE = 2_048;
+  private static final int HEADER_LINES = 4;
+  private static final Pattern SIZE = Pattern.compile("(height|width)\\s+([0-9]{1,6})");
+  private static final String FREE = ".G";
+  private static final String BLOCKED = "@OTSW";
+
+  private final String file;
+  private final String[] lines;
+
+  private GridMaps(String file, String text) {
+    this.file = file;
+    this.lines = text.split("\r\n|\r|\n", -1);
+  }
+
+  /**
+   * Reads a file.
+   *
+   * @throws BadInput if it is missing, no text, or no such map
+   */
+  public static GridMap read(Path path) {
+    return parse(path.toString(), TextFile.read(path, "expected a grid map: type octile, ..."));
+  }
+
+  /**
+   * Reads a file's text.
+   *
+   * @param file its name, for errors
+   */
+  public static GridMap parse(String file, String text) {
+    return new GridMaps(file, text).map();
+  }
+
+  private GridMap map() {
+    require(1, "type octile");
+    int height = size(2, "height");
+    int width = size(3, "width");
+    require(HEADER_LINES, "map");
+    BitSet blocked = new BitSet(width * height);
+    for (int i = 0; i < height; i++) {
+      row(HEADER_LINES + 1 + i, width, height - 1 - i, blocked);
+    }
+    for (int number = HEADER_LINES + 1 + height; number <= lines.length; number++) {
+      if (!line(number).isEmpty()) {
+        throw broken(number, "no more than the " + height + " rows that line 2 tells of");
+      }
+    }
+    return new GridMap(width, height, blocked);
+  }
+
+  private void require(int number, String expected) {
+    if (!line(number).equals(expected)) {
+      throw broken(number, "'" + expected + "'");
+    }
+  }
+
+  private int size(int number, String key) {
+    Matcher matcher = SIZE.matcher(line(number));
+    int size =
+        matcher.matches() && matcher.group(1).equals(key) ? Integer.parseInt(matcher.group(2)) : 0;
+    if (size < 1 || size > MAX_SIDE) {
+      throw broken(number, "'" + key + " N' with N from 1 to " + MAX_SIDE);
+    }
+    return size;
+  }
+
+  private void row(int number, int width, int row, BitSet blocked) {
+    String cells = line(number);
+    if (cells.length() != width) {
+      throw broken(number, width + " cells, as line 3 says, not " + cells.length());
+    }
+    for (int column = 0; column < width; column++) {
+      char cell = cells.charAt(column);
+      if (BLOCKED.indexOf(cell) >= 0) {
+        blocked.set(row * width + column);
+      } else if (FREE.indexOf(cell) < 0) {
+        throw broken(
+            number,
+            "cells . G (free) or @ O T S W (blocked), not '"
+                + cell
+                + "' in column "
+                + (column + 1));
+      }
+    }
+  }
+
+  private String line(int number) {
+    return number <= lines.length ? lines[number - 1].strip() : "";
+  }
+
+  private BadInput broken(int number, String expected) {
+    String what = number <= lines.length ? BadInput.quote(line(number)) : "the file ends";
+    return new BadInput(file + ":" + number + ": " + what + ": expected " + expected);
+  }
+}
