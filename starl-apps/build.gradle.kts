@@ -12,6 +12,7 @@ dependencies {
     implementation(libs.picocli)
     implementation(libs.jackson.databind)
     implementation(libs.jackson.dataformat.yaml)
+    implementation(libs.jsvg)
     testImplementation(libs.archunit)
     testImplementation(libs.json.schema.validator)
     implementation(libs.jspecify)

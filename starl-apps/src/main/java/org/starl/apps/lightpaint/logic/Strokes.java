@@ -1,0 +1,71 @@
+package org.starl.apps.lightpaint.logic;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.geometry.Point;
+
+/**
+ * Cuts a drawing into strokes. What two lines have in common belongs to the one that is drawn later,
+ * as in a picture; lines of one ink that meet end to end are one chain; a chain is cut so that each
+ * piece's tube is short and its ends lie apart.
+ */
+public final class Strokes {
+
+  /** More corners than these would not fit a tube, with some places where long legs are cut. */
+  private static final int MAX_LEGS = 24;
+
+  /** What is shorter nobody can see, nor paint. */
+  private static final double LEAST_MM = 2;
+
+  private final double sameMm;
+  private final double longestMm;
+
+  private Strokes(double sameMm, double longestMm) {
+    this.sameMm = sameMm;
+    this.longestMm = longestMm;
+  }
+
+  /**
+   * The strokes of a drawing, in order; equal drawings have equal strokes.
+   *
+   * @param lines in the order in which they are drawn
+   * @param sameMm lines that run nearer to each other than this are one line there
+   * @param longestMm no stroke is longer, above 0
+   */
+  public static List<Stroke> of(List<Line> lines, double sameMm, double longestMm) {
+    if (!(sameMm > 0) || !(longestMm > LEAST_MM)) {
+      throw new IllegalArgumentException("strokes: " + sameMm + " mm, " + longestMm + " mm");
+    }
+    Strokes cutter = new Strokes(sameMm, longestMm);
+    List<Stroke> strokes = new ArrayList<>();
+    for (Line chain : Chains.of(Overlaps.cut(lines, sameMm), sameMm)) {
+      cutter.cut(chain, strokes);
+    }
+    return strokes;
+  }
+
+  private void cut(Line chain, List<Stroke> strokes) {
+    for (Polyline part : fewLegs(chain.path())) {
+      double lengthMm = part.lengthMm();
+      boolean isClosed = part.start().distanceMm(part.end()) <= 2 * sameMm;
+      int pieces = (int) StrictMath.ceil(lengthMm / longestMm);
+      pieces = Math.max(pieces, isClosed ? 2 : 1);
+      for (int i = 0; i < pieces; i++) {
+        Polyline piece = part.between(lengthMm * i / pieces, lengthMm * (i + 1) / pieces);
+        if (piece.lengthMm() >= LEAST_MM) {
+          strokes.add(new Stroke(strokes.size(), piece, chain.ink()));
+        }
+      }
+    }
+  }
+
+  private static List<Polyline> fewLegs(Polyline chain) {
+    List<Polyline> parts = new ArrayList<>();
+    List<Point> points = chain.points();
+    for (int from = 0; from < chain.legs(); from += MAX_LEGS) {
+      int to = Math.min(from + MAX_LEGS, chain.legs());
+      parts.add(new Polyline(points.subList(from, to + 1)));
+    }
+    return parts;
+  }
+}

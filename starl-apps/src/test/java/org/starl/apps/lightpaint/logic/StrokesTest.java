@@ -1,0 +1,103 @@
+package org.starl.apps.lightpaint.logic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.IntRange;
+import net.jqwik.api.constraints.Size;
+import org.junit.jupiter.api.Test;
+import org.starl.geometry.Point;
+
+/** How a drawing is cut into strokes. */
+class StrokesTest {
+
+  private static final Ink RED = new Ink(0xff0000, 20);
+  private static final Ink BLUE = new Ink(0x0000ff, 20);
+
+  private static Line line(Ink ink, double... xy) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i < xy.length; i += 2) {
+      points.add(new Point(xy[i], xy[i + 1]));
+    }
+    return new Line(new Polyline(points), ink);
+  }
+
+  private static List<Stroke> strokes(Line... lines) {
+    return Strokes.of(List.of(lines), 10, 1000);
+  }
+
+  private static double lengthMm(List<Stroke> strokes) {
+    return strokes.stream().mapToDouble(stroke -> stroke.path().lengthMm()).sum();
+  }
+
+  @Test
+  void linesOfOneInkThatMeetAreOneStroke() {
+    List<Stroke> one = strokes(line(RED, 0, 0, 100, 0), line(RED, 300, 0, 103, 0));
+    assertThat(one).hasSize(1);
+    assertThat(one.get(0).path().lengthMm()).isEqualTo(300);
+    assertThat(strokes(line(RED, 0, 0, 100, 0), line(BLUE, 100, 0, 300, 0))).hasSize(2);
+  }
+
+  @Test
+  void longOnesAreCutEvenlyAndClosedOnesAtLeastOnce() {
+    assertThat(strokes(line(RED, 0, 0, 2500, 0)))
+        .hasSize(3)
+        .allMatch(stroke -> Math.abs(stroke.path().lengthMm() - 2500 / 3.0) < 1e-9);
+    assertThat(strokes(line(RED, 0, 0, 50, 0, 50, 50, 0, 0))).hasSize(2);
+  }
+
+  @Test
+  void aLineDrawnTwiceIsPaintedOnceAndTheLaterOneKeepsIt() {
+    List<Stroke> strokes =
+        strokes(line(RED, 0, 0, 800, 0), line(BLUE, 600, 0, 200, 0), line(RED, 0, 500, 9, 500));
+    assertThat(lengthMm(strokes)).isBetween(788.0, 830.0);
+    assertThat(
+            strokes.stream()
+                .filter(s -> s.ink().equals(BLUE))
+                .mapToDouble(s -> s.path().lengthMm())
+                .sum())
+        .isEqualTo(400);
+    assertThat(strokes(line(RED, 0, 0, 300, 0, 0, 0))).hasSize(1);
+  }
+
+  @Test
+  void linesThatCrossOrMeetAtACornerKeepAllOfThemselves() {
+    List<Stroke> cross = strokes(line(RED, 0, 0, 400, 0), line(BLUE, 200, -200, 200, 200));
+    assertThat(lengthMm(cross)).isEqualTo(800);
+    List<Stroke> corner = strokes(line(RED, 0, 0, 400, 0), line(BLUE, 0, 0, 390, 110));
+    assertThat(lengthMm(corner)).isGreaterThan(800);
+  }
+
+  /** Nothing is lost, nothing is there that was not drawn, and next to nothing is there twice. */
+  @Property(tries = 200)
+  void strokesAreTheDrawing(
+      @ForAll @Size(min = 4, max = 40) List<@IntRange(min = 0, max = 60) Integer> numbers) {
+    List<Line> lines = new ArrayList<>();
+    for (int i = 0; i + 3 < numbers.size(); i += 4) {
+      double[] at = new double[4];
+      for (int j = 0; j < 4; j++) {
+        at[j] = 50 * numbers.get(i + j);
+      }
+      if (at[0] != at[2] || at[1] != at[3]) {
+        lines.add(line(i % 8 == 0 ? RED : BLUE, at));
+      }
+    }
+    List<Stroke> strokes = Strokes.of(lines, 10, 1000);
+    for (Line line : lines) {
+      for (double mm = 0; mm <= line.path().lengthMm(); mm += 7) {
+        Point place = line.path().at(mm);
+        assertThat(strokes).anyMatch(stroke -> stroke.path().distanceMm(place) <= 11);
+      }
+    }
+    for (Stroke stroke : strokes) {
+      assertThat(stroke.path().lengthMm()).isLessThanOrEqualTo(1002);
+      for (double mm = 0; mm <= stroke.path().lengthMm(); mm += 7) {
+        Point place = stroke.path().at(mm);
+        assertThat(lines).anyMatch(line -> line.path().distanceMm(place) <= 11);
+      }
+    }
+  }
+}
