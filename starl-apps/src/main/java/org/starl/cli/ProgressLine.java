@@ -1,42 +1,113 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
+import java.util.Locale;
+import java.util.function.LongSupplier;
 import picocli.CommandLine.Help.Ansi;
 
-/** Tells how far long work is: a bar on a terminal, now and then a plain line elsewhere. */
+/**
+ * Tells how far long work is, how fast it goes and when it will be over: a bar that is drawn again
+ * and again on a terminal, now and then a plain line elsewhere.
+ */
 final class ProgressLine {
 
-  private static final int BAR_WIDTH = 40;
+  private static final int BAR_WIDTH = 30;
   private static final int PLAIN_LINES = 10;
+  private static final double NS_PER_S = 1e9;
+  private static final long REDRAW_NS = 100_000_000;
+
+  /** Before that, a rate says more of how the JVM warms up than of the work. */
+  private static final long RATE_FROM_NS = 2_000_000_000;
 
   private final PrintWriter err;
-  private final boolean isTerminal = Ansi.AUTO.enabled();
+  private final boolean isTerminal;
+  private final LongSupplier wallNs;
+  private final long startNs;
+  private long drawnNs;
   private long shownTenths;
-  private boolean drawn;
+  private int drawnWidth;
 
   ProgressLine(PrintWriter err) {
+    this(err, Ansi.AUTO.enabled(), System::nanoTime);
+  }
+
+  /**
+   * @param wallNs a clock that people live by
+   */
+  ProgressLine(PrintWriter err, boolean isTerminal, LongSupplier wallNs) {
     this.err = err;
+    this.isTerminal = isTerminal;
+    this.wallNs = wallNs;
+    startNs = wallNs.getAsLong();
+    drawnNs = startNs - REDRAW_NS;
   }
 
   void show(long finished, long planned, long bad) {
-    String text = finished + " of " + planned + " runs, " + bad + " bad";
+    long nowNs = wallNs.getAsLong();
+    boolean isLast = finished == planned;
     if (isTerminal) {
-      int filled = (int) (finished * BAR_WIDTH / planned);
-      err.print("\r[" + "#".repeat(filled) + ".".repeat(BAR_WIDTH - filled) + "] " + text);
-      err.flush();
-      drawn = true;
-    } else {
-      long tenths = finished * PLAIN_LINES / planned;
-      if (tenths > shownTenths) {
-        shownTenths = tenths;
-        err.println(text);
+      if (isLast || nowNs - drawnNs >= REDRAW_NS) {
+        drawnNs = nowNs;
+        int filled = (int) (finished * BAR_WIDTH / planned);
+        draw(
+            "[%s%s] %s"
+                .formatted(
+                    "#".repeat(filled),
+                    ".".repeat(BAR_WIDTH - filled),
+                    text(finished, planned, bad, nowNs)));
       }
+      return;
+    }
+    long tenths = finished * PLAIN_LINES / planned;
+    if (tenths > shownTenths) {
+      shownTenths = tenths;
+      err.println(text(finished, planned, bad, nowNs));
     }
   }
 
+  /** After the last run: what is printed next begins on a line of its own. */
   void end() {
-    if (drawn) {
+    if (drawnWidth > 0) {
       err.println();
     }
+  }
+
+  /** Over what was drawn before, which may have been longer. */
+  private void draw(String line) {
+    err.print("\r" + line + " ".repeat(Math.max(0, drawnWidth - line.length())));
+    err.flush();
+    drawnWidth = line.length();
+  }
+
+  private String text(long finished, long planned, long bad, long nowNs) {
+    String text = finished + " of " + planned + " runs, " + bad + " bad";
+    long elapsedNs = nowNs - startNs;
+    if (finished == 0 || elapsedNs < RATE_FROM_NS) {
+      return text;
+    }
+    double perS = finished * NS_PER_S / elapsedNs;
+    String rate = rate(perS);
+    return finished == planned
+        ? text + "; " + rate
+        : text + "; " + rate + ", " + duration((planned - finished) / perS) + " left";
+  }
+
+  private static String rate(double perS) {
+    if (perS >= 1) {
+      return number(perS) + " a second";
+    }
+    return perS >= 1.0 / 60 ? number(60 * perS) + " a minute" : number(3600 * perS) + " an hour";
+  }
+
+  private static String number(double value) {
+    return String.format(Locale.ROOT, value < 10 ? "%.1f" : "%.0f", value);
+  }
+
+  private static String duration(double seconds) {
+    long s = (long) Math.ceil(seconds);
+    if (s < 60) {
+      return s + " s";
+    }
+    return s < 3600 ? s / 60 + " min " + s % 60 + " s" : s / 3600 + " h " + s % 3600 / 60 + " min";
   }
 }

@@ -29,6 +29,10 @@ record Allowance(String rule, String path, String reason) {
             KERNEL + "PatientWait.java",
             "how long to wait for an app that blocks outside the kernel, before the run fails"),
         new Allowance(
+            "wall clock",
+            "starl-apps" + MAIN + "cli/ProgressLine.java",
+            "tells a person how long a campaign will take"),
+        new Allowance(
             "threads and locks in the simulator and its tools",
             KERNEL,
             "carriers run blocking apps, one at a time"),

@@ -16,7 +16,7 @@ final class CodeRules {
             "wall clock",
             "gvh.plat.clock.nowNs(): time is the platform's, virtual in a simulation",
             CodeRules::isMain,
-            "\\b(System\\s*\\.\\s*(currentTimeMillis|nanoTime)|(Instant|LocalDate|LocalTime"
+            "\\b(System\\s*(\\.|::)\\s*(currentTimeMillis|nanoTime)|(Instant|LocalDate|LocalTime"
                 + "|LocalDateTime|ZonedDateTime)\\s*\\.\\s*now|Clock\\s*\\.\\s*system\\w*)\\b",
             "long t = System.nanoTime();"),
         call(

@@ -1,0 +1,63 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import org.junit.jupiter.api.Test;
+
+class ProgressLineTest {
+
+  private static final long S = 1_000_000_000;
+
+  private final StringWriter out = new StringWriter();
+  private long nowNs;
+
+  @Test
+  void plainLinesComeTenTimesAndSayHowLongItTakes() {
+    ProgressLine line = line(false);
+    for (int finished = 1; finished <= 200; finished++) {
+      nowNs += S / 2;
+      line.show(finished, 200, finished / 100);
+    }
+    line.end();
+    assertThat(out.toString().lines())
+        .hasSize(10)
+        .contains("20 of 200 runs, 0 bad; 2.0 a second, 1 min 30 s left")
+        .contains("100 of 200 runs, 1 bad; 2.0 a second, 50 s left")
+        .contains("200 of 200 runs, 2 bad; 2.0 a second");
+  }
+
+  @Test
+  void slowWorkIsCountedByTheHour() {
+    ProgressLine line = line(false);
+    nowNs += 90 * S;
+    line.show(1, 10, 0);
+    nowNs += 10_000 * S;
+    line.show(2, 10, 0);
+    assertThat(out.toString().lines())
+        .containsExactly(
+            "1 of 10 runs, 0 bad; 40 an hour, 13 min 30 s left",
+            "2 of 10 runs, 0 bad; 0.7 an hour, 11 h 12 min left");
+  }
+
+  @Test
+  void aTerminalSeesOneLineThatIsDrawnNoMoreThanTenTimesASecond() {
+    ProgressLine line = line(true);
+    for (int finished = 1; finished <= 1000; finished++) {
+      nowNs += S / 100;
+      line.show(finished, 1000, 0);
+    }
+    line.end();
+    assertThat(out.toString().lines()).hasSize(101 + 1);
+    assertThat(out.toString())
+        .endsWith(
+            "\r[##############################] 1000 of 1000 runs, 0 bad; 100 a second"
+                + " ".repeat(", 1 s left".length() - "0".length())
+                + System.lineSeparator());
+  }
+
+  private ProgressLine line(boolean isTerminal) {
+    return new ProgressLine(new PrintWriter(out, true), isTerminal, () -> nowNs);
+  }
+}
