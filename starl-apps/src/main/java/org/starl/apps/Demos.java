@@ -5,6 +5,7 @@ import java.util.List;
 import java.util.Optional;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.apps.race.RaceDemo;
 
 /**
  * Apps that a command line can run.
@@ -14,7 +15,7 @@ import org.starl.apps.intersection.IntersectionDemo;
 public record Demos(List<Demo> all) {
 
   /** Those that StarL brings. */
-  public static final Demos STANDARD = new Demos(List.of(new HelloDemo(), new IntersectionDemo()));
+  public static final Demos STANDARD = new Demos(List.of(new HelloDemo(), new IntersectionDemo(), new RaceDemo()));
 
   public Demos {
     all = List.copyOf(all);

@@ -1,0 +1,10 @@
+/**
+ * The Race App as a simulation: its points, from a file or drawn, and the story of a run.
+ *
+ * <p>May import: core, primitives, sim, {@code org.starl.apps}, {@code logic}, {@code spec} and
+ * {@code view} beside it.
+ */
+@NullMarked
+package org.starl.apps.race;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,141 @@
+package org.starl.apps.race.spec;
+
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.apps.race.logic.Claim;
+import org.starl.apps.race.logic.Patience;
+import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.Scoreboard;
+import org.starl.motion.MotionFlag;
+import org.starl.spec.Bodies;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * What holds in a race whatever the world does.
+ *
+ * <ul>
+ *   <li>{@code at_the_point}: who arrives is there by its true body: within the point's radius and the
+ *       error bound of its position; or, kept off, within what its {@link Patience} allows.
+ *   <li>{@code truly_won}: every winner that anybody knows of has arrived, and has claimed so itself.
+ *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a better
+ *       one, in the order of {@link Claim}: so any two that know the same claims agree.
+ * </ul>
+ */
+final class RaceSafety implements Monitor {
+
+  private static final String AT_THE_POINT = "at_the_point";
+  private static final String TRULY_WON = "truly_won";
+  private static final String ONE_WINNER = "one_winner";
+  private static final double ROUNDING_MM = 0.01;
+
+  private final List<RacePoint> points;
+  private final Bodies bodies = new Bodies();
+  private final Records records = new Records();
+  private final Map<RobotId, Integer> inVain = new TreeMap<>();
+  private final Map<RobotId, Integer> arrivedAt = new TreeMap<>();
+  private final Set<Claim> made = new HashSet<>();
+
+  RaceSafety(List<RacePoint> points) {
+    this.points = List.copyOf(points);
+  }
+
+  @Override
+  public List<String> lemmas() {
+    return List.of(AT_THE_POINT, TRULY_WON, ONE_WINNER);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    bodies.observe(event);
+    switch (event) {
+      case Action action when Records.isTaken(action) -> taken(action, report);
+      case Action action
+          when action.source().equals(RaceApp.SOURCE) && action.name().equals(RaceApp.ARRIVE) ->
+          arrived(action, report);
+      case Variable variable
+          when variable.source().equals(RaceApp.SOURCE) && variable.name().equals(RaceApp.POINT) ->
+          inVain.put(variable.robot(), 0);
+      case Variable variable
+          when variable.name().equals("motionflag")
+              && variable.value().equals(MotionFlag.FAIL.name()) ->
+          inVain.merge(variable.robot(), 1, Integer::sum);
+      default -> {
+        // Nobody wins.
+      }
+    }
+    records.observe(event);
+  }
+
+  private void arrived(Action action, Report report) {
+    RobotId robot = action.robot();
+    int number = Integer.parseInt(action.args().get(0));
+    RacePoint point = points.get(number);
+    double errorMm = Double.parseDouble(action.args().get(3));
+    double withinMm = Double.parseDouble(action.args().get(4));
+    arrivedAt.put(robot, number);
+    report.checked(AT_THE_POINT);
+    double bodyMm = bodies.isOnFloor(robot) ? bodies.radiusMm(robot) : 0;
+    double truthMm =
+        bodies.isOnFloor(robot)
+            ? bodies.poseAt(robot, action.timeNs()).distanceMm(point.at())
+            : Double.POSITIVE_INFINITY;
+    int tries = inVain.getOrDefault(robot, 0);
+    double allowedMm = Math.max(point.radiusMm(), Patience.allowedMm(point, bodyMm, tries));
+    if (truthMm > Math.min(withinMm, allowedMm) + errorMm + ROUNDING_MM) {
+      report.violated(
+          AT_THE_POINT,
+          action.timeNs(),
+          List.of(robot),
+          String.format(
+              Locale.ROOT,
+              "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm",
+              point.name(),
+              truthMm,
+              withinMm,
+              allowedMm,
+              errorMm));
+    }
+  }
+
+  private void taken(Action action, Report report) {
+    RobotId robot = action.robot();
+    Claim claim = Scoreboard.claim(action.args());
+    Integer here = robot.equals(claim.winner()) ? arrivedAt.remove(robot) : null;
+    if (here != null && here == claim.point()) {
+      made.add(claim);
+    }
+    report.checked(TRULY_WON);
+    if (!made.contains(claim)) {
+      report.violated(TRULY_WON, action.timeNs(), concerned(robot, claim), claim + " was never made");
+    }
+    report.checked(ONE_WINNER);
+    @Nullable Claim before = records.claim(robot, claim.point());
+    if (before != null && before.compareTo(claim) <= 0) {
+      report.violated(
+          ONE_WINNER,
+          action.timeNs(),
+          concerned(robot, claim),
+          before + " is replaced by " + claim + ", which is no better");
+    }
+  }
+
+  private static List<RobotId> concerned(RobotId robot, Claim claim) {
+    List<RobotId> both = new ArrayList<>(List.of(robot));
+    if (!claim.winner().equals(robot)) {
+      both.add(claim.winner());
+    }
+    both.sort(null);
+    return both;
+  }
+}

@@ -1,0 +1,10 @@
+/**
+ * The race's specifications, as monitors: who wins a point is at it, all agree on the winners, and the
+ * race goes on ({@link org.starl.apps.race.spec.RaceSpec}).
+ *
+ * <p>May import: core, primitives, {@code logic} beside it.
+ */
+@NullMarked
+package org.starl.apps.race.spec;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,173 @@
+package org.starl.apps.race.view;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.apps.race.logic.Claim;
+import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RaceApp.Location;
+import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.Scoreboard;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Painter;
+import org.starl.sim.record.Scene;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+
+/**
+ * Draws each point as a target, in its winner's colour once it is won, the course dashed, and dotted
+ * where each robot drives to.
+ */
+public final class RaceLayer implements Layer {
+
+  private static final Color OPEN = new Color(0x77, 0x77, 0x70);
+  private static final Color COURSE = new Color(0xDD, 0xDD, 0xD4);
+  private static final float[] DASHES = {60, 60};
+  private static final float[] DOTS = {1, 45};
+  private static final double TARGET_MM = 230;
+  private static final int LETTERS_MM = 110;
+  private static final int SMALL_MM = 85;
+  private static final double NS_PER_S = 1e9;
+
+  private final List<RacePoint> points;
+  private final SortedMap<Integer, Claim> winners = new TreeMap<>();
+
+  public RaceLayer(List<RacePoint> points) {
+    this.points = List.copyOf(points);
+  }
+
+  @Override
+  public void observe(TraceEvent event) {
+    if (event instanceof Action action
+        && action.source().equals(RaceApp.SOURCE)
+        && action.name().equals(Scoreboard.TAKEN)) {
+      Claim claim = Scoreboard.claim(action.args());
+      winners.merge(claim.point(), claim, (a, b) -> a.compareTo(b) <= 0 ? a : b);
+    }
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene) {
+    course(floor);
+    for (int i = 0; i < points.size(); i++) {
+      target(floor, points.get(i), winners.get(i), scene);
+    }
+    for (RobotId robot : scene.robots()) {
+      way(floor, robot, scene);
+    }
+  }
+
+  private void course(Graphics2D floor) {
+    floor.setColor(COURSE);
+    floor.setStroke(
+        new BasicStroke(14, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASHES, 0));
+    for (int i = 1; i < points.size(); i++) {
+      floor.draw(line(points.get(i - 1).at(), points.get(i).at()));
+    }
+  }
+
+  private static void target(
+      Graphics2D floor, RacePoint point, @Nullable Claim won, Scene scene) {
+    Color colour = won == null ? OPEN : Painter.colour(scene.number(won.winner()));
+    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 60));
+    floor.fill(disc(point.at(), TARGET_MM));
+    floor.setColor(colour);
+    floor.setStroke(new BasicStroke(16));
+    floor.draw(disc(point.at(), TARGET_MM));
+    floor.fill(disc(point.at(), point.radiusMm()));
+    Graphics2D upright = (Graphics2D) floor.create();
+    upright.transform(AffineTransform.getScaleInstance(1, -1));
+    int x = (int) (point.at().xMm() + TARGET_MM + 30);
+    int y = (int) -point.at().yMm();
+    upright.setColor(colour.darker());
+    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, LETTERS_MM));
+    upright.drawString(point.name(), x, y);
+    if (won != null) {
+      upright.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, SMALL_MM));
+      String when = String.format(Locale.ROOT, " %.1f s", won.atNs() / NS_PER_S);
+      upright.drawString(won.winner().name() + when, x, y + LETTERS_MM);
+    }
+    upright.dispose();
+  }
+
+  private void way(Graphics2D floor, RobotId robot, Scene scene) {
+    String name = scene.variable(robot, RaceApp.SOURCE, RaceApp.POINT);
+    for (RacePoint point : points) {
+      if (point.name().equals(name) && scene.pose(robot).isPresent()) {
+        Pose pose = scene.pose(robot).get();
+        floor.setColor(Painter.colour(scene.number(robot)));
+        floor.setStroke(
+            new BasicStroke(16, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+        floor.draw(line(pose.at(), point.at()));
+      }
+    }
+  }
+
+  @Override
+  public List<Point> corners() {
+    List<Point> corners = new ArrayList<>();
+    points.forEach(point -> {
+      corners.add(point.at().plus(new Point(-TARGET_MM, -TARGET_MM)));
+      // Right of it stands who has won it.
+      corners.add(point.at().plus(new Point(4 * TARGET_MM, TARGET_MM)));
+    });
+    return corners;
+  }
+
+  @Override
+  public String describe(RobotId robot, Scene scene) {
+    List<String> won = new ArrayList<>();
+    for (Map.Entry<Integer, Claim> entry : winners.entrySet()) {
+      if (entry.getValue().winner().equals(robot)) {
+        won.add(points.get(entry.getKey()).name());
+      }
+    }
+    String wins = won.isEmpty() ? "" : "has won " + String.join(" ", won);
+    return doing(robot, scene) + (wins.isEmpty() ? "" : ", " + wins);
+  }
+
+  private static String doing(RobotId robot, Scene scene) {
+    String location = scene.variable(robot, RaceApp.SOURCE, RaceApp.LOCATION);
+    String point = scene.variable(robot, RaceApp.SOURCE, RaceApp.POINT);
+    if (location.isEmpty()) {
+      return "";
+    }
+    return switch (Location.valueOf(location)) {
+      case START -> "waits for its position";
+      case PICK, RACE -> "races to " + point;
+      case MAKE_WAY -> "makes way to " + point;
+      case TELL -> "tells the winners";
+      case DONE -> "has finished";
+    };
+  }
+
+  /** Most is to be seen when some points are won, others not, and trails are long. */
+  @Override
+  public double interest(Scene scene) {
+    boolean isOn = winners.size() < points.size();
+    return winners.size() + (isOn ? points.size() : 0) + scene.nowNs() / NS_PER_S / 1e4;
+  }
+
+  private static Line2D line(Point from, Point to) {
+    return new Line2D.Double(from.xMm(), from.yMm(), to.xMm(), to.yMm());
+  }
+
+  private static Ellipse2D disc(Point at, double radiusMm) {
+    return new Ellipse2D.Double(
+        at.xMm() - radiusMm, at.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
+  }
+}
