@@ -15,7 +15,8 @@ import org.starl.apps.race.RaceDemo;
 public record Demos(List<Demo> all) {
 
   /** Those that StarL brings. */
-  public static final Demos STANDARD = new Demos(List.of(new HelloDemo(), new IntersectionDemo(), new RaceDemo()));
+  public static final Demos STANDARD =
+      new Demos(List.of(new HelloDemo(), new IntersectionDemo(), new RaceDemo()));
 
   public Demos {
     all = List.copyOf(all);

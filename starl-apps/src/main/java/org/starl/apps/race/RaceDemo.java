@@ -1,9 +1,13 @@
 package org.starl.apps.race;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import org.starl.apps.Demo;
+import org.starl.apps.Input;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
@@ -61,6 +65,22 @@ public final class RaceDemo implements Demo {
   }
 
   @Override
+  public List<Input> inputs(Path data) {
+    Path folder = data.resolve("starl-original/race");
+    return List.of(
+        input(folder.resolve("four.wpt"), "N=2: 10 of 10, 36 to 80 s; N=64: none within 60 s"),
+        input(folder.resolve("four1.wpt"), ""));
+  }
+
+  private static Input input(Path file, String original) {
+    return new Input(
+        String.valueOf(file.getFileName()),
+        file,
+        new TreeMap<>(Map.of(POINTS.key(), file.toString())),
+        original);
+  }
+
+  @Override
   public Envelope envelope() {
     return Envelope.MOVING;
   }
@@ -69,8 +89,7 @@ public final class RaceDemo implements Demo {
   public SimSettings.Builder defaultSettings(Request request) {
     SimSettings defaults = SimSettings.defaults();
     double more =
-        StrictMath.sqrt(
-            Math.max(1, request.robots().orElse(1) / (double) ROBOTS_ON_DEFAULT_FLOOR));
+        StrictMath.sqrt(Math.max(1, request.robots().orElse(1) / (double) ROBOTS_ON_DEFAULT_FLOOR));
     return SimSettings.builder()
         .set(Setting.FLOOR_WIDTH, Math.ceil(more * defaults.get(Setting.FLOOR_WIDTH)))
         .set(Setting.FLOOR_HEIGHT, Math.ceil(more * defaults.get(Setting.FLOOR_HEIGHT)));
@@ -94,8 +113,7 @@ public final class RaceDemo implements Demo {
   }
 
   /** Adds everything that is checked in a run of a race. */
-  static void watch(
-      Simulation.Builder simulation, List<RacePoint> points, SimSettings settings) {
+  static void watch(Simulation.Builder simulation, List<RacePoint> points, SimSettings settings) {
     RaceBounds bounds =
         RaceBounds.of(
             settings.messageDelay().longestNs(),

@@ -19,6 +19,7 @@ final class CastRecord {
   record Copy(RobotId origin, long seq) {}
 
   final String source;
+  final RobotId origin;
   final String id;
   final Region area;
   final long startNs;
@@ -26,6 +27,9 @@ final class CastRecord {
 
   /** Those who took part at t0 and have not restarted since; of them inclusion is owed. */
   final Set<RobotId> owed = new TreeSet<>();
+
+  /** The origin has restarted since: it numbers its datagrams anew, and copies are not known any more. */
+  boolean originRestarted;
 
   /** The copies that the origin has sent. */
   final Set<Copy> copies = new HashSet<>();
@@ -41,12 +45,18 @@ final class CastRecord {
 
   private final SortedMap<RobotId, Presence> presences = new TreeMap<>();
 
-  CastRecord(String source, String id, Region area, long startNs, long deadlineNs) {
+  CastRecord(String source, RobotId origin, String id, Region area, long startNs, long deadlineNs) {
     this.source = source;
+    this.origin = origin;
     this.id = id;
     this.area = area;
     this.startNs = startNs;
     this.deadlineNs = deadlineNs;
+  }
+
+  /** A datagram has reached somebody: whether it is a copy, for certain. */
+  boolean isCopy(Copy datagram) {
+    return !originRestarted && copies.contains(datagram);
   }
 
   /** Begins to follow a body that is on the floor at {@code nowNs}. */
@@ -85,6 +95,7 @@ final class CastRecord {
   }
 
   void restarted(RobotId robot) {
+    originRestarted |= robot.equals(origin);
     owed.remove(robot);
     holders.remove(robot);
   }

@@ -153,6 +153,7 @@ public final class GeocastSpec implements Monitor {
     CastRecord cast =
         new CastRecord(
             action.source(),
+            action.robot(),
             action.args().get(0),
             RegionText.parse(action.args().get(1)),
             startNs,
@@ -194,7 +195,7 @@ public final class GeocastSpec implements Monitor {
     Copy copy = new Copy(delivered.from(), delivered.seq());
     for (CastRecord cast : active.values()) {
       boolean inTime = delivered.timeNs() <= cast.deadlineNs - 2 * clockSkewNs;
-      if (inTime && cast.source.equals(delivered.channel()) && cast.copies.contains(copy)) {
+      if (inTime && cast.source.equals(delivered.channel()) && cast.isCopy(copy)) {
         cast.reached.add(delivered.robot());
       }
     }

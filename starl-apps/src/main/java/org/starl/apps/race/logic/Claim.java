@@ -23,7 +23,13 @@ public record Claim(int point, RobotId winner, long atNs, int keptOffMm)
   public Claim {
     if (point < 0 || atNs < 0 || keptOffMm < 0) {
       throw new IllegalArgumentException(
-          "claim on point " + point + " at " + atNs + " ns, " + keptOffMm + " mm off: expected >= 0");
+          "claim on point "
+              + point
+              + " at "
+              + atNs
+              + " ns, "
+              + keptOffMm
+              + " mm off: expected >= 0");
     }
   }
 

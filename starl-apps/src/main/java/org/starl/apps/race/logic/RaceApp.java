@@ -181,6 +181,9 @@ public final class RaceApp extends LogicThread {
       drawBack();
     } else {
       way.ask(point, points.get(point).at(), distanceMm);
+      if (!gvh.plat.moat.inMotion()) {
+        drive();
+      }
     }
   }
 
@@ -223,9 +226,7 @@ public final class RaceApp extends LogicThread {
             * (LEAST_BACK_RADII + (MOST_BACK_RADII - LEAST_BACK_RADII) * rng.nextDouble());
     gvh.plat.moat.doMove(
         new ItemPosition(
-            "back",
-            at.xMm() + mm * StrictMath.cos(angle),
-            at.yMm() + mm * StrictMath.sin(angle)));
+            "back", at.xMm() + mm * StrictMath.cos(angle), at.yMm() + mm * StrictMath.sin(angle)));
   }
 
   private void enter(Location next) {

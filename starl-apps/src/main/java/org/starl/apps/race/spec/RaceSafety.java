@@ -117,7 +117,8 @@ final class RaceSafety implements Monitor {
     }
     report.checked(TRULY_WON);
     if (!made.contains(claim)) {
-      report.violated(TRULY_WON, action.timeNs(), concerned(robot, claim), claim + " was never made");
+      report.violated(
+          TRULY_WON, action.timeNs(), concerned(robot, claim), claim + " was never made");
     }
     report.checked(ONE_WINNER);
     @Nullable Claim before = records.claim(robot, claim.point());

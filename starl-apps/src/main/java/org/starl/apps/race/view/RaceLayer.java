@@ -80,8 +80,7 @@ public final class RaceLayer implements Layer {
     }
   }
 
-  private static void target(
-      Graphics2D floor, RacePoint point, @Nullable Claim won, Scene scene) {
+  private static void target(Graphics2D floor, RacePoint point, @Nullable Claim won, Scene scene) {
     Color colour = won == null ? OPEN : Painter.colour(scene.number(won.winner()));
     floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 60));
     floor.fill(disc(point.at(), TARGET_MM));

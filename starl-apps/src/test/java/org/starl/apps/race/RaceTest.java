@@ -1,0 +1,200 @@
+package org.starl.apps.race;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.RobotId;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.race.logic.RaceApp;
+import org.starl.apps.race.logic.RacePoint;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.sim.Director;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimControl;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.input.BadInput;
+
+class RaceTest {
+
+  private static final RaceDemo DEMO = new RaceDemo();
+
+  private static Plan plan(
+      long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
+    SortedMap<String, String> all = DEMO.defaults();
+    all.putAll(parameters);
+    Request request = new Request(seed, OptionalInt.of(robots), all);
+    SimSettings.Builder builder = DEMO.defaultSettings(request).set("duration", "1200s");
+    settings.forEach(builder::set);
+    Plan plan = DEMO.plan(request, builder.build());
+    plan.simulation().name("race").seed(seed);
+    return plan;
+  }
+
+  /** Runs it; every robot that is up at the end has named the same winner of every point. */
+  private static SimResult run(
+      long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
+    Plan plan = plan(seed, robots, parameters, settings);
+    return checked(plan.simulation(), "seed " + seed + ", " + robots + " robots, " + settings);
+  }
+
+  private static SimResult checked(Simulation.Builder simulation, String which) {
+    SimResult result = simulation.build().run();
+    assertThat(result.spec().violations()).as(which).isEmpty();
+    assertThat(result.unfinished()).as(which).isEmpty();
+    return result;
+  }
+
+  private static List<String> winners(SimResult result, int points) {
+    var all = new HashSet<List<Object>>();
+    result.results().values().forEach(ended -> all.add(ended.subList(0, points)));
+    assertThat(all).hasSize(1);
+    return all.iterator().next().stream().map(String::valueOf).toList();
+  }
+
+  @ParameterizedTest
+  @CsvSource({"four.wpt, 2", "four1.wpt, 4", "four.wpt, 16"})
+  void theOriginalsPointsAreAllWonAlsoWithLoss(String file, int robots) {
+    Path points =
+        Path.of(System.getProperty("starl.shared", "../../shared"))
+            .resolve("data/starl-original/race")
+            .resolve(file);
+    assumeTrue(Files.exists(points), "skipped: no file " + points + " (set -Dstarl.shared)");
+    for (long seed = 1; seed <= 5; seed++) {
+      SimResult result =
+          run(
+              seed,
+              robots,
+              Map.of("points", points.toString()),
+              Map.of("messageLoss", seed % 2 == 0 ? "0" : "0.2"));
+      assertThat(winners(result, 4)).hasSize(4);
+    }
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {1, 2, 3, 5, 9, 30})
+  void anyNumberOfRobotsFinishes(int robots) {
+    SimResult result = run(robots, robots, Map.of(), Map.of("messageLoss", "0.2"));
+    assertThat(winners(result, 5)).hasSize(5);
+  }
+
+  @Test
+  void sixtyFourRobotsFinish() {
+    SimResult result = run(1, 64, Map.of("drawn", "3"), Map.of("messageLoss", "0.2"));
+    assertThat(result.results()).hasSize(64);
+    assertThat(winners(result, 3)).hasSize(3);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"moving", "spatial"})
+  void underChaosAllAgree(String envelope) {
+    for (long seed = 1; seed <= 8; seed++) {
+      SimResult result = run(seed, 5, Map.of("drawn", "3"), Map.of("chaos", envelope));
+      assertThat(winners(result, 3)).hasSize(3);
+    }
+  }
+
+  @Test
+  void robotsThatDieHoldNobodyUp() {
+    for (long seed = 1; seed <= 5; seed++) {
+      Map<String, String> faults =
+          Map.of("faults", "crash(bot1,at=8s); crash(bot2,at=15s)", "messageLoss", "0.2");
+      SimResult result = run(seed, 5, Map.of(), faults);
+      assertThat(result.results().keySet())
+          .contains(new RobotId("bot0"))
+          .doesNotContain(new RobotId("bot1"));
+      assertThat(winners(result, 5)).hasSize(5);
+      assertThat(result.results().get(new RobotId("bot0")).get(5))
+          .asString()
+          .startsWith("not confirmed by ")
+          .contains("bot1");
+    }
+  }
+
+  /** Crashes, for good, whoever is at the first point, before or after anybody may have heard. */
+  private record KillAtPoint(RacePoint point, RobotId who) implements Director {
+    @Override
+    public void direct(SimControl control) {
+      if (control.truePose(who).distanceMm(point.at()) < point.radiusMm() - 5
+          && control.nowNs() % 100_000_000 > 0) {
+        control.crash(who);
+      } else {
+        control.at(control.nowNs() + 1_000_000, () -> direct(control));
+      }
+    }
+  }
+
+  private static SimResult withDeadWinner(String fault) {
+    List<RacePoint> points =
+        List.of(
+            new RacePoint("A", new Point(1000, 1000), 75),
+            new RacePoint("B", new Point(3000, 1000), 75));
+    RobotId nearest = new RobotId("bot0");
+    Simulation.Builder simulation =
+        Simulation.builder()
+            .seed(1)
+            .settings(SimSettings.builder().set("duration", "600s").build())
+            .director(new KillAtPoint(points.get(0), nearest));
+    if (!fault.isEmpty()) {
+      simulation.fault(fault);
+    }
+    for (int i = 0; i < 4; i++) {
+      simulation.robot(
+          new RobotSpec(
+              new RobotId("bot" + i),
+              Pose.of(new Point(1000 + 800 * i, 1400 + 300 * i), 0),
+              true,
+              gvh -> new RaceApp(gvh, "race", points)));
+    }
+    RaceDemo.watch(simulation, points, SimSettings.defaults());
+    return checked(simulation, "dead winner, " + fault);
+  }
+
+  @Test
+  void aPointOnWhichSomebodyDiesUnheardIsTakenFromAsNearAsPossible() {
+    SimResult result = withDeadWinner("loss(1,from=bot0)");
+    assertThat(result.results()).hasSize(3);
+    assertThat(winners(result, 2).get(0)).isNotEqualTo("bot0");
+  }
+
+  @Test
+  void theFileOfPointsIsReadAndNamedWhereItIsBad(@TempDir Path folder) throws IOException {
+    Path file = folder.resolve("points.wpt");
+    Files.writeString(file, "// two\nWAY,1,2,0,A\nWAY,3,4,0,B,10\nSENSE,5,6,0,C\n");
+    assertThat(RacePoints.read(file.toString()))
+        .containsExactly(
+            new RacePoint("A", new Point(1, 2), 75), new RacePoint("B", new Point(3, 4), 10));
+    Map<String, String> bad =
+        Map.of(
+            "SENSE,5,6,0,C\n", "has 0 points: expected 1 to 1000 WAY lines",
+            "WAY,1,2,0,A\nWAY,1,3,0,A\n", "has two points 'A': expected unequal names",
+            "WAY,1,2,0,A,0\n", "point 'A': expected a radius above 0");
+    for (Map.Entry<String, String> one : bad.entrySet()) {
+      Files.writeString(file, one.getKey());
+      assertThatThrownBy(() -> RacePoints.read(file.toString()))
+          .isInstanceOf(BadInput.class)
+          .hasMessage(file + ": " + one.getValue());
+    }
+    assertThatThrownBy(() -> plan(1, 65, Map.of(), Map.of()))
+        .hasMessage("robots: 65: expected 1 to 64 in a race");
+    assertThatThrownBy(() -> plan(1, 4, Map.of("drawn", "none"), Map.of()))
+        .hasMessageContaining("drawn: 'none': expected a whole number from 1 to 100");
+  }
+}

@@ -1,0 +1,61 @@
+package org.starl.primitives.geocast;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Sent;
+
+/** The specification over traces written by hand. */
+class GeocastSpecTest {
+
+  private static final String SOURCE = "broadcast/news";
+  private static final RobotId ORIGIN = new RobotId("bot0");
+  private static final RobotId OTHER = new RobotId("bot1");
+
+  private final Monitors monitors = new Monitors(List.of(new GeocastSpec(50, 0)));
+
+  private void see(TraceEvent... events) {
+    List.of(events).forEach(monitors::observe);
+  }
+
+  private static Action act(long timeNs, RobotId robot, String name, String... args) {
+    return new Action(timeNs, robot, SOURCE, name, List.of(args));
+  }
+
+  private void castReachesNobodyAndTheOriginHasSentItsFirstDatagram() {
+    for (RobotId robot : List.of(ORIGIN, OTHER)) {
+      see(new Joined(0, robot, new Pose(0, 0, 0), 100), act(0, robot, "open", robot + "#1"));
+    }
+    see(
+        act(1, ORIGIN, "BCast", "bot0#1/1", "everywhere", "1000"),
+        act(1, ORIGIN, "copy", "bot0#1/1"),
+        new Sent(1, ORIGIN, "*", SOURCE, 1, 10, "copy"));
+  }
+
+  @Test
+  void whomACopyReachesHasToDeliver() {
+    castReachesNobodyAndTheOriginHasSentItsFirstDatagram();
+    see(new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"));
+    monitors.finish(2000);
+    assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
+  }
+
+  @Test
+  void aDatagramOfTheOriginsNextStartIsNoCopyThoughItHasTheNumberOfOne() {
+    castReachesNobodyAndTheOriginHasSentItsFirstDatagram();
+    see(
+        act(10, ORIGIN, "open", "bot0#2"),
+        new Sent(11, ORIGIN, "bot1", SOURCE, 1, 10, "another"),
+        new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "another"));
+    monitors.finish(2000);
+    assertThat(monitors.report().violations()).isEmpty();
+  }
+}
