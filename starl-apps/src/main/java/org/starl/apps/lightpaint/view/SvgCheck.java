@@ -1,6 +1,7 @@
 package org.starl.apps.lightpaint.view;
 
 import java.io.ByteArrayInputStream;
+import java.util.List;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -30,14 +31,14 @@ final class SvgCheck {
           'M', "nn", 'L', "nn", 'T', "nn", 'H', "n", 'V', "n", 'C', "nnnnnn", 'S', "nnnn", 'Q',
           "nnnn", 'A', "nnnffnn", 'Z', "");
 
-  private static final Map<String, String> LENGTHS =
+  private static final Map<String, List<String>> LENGTHS =
       Map.of(
-          "line", "x1 y1 x2 y2",
-          "rect", "x y width height rx ry",
-          "circle", "cx cy r",
-          "ellipse", "cx cy rx ry",
-          "svg", "x y width height",
-          "use", "x y width height");
+          "line", List.of("x1", "y1", "x2", "y2"),
+          "rect", List.of("x", "y", "width", "height", "rx", "ry"),
+          "circle", List.of("cx", "cy", "r"),
+          "ellipse", List.of("cx", "cy", "rx", "ry"),
+          "svg", List.of("x", "y", "width", "height"),
+          "use", List.of("x", "y", "width", "height"));
 
   private final String file;
   private final XMLStreamReader xml;
@@ -56,8 +57,8 @@ final class SvgCheck {
       new SvgCheck(file, xml).all();
     } catch (XMLStreamException e) {
       int line = e.getLocation() == null ? 1 : Math.max(1, e.getLocation().getLineNumber());
-      String[] said = String.valueOf(e.getMessage()).split("\\R");
-      String why = said[said.length - 1].replaceFirst("^Message: ", "");
+      List<String> said = String.valueOf(e.getMessage()).lines().toList();
+      String why = said.get(said.size() - 1).replaceFirst("^Message: ", "");
       throw new BadInput(file + ":" + line + ": is no XML (" + why + "): expected an SVG drawing");
     }
   }
@@ -78,8 +79,8 @@ final class SvgCheck {
 
   private void element() {
     String name = xml.getLocalName();
-    for (String attribute : LENGTHS.getOrDefault(name, "").split(" ")) {
-      String value = attribute.isEmpty() ? null : xml.getAttributeValue(null, attribute);
+    for (String attribute : LENGTHS.getOrDefault(name, List.of())) {
+      String value = xml.getAttributeValue(null, attribute);
       if (value != null && !value.equals("auto") && !LENGTH.matcher(value).matches()) {
         throw bad(attribute, value, "a length, such as 12.5");
       }
@@ -95,17 +96,19 @@ final class SvgCheck {
   }
 
   private void path(String d) {
-    String numbers = null;
+    String numbers = "";
+    boolean isFirst = true;
     int at = skipBlanks(d, 0, "\\s*");
     while (at < d.length()) {
       char command = Character.toUpperCase(d.charAt(at));
       String own = COMMANDS.get(command);
-      if (own == null && (numbers == null || numbers.isEmpty() || Character.isLetter(command))) {
+      if (own == null && (numbers.isEmpty() || Character.isLetter(command))) {
         throw badPath(d, at, "a command: M L H V C S Q T A or Z");
       }
-      if (own != null && numbers == null && command != 'M') {
+      if (isFirst && command != 'M') {
         throw badPath(d, at, "M first");
       }
+      isFirst = false;
       numbers = own == null ? numbers : own;
       at = numbers(d, own == null ? at : at + 1, numbers);
       at = skipBlanks(d, at, "[\\s,]*");
