@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.SortedMap;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -27,10 +28,13 @@ import org.starl.geometry.Pose;
 import org.starl.sim.Director;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimControl;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.input.BadInput;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 
 class RaceTest {
 
@@ -128,15 +132,23 @@ class RaceTest {
     }
   }
 
-  /** Crashes, for good, whoever is at the first point, before or after anybody may have heard. */
-  private record KillAtPoint(RacePoint point, RobotId who) implements Director {
+  /** Crashes, for good, whoever claims the first point, within a millisecond. */
+  private static final class KillsFirstWinner implements Director, SimObserver {
+    private @Nullable RobotId winner;
+
+    @Override
+    public void observed(TraceEvent event) {
+      if (winner == null && event instanceof Action action && action.name().equals("arrive")) {
+        winner = action.robot();
+      }
+    }
+
     @Override
     public void direct(SimControl control) {
-      if (control.truePose(who).distanceMm(point.at()) < point.radiusMm() - 5
-          && control.nowNs() % 100_000_000 > 0) {
-        control.crash(who);
-      } else {
+      if (winner == null) {
         control.at(control.nowNs() + 1_000_000, () -> direct(control));
+      } else {
+        control.crash(winner);
       }
     }
   }
@@ -146,12 +158,13 @@ class RaceTest {
         List.of(
             new RacePoint("A", new Point(1000, 1000), 75),
             new RacePoint("B", new Point(3000, 1000), 75));
-    RobotId nearest = new RobotId("bot0");
+    KillsFirstWinner kills = new KillsFirstWinner();
     Simulation.Builder simulation =
         Simulation.builder()
             .seed(1)
             .settings(SimSettings.builder().set("duration", "600s").build())
-            .director(new KillAtPoint(points.get(0), nearest));
+            .director(kills)
+            .observer(kills);
     if (!fault.isEmpty()) {
       simulation.fault(fault);
     }
@@ -168,10 +181,30 @@ class RaceTest {
   }
 
   @Test
-  void aPointOnWhichSomebodyDiesUnheardIsTakenFromAsNearAsPossible() {
+  void aWinnerThatDiesAtOnceHasWon() {
+    SimResult result = withDeadWinner("");
+    assertThat(result.results()).hasSize(3);
+    assertThat(winners(result, 2).get(0)).isEqualTo("bot0");
+  }
+
+  @Test
+  void aPointOnWhichSomebodyDiesUnheardIsWonFromAsNearAsCanBe() {
     SimResult result = withDeadWinner("loss(1,from=bot0)");
     assertThat(result.results()).hasSize(3);
     assertThat(winners(result, 2).get(0)).isNotEqualTo("bot0");
+  }
+
+  @Test
+  void whoeverArrivesBeforeTheNewsDoesAllAgreeInTheEnd() {
+    long arrivals = 0;
+    for (long seed = 1; seed <= 10; seed++) {
+      Map<String, String> settings =
+          Map.of("idealMotion", "true", "messageDelay", "uniform(500ms,3s)");
+      Plan plan = plan(seed, 6, Map.of("drawn", "4"), settings);
+      assertThat(winners(checked(plan.simulation(), "seed " + seed), 4)).hasSize(4);
+      arrivals += plan.story().measures().counts().get("arrivals");
+    }
+    assertThat(arrivals).isGreaterThan(4 * 10);
   }
 
   @Test

@@ -1,0 +1,57 @@
+package org.starl.apps.race;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.RudeRacer;
+import org.starl.random.Rng;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+
+/** Racers that are rude: what is checked of a race must see them. */
+class RudeRacersTest {
+
+  private static final int SEEDS = 20;
+
+  private static SimResult run(RudeRacer.Bug bug, long seed) {
+    // Bodies pass through each other and news are slow: now and then two are at a point at once.
+    SimSettings settings =
+        SimSettings.builder()
+            .set("duration", "600s")
+            .set("idealMotion", "true")
+            .set("messageDelay", "uniform(500ms,3s)")
+            .set("robots", "6")
+            .build();
+    List<RacePoint> points = RacePoints.drawn(4, settings, new Rng(seed).fork("race"));
+    Simulation.Builder simulation =
+        Simulation.builder()
+            .seed(seed)
+            .settings(settings)
+            .robots(settings.robots(), gvh -> new RudeRacer(gvh, points, bug));
+    RaceDemo.watch(simulation, points, settings);
+    return simulation.build().run();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "CLAIMS_FROM_AFAR, at_the_point",
+    "TELLS_OF_ANOTHER_WINNER, truly_won",
+    "LAST_HEARD_COUNTS, one_winner",
+    "TELLS_NOBODY, told",
+    "DOES_NOT_DRIVE, taken",
+    "FIRST_HEARD_COUNTS, agreed",
+  })
+  void aRudeRacerIsSeen(RudeRacer.Bug bug, String lemma) {
+    long seed = 0;
+    SimResult result;
+    do {
+      seed++;
+      result = run(bug, seed);
+    } while (result.spec().violations(lemma) == 0 && seed < SEEDS);
+    assertThat(result.spec().violations(lemma)).as("%s, seeds 1..%d", bug, SEEDS).isPositive();
+  }
+}

@@ -1,0 +1,113 @@
+package org.starl.apps.race.logic;
+
+import java.util.List;
+import java.util.TreeMap;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.LogicThread;
+import org.starl.geometry.ItemPosition;
+import org.starl.primitives.geocast.Broadcast;
+
+/** A racer without the scoreboard, right but for one bug. */
+public final class RudeRacer extends LogicThread {
+
+  /** What is wrong. */
+  public enum Bug {
+    /** It claims the point that it sets out for. */
+    CLAIMS_FROM_AFAR,
+    /** Whatever claim it hears, it says to have been won by who comes first by name. */
+    TELLS_OF_ANOTHER_WINNER,
+    /** The claim that it hears last counts. */
+    LAST_HEARD_COUNTS,
+    /** The claim that it hears first counts. */
+    FIRST_HEARD_COUNTS,
+    /** It keeps it to itself. */
+    TELLS_NOBODY,
+    /** It stands still. */
+    DOES_NOT_DRIVE
+  }
+
+  private final List<RacePoint> points;
+  private final Bug bug;
+  private final Broadcast<RaceMessage> broadcast;
+  private final GvhCell<RaceApp.Location> location;
+  private final TreeMap<Integer, Claim> best = new TreeMap<>();
+
+  public RudeRacer(GlobalVarHolder gvh, List<RacePoint> points, Bug bug) {
+    super(gvh);
+    this.points = points;
+    this.bug = bug;
+    location = gvh.variable(RaceApp.SOURCE, RaceApp.LOCATION, RaceApp.Location.RACE);
+    broadcast =
+        new Broadcast<>(
+            gvh,
+            "race",
+            new RaceCodec(points.size()),
+            (from, message) -> heard((Claim) message),
+            Scoreboard.SETTINGS);
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    await(gvh.gps::hasFix);
+    for (int i = 0; i < points.size(); i++) {
+      int point = i;
+      RacePoint next = points.get(i);
+      if (bug != Bug.DOES_NOT_DRIVE) {
+        gvh.plat.moat.setParameters(RaceApp.motion(gvh.plat.moat.parameters(), next));
+        gvh.plat.moat.doMove(new ItemPosition(next.name(), next.at().xMm(), next.at().yMm()));
+      }
+      while (!best.containsKey(point)
+          && gvh.gps.pose().distanceMm(next.at()) > next.radiusMm()
+          && bug != Bug.CLAIMS_FROM_AFAR) {
+        sleep(100);
+      }
+      if (!best.containsKey(point)) {
+        arrive(point, next);
+      }
+    }
+    sleep(10_000);
+    location.set(RaceApp.Location.DONE);
+    return List.of();
+  }
+
+  private void arrive(int point, RacePoint next) {
+    gvh.trace.action(RaceApp.SOURCE, RaceApp.ARRIVE, point, next.name(), 0, 0, next.radiusMm());
+    Claim claim = new Claim(point, gvh.id.name(), gvh.plat.clock.nowNs(), 0);
+    record(claim);
+    if (bug != Bug.TELLS_NOBODY) {
+      broadcast.BCast(claim, 5_000);
+    }
+  }
+
+  private void heard(Claim claim) {
+    Claim mine = best.get(claim.point());
+    switch (bug) {
+      case LAST_HEARD_COUNTS -> record(claim);
+      case TELLS_OF_ANOTHER_WINNER ->
+          record(new Claim(claim.point(), gvh.id.participants().asList().get(0), claim.atNs(), 0));
+      case FIRST_HEARD_COUNTS -> {
+        if (mine == null) {
+          record(claim);
+        }
+      }
+      default -> {
+        if (mine == null || claim.compareTo(mine) < 0) {
+          record(claim);
+        }
+      }
+    }
+  }
+
+  private void record(Claim claim) {
+    best.put(claim.point(), claim);
+    gvh.trace.action(
+        RaceApp.SOURCE,
+        Scoreboard.TAKEN,
+        claim.point(),
+        points.get(claim.point()).name(),
+        claim.winner(),
+        claim.atNs(),
+        claim.keptOffMm());
+  }
+}
