@@ -221,10 +221,11 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
     PlanTask task = task(claims.taken());
     PlanTask alone = task(List.of());
+    Departure departure = departure();
     PathPlanner with = planner;
     int mine = call;
     computing = true;
-    Computation<Found> plans = gvh.plat.compute(() -> Found.of(with, task, alone));
+    Computation<Found> plans = gvh.plat.compute(() -> Found.of(departure, with, task, alone));
     plans.whenDone(() -> {
       computing = false;
       if (mine == call && !closed) {
@@ -243,8 +244,8 @@ public final class DistributedPathPlanning implements StarLPrimitive {
 
   /**
    * Where a way begins: on the line of the tube that it holds, if it stands near it. That is as far
-   * from everything as a way must be; the robot itself stops anywhere within the goal radius, and from
-   * nearer to a wall or to another one's tube there would be no way.
+   * from everything as a way must be, but for rounding; the robot itself stops anywhere within the
+   * goal radius.
    */
   private Point start() {
     Point here = gvh.gps.pose().at();
@@ -260,6 +261,13 @@ public final class DistributedPathPlanning implements StarLPrimitive {
       }
     }
     return nearest;
+  }
+
+  /** The body is inside the disc where its way begins, once its place is known well enough. */
+  private Departure departure() {
+    double bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
+    double reachMm = radiusMm - bodyMm - settings.positionErrorMm();
+    return new Departure(gvh.gps.pose().at(), reachMm);
   }
 
   private void planned(Found found) {
@@ -348,10 +356,10 @@ public final class DistributedPathPlanning implements StarLPrimitive {
 
   /** Paths among the others' tubes, and, where there is none, on a floor without them. */
   private record Found(Plan among, Plan alone) {
-    static Found of(PathPlanner planner, PlanTask task, PlanTask alone) {
-      Plan among = planner.plan(task);
+    static Found of(Departure departure, PathPlanner planner, PlanTask task, PlanTask alone) {
+      Plan among = departure.plan(planner, task);
       boolean same = among instanceof Plan.Found || task.taken().isEmpty();
-      return new Found(among, same ? among : planner.plan(alone));
+      return new Found(among, same ? among : departure.plan(planner, alone));
     }
   }
 

@@ -78,6 +78,11 @@ public record PlanTask(
         clearanceMm);
   }
 
+  /** The same from another place. */
+  PlanTask from(Point newStart) {
+    return new PlanTask(newStart, goal, bounds, obstacles, taken, bodyRadiusMm, clearanceMm);
+  }
+
   /** How far the path, a line, stays from everything. */
   double marginMm() {
     return bodyRadiusMm + clearanceMm;

@@ -60,6 +60,10 @@
  * has ({@code unplaced()} says who is missing). A crashed robot keeps its tube: the others plan around
  * it, or are told. When it restarts it holds what it held, and goes on from there.
  *
+ * <p>Whoever stands so close to another one's tube that a planner, which rounds, sees no way from
+ * there, begins its way a little beside ({@code Departure}): two that stopped side by side may both
+ * leave.
+ *
  * <p>May import: core, {@code org.starl.primitives}, JTS.
  */
 @NullMarked
