@@ -20,6 +20,31 @@ subprojects {
         }
     }
 
+    plugins.withId("java") {
+        extensions.configure<JavaPluginExtension> {
+            withSourcesJar()
+            withJavadocJar()
+        }
+    }
+
+    // `publishToMavenLocal` does what `mvn install` does.
+    plugins.withId("maven-publish") {
+        extensions.configure<org.gradle.api.publish.PublishingExtension> {
+            publications.create("maven", org.gradle.api.publish.maven.MavenPublication::class.java) {
+                from(components.getByName("java"))
+            }
+        }
+    }
+
+    tasks.withType<org.gradle.api.tasks.javadoc.Javadoc>().configureEach {
+        (options as org.gradle.external.javadoc.StandardJavadocDocletOptions).apply {
+            addBooleanOption("Xdoclint:all,-missing", true)
+            addBooleanOption("notimestamp", true)
+            addBooleanOption("quiet", true)
+            encoding = "UTF-8"
+        }
+    }
+
     tasks.withType<JavaCompile>().configureEach {
         options.encoding = "UTF-8"
         options.release.set(21)

@@ -1,5 +1,6 @@
 plugins {
     `java-library`
+    id("maven-publish")
 }
 
 description = "Platform layer, real: clock, UDP, robots; plain JVM"

@@ -1,5 +1,6 @@
 plugins {
     application
+    id("maven-publish")
 }
 
 description = "Applications, scenarios and the command line"
@@ -15,6 +16,7 @@ dependencies {
     implementation(libs.jsvg)
     testImplementation(libs.archunit)
     testImplementation(libs.json.schema.validator)
+    testImplementation(libs.junit.platform.testkit)
     implementation(libs.jspecify)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)

@@ -1,5 +1,6 @@
 plugins {
     `java-library`
+    id("maven-publish")
 }
 
 description = "Interface and logic layers: gvh, callStarL, motion automaton, ports"

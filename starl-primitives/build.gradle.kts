@@ -1,5 +1,6 @@
 plugins {
     `java-library`
+    id("maven-publish")
 }
 
 description = "Coordination primitives, each with its specification"
