@@ -7,7 +7,14 @@ import java.util.TreeMap;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 
-/** An app with its scenarios, as the command line knows it. */
+/**
+ * An app with its scenarios, as the command line knows it. Three methods are enough: a name, a
+ * summary, and the plan of a run.
+ *
+ * <p>An app of your own becomes part of the command line by a file on the class path, {@code
+ * META-INF/services/org.starl.apps.Demo}, that holds the name of the class that implements this; it
+ * needs a public constructor without parameters.
+ */
 public interface Demo {
 
   /** What it shows. */
@@ -33,7 +40,9 @@ public interface Demo {
   }
 
   /** What {@code --set} may change besides the simulator's settings. */
-  List<Parameter> parameters();
+  default List<Parameter> parameters() {
+    return List.of();
+  }
 
   /** Each parameter's default value, by its key; a map of the caller's own. */
   default SortedMap<String, String> defaults() {
@@ -56,7 +65,9 @@ public interface Demo {
   }
 
   /** The simulator's settings where the user says nothing else. */
-  SimSettings.Builder defaultSettings(Request request);
+  default SimSettings.Builder defaultSettings(Request request) {
+    return SimSettings.builder();
+  }
 
   /**
    * The simulation of {@code request}: equal requests give equal simulations.

@@ -3,9 +3,12 @@ package org.starl.apps;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.ServiceConfigurationError;
+import java.util.ServiceLoader;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.apps.race.RaceDemo;
+import org.starl.sim.input.BadInput;
 
 /**
  * Apps that a command line can run.
@@ -20,6 +23,29 @@ public record Demos(List<Demo> all) {
 
   public Demos {
     all = List.copyOf(all);
+  }
+
+  /**
+   * Those that the class path holds besides: {@code META-INF/services/org.starl.apps.Demo} names
+   * them.
+   *
+   * @throws BadInput if one cannot be made, or is called as one of {@code known} is
+   */
+  public static Demos installed(Demos known) {
+    List<Demo> found = new ArrayList<>();
+    try {
+      for (Demo demo : ServiceLoader.load(Demo.class)) {
+        if (known.plus(found).byName(demo.name()).isPresent()) {
+          String where = demo.getClass().getName();
+          throw new BadInput(
+              where + ": its name " + BadInput.quote(demo.name()) + " is taken; expected another");
+        }
+        found.add(demo);
+      }
+    } catch (ServiceConfigurationError error) {
+      throw new BadInput("META-INF/services: " + error.getMessage());
+    }
+    return new Demos(found);
   }
 
   /** These, then {@code others}. */

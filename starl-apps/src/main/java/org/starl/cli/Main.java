@@ -31,6 +31,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       DeterminismCommand.class,
       RecordCommand.class,
       SchemaCommand.class,
+      NewCommand.class,
       BenchCommand.class,
       RobotCommand.class
     },
@@ -60,9 +61,16 @@ public final class Main implements Runnable {
     System.exit(run(out, err, args));
   }
 
-  /** Runs a command line and returns its exit status. */
+  /** Runs a command line, with the apps of the class path too, and returns its exit status. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
-    return run(ALL, out, err, args);
+    Demos demos;
+    try {
+      demos = Demos.installed(ALL).plus(ALL.all());
+    } catch (BadInput error) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    return run(demos, out, err, args);
   }
 
   /** The same, with other apps. */

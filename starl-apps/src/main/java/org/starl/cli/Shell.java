@@ -6,6 +6,9 @@ import java.util.regex.Pattern;
 /** Words of a command line that a person can paste. */
 final class Shell {
 
+  /** System property: how a person calls this program, where that is not {@code ./starl}. */
+  static final String LAUNCHER = "starl.launcher";
+
   private static final Pattern PLAIN = Pattern.compile("[A-Za-z0-9_./=:,@%+-]+");
 
   private Shell() {}
@@ -15,9 +18,9 @@ final class Shell {
     return PLAIN.matcher(word).matches() ? word : "'" + word.replace("'", "'\\''") + "'";
   }
 
-  /** The command line {@code ./starl WORD...}. */
+  /** The command line {@code ./starl WORD...}, or with the launcher's name in place of that. */
   static String starl(List<String> words) {
-    StringBuilder line = new StringBuilder("./starl");
+    StringBuilder line = new StringBuilder(System.getProperty(LAUNCHER, "./starl"));
     words.forEach(word -> line.append(' ').append(quote(word)));
     return line.toString();
   }

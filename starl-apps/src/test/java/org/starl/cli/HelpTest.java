@@ -21,7 +21,16 @@ class HelpTest {
 
   @ParameterizedTest
   @ValueSource(
-      strings = {"list", "run", "campaign", "verify-determinism", "record", "schema", "bench"})
+      strings = {
+        "list",
+        "run",
+        "campaign",
+        "verify-determinism",
+        "record",
+        "schema",
+        "new",
+        "bench"
+      })
   void everyCommandHelpsWithAnExample(String command) {
     Cli cli = Cli.run(command, "--help");
     assertThat(cli.status()).isZero();

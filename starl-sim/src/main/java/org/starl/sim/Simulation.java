@@ -158,6 +158,11 @@ public final class Simulation {
       return this;
     }
 
+    /** The obstacles so far: those of the settings' file come with {@link #build}. */
+    public Obstacles obstacles() {
+      return obstacles;
+    }
+
     public Builder director(Director newDirector) {
       director = newDirector;
       return this;

@@ -1,8 +1,6 @@
 package org.starl.apps.hello;
 
-import java.util.List;
 import org.starl.apps.Demo;
-import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.logic.Hello;
@@ -28,18 +26,8 @@ public final class HelloDemo implements Demo {
   }
 
   @Override
-  public List<Parameter> parameters() {
-    return List.of();
-  }
-
-  @Override
   public Envelope envelope() {
     return Envelope.SPATIAL;
-  }
-
-  @Override
-  public SimSettings.Builder defaultSettings(Request request) {
-    return SimSettings.builder();
   }
 
   @Override

@@ -1,0 +1,140 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.InputStreamReader;
+import java.io.Reader;
+import java.nio.charset.StandardCharsets;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Properties;
+import java.util.regex.MatchResult;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.Version;
+
+/**
+ * The files of a user's own project, from resources beside this class. In them {@code @word@} stands
+ * for a word, and a line that is nothing but {@code @part@} for a part, whole lines, which may differ
+ * between languages or be empty.
+ */
+final class ProjectTemplate {
+
+  /** The file that is a program. */
+  private static final String LAUNCHER = "launcher";
+
+  private static final String FOLDER = "project/";
+  private static final String SUFFIX = ".txt";
+  private static final String WORDS = "words.properties";
+  private static final Pattern WORD = Pattern.compile("@([A-Za-z-]+)@");
+  private static final Pattern PART = Pattern.compile("@([a-z-]+)@\n", Pattern.MULTILINE);
+
+  private final Map<String, String> words = new LinkedHashMap<>();
+  private final String language;
+
+  /**
+   * @param text of the file
+   * @param isProgram whether a shell may run it
+   */
+  record Written(String text, boolean isProgram) {}
+
+  /**
+   * @param name of the project: lower case letters, digits, and dashes between them
+   * @param language java or kotlin
+   */
+  ProjectTemplate(String name, String language) {
+    this.language = language;
+    addWords(WORDS);
+    addWords(language + "/" + WORDS);
+    words.put("name", name);
+    words.put("Name", className(name));
+    words.put("package", packageName(name));
+    words.put("starl", Version.STARL);
+  }
+
+  /** {@code my-robots} as a package. */
+  static String packageName(String name) {
+    return name.replace("-", "");
+  }
+
+  private static String className(String name) {
+    return Stream.of(name.split("-"))
+        .map(part -> Character.toUpperCase(part.charAt(0)) + part.substring(1))
+        .collect(Collectors.joining());
+  }
+
+  /** Every file of the project, by its path with slashes. */
+  Map<String, Written> files() {
+    Map<String, Written> files = new LinkedHashMap<>();
+    put(files, "README.md", "README.md");
+    put(files, "pom.xml", "pom.xml");
+    put(files, "build.gradle.kts", language + "/build.gradle.kts");
+    put(files, "settings.gradle.kts", "settings.gradle.kts");
+    put(files, ".gitignore", "gitignore");
+    put(files, "scenario.yaml", "scenario.yaml");
+    put(files, "@name@", LAUNCHER);
+    put(files, "src/main/resources/META-INF/services/org.starl.apps.Demo", "services");
+    for (String part : List.of("App", "Demo", "Main")) {
+      put(files, "@sources@/@Name@" + part + ".@ext@", language + "/" + part + ".@ext@");
+    }
+    put(files, "@sources@/AloneAtTheDock.@ext@", language + "/AloneAtTheDock.@ext@");
+    put(files, "@tests@/@Name@Test.@ext@", language + "/Test.@ext@");
+    return files;
+  }
+
+  private void put(Map<String, Written> files, String path, String resource) {
+    String template = read(withWords(resource) + SUFFIX);
+    if (template == null) {
+      throw new IllegalStateException("no template " + resource);
+    }
+    String whole = PART.matcher(template).replaceAll(part -> Matcher.quoteReplacement(part(part)));
+    files.put(withWords(path), new Written(withWords(whole), resource.equals(LAUNCHER)));
+  }
+
+  /** The lines that {@code line} stands for; itself if it is a word. */
+  private String part(MatchResult line) {
+    if (words.containsKey(line.group(1))) {
+      return line.group();
+    }
+    String text = read(language + "/" + line.group(1) + SUFFIX);
+    return text == null ? "" : text;
+  }
+
+  /** @throws IllegalStateException if a word is not known */
+  private String withWords(String text) {
+    return WORD.matcher(text)
+        .replaceAll(match -> {
+          String word = words.get(match.group(1));
+          if (word == null) {
+            throw new IllegalStateException("a template says " + match.group());
+          }
+          return Matcher.quoteReplacement(withWords(word));
+        });
+  }
+
+  private void addWords(String resource) {
+    Properties properties = new Properties();
+    try (InputStream in = ProjectTemplate.class.getResourceAsStream(FOLDER + resource)) {
+      if (in == null) {
+        throw new IllegalStateException("no resource " + resource);
+      }
+      Reader reader = new InputStreamReader(in, StandardCharsets.UTF_8);
+      properties.load(reader);
+    } catch (IOException e) {
+      throw new IllegalStateException(resource, e);
+    }
+    properties.stringPropertyNames().forEach(key -> words.put(key, properties.getProperty(key)));
+  }
+
+  private static @Nullable String read(String resource) {
+    try (InputStream in = ProjectTemplate.class.getResourceAsStream(FOLDER + resource)) {
+      return in == null ? null : new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    } catch (IOException e) {
+      throw new IllegalStateException(resource, e);
+    }
+  }
+}

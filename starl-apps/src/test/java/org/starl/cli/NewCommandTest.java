@@ -1,0 +1,226 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.dataformat.yaml.YAMLMapper;
+import com.networknt.schema.JsonSchemaFactory;
+import com.networknt.schema.SpecVersion.VersionFlag;
+import java.io.IOException;
+import java.io.Reader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Properties;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+/** What {@code starl new} writes compiles, passes its test, and keeps what its README says. */
+class NewCommandTest {
+
+  private static final String NAME = "my-robots";
+  private static final String APP = "src/main/java/myrobots/MyRobotsApp.java";
+  private static final String TEST = "src/test/java/myrobots/MyRobotsTest.java";
+  private static final String TEST_CLASS = "myrobots.MyRobotsTest";
+
+  @TempDir private static Path folder;
+
+  private static UserProject project;
+  private static String readme;
+
+  @BeforeAll
+  static void writeAndCompile() throws IOException {
+    project = UserProject.written(folder.resolve(NAME), NAME).compiled();
+    readme = project.text("README.md");
+  }
+
+  /** The code blocks of the tour, in their order. */
+  private static List<String> blocks() {
+    return Pattern.compile("```java\n(.*?)```", Pattern.DOTALL)
+        .matcher(readme)
+        .results()
+        .map(match -> match.group(1))
+        .toList();
+  }
+
+  private static String fault() {
+    Matcher fault = Pattern.compile("--fault '([^']+)'").matcher(readme);
+    assertThat(fault.find()).isTrue();
+    return fault.group(1);
+  }
+
+  /** Another copy, to change. */
+  private static UserProject copy(Path temporary) {
+    return UserProject.written(temporary.resolve(NAME), NAME);
+  }
+
+  private static void breakIt(UserProject copy) throws IOException {
+    String release = blocks().get(2).strip();
+    copy.edit(APP, "            " + release + "\n", "");
+    String home = "            gvh.plat.moat.doMove(home);\n";
+    copy.edit(APP, home, "            " + release + "\n" + home);
+    copy.compiled();
+  }
+
+  @Test
+  void itsTestPasses() throws IOException {
+    assertThat(project.test(TEST_CLASS)).isEmpty();
+  }
+
+  @Test
+  void itsCommandLineRunsItsAppAndKnowsAllOthers(@TempDir Path out) throws IOException {
+    Cli run = project.run("run", NAME, "--seed", "7", "--png", out.resolve("a.png").toString());
+    assertThat(run.status()).as("%s", run).isZero();
+    assertThat(run.text()).contains("bot3: visits: 2", "4 of 4 robots", "alone_at_the_dock");
+    Cli list = project.run("list");
+    assertThat(list.out())
+        .contains("app my-robots: robots take turns at a dock")
+        .anyMatch(line -> line.startsWith("  visits=2 "))
+        .anyMatch(line -> line.startsWith("app intersection: "));
+    Cli bad = project.run("run", NAME, "--set", "visits=0");
+    assertThat(bad.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(project.run("verify-determinism", NAME, "--seed", "7").status()).isZero();
+  }
+
+  @Test
+  void itsScenarioIsRightForEditorsAndCommands() throws IOException {
+    String schema = project.run("schema").text();
+    assertThat(
+            JsonSchemaFactory.getInstance(VersionFlag.V7)
+                .getSchema(new ObjectMapper().readTree(schema))
+                .validate(new YAMLMapper().readTree(project.text("scenario.yaml"))))
+        .isEmpty();
+    String file = project.root().resolve("scenario.yaml").toString();
+    Cli campaign = project.run("campaign", file, "--seeds", "1..5");
+    assertThat(campaign.status()).as("%s", campaign).isZero();
+  }
+
+  @Test
+  void theChangeOfTheTourIsRightAndQuicker(@TempDir Path temporary) throws IOException {
+    UserProject changed = copy(temporary);
+    changed.edit(APP, blocks().get(0), blocks().get(1));
+    changed.compiled();
+    assertThat(changed.test(TEST_CLASS)).isEmpty();
+    Cli slow = changed.run("campaign", NAME, "--seeds", "1..20", "--fault", fault(), "--json");
+    assertThat(slow.status()).as("%s", slow).isZero();
+    Cli before = project.run("campaign", NAME, "--seeds", "1..3", "--json");
+    Cli after = changed.run("campaign", NAME, "--seeds", "1..3", "--json");
+    assertThat(endSeconds(after)).isLessThan(0.9 * endSeconds(before));
+  }
+
+  private static double endSeconds(Cli campaign) throws IOException {
+    return new ObjectMapper().readTree(campaign.text()).path("end_s_p50").asDouble();
+  }
+
+  @Test
+  void theBugOfTheTourIsFoundAsItSays(@TempDir Path temporary) throws IOException {
+    UserProject broken = copy(temporary);
+    breakIt(broken);
+    assertThat(broken.test(TEST_CLASS)).isEmpty();
+    Cli campaign = broken.run("campaign", NAME, "--seeds", "1..10", "--fault", fault());
+    assertThat(campaign.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(campaign.err().toString()).contains("alone_at_the_dock violated");
+    broken.edit(TEST, blocks().get(4).strip(), blocks().get(3).strip());
+    broken.compiled();
+    assertThat(broken.test(TEST_CLASS)).hasSize(1).allMatch(why -> why.contains("-Dstarl.seed="));
+  }
+
+  @Test
+  void whatTheTourMendsStaysMended(@TempDir Path temporary) throws IOException {
+    UserProject mended = copy(temporary);
+    mended.edit(TEST, blocks().get(4).strip(), blocks().get(3).strip());
+    mended.compiled();
+    assertThat(mended.test(TEST_CLASS)).isEmpty();
+  }
+
+  @Test
+  void anAppWhoseNameIsTakenIsToldInALine(@TempDir Path temporary) throws IOException {
+    UserProject other = copy(temporary);
+    other.edit("src/main/java/myrobots/MyRobotsDemo.java", "return \"" + NAME, "return \"hello");
+    other.compiled();
+    Cli cli = other.run("list");
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err())
+        .containsExactly(
+            "starl: myrobots.MyRobotsDemo: its name 'hello' is taken; expected another");
+  }
+
+  @Test
+  void theLauncherIsAProgram() {
+    assertThat(Files.isExecutable(project.root().resolve(NAME))).isTrue();
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "",
+        "Rover",
+        "2d",
+        "a--b",
+        "a-",
+        "a_b",
+        "../a",
+        "class",
+        "fun",
+        "java",
+        "hello",
+        "mutex",
+        "aaaaaaaaaabbbbbbbbbbccccccccccdddddddddde",
+        "räuber"
+      })
+  void aNameThatCannotBeIsToldInALine(String name, @TempDir Path empty) throws IOException {
+    Cli cli = Cli.run("new", name, "--folder", empty.resolve("x").toString());
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli.err()).hasSize(1);
+    assertThat(cli.err().get(0)).startsWith("starl: '" + name + "': ").contains("expected a");
+    assertThat(empty).isEmptyDirectory();
+  }
+
+  @Test
+  void whatIsThereIsLeftAlone(@TempDir Path there) throws IOException {
+    Files.writeString(there.resolve("mine"), "mine");
+    for (Path taken : List.of(there, there.resolve("mine"), there.resolve("no/where"))) {
+      Cli cli = Cli.run("new", NAME, "--folder", taken.toString());
+      assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+      assertThat(cli.err()).hasSize(1);
+      assertThat(cli.err().get(0)).contains("expected a");
+    }
+    try (Stream<Path> children = Files.list(there)) {
+      assertThat(children).containsExactly(there.resolve("mine"));
+    }
+  }
+
+  @Test
+  void anEmptyFolderIsTaken(@TempDir Path empty) throws IOException {
+    assertThat(Cli.run("new", NAME, "--folder", empty.toString()).status()).isZero();
+    assertThat(empty.resolve("pom.xml")).exists();
+  }
+
+  @Test
+  void itsVersionsAreThoseOfTheBuild() throws IOException {
+    Properties words = new Properties();
+    Path template = Path.of("src/main/resources/org/starl/cli/project/words.properties");
+    try (Reader reader = Files.newBufferedReader(template)) {
+      words.load(reader);
+    }
+    String catalog = Files.readString(Path.of("../gradle/libs.versions.toml"));
+    String pom = Files.readString(Path.of("../pom.xml"));
+    words.remove("fault");
+    assertThat(words).hasSizeGreaterThan(7);
+    words.forEach((key, version) -> {
+      if (key.toString().startsWith("maven-")) {
+        assertThat(pom)
+            .containsPattern(
+                "<artifactId>" + key + "</artifactId>\\s*<version>" + version + "</version>");
+      } else {
+        assertThat(catalog).contains("\n" + key + " = \"" + version + "\"\n");
+      }
+    });
+  }
+}

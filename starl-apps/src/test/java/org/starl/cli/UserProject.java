@@ -1,0 +1,117 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import java.net.URL;
+import java.net.URLClassLoader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.stream.Stream;
+import javax.tools.JavaCompiler;
+import javax.tools.StandardJavaFileManager;
+import javax.tools.ToolProvider;
+import org.junit.platform.engine.discovery.DiscoverySelectors;
+import org.junit.platform.testkit.engine.EngineTestKit;
+import org.junit.platform.testkit.engine.Event;
+
+/** A project that {@code starl new} has written: compiled, tested and run within this JVM. */
+final class UserProject {
+
+  private final Path root;
+  private final Path classes;
+
+  private UserProject(Path root) {
+    this.root = root;
+    classes = root.resolve("classes");
+  }
+
+  /** Writes it into a new folder. */
+  static UserProject written(Path root, String name) {
+    Cli cli = Cli.run("new", name, "--folder", root.toString());
+    assertThat(cli.status()).as("%s", cli).isZero();
+    return new UserProject(root);
+  }
+
+  Path root() {
+    return root;
+  }
+
+  String text(String file) throws IOException {
+    return Files.readString(root.resolve(file));
+  }
+
+  /** Replaces what stands once in a file. */
+  void edit(String file, String old, String changed) throws IOException {
+    String text = text(file);
+    assertThat(text).containsOnlyOnce(old);
+    Files.writeString(root.resolve(file), text.replace(old, changed));
+  }
+
+  /** Compiles it as its own build does, with every warning an error. */
+  UserProject compiled() throws IOException {
+    JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+    StringWriter said = new StringWriter();
+    try (StandardJavaFileManager files = compiler.getStandardFileManager(null, null, null);
+        Stream<Path> paths = Files.walk(root.resolve("src"))) {
+      List<String> options = new ArrayList<>(List.of("--release", "21", "-proc:none", "-Werror"));
+      options.addAll(List.of("-Xlint:all,-processing,-path", "-d", classes.toString()));
+      options.addAll(List.of("-cp", System.getProperty("java.class.path")));
+      List<Path> sources = paths.filter(path -> path.toString().endsWith(".java")).toList();
+      boolean isGood =
+          compiler
+              .getTask(said, files, null, options, null, files.getJavaFileObjectsFromPaths(sources))
+              .call();
+      assertThat(isGood).as("%s", said).isTrue();
+    }
+    Path services = Path.of("META-INF/services/org.starl.apps.Demo");
+    Files.createDirectories(classes.resolve(services).getParent());
+    Files.writeString(
+        classes.resolve(services),
+        Files.readString(root.resolve("src/main/resources").resolve(services)));
+    return this;
+  }
+
+  /** Runs its one test class; what its failures say. */
+  List<String> test(String type) throws IOException {
+    try (URLClassLoader loader = loader()) {
+      var events =
+          EngineTestKit.engine("junit-jupiter")
+              .selectors(DiscoverySelectors.selectClass(loader.loadClass(type)))
+              .execute()
+              .testEvents();
+      assertThat(events.started().count()).isPositive();
+      List<String> said = new ArrayList<>();
+      for (Event event : events.failed().list()) {
+        said.add(event.getPayload().orElseThrow().toString());
+      }
+      return said;
+    } catch (ClassNotFoundException e) {
+      throw new AssertionError(e);
+    }
+  }
+
+  /** Runs a command line with its classes on the class path. */
+  Cli run(String... args) throws IOException {
+    StringWriter out = new StringWriter();
+    StringWriter err = new StringWriter();
+    Thread thread = Thread.currentThread();
+    ClassLoader before = thread.getContextClassLoader();
+    try (URLClassLoader loader = loader()) {
+      thread.setContextClassLoader(loader);
+      int status = Main.run(new PrintWriter(out), new PrintWriter(err), args);
+      return new Cli(status, out.toString().lines().toList(), err.toString().lines().toList());
+    } finally {
+      thread.setContextClassLoader(before);
+    }
+  }
+
+  private URLClassLoader loader() throws IOException {
+    return new URLClassLoader(
+        new URL[] {classes.toUri().toURL()}, UserProject.class.getClassLoader());
+  }
+}
