@@ -8,6 +8,7 @@ description = "Platform and physical layers, simulated"
 dependencies {
     api(project(":starl-core"))
     api(libs.jspecify)
+    implementation(libs.jackson.databind)
     // For users' tests alone: who runs simulations elsewhere does not have it.
     compileOnly(libs.junit.jupiter.api)
     testImplementation(libs.junit.jupiter)

@@ -25,6 +25,10 @@ final class Picture implements Closeable {
     return recorder;
   }
 
+  boolean isTaken() {
+    return recorder.hasPicture();
+  }
+
   /** Writes the file, after the run; none if an error ended the run before the picture. */
   @Override
   public void close() throws IOException {

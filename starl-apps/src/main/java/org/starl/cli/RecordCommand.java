@@ -8,9 +8,12 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.sim.SimResult;
+import org.starl.sim.export.McapRecorder;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
+import org.starl.sim.record.GifRecorder;
 import org.starl.sim.record.Moment;
+import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -20,27 +23,70 @@ import picocli.CommandLine.Spec;
 /** {@code starl record}. */
 @Command(
     name = "record",
-    description = "Runs, and draws a picture of one moment.",
+    description = "Runs, and writes a picture of one moment, a moving picture, or an MCAP file.",
     mixinStandardHelpOptions = true,
-    footer = {"", "Example: starl record intersection --seed 7 --png t=12s --out crossing.png"})
+    footer = {
+      "",
+      "Example: starl record intersection --seed 7 --png t=12s --out crossing.png",
+      "         starl record intersection --seed 7 --gif --every 500ms",
+      "         starl record intersection --seed 7 --mcap"
+    })
 final class RecordCommand implements Callable<Integer> {
 
-  private static final String EXPECTED = "expected t=TIME (t=12s), end or best";
+  private static final String EXPECTED = "expected t=TIME (t=12s), end, best or violation";
+  private static final String VIOLATION = "violation";
+  private static final int MAX_WIDTH_PX = 4000;
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** What is written. */
+  private static final class What {
+    @Option(
+        names = "--png",
+        arity = "0..1",
+        fallbackValue = "",
+        paramLabel = "WHEN",
+        description = "A picture; this is what is written unless something else is said.")
+    private @Nullable String png;
+
+    @Option(names = "--gif", description = "A moving picture.")
+    private boolean gif;
+
+    @Option(
+        names = "--mcap",
+        description = "Motion, messages, variables and log, for Foxglove and other tools.")
+    private boolean mcap;
+  }
 
   @Mixin private RunOptions options = new RunOptions();
 
   @Mixin private SeedOption seed = new SeedOption();
 
+  @ArgGroup private @Nullable What what;
+
   @Option(
-      names = "--png",
+      names = "--when",
       paramLabel = "WHEN",
-      description = "t=12s, end, or best: when most is to be seen. best unless given.")
-  private String when = "best";
+      description =
+          "Of pictures: t=12s, end, best (when most is to be seen), or violation (the first, with"
+              + " what came before in a moving picture; nothing is written if there is none).")
+  private @Nullable String when;
+
+  @Option(
+      names = "--every",
+      paramLabel = "TIME",
+      description = "Virtual time between two frames of a moving picture; 250ms unless given.")
+  private String every = "250ms";
+
+  @Option(
+      names = "--width",
+      paramLabel = "PIXELS",
+      description = "Of a moving picture; 900 unless given.")
+  private String width = "900";
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "Where the picture goes; out/APP-SEED.png unless given.")
+      description = "What to write to; out/APP-SEED.png, .gif or .mcap unless given.")
   private @Nullable String file;
 
   @Spec private @Nullable CommandSpec spec;
@@ -49,17 +95,23 @@ final class RecordCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
-    Moment moment = moment(when);
+    String suffix = suffix();
+    String wanted = when();
+    Moment moment = moment(wanted);
     Chosen chosen = options.chosen(Main.demos(spec));
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
-    String target = file == null ? defaultFile(chosen.demo().name(), seedNumber) : file;
-    SimResult result;
-    try (Picture picture = new Picture(plan, moment, "--out", target)) {
-      plan.simulation().observer(picture.recorder()).carriers(Carriers.chosen(null, err));
-      result = plan.simulation().build().run();
-    }
-    out.println(chosen.demo().name() + ", seed " + seedNumber + ": " + target);
+    String target = file == null ? defaultFile(chosen.demo().name(), seedNumber, suffix) : file;
+    plan.simulation().carriers(Carriers.chosen(null, err));
+    Recorded recorded =
+        switch (suffix) {
+          case "gif" -> gif(plan, wanted, target);
+          case "mcap" -> mcap(plan, target);
+          default -> png(plan, moment, target);
+        };
+    String name = chosen.demo().name() + ", seed " + seedNumber + ": ";
+    out.println(name + (recorded.isWritten() ? target : "no specification was violated"));
+    SimResult result = recorded.result();
     if (Outcome.isGood(result)) {
       return ExitStatus.GOOD;
     }
@@ -68,19 +120,98 @@ final class RecordCommand implements Callable<Integer> {
     return ExitStatus.VIOLATED;
   }
 
-  static String defaultFile(String app, long seed) {
-    return String.format(Locale.ROOT, "out/%s-%d.png", app, seed);
+  /** How the run went, and whether there was anything to write. */
+  private record Recorded(SimResult result, boolean isWritten) {}
+
+  private static Recorded png(Plan plan, Moment moment, String target) throws IOException {
+    try (Picture picture = new Picture(plan, moment, "--out", target)) {
+      plan.simulation().observer(picture.recorder());
+      SimResult result = plan.simulation().build().run();
+      return new Recorded(result, picture.isTaken());
+    }
+  }
+
+  private Recorded gif(Plan plan, String wanted, String target) throws IOException {
+    boolean ofViolation = wanted.equals(VIOLATION);
+    if (!ofViolation && when != null) {
+      throw new BadInput("--when " + when + ": of a moving picture, expected violation or nothing");
+    }
+    GifRecorder recorder =
+        new GifRecorder(
+            plan.obstacles(),
+            plan.layer(),
+            everyNs(),
+            (int) Numbers.whole("--width", width, 100, MAX_WIDTH_PX),
+            ofViolation);
+    plan.simulation().observer(recorder);
+    try (OutputFile output = new OutputFile("--out", target)) {
+      SimResult result = plan.simulation().build().run();
+      if (recorder.hasFrames()) {
+        recorder.writeGif(output.stream());
+      }
+      return new Recorded(result, recorder.hasFrames());
+    }
+  }
+
+  private static Recorded mcap(Plan plan, String target) throws IOException {
+    try (ObserverFile output =
+        ObserverFile.of("--out", target, stream -> new McapRecorder(stream, plan.obstacles()))) {
+      plan.simulation().observer(output.observer());
+      return new Recorded(plan.simulation().build().run(), true);
+    }
+  }
+
+  private String suffix() {
+    if (what != null && what.gif) {
+      return "gif";
+    }
+    return what != null && what.mcap ? "mcap" : "png";
+  }
+
+  /** {@code --png t=12s} is short for {@code --png --when t=12s}. */
+  private String when() {
+    String png = what == null || what.png == null ? "" : what.png;
+    if (!png.isEmpty() && when != null) {
+      throw new BadInput("--when: the moment is given by --png as well; expected one of the two");
+    }
+    if (!png.isEmpty()) {
+      return png;
+    }
+    return when == null ? "best" : when;
+  }
+
+  private long everyNs() {
+    try {
+      long everyNs = Quantities.durationNs(every);
+      if (everyNs < NS_PER_MS) {
+        throw new BadInput(BadInput.quote(every) + ": expected at least 1ms");
+      }
+      return everyNs;
+    } catch (BadInput error) {
+      throw Quantities.in("--every", error);
+    }
+  }
+
+  static String defaultFile(String app, long seed, String suffix) {
+    return String.format(Locale.ROOT, "out/%s-%d.%s", app, seed, suffix);
   }
 
   private static Moment moment(String text) {
-    if (text.equals("end")) {
-      return new Moment.End();
-    }
-    if (text.equals("best")) {
-      return new Moment.Best();
-    }
-    if (!text.startsWith("t=")) {
-      throw new BadInput("--png: " + BadInput.quote(text) + ": " + EXPECTED);
+    switch (text) {
+      case "end" -> {
+        return new Moment.End();
+      }
+      case "best" -> {
+        return new Moment.Best();
+      }
+      case VIOLATION -> {
+        return new Moment.Violation();
+      }
+      default -> {
+        if (!text.startsWith("t=")) {
+          throw new BadInput("--png: " + BadInput.quote(text) + ": " + EXPECTED);
+        }
+      }
     }
     try {
       return new Moment.At(Quantities.durationNs(text.substring(2)));

@@ -70,7 +70,7 @@ final class RunCommand implements Callable<Integer> {
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     String app = chosen.demo().name();
-    String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber) : png;
+    String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
     boolean areProcesses = processes.areOn();
     String again = options.replay("run", seedNumber);
     String replay =

@@ -93,6 +93,11 @@ class BadInputTest {
       campaign intersection --seeds 1..4 --threads 0 | --threads | from 1 to 1024
       campaign intersection --seeds 1..4 --robots 13 | robots: 13 | expected 1 to 12 cars
       record intersection --png noon | --png | 'noon' | expected t=TIME
+      record intersection --gif --mcap | --gif | --mcap
+      record intersection --png end --when best | --when | expected one of the two
+      record intersection --gif --when end | --when | expected violation
+      record intersection --gif --every 1us | --every | at least 1ms
+      record intersection --gif --width 1 | --width | from 100 to 4000
       record intersection --png t=12 | --png | '12' | expected a duration with a unit
       verify-determinism nope | 'nope' | expected one of
       bench | WORKLOAD

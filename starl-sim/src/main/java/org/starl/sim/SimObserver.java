@@ -2,6 +2,7 @@ package org.starl.sim;
 
 import org.starl.RobotId;
 import org.starl.platform.LogSink.Level;
+import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -16,6 +17,9 @@ public interface SimObserver {
 
   /** Each event, in order. */
   default void observed(TraceEvent event) {}
+
+  /** Each violation that is kept, after the event that showed it and that others observed. */
+  default void violated(SpecReport.Violation violation) {}
 
   /** Each log line of a robot. */
   default void logged(long timeNs, RobotId robot, Level level, String tag, String line) {}

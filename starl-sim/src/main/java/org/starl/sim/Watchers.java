@@ -18,6 +18,7 @@ final class Watchers implements TraceSink {
   private final Monitors monitors;
   private final List<SimObserver> observers;
   private final boolean isOn;
+  private int told;
 
   Watchers(Simulation.Builder plan) {
     List<Monitor> made = new ArrayList<>();
@@ -40,6 +41,17 @@ final class Watchers implements TraceSink {
     for (int i = 0; i < observers.size(); i++) {
       observers.get(i).observed(event);
     }
+    if (monitors.report().found() > told) {
+      tellViolations();
+    }
+  }
+
+  private void tellViolations() {
+    for (SpecReport.Violation violation :
+        monitors.report().violations().subList(told, monitors.report().found())) {
+      observers.forEach(observer -> observer.violated(violation));
+    }
+    told = monitors.report().found();
   }
 
   void started(TraceHeader header) {
@@ -48,6 +60,7 @@ final class Watchers implements TraceSink {
 
   SpecReport endSpecifications(long endNs) {
     monitors.finish(endNs);
+    tellViolations();
     return monitors.report();
   }
 

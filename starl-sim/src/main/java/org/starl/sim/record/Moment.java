@@ -9,6 +9,9 @@ public sealed interface Moment {
   /** At the end of the run. */
   record End() implements Moment {}
 
+  /** When a specification is found violated first; never if all hold. */
+  record Violation() implements Moment {}
+
   /** At the first whole second at which the layer sees most. */
   record Best() implements Moment {}
 }

@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
+import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -50,14 +51,24 @@ public final class PictureRecorder implements SimObserver {
       case Moment.End end -> {
         // Taken when the run has finished.
       }
+      case Moment.Violation violation -> {
+        // Taken when one is told.
+      }
     }
     scene.observe(event);
     layer.observe(event);
   }
 
   @Override
+  public void violated(SpecReport.Violation violation) {
+    if (moment instanceof Moment.Violation && picture == null) {
+      take(scene.nowNs());
+    }
+  }
+
+  @Override
   public void finished(SimResult result) {
-    if (picture == null) {
+    if (picture == null && !(moment instanceof Moment.Violation)) {
       take(result.endNs());
     }
   }
@@ -67,7 +78,7 @@ public final class PictureRecorder implements SimObserver {
     return picture;
   }
 
-  /** Whether the picture was taken; not if an error ended the run before. */
+  /** Whether the picture was taken; not if the moment never came. */
   public boolean hasPicture() {
     return picture != null;
   }

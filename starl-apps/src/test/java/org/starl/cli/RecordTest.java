@@ -1,0 +1,93 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import javax.imageio.ImageIO;
+import javax.imageio.ImageReader;
+import javax.imageio.stream.ImageInputStream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/** {@code starl record}: what it writes is what others read. */
+class RecordTest {
+
+  @TempDir private Path folder;
+
+  @Test
+  void aMovingPictureHasAFrameForEachStepOfTheRun() throws IOException {
+    Path gif = folder.resolve("a.gif");
+    Cli cli =
+        Cli.run(
+            "record",
+            "hello",
+            "--seed",
+            "1",
+            "--gif",
+            "--every",
+            "1s",
+            "--width",
+            "300",
+            "--out",
+            gif.toString());
+    assertThat(cli.status()).isZero();
+    assertThat(cli.text()).contains(gif.toString());
+    ImageReader reader = ImageIO.getImageReadersByFormatName("gif").next();
+    try (ImageInputStream in = ImageIO.createImageInputStream(gif.toFile())) {
+      reader.setInput(in);
+      assertThat(reader.getNumImages(true)).isBetween(4, 12);
+      assertThat(reader.read(0).getWidth()).isEqualTo(300);
+    } finally {
+      reader.dispose();
+    }
+  }
+
+  @Test
+  void nothingIsWrittenOfAViolationThatDoesNotCome() {
+    for (String kind : new String[] {"--png", "--gif"}) {
+      Path file = folder.resolve("none" + kind);
+      Cli cli =
+          Cli.run(
+              "record",
+              "hello",
+              "--seed",
+              "1",
+              kind,
+              "--when",
+              "violation",
+              "--out",
+              file.toString());
+      assertThat(cli.status()).isZero();
+      assertThat(cli.text()).contains("no specification was violated");
+      assertThat(file).doesNotExist();
+    }
+  }
+
+  /** As the format's specification has it: the magic, records behind their lengths, the magic. */
+  @Test
+  void anMcapFileIsMadeOfWholeRecords() throws IOException {
+    Path mcap = folder.resolve("a.mcap");
+    Cli cli = Cli.run("record", "hello", "--seed", "1", "--mcap", "--out", mcap.toString());
+    assertThat(cli.status()).isZero();
+    byte[] bytes = Files.readAllBytes(mcap);
+    byte[] magic = {(byte) 0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
+    assertThat(bytes).startsWith(magic).endsWith(magic);
+    ByteBuffer in = ByteBuffer.wrap(bytes).order(ByteOrder.LITTLE_ENDIAN);
+    in.position(magic.length);
+    StringBuilder kinds = new StringBuilder();
+    while (in.remaining() > magic.length) {
+      kinds.append(Integer.toHexString(in.get()));
+      int length = Math.toIntExact(in.getLong());
+      in.position(in.position() + length);
+    }
+    assertThat(in.remaining()).isEqualTo(magic.length);
+    assertThat(kinds.toString()).matches("167+f3+4+b8+e+2");
+    assertThat(new String(bytes, StandardCharsets.UTF_8))
+        .contains("foxglove.SceneUpdate", "/pose/bot0");
+  }
+}
