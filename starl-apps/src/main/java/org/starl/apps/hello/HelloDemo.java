@@ -4,13 +4,12 @@ import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.logic.Hello;
+import org.starl.apps.hello.view.HelloLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.sim.record.Layer;
-import org.starl.sim.record.Scene;
 
 /** {@code starl run hello}. */
 public final class HelloDemo implements Demo {
@@ -39,14 +38,6 @@ public final class HelloDemo implements Demo {
             .robots(request.robots().orElse(settings.robots()), Hello::new)
             .monitor(() -> new MotionSpec(settings.motionParameters(0)))
             .observer(story);
-    return new Plan(simulation, story, new Farthest(), Obstacles.NONE);
-  }
-
-  /** Most is to be seen when all have driven as far as they go. */
-  private static final class Farthest implements Layer {
-    @Override
-    public double interest(Scene scene) {
-      return scene.robots().stream().mapToInt(robot -> scene.trail(robot).size()).sum();
-    }
+    return new Plan(simulation, story, new HelloLayer(), Obstacles.NONE);
   }
 }

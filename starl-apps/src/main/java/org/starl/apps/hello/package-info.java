@@ -1,7 +1,8 @@
 /**
  * The smallest app, as a simulation.
  *
- * <p>May import: core, primitives, sim, {@code org.starl.apps}, {@code logic} beside it.
+ * <p>May import: core, primitives, sim, {@code org.starl.apps}, {@code logic} and {@code view}
+ * beside it.
  */
 @NullMarked
 package org.starl.apps.hello;

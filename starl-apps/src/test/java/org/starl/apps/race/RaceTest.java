@@ -7,11 +7,14 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.SortedMap;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -153,21 +156,39 @@ class RaceTest {
     }
   }
 
-  private static SimResult withDeadWinner(String fault) {
+  /** When each robot first knew of the first point's winner after {@code fromNs}, and who arrived. */
+  private static final class FirstPoint implements SimObserver {
+    private final long fromNs;
+    private final Map<RobotId, Long> knewNs = new TreeMap<>();
+    private final List<RobotId> arrived = new ArrayList<>();
+
+    FirstPoint(long fromNs) {
+      this.fromNs = fromNs;
+    }
+
+    @Override
+    public void observed(TraceEvent event) {
+      if (event instanceof Action action && !action.args().isEmpty()) {
+        boolean isFirst = action.args().get(0).equals("0");
+        if (isFirst && action.name().equals("arrive")) {
+          arrived.add(action.robot());
+        } else if (isFirst && action.name().equals("taken") && action.timeNs() >= fromNs) {
+          knewNs.putIfAbsent(action.robot(), action.timeNs());
+        }
+      }
+    }
+  }
+
+  /** bot0 is the nearest to the first point. */
+  private static Simulation.Builder fourToTwoPoints() {
     List<RacePoint> points =
         List.of(
             new RacePoint("A", new Point(1000, 1000), 75),
             new RacePoint("B", new Point(3000, 1000), 75));
-    KillsFirstWinner kills = new KillsFirstWinner();
     Simulation.Builder simulation =
         Simulation.builder()
             .seed(1)
-            .settings(SimSettings.builder().set("duration", "600s").build())
-            .director(kills)
-            .observer(kills);
-    if (!fault.isEmpty()) {
-      simulation.fault(fault);
-    }
+            .settings(SimSettings.builder().set("duration", "600s").build());
     for (int i = 0; i < 4; i++) {
       simulation.robot(
           new RobotSpec(
@@ -177,19 +198,48 @@ class RaceTest {
               gvh -> new RaceApp(gvh, "race", points)));
     }
     RaceDemo.watch(simulation, points, SimSettings.defaults());
+    return simulation;
+  }
+
+  private static SimResult withDeadWinner(FirstPoint first, String fault) {
+    KillsFirstWinner kills = new KillsFirstWinner();
+    Simulation.Builder simulation =
+        fourToTwoPoints().director(kills).observer(kills).observer(first);
+    if (!fault.isEmpty()) {
+      simulation.fault(fault);
+    }
     return checked(simulation, "dead winner, " + fault);
   }
 
-  @Test
-  void aWinnerThatDiesAtOnceHasWon() {
-    SimResult result = withDeadWinner("");
+  @ParameterizedTest
+  @ValueSource(strings = {"", "loss(1,from=bot0,to=bot2)"})
+  void aWinnerThatDiesAtOnceHasWonAndWhoHasNotHeardItHearsItFromOthers(String fault) {
+    FirstPoint first = new FirstPoint(0);
+    SimResult result = withDeadWinner(first, fault);
     assertThat(result.results()).hasSize(3);
     assertThat(winners(result, 2).get(0)).isEqualTo("bot0");
+    assertThat(first.arrived).containsExactly(new RobotId("bot0"));
+    assertThat(first.knewNs).hasSize(4);
+    long firstNs = Collections.min(first.knewNs.values());
+    assertThat(Collections.max(first.knewNs.values()) - firstNs).isLessThan(100_000_000);
+  }
+
+  @Test
+  void whoStartsAnewAsksAndDoesNotRaceToWhatIsWon() {
+    long restartNs = 7_000_000_000L;
+    FirstPoint first = new FirstPoint(restartNs);
+    SimResult result =
+        checked(fourToTwoPoints().observer(first).fault("crash(bot1,at=6s,restart=1s)"), "restart");
+    assertThat(result.results()).hasSize(4);
+    assertThat(winners(result, 2).get(0)).isEqualTo("bot0");
+    assertThat(first.arrived).containsExactly(new RobotId("bot0"));
+    assertThat(first.knewNs.getOrDefault(new RobotId("bot1"), Long.MAX_VALUE))
+        .isLessThan(restartNs + 100_000_000);
   }
 
   @Test
   void aPointOnWhichSomebodyDiesUnheardIsWonFromAsNearAsCanBe() {
-    SimResult result = withDeadWinner("loss(1,from=bot0)");
+    SimResult result = withDeadWinner(new FirstPoint(0), "loss(1,from=bot0)");
     assertThat(result.results()).hasSize(3);
     assertThat(winners(result, 2).get(0)).isNotEqualTo("bot0");
   }
@@ -202,7 +252,7 @@ class RaceTest {
           Map.of("idealMotion", "true", "messageDelay", "uniform(500ms,3s)");
       Plan plan = plan(seed, 6, Map.of("drawn", "4"), settings);
       assertThat(winners(checked(plan.simulation(), "seed " + seed), 4)).hasSize(4);
-      arrivals += plan.story().measures().counts().get("arrivals");
+      arrivals += plan.story().measures().counts().getOrDefault("arrivals", 0L);
     }
     assertThat(arrivals).isGreaterThan(4 * 10);
   }

@@ -25,6 +25,8 @@ class RudeRacersTest {
             .set("idealMotion", "true")
             .set("messageDelay", "uniform(500ms,3s)")
             .set("robots", "6")
+            // So far that who is not told does not get there before it should know.
+            .set("floorWidth", bug == RudeRacer.Bug.TELLS_NOBODY ? "30m" : "5m")
             .build();
     List<RacePoint> points = RacePoints.drawn(4, settings, new Rng(seed).fork("race"));
     Simulation.Builder simulation =

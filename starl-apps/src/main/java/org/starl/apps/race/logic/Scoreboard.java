@@ -12,13 +12,16 @@ import org.starl.platform.Timer;
 import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.geocast.GeocastSettings;
+import org.starl.random.Rng;
 
 /**
  * Who has won which point, as far as one robot knows. What it learns it announces by Broadcast, the
  * winner's own claim as well as others', again and again until every robot of the deployment has
  * acknowledged: so a winner that crashes as soon as one robot has heard of it is not forgotten, and
  * whoever was cut off learns when it is not any more. It goes on when the app has ended, as long as
- * the robot is up. Strand only.
+ * the robot is up. After the first time it leaves that to others as long as it hears them do it, as
+ * Trickle does (Levis et al., RFC 6206): robots that are dead are called by one at a time. Strand
+ * only.
  */
 public final class Scoreboard {
 
@@ -28,6 +31,8 @@ public final class Scoreboard {
   private static final long NS_PER_MS = 1_000_000;
   private static final long ANNOUNCE_MS = 5_000;
   private static final long ROUND_MS = 500;
+  private static final long LEAST_QUIET_MS = 6_000;
+  private static final long MOST_QUIET_MS = 8_000;
 
   /** Clocks that are up to 200 ppm off differ by no more after four minutes. */
   public static final long CLOCK_SKEW_NS = 100_000_000;
@@ -45,6 +50,7 @@ public final class Scoreboard {
   private final List<Entry> entries = new ArrayList<>();
   private final Broadcast<RaceMessage> broadcast;
   private final Timer rounds;
+  private final Rng rng;
 
   /** What is known of one point. */
   private static final class Entry {
@@ -52,6 +58,8 @@ public final class Scoreboard {
     // Who knows the best claim, or a better one, for certain.
     private final Set<RobotId> informed = new TreeSet<>();
     private @Nullable GeocastReceipt cast;
+    // Others call out the best claim: this robot need not until then.
+    private long quietUntilNs;
 
     void learnAcknowledgements() {
       if (cast != null) {
@@ -78,6 +86,7 @@ public final class Scoreboard {
     this.points = List.copyOf(points);
     points.forEach(point -> entries.add(new Entry()));
     broadcast = new Broadcast<>(gvh, xid, new RaceCodec(points.size()), this::heard, SETTINGS);
+    rng = gvh.plat.entropy.fork("scoreboard");
     rounds = gvh.plat.timers.timer(this::round);
     if (gvh.id.boot() > 1) {
       broadcast.BCast(new RaceMessage.Question(), ANNOUNCE_MS);
@@ -163,6 +172,7 @@ public final class Scoreboard {
     Entry entry = entries.get(claim.point());
     if (claim.equals(entry.best)) {
       entry.informed.add(from);
+      keepQuiet(entry);
     } else {
       // Who claims what another has won already has to be told; it may have started anew.
       entry.forgottenBy(from);
@@ -194,16 +204,24 @@ public final class Scoreboard {
     Claim best = entry.best;
     if (best != null && (entry.cast == null || entry.cast.isComplete())) {
       entry.cast = broadcast.BCast(best, ANNOUNCE_MS);
+      keepQuiet(entry);
       rounds.set(gvh.plat.clock.nowNs() + ROUND_MS * NS_PER_MS);
     }
+  }
+
+  private void keepQuiet(Entry entry) {
+    long quietMs = rng.nextLong(LEAST_QUIET_MS, MOST_QUIET_MS);
+    entry.quietUntilNs = gvh.plat.clock.nowNs() + quietMs * NS_PER_MS;
   }
 
   private void round() {
     boolean isOver = true;
     for (Entry entry : entries) {
       if (entry.best != null && !missingOf(entry).isEmpty()) {
-        announce(entry);
         isOver = false;
+        if (gvh.plat.clock.nowNs() >= entry.quietUntilNs) {
+          announce(entry);
+        }
       }
     }
     if (!isOver) {

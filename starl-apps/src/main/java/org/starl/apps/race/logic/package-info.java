@@ -15,8 +15,8 @@
  *       agree, however many arrived before they heard of each other.
  * </ul>
  *
- * <p>Progress, while the world behaves: everybody who is up knows that a point is taken within 15 s of
- * the first who does; each point is taken; in the end all robots know the same winners. Robots that
+ * <p>Progress, while the world behaves: everybody who is up knows that a point is taken within 18 s of
+ * the first who does (where messages get lost, 8.5 s more for every nine copies that all may be); each point is taken; in the end all robots know the same winners. Robots that
  * have crashed for good hold nobody up for more than {@link
  * org.starl.apps.race.logic.RaceApp#TELL_PATIENCE_MS}.
  *

@@ -13,10 +13,11 @@ public record RaceBounds(long toldNs, long takenNs) {
   private static final double SLOWEST_MM_PER_S = 25;
   private static final double TURNS_S = 120;
 
-  /** Copies follow each other after 1.5 s at most, the end of one broadcast and the next included. */
-  private static final double COPY_S = 1.5;
+  /** A broadcast is so many copies in 5 s; the next one begins so long after it began. */
+  private static final int COPIES = 9;
 
-  private static final double SETTLE_S = 3;
+  private static final double ROUND_S = 8.5;
+  private static final double SETTLE_S = 1;
 
   /** So many copies in a row are not lost in all campaigns together. */
   private static final double NEVER = 1e-13;
@@ -41,7 +42,8 @@ public record RaceBounds(long toldNs, long takenNs) {
     for (double all = loss; all > NEVER && copies < MOST_COPIES; all *= loss) {
       copies++;
     }
-    long toldNs = 2 * longestDelayNs + (long) ((copies * COPY_S + SETTLE_S) * NS_PER_S);
+    int rounds = 1 + (copies + COPIES - 1) / COPIES;
+    long toldNs = 2 * longestDelayNs + (long) ((rounds * ROUND_S + SETTLE_S) * NS_PER_S);
     long driveNs = (long) ((farthestMm / SLOWEST_MM_PER_S + TURNS_S) * NS_PER_S);
     return new RaceBounds(toldNs, driveNs + toldNs);
   }

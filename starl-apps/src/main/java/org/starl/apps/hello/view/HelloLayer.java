@@ -1,0 +1,84 @@
+package org.starl.apps.hello.view;
+
+import java.awt.BasicStroke;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.geometry.Point;
+import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionParameters;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Painter;
+import org.starl.sim.record.Scene;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+
+/** Draws each robot's goal as a ring of the goal radius, and dotted the way to it. */
+public final class HelloLayer implements Layer {
+
+  private static final float[] DOTS = {1, 45};
+  private static final String MOTION = "motion";
+
+  private final SortedMap<RobotId, Point> goals = new TreeMap<>();
+
+  @Override
+  public void observe(TraceEvent event) {
+    if (event instanceof Action action
+        && action.source().equals(MOTION)
+        && action.name().equals("doMove")) {
+      goals.put(action.robot(), place(action.args().get(0)));
+    }
+  }
+
+  /** Of {@code name@x,y}. */
+  private static Point place(String target) {
+    String[] xy = target.substring(target.lastIndexOf('@') + 1).split(",", -1);
+    return new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene) {
+    goals.forEach((robot, goal) -> {
+      floor.setColor(Painter.colour(scene.number(robot)));
+      double radiusMm = MotionParameters.DEFAULT.goalRadiusMm();
+      floor.setStroke(new BasicStroke(14));
+      floor.draw(
+          new Ellipse2D.Double(
+              goal.xMm() - radiusMm, goal.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm));
+      floor.setStroke(
+          new BasicStroke(16, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+      scene
+          .pose(robot)
+          .ifPresent(pose ->
+              floor.draw(new Line2D.Double(pose.xMm(), pose.yMm(), goal.xMm(), goal.yMm())));
+    });
+  }
+
+  @Override
+  public String describe(RobotId robot, Scene scene) {
+    String flag = scene.variable(robot, MOTION, "motionflag");
+    if (flag.isEmpty()) {
+      return "";
+    }
+    return switch (MotionFlag.valueOf(flag)) {
+      case IDLE -> "waits for its position";
+      case MOVING -> "drives one metre to the right";
+      case DONE -> "is there: DONE";
+      case FAIL -> "was stopped: FAIL";
+    };
+  }
+
+  /** Most is to be seen while some are there and some on their way. */
+  @Override
+  public double interest(Scene scene) {
+    long done =
+        scene.robots().stream()
+            .filter(robot -> scene.variable(robot, MOTION, "motionflag").equals("DONE"))
+            .count();
+    long others = scene.robots().size() - done;
+    return 1 + done * others + scene.nowNs() / 1e18;
+  }
+}

@@ -1,0 +1,97 @@
+package org.starl.apps.race.logic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import net.jqwik.api.Arbitraries;
+import net.jqwik.api.Arbitrary;
+import net.jqwik.api.Combinators;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.Provide;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.geometry.Point;
+
+class RaceMessagesTest {
+
+  private static final int POINTS = 5;
+
+  private final RaceCodec codec = new RaceCodec(POINTS);
+
+  @Provide
+  Arbitrary<Claim> claims() {
+    return Combinators.combine(
+            Arbitraries.integers().between(0, POINTS - 1),
+            Arbitraries.integers().between(0, 3),
+            Arbitraries.longs().between(0, 3),
+            Arbitraries.integers().between(0, 2))
+        .as((point, robot, atNs, offMm) ->
+            new Claim(point, new RobotId("bot" + robot), atNs, offMm));
+  }
+
+  private static byte[] bytes(RaceCodec codec, RaceMessage message) {
+    byte[] buffer = new byte[200];
+    WireWriter out = new WireWriter(buffer);
+    codec.write(message, out);
+    byte[] bytes = new byte[out.length()];
+    System.arraycopy(buffer, 0, bytes, 0, bytes.length);
+    return bytes;
+  }
+
+  @Property
+  void whatIsWrittenIsRead(@ForAll("claims") Claim claim) {
+    assertThat(codec.read(new WireReader(bytes(codec, claim)))).isEqualTo(claim);
+  }
+
+  @Property
+  void ofTwoUnequalClaimsOneIsBetterAndAllOrdersAgree(
+      @ForAll("claims") Claim a, @ForAll("claims") Claim b, @ForAll("claims") Claim c) {
+    assertThat(a.compareTo(b) == 0).isEqualTo(a.equals(b));
+    assertThat(Integer.signum(a.compareTo(b))).isEqualTo(-Integer.signum(b.compareTo(a)));
+    if (a.compareTo(b) < 0 && b.compareTo(c) < 0) {
+      assertThat(a.compareTo(c)).isNegative();
+    }
+  }
+
+  @Test
+  void atThePointGoesBeforeKeptOffThenEarlierThenTheName() {
+    RobotId first = new RobotId("bot2");
+    RobotId second = new RobotId("bot10");
+    assertThat(new Claim(0, second, 9, 0)).isLessThan(new Claim(0, first, 5, 300));
+    assertThat(new Claim(0, second, 5, 0)).isLessThan(new Claim(0, first, 9, 0));
+    assertThat(new Claim(0, first, 5, 0)).isLessThan(new Claim(0, second, 5, 0));
+  }
+
+  @Test
+  void aQuestionIsReadAndWhatIsNoMessageIsRefused() {
+    RaceMessage question = new RaceMessage.Question();
+    assertThat(codec.read(new WireReader(bytes(codec, question)))).isEqualTo(question);
+    assertThatThrownBy(() -> codec.read(new WireReader(new byte[] {7})))
+        .isInstanceOf(WireFormatException.class);
+    byte[] another = bytes(new RaceCodec(9), new Claim(POINTS, new RobotId("bot0"), 1, 0));
+    assertThatThrownBy(() -> codec.read(new WireReader(another)))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessageContaining("point 5 of a race of 5");
+  }
+
+  @Test
+  void patienceIsOutAfterThreeMotionsInVainAndNeverBeforeTheRobotComesNearer() {
+    RacePoint point = new RacePoint("A", new Point(0, 0), 75);
+    Patience patience = new Patience(point, 165);
+    assertThat(patience.isEnough(400)).isFalse();
+    assertThat(patience.isEnough(400)).isFalse();
+    assertThat(patience.isEnough(340)).isFalse();
+    assertThat(patience.isEnough(340)).isFalse();
+    assertThat(patience.isEnough(340)).isTrue();
+    Patience far = new Patience(point, 165);
+    int tries = 0;
+    do {
+      tries++;
+    } while (!far.isEnough(2000));
+    assertThat(tries).isEqualTo(7);
+  }
+}
