@@ -11,4 +11,9 @@ public interface Story extends SimObserver {
 
   /** The run in numbers. */
   Measures measures();
+
+  /** Files that the run has to give, beside its picture; known before the run. */
+  default List<Product> products() {
+    return List.of();
+  }
 }

@@ -9,6 +9,7 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.apps.Plan;
+import org.starl.apps.Product;
 import org.starl.processes.FleetResult;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimResult;
@@ -51,6 +52,12 @@ final class RunCommand implements Callable<Integer> {
   private @Nullable String png;
 
   @Option(
+      names = "--result",
+      paramLabel = "NAME",
+      description = "Write what the app has to give, where it has something: NAME.svg, NAME.png.")
+  private @Nullable String result;
+
+  @Option(
       names = "--carrier",
       paramLabel = "KIND",
       description = "What carries robots that wait: virtual or platform (threads).")
@@ -70,6 +77,9 @@ final class RunCommand implements Callable<Integer> {
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     String app = chosen.demo().name();
+    if (result != null && plan.story().products().isEmpty()) {
+      throw new BadInput("--result: " + app + " has nothing to write: expected no --result");
+    }
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
     boolean areProcesses = processes.areOn();
     String again = options.replay("run", seedNumber);
@@ -96,11 +106,27 @@ final class RunCommand implements Callable<Integer> {
       ran.lines(plan.story().measures()).forEach(out::println);
       out.println("picture: " + pictureName);
     }
+    writeProducts(plan, out);
     if (ran.isGood()) {
       return ExitStatus.GOOD;
     }
     err.println(replay);
     return ExitStatus.VIOLATED;
+  }
+
+  private void writeProducts(Plan plan, PrintWriter out) throws IOException {
+    if (result == null) {
+      return;
+    }
+    for (Product product : plan.story().products()) {
+      String name = result + product.ending();
+      try (OutputFile file = new OutputFile("--result", name)) {
+        product.content().write(file.stream());
+      }
+      if (!json.isOn()) {
+        out.println("result: " + name);
+      }
+    }
   }
 
   /** What came of it, simulated or as processes. */

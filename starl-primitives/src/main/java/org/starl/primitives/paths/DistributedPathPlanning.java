@@ -13,6 +13,7 @@ import org.starl.comms.Channel;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.motion.MotionParameters;
 import org.starl.platform.Timer;
 import org.starl.primitives.StarLPrimitive;
 import org.starl.random.Rng;
@@ -179,6 +180,11 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   /** How wide the tubes are: this far from the path, in mm. */
   public int radiusMm() {
     return radiusMm;
+  }
+
+  /** How wide the tubes of a robot are that moves like that: this far from the path, in mm. */
+  public static int radiusMm(MotionParameters motion, TubeSettings settings) {
+    return Tracking.tubeRadiusMm(motion, settings);
   }
 
   @Override

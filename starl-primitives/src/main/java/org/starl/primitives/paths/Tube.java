@@ -125,11 +125,11 @@ public record Tube(List<Point> points, int radiusMm) {
   }
 
   /**
-   * Reads what {@link #text} wrote.
+   * Reads the value of the variable {@code held} in a trace.
    *
    * @throws IllegalArgumentException if {@code text} is nothing of the kind
    */
-  static List<Tube> parse(String text) {
+  public static List<Tube> parse(String text) {
     List<Tube> tubes = new ArrayList<>();
     for (String tube : text.isEmpty() ? new String[0] : text.split(";", -1)) {
       int at = tube.indexOf('@');

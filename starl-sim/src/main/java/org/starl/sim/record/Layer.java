@@ -15,6 +15,11 @@ public interface Layer {
   /** Under the bodies: zones, routes, goals. */
   default void paintFloor(Graphics2D floor, Scene scene) {}
 
+  /** Whether to draw where the bodies have been. */
+  default boolean showsTrails() {
+    return true;
+  }
+
   /** A line or two for each robot, in the legend. */
   default String describe(RobotId robot, Scene scene) {
     return "";

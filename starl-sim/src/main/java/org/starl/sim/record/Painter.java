@@ -88,7 +88,7 @@ public final class Painter {
       }
       floor.draw(outline);
     }
-    for (RobotId robot : scene.robots()) {
+    for (RobotId robot : layer.showsTrails() ? scene.robots() : List.<RobotId>of()) {
       trail(floor, scene.trail(robot), colour(scene.number(robot)));
     }
     for (RobotId robot : scene.robots()) {

@@ -54,7 +54,8 @@ final class Chains {
 
   private static Line joined(Polyline first, Polyline second, Ink ink) {
     List<Point> points = new ArrayList<>(first.points());
-    for (Point point : second.points()) {
+    // The second begins where the first one ends: what is between is no line of the drawing.
+    for (Point point : second.points().subList(1, second.points().size())) {
       if (!points.get(points.size() - 1).equals(point)) {
         points.add(point);
       }

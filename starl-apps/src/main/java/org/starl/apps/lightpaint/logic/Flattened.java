@@ -20,23 +20,31 @@ public final class Flattened {
    * row; fewer than two if the line is nowhere longer than a millimetre.
    */
   public static List<Point> of(List<Point> points, double toleranceMm) {
+    List<Point> flat = new ArrayList<>();
+    for (Point point : thinned(points, toleranceMm)) {
+      Point whole = new Point(StrictMath.rint(point.xMm()), StrictMath.rint(point.yMm()));
+      if (flat.isEmpty() || !flat.get(flat.size() - 1).equals(whole)) {
+        flat.add(whole);
+      }
+    }
+    return flat;
+  }
+
+  /** Those of the points that are needed to stay within {@code toleranceMm} of all of them. */
+  public static List<Point> thinned(List<Point> points, double toleranceMm) {
     boolean[] isNeeded = new boolean[points.size()];
     if (!points.isEmpty()) {
       isNeeded[0] = true;
       isNeeded[points.size() - 1] = true;
       need(points, 0, points.size() - 1, toleranceMm, isNeeded);
     }
-    List<Point> flat = new ArrayList<>();
+    List<Point> thinned = new ArrayList<>();
     for (int i = 0; i < points.size(); i++) {
       if (isNeeded[i]) {
-        Point point = points.get(i);
-        Point whole = new Point(StrictMath.rint(point.xMm()), StrictMath.rint(point.yMm()));
-        if (flat.isEmpty() || !flat.get(flat.size() - 1).equals(whole)) {
-          flat.add(whole);
-        }
+        thinned.add(points.get(i));
       }
     }
-    return flat;
+    return thinned;
   }
 
   private static void need(

@@ -1,0 +1,169 @@
+package org.starl.apps.lightpaint;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.RobotId;
+import org.starl.apps.Measures;
+import org.starl.apps.Product;
+import org.starl.apps.Story;
+import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.Painting;
+import org.starl.apps.lightpaint.spec.LightTrail;
+import org.starl.apps.lightpaint.spec.Pass;
+import org.starl.apps.lightpaint.view.PaintedPicture;
+import org.starl.apps.lightpaint.view.PaintedSvg;
+import org.starl.geometry.Point;
+import org.starl.sim.SimResult;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Who painted how much, and when the drawing was done. */
+final class LightPaintStory implements Story {
+
+  private static final double NS_PER_S = 1e9;
+  private static final double MM_PER_M = 1e3;
+
+  private final Painting painting;
+  private final LightTrail trail = new LightTrail();
+  private final SortedMap<RobotId, Painter> painters = new TreeMap<>();
+  private long lastLightNs;
+
+  private static final class Painter {
+    private final SortedSet<Integer> strokes = new TreeSet<>();
+    private double paintedMm;
+    private int retreats;
+    private int crashes;
+    private long endNs = -1;
+    private String result = "";
+  }
+
+  LightPaintStory(Painting painting) {
+    this.painting = painting;
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    trail.observe(event);
+    switch (event) {
+      case TraceEvent.Joined joined -> painters.putIfAbsent(joined.robot(), new Painter());
+      case TraceEvent.Fault fault -> {
+        if (fault.name().equals(TraceEvent.Fault.CRASH)) {
+          painter(fault.robot()).crashes++;
+        }
+      }
+      case Variable variable -> {
+        if (variable.source().equals(LightPaintApp.SOURCE)) {
+          changed(variable);
+        }
+      }
+      default -> {
+        // No part of the story.
+      }
+    }
+  }
+
+  private void changed(Variable variable) {
+    Painter painter = painter(variable.robot());
+    if (variable.name().equals(LightPaintApp.LIGHT)) {
+      lastLightNs = variable.timeNs();
+    } else if (variable.name().equals(LightPaintApp.LOCATION)) {
+      if (variable.value().equals(LightPaintApp.Location.RETREAT.name())) {
+        painter.retreats++;
+      } else if (variable.value().equals(LightPaintApp.Location.DONE.name())) {
+        painter.endNs = variable.timeNs();
+      }
+    }
+  }
+
+  @Override
+  public void finished(SimResult result) {
+    for (Pass pass : trail.passes()) {
+      Painter painter = painter(pass.robot());
+      painter.strokes.add(pass.stroke());
+      for (int i = 1; i < pass.points().size(); i++) {
+        Point from = pass.points().get(i - 1);
+        painter.paintedMm += from.distanceMm(pass.points().get(i));
+      }
+    }
+    result.results().forEach((robot, said) -> painter(robot).result = String.valueOf(said.get(1)));
+  }
+
+  @Override
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    double sumMm = 0;
+    for (Map.Entry<RobotId, Painter> entry : painters.entrySet()) {
+      lines.add(line(entry.getKey(), entry.getValue()));
+      sumMm += entry.getValue().paintedMm;
+    }
+    double drawingMm =
+        painting.strokes().stream().mapToDouble(stroke -> stroke.path().lengthMm()).sum();
+    lines.add(
+        String.format(
+            Locale.ROOT,
+            "painted %.2f m of a drawing of %.2f m in %d strokes; the last light went off at %s",
+            sumMm / MM_PER_M,
+            drawingMm / MM_PER_M,
+            painting.strokes().size(),
+            seconds(lastLightNs)));
+    return lines;
+  }
+
+  private static String line(RobotId robot, Painter painter) {
+    StringBuilder line = new StringBuilder(robot + " painted ");
+    int count = painter.strokes.size();
+    line.append(count == 1 ? "1 stroke" : count + " strokes");
+    line.append(String.format(Locale.ROOT, ", %.2f m", painter.paintedMm / MM_PER_M));
+    if (painter.retreats > 0) {
+      line.append(", gave way ").append(times(painter.retreats));
+    }
+    if (painter.crashes > 0) {
+      line.append(", crashed ").append(times(painter.crashes));
+    }
+    line.append(painter.endNs < 0 ? ", has not ended" : ", ended at " + seconds(painter.endNs));
+    if (!painter.result.isEmpty() && !painter.result.equals("0")) {
+      line.append(" and gave up with ").append(painter.result).append(" strokes left");
+    }
+    return line.toString();
+  }
+
+  @Override
+  public List<Product> products() {
+    return List.of(
+        new Product(".svg", out -> PaintedSvg.write(painting.strokes(), trail.passes(), out)),
+        new Product(".png", out -> PaintedPicture.write(painting.strokes(), trail.passes(), out)));
+  }
+
+  @Override
+  public Measures measures() {
+    int done = 0;
+    List<Long> waits = new ArrayList<>();
+    for (Painter painter : painters.values()) {
+      if (painter.endNs >= 0 && painter.result.equals("0")) {
+        done++;
+        waits.add(painter.endNs);
+      }
+    }
+    SortedMap<String, Double> figures = new TreeMap<>();
+    figures.put("painted_at_s", lastLightNs / NS_PER_S);
+    return new Measures(painters.size(), done, waits, figures);
+  }
+
+  private Painter painter(RobotId robot) {
+    return painters.computeIfAbsent(robot, id -> new Painter());
+  }
+
+  private static String times(int count) {
+    return count == 1 ? "once" : count + " times";
+  }
+
+  private static String seconds(long ns) {
+    return String.format(Locale.ROOT, "%.1f s", ns / NS_PER_S);
+  }
+}

@@ -1,0 +1,54 @@
+package org.starl.apps.lightpaint.logic;
+
+import java.util.List;
+import org.starl.geometry.Angles;
+import org.starl.geometry.Rectangle;
+import org.starl.motion.MotionParameters;
+import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.TubeSettings;
+
+/**
+ * What all painters know beforehand.
+ *
+ * @param strokes of the drawing, each at its number
+ * @param floor all bodies stay inside
+ */
+public record Painting(List<Stroke> strokes, Rectangle floor) {
+
+  /** Painters drive slowly and know where they are: their tubes are narrow, and claims short. */
+  public static final TubeSettings TUBES =
+      new TubeSettings(40, 1_000, 10_000, 200, 2_000, 200, 2_000);
+
+  private static final double GOAL_RADIUS_MM = 8;
+
+  public Painting {
+    strokes = List.copyOf(strokes);
+    for (int i = 0; i < strokes.size(); i++) {
+      if (strokes.get(i).number() != i) {
+        throw new IllegalArgumentException("stroke " + strokes.get(i).number() + " at " + i);
+      }
+    }
+  }
+
+  /** How painters move whose bodies are like that: exactly, at the price of some time. */
+  public static MotionParameters motion(MotionParameters body) {
+    return body.toBuilder()
+        .goalRadiusMm(GOAL_RADIUS_MM)
+        .smallTurnAngleRad(Angles.fromDegrees(1))
+        .turnSpeedMinRadPerS(Angles.fromDegrees(12))
+        .linSpeedMinMmPerS(100)
+        .slowFwdRadiusMm(150)
+        .enableArcing(false)
+        .build();
+  }
+
+  /** Half the width of a painter's tube. */
+  public static int radiusMm(MotionParameters body) {
+    return DistributedPathPlanning.radiusMm(motion(body), TUBES);
+  }
+
+  /** A body in its tube is nowhere farther from the line that it follows than this. */
+  public static double trackMm(MotionParameters body) {
+    return radiusMm(body) - body.robotRadiusMm();
+  }
+}

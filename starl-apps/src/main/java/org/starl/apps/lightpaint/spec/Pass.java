@@ -1,0 +1,45 @@
+package org.starl.apps.lightpaint.spec;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.starl.RobotId;
+import org.starl.apps.lightpaint.logic.Ink;
+import org.starl.geometry.Point;
+
+/** What one light has painted from when it went on until it went off. */
+public final class Pass {
+
+  private final RobotId robot;
+  private final int stroke;
+  private final Ink ink;
+  private final List<Point> points = new ArrayList<>();
+
+  Pass(RobotId robot, int stroke, Ink ink) {
+    this.robot = robot;
+    this.stroke = stroke;
+    this.ink = ink;
+  }
+
+  public RobotId robot() {
+    return robot;
+  }
+
+  /** The number of the stroke that the painter says it paints. */
+  public int stroke() {
+    return stroke;
+  }
+
+  public Ink ink() {
+    return ink;
+  }
+
+  /** Where the light truly was, every 10 ms of movement. */
+  public List<Point> points() {
+    return Collections.unmodifiableList(points);
+  }
+
+  void add(Point point) {
+    points.add(point);
+  }
+}

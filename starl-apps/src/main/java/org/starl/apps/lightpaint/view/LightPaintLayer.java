@@ -1,0 +1,156 @@
+package org.starl.apps.lightpaint.view;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.util.List;
+import java.util.Locale;
+import org.starl.RobotId;
+import org.starl.apps.lightpaint.logic.Ink;
+import org.starl.apps.lightpaint.logic.Light;
+import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.Painting;
+import org.starl.apps.lightpaint.logic.Stroke;
+import org.starl.apps.lightpaint.spec.LightTrail;
+import org.starl.apps.lightpaint.spec.Pass;
+import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
+import org.starl.primitives.paths.Tube;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Painter;
+import org.starl.sim.record.Scene;
+import org.starl.trace.TraceEvent;
+
+/** Draws what is to be painted dotted, what is painted in its colour, and tubes. */
+public final class LightPaintLayer implements Layer {
+
+  private static final String TUBES = "tubes/lightpaint";
+  private static final int TUBE_ALPHA = 40;
+  private static final int GLOW_ALPHA = 110;
+  private static final Color WAITING = new Color(0xB4, 0xB4, 0xAE);
+  private static final float[] DOTS = {8, 34};
+  private static final double MM_PER_M = 1e3;
+
+  private final Painting painting;
+  private final LightTrail trail = new LightTrail();
+
+  public LightPaintLayer(Painting painting) {
+    this.painting = painting;
+  }
+
+  @Override
+  public void observe(TraceEvent event) {
+    trail.observe(event);
+  }
+
+  @Override
+  public boolean showsTrails() {
+    return false;
+  }
+
+  @Override
+  public List<Point> corners() {
+    Rectangle floor = painting.floor();
+    return List.of(
+        new Point(floor.xMinMm(), floor.yMinMm()), new Point(floor.xMaxMm(), floor.yMaxMm()));
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene) {
+    trail.advance(scene.nowNs());
+    for (RobotId robot : scene.robots()) {
+      for (Tube tube : Tube.parse(scene.variable(robot, TUBES, "held"))) {
+        paintTube(floor, tube, Painter.colour(scene.number(robot)));
+      }
+    }
+    for (Stroke stroke : painting.strokes()) {
+      floor.setColor(WAITING);
+      floor.setStroke(
+          new BasicStroke(14, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+      floor.draw(line(stroke.path().points()));
+    }
+    for (Pass pass : trail.passes()) {
+      floor.setColor(new Color(pass.ink().rgb()));
+      float widthMm = (float) Math.max(24, pass.ink().widthMm());
+      floor.setStroke(new BasicStroke(widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+      floor.draw(line(pass.points()));
+    }
+    for (RobotId robot : scene.robots()) {
+      Ink ink = light(robot, scene).ink();
+      if (ink != null && scene.pose(robot).isPresent()) {
+        Color colour = new Color(ink.rgb());
+        floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), GLOW_ALPHA));
+        floor.fill(disc(scene.pose(robot).get().at(), 1.5 * scene.radiusMm(robot)));
+      }
+    }
+  }
+
+  private static void paintTube(Graphics2D floor, Tube tube, Color colour) {
+    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), TUBE_ALPHA));
+    if (tube.points().size() == 1) {
+      floor.fill(disc(tube.end(), tube.radiusMm()));
+      return;
+    }
+    floor.setStroke(
+        new BasicStroke(2f * tube.radiusMm(), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    floor.draw(line(tube.points()));
+  }
+
+  private static Ellipse2D disc(Point at, double radiusMm) {
+    return new Ellipse2D.Double(
+        at.xMm() - radiusMm, at.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
+  }
+
+  private static Path2D line(List<Point> points) {
+    Path2D path = new Path2D.Double();
+    path.moveTo(points.get(0).xMm(), points.get(0).yMm());
+    for (Point point : points) {
+      path.lineTo(point.xMm(), point.yMm());
+    }
+    return path;
+  }
+
+  private static Light light(RobotId robot, Scene scene) {
+    String text = scene.variable(robot, LightPaintApp.SOURCE, LightPaintApp.LIGHT);
+    return text.isEmpty() ? Light.OFF : Light.parse(text);
+  }
+
+  @Override
+  public String describe(RobotId robot, Scene scene) {
+    String location = scene.variable(robot, LightPaintApp.SOURCE, LightPaintApp.LOCATION);
+    String stroke = scene.variable(robot, LightPaintApp.SOURCE, LightPaintApp.STROKE);
+    Light light = light(robot, scene);
+    String doing =
+        switch (location) {
+          case "PAINT" ->
+              light.ink() == null
+                  ? "waits for its tube along stroke " + stroke
+                  : "paints stroke " + stroke + " in " + light.ink().colour();
+          case "GO" -> "goes to stroke " + stroke;
+          case "NOTE", "ASK" -> "asks for stroke " + stroke;
+          case "RETREAT" -> "gives way, in its own place";
+          case "PARK", "DONE" -> "is done";
+          default -> "looks for a stroke";
+        };
+    double paintedMm = 0;
+    for (Pass pass : trail.passes()) {
+      for (int i = 1; pass.robot().equals(robot) && i < pass.points().size(); i++) {
+        paintedMm += pass.points().get(i - 1).distanceMm(pass.points().get(i));
+      }
+    }
+    return doing + String.format(Locale.ROOT, "%nhas painted %.2f m", paintedMm / MM_PER_M);
+  }
+
+  /** Most is to be seen when many lights are on, and some of the drawing is there. */
+  @Override
+  public double interest(Scene scene) {
+    int lit = 0;
+    for (RobotId robot : scene.robots()) {
+      lit += light(robot, scene).isOn() ? 1 : 0;
+    }
+    double done = trail.passes().size() / (double) Math.max(1, painting.strokes().size());
+    return lit + 2 * Math.min(done, 0.6);
+  }
+}

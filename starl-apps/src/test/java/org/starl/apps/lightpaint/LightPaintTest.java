@@ -1,0 +1,191 @@
+package org.starl.apps.lightpaint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import javax.imageio.ImageIO;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.RobotId;
+import org.starl.apps.Input;
+import org.starl.apps.Plan;
+import org.starl.apps.Product;
+import org.starl.apps.Request;
+import org.starl.apps.lightpaint.logic.Line;
+import org.starl.apps.lightpaint.view.SvgDrawing;
+import org.starl.geometry.Point;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.input.BadInput;
+
+/** Whole runs of light painting. */
+class LightPaintTest {
+
+  private static final LightPaintDemo DEMO = new LightPaintDemo();
+
+  /** Two lines that cross, and a third beside them. */
+  private static final String SMALL =
+      "WAY,0,0,255,0-A_4\nWAY,900,900,255,0-B_4\nWAY,0,900,65280,1-A_4\nWAY,900,0,65280,1-B_4\n"
+          + "WAY,1500,0,16711680,2-A_4\nWAY,1500,800,16711680,2-B_4\n";
+
+  private static final int STROKES = 5;
+
+  private static Plan plan(
+      long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
+    SortedMap<String, String> all = DEMO.defaults();
+    all.putAll(parameters);
+    Request request = new Request(seed, OptionalInt.of(robots), all);
+    SimSettings.Builder builder = DEMO.defaultSettings(request);
+    settings.forEach(builder::set);
+    Plan plan = DEMO.plan(request, builder.build());
+    plan.simulation().name("lightpaint").seed(seed);
+    return plan;
+  }
+
+  private static SimResult run(
+      long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
+    SimResult result = plan(seed, robots, parameters, settings).simulation().build().run();
+    String which = "seed " + seed + ", " + robots + " robots, " + parameters + " " + settings;
+    assertThat(result.spec().violations()).as(which).isEmpty();
+    assertThat(result.unfinished()).as(which).isEmpty();
+    return result;
+  }
+
+  private static Map<String, String> small(Path folder) throws IOException {
+    Path file = Files.writeString(folder.resolve("small.wpt"), SMALL);
+    return Map.of("drawing", file.toString());
+  }
+
+  /** All robots say that no stroke is left, and all strokes together were painted once. */
+  private static void assertAllPainted(SimResult result, int strokes) {
+    int painted = 0;
+    for (List<Object> said : result.results().values()) {
+      painted += (Integer) said.get(0);
+      assertThat(said.get(1)).isEqualTo(0);
+    }
+    assertThat(painted).isEqualTo(strokes);
+  }
+
+  @Test
+  void theHouseIsPaintedAndCanBeReadAgain() throws IOException {
+    Plan plan = plan(1, 4, Map.of(), Map.of());
+    SimResult result = plan.simulation().build().run();
+    assertThat(result.spec().violations()).isEmpty();
+    assertAllPainted(result, 20);
+    assertThat(plan.story().lines()).hasSize(5).last().asString().contains("in 20 strokes");
+    for (Product product : plan.story().products()) {
+      ByteArrayOutputStream out = new ByteArrayOutputStream();
+      product.content().write(out);
+      if (product.ending().equals(".png")) {
+        assertThat(ImageIO.read(new ByteArrayInputStream(out.toByteArray())).getWidth())
+            .isGreaterThan(1000);
+      } else {
+        // The drawing, pale, and what was painted: the same lines again.
+        List<Line> lines = SvgDrawing.read("painted.svg", out.toByteArray(), 1, 1);
+        double mm = lines.stream().mapToDouble(line -> line.path().lengthMm()).sum();
+        assertThat(mm).isBetween(2 * 15_200.0, 2 * 15_600.0);
+      }
+    }
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1, 0", "2, 0.2", "3, 0.2", "6, 0.1"})
+  void anyNumberOfPaintersFinishesAlsoWithLoss(int robots, String loss, @TempDir Path folder)
+      throws IOException {
+    assertAllPainted(run(robots, robots, small(folder), Map.of("messageLoss", loss)), STROKES);
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"moving", "spatial"})
+  void chaosHarmsNothingAndAllIsPainted(String envelope, @TempDir Path folder) throws IOException {
+    for (long seed = 1; seed <= 3; seed++) {
+      assertAllPainted(run(seed, 4, small(folder), Map.of("chaos", envelope)), STROKES);
+    }
+  }
+
+  @Test
+  void aPainterThatCrashesInMidStrokeGoesOnWhereItStopped(@TempDir Path folder) throws IOException {
+    for (int atMs = 6_000; atMs <= 11_000; atMs += 2_500) {
+      String crash = "crash(bot0,at=" + atMs + "ms,restart=7s)";
+      SimResult result = run(atMs, 2, small(folder), Map.of("faults", crash));
+      assertAllPainted(result, STROKES);
+    }
+  }
+
+  @Test
+  void whereAPainterDiesTheOthersPaintWhatItIsNotInTheWayOf() {
+    SimResult result = run(1, 4, Map.of(), Map.of("faults", "crash(bot1,at=20s)"));
+    int painted = 0;
+    for (List<Object> said : result.results().values()) {
+      painted += (Integer) said.get(0);
+    }
+    assertThat(result.results()).hasSize(3).doesNotContainKey(new RobotId("bot1"));
+    assertThat(painted).isBetween(10, 20);
+  }
+
+  @Test
+  void noisyPositionsAndStartsOnTheDrawingAreFine(@TempDir Path folder) throws IOException {
+    Path starts =
+        Files.writeString(
+            folder.resolve("starts.wpt"), "WAY,450,450,0,bot0\nWAY,1500,100,90,bot1\n");
+    Map<String, String> parameters =
+        Map.of("drawing", small(folder).get("drawing"), "starts", starts.toString());
+    assertAllPainted(run(1, 2, parameters, Map.of("positionNoise", "10mm")), STROKES);
+  }
+
+  @Test
+  void everyDrawingOfTheOriginalHasARun() {
+    Path data = OriginalDrawings.folder().resolve("../..");
+    assertThat(DEMO.inputs(data))
+        .extracting(Input::name)
+        .containsAll(OriginalDrawings.NAMES)
+        .hasSize(OriginalDrawings.NAMES.size() + 1);
+    assertThat(DEMO.inputs(data)).allMatch(input -> Files.isRegularFile(input.path()));
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = ';',
+      value = {
+        "scale; 0mm; scale: '0mm': expected",
+        "flatness; wide; flatness: ",
+        "stroke; 1mm; stroke: '1mm': expected",
+        "drawing; none.svg; none.svg: no such file; expected a drawing",
+        "starts; none.wpt; none.wpt: no such file"
+      })
+  void aBadParameterIsToldInOneLine(String key, String value, String expected) {
+    assertThatThrownBy(() -> plan(1, 4, Map.of(key, value), Map.of()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining(expected);
+  }
+
+  @Test
+  void startsThatAreTooFewOrTooNearAreTold(@TempDir Path folder) throws IOException {
+    Path starts = Files.writeString(folder.resolve("starts.wpt"), "WAY,0,0,0,a\nWAY,100,0,0,b\n");
+    Map<String, String> parameters = Map.of("starts", starts.toString());
+    assertThatThrownBy(() -> plan(1, 2, parameters, Map.of()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("a and b are 100 mm apart: expected at least");
+    assertThatThrownBy(() -> plan(1, 3, parameters, Map.of()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("2 starts: expected one for each of 3 painters");
+  }
+
+  @Test
+  void everyPainterHasAPlaceOfItsOwn() {
+    Plan crowded = plan(1, 16, Map.of(), Map.of());
+    assertThat(crowded.layer().corners()).allMatch(Point::isFinite);
+  }
+}

@@ -1,0 +1,51 @@
+package org.starl.apps.lightpaint;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.lightpaint.logic.RudePainter;
+import org.starl.apps.lightpaint.logic.Stroke;
+import org.starl.apps.lightpaint.logic.Strokes;
+import org.starl.apps.lightpaint.spec.PaintSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.Simulation;
+
+/** Painters that are rude: what is checked of a painting must see them. */
+class RudePaintersTest {
+
+  private static SimResult run(RudePainter.Bug bug) {
+    List<Stroke> strokes = Strokes.of(BuiltIn.house(5), 10, 1200);
+    return Simulation.builder()
+        .seed(1)
+        .endNs(400_000_000_000L)
+        .robots(1, gvh -> new RudePainter(gvh, strokes, bug))
+        .monitor(() -> new PaintSpec(strokes, 25, 350_000_000_000L))
+        .build()
+        .run();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "KEEPS_ITS_LIGHT_ON, OnTheDrawing",
+    "TAKES_ANOTHER_INK, OnTheDrawing",
+    "PAINTS_TWICE, Once",
+    "FORGETS_ONE, Complete",
+    "NEVER_ENDS, Painted",
+  })
+  void aRudePainterIsSeen(RudePainter.Bug bug, String lemma) {
+    SimResult result = run(bug);
+    assertThat(result.spec().violations(lemma)).as("%s", result.spec()).isPositive();
+  }
+
+  @Test
+  void aPainterWithoutABugIsGood() {
+    SimResult result = run(RudePainter.Bug.NONE);
+    assertThat(result.spec().violations()).isEmpty();
+    for (String lemma : result.spec().lemmas()) {
+      assertThat(result.spec().checks(lemma)).as(lemma).isPositive();
+    }
+  }
+}

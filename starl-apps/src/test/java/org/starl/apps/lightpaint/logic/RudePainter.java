@@ -1,0 +1,71 @@
+package org.starl.apps.lightpaint.logic;
+
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.GvhCell;
+import org.starl.LogicThread;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+
+/** A painter that asks nobody for anything, right but for one bug. */
+public final class RudePainter extends LogicThread {
+
+  /** What is wrong. */
+  public enum Bug {
+    NONE,
+    /** Its light stays on on the way to the next stroke. */
+    KEEPS_ITS_LIGHT_ON,
+    /** It paints in another colour. */
+    TAKES_ANOTHER_INK,
+    /** It paints each stroke there and back. */
+    PAINTS_TWICE,
+    /** It ends before the last stroke. */
+    FORGETS_ONE,
+    /** It stands still at the end, and never says that it is done. */
+    NEVER_ENDS
+  }
+
+  private final List<Stroke> strokes;
+  private final Bug bug;
+  private final GvhCell<Light> light;
+  private final GvhCell<LightPaintApp.Location> location;
+
+  public RudePainter(GlobalVarHolder gvh, List<Stroke> strokes, Bug bug) {
+    super(gvh);
+    this.strokes = strokes;
+    this.bug = bug;
+    light = gvh.variable(LightPaintApp.SOURCE, LightPaintApp.LIGHT, Light.OFF);
+    location =
+        gvh.variable(LightPaintApp.SOURCE, LightPaintApp.LOCATION, LightPaintApp.Location.RESUME);
+    gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
+  }
+
+  @Override
+  public List<Object> callStarL() {
+    await(gvh.gps::hasFix);
+    int count = bug == Bug.FORGETS_ONE ? strokes.size() - 1 : strokes.size();
+    for (Stroke stroke : strokes.subList(0, count)) {
+      drive(stroke.path().start());
+      Ink ink = bug == Bug.TAKES_ANOTHER_INK ? new Ink(1, 7) : stroke.ink();
+      light.set(new Light(stroke.number(), ink));
+      stroke.path().points().forEach(this::drive);
+      if (bug == Bug.PAINTS_TWICE) {
+        stroke.path().reversed().points().forEach(this::drive);
+      }
+      if (bug != Bug.KEEPS_ITS_LIGHT_ON) {
+        light.set(Light.OFF);
+      }
+    }
+    light.set(Light.OFF);
+    await(() -> bug != Bug.NEVER_ENDS);
+    location.set(LightPaintApp.Location.DONE);
+    return List.of(count, strokes.size() - count);
+  }
+
+  private void drive(Point to) {
+    if (gvh.gps.pose().at().distanceMm(to) > 5) {
+      gvh.plat.moat.doMove(new ItemPosition("next", to.xMm(), to.yMm()));
+      await(() -> !gvh.plat.moat.inMotion());
+    }
+  }
+}
