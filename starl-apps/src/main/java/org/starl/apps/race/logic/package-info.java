@@ -15,10 +15,10 @@
  *       agree, however many arrived before they heard of each other.
  * </ul>
  *
- * <p>Progress, while the world behaves: everybody who is up knows that a point is taken within 18 s of
- * the first who does (where messages get lost, 8.5 s more for every nine copies that all may be); each point is taken; in the end all robots know the same winners. Robots that
- * have crashed for good hold nobody up for more than {@link
- * org.starl.apps.race.logic.RaceApp#TELL_PATIENCE_MS}.
+ * <p>Progress, while the world behaves: everybody who is up knows that a point is won within 18 s of
+ * the first who does, and within 8.5 s more for each nine copies of a message that may all be lost;
+ * each point is won; in the end all robots know the same winners. Robots that have crashed for good
+ * hold nobody up for more than {@link org.starl.apps.race.logic.RaceApp#TELL_PATIENCE_MS}.
  *
  * <p>Envelope: what Broadcast and motion bear, and crashes with and without restarts.
  *
