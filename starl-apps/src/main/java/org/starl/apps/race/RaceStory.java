@@ -27,7 +27,6 @@ final class RaceStory implements Story {
   private int robots;
   private int returned;
   private long endNs;
-  private int detours;
 
   /** For one point. */
   private static final class Race {

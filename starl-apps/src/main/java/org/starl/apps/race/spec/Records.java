@@ -19,10 +19,10 @@ import org.starl.trace.TraceEvent.Variable;
 /** What each robot that is up knows of the points' winners, as it has told. */
 final class Records {
 
-  private final SortedMap<RobotId, Record> records = new TreeMap<>();
+  private final SortedMap<RobotId, Past> records = new TreeMap<>();
 
   /** Of one start of a robot's program. */
-  private static final class Record {
+  private static final class Past {
     private final SortedMap<Integer, Claim> claims = new TreeMap<>();
     private boolean isDone;
   }
@@ -30,11 +30,11 @@ final class Records {
   /** What a program that ends knew is forgotten. */
   void observe(TraceEvent event) {
     switch (event) {
-      case Joined joined -> records.putIfAbsent(joined.robot(), new Record());
+      case Joined joined -> records.putIfAbsent(joined.robot(), new Past());
       case Left left -> records.remove(left.robot());
       case Fault fault when fault.name().equals(Fault.CRASH) -> records.remove(fault.robot());
       case Fault fault when fault.name().equals(Fault.RESTART) ->
-          records.put(fault.robot(), new Record());
+          records.put(fault.robot(), new Past());
       case Action action when isTaken(action) -> {
         Claim claim = Scoreboard.claim(action.args());
         of(action.robot()).claims.put(claim.point(), claim);
@@ -53,8 +53,8 @@ final class Records {
     return action.source().equals(RaceApp.SOURCE) && action.name().equals(Scoreboard.TAKEN);
   }
 
-  private Record of(RobotId robot) {
-    return records.computeIfAbsent(robot, anybody -> new Record());
+  private Past of(RobotId robot) {
+    return records.computeIfAbsent(robot, anybody -> new Past());
   }
 
   /** The robots whose programs are there. */
