@@ -59,13 +59,17 @@ final class NewCommand implements Callable<Integer> {
       description = "The new folder; NAME, where the command runs, unless given.")
   private @Nullable String folder;
 
+  @Option(names = "--kotlin", description = "In Kotlin instead of Java.")
+  private boolean isKotlin;
+
   @Spec private @Nullable CommandSpec spec;
 
   @Override
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     check(Main.demos(spec).names());
-    Map<String, ProjectTemplate.Written> files = new ProjectTemplate(name, "java").files();
+    Map<String, ProjectTemplate.Written> files =
+        new ProjectTemplate(name, isKotlin ? "kotlin" : "java").files();
     String shown = folder == null ? name : folder;
     write(Path.of(shown).toAbsolutePath().normalize(), shown, files);
     out.println(shown + ": " + files.size() + " files");

@@ -38,7 +38,7 @@ final class CodeRules {
             "a thread's sleep",
             "sleep(ms) of LogicThread in an app, a timer of gvh.plat.timers elsewhere; in a test,"
                 + " virtual time or a latch",
-            SourceFile::isJava,
+            SourceFile::isCode,
             "\\bThread\\s*\\.\\s*sleep\\b|\\bTimeUnit\\s*\\.\\s*\\w+\\s*\\.\\s*sleep\\b",
             "Thread.sleep(100);"),
         call(
@@ -67,13 +67,13 @@ final class CodeRules {
         call(
             "identity hash",
             "a number or a name of its own",
-            SourceFile::isJava,
+            SourceFile::isCode,
             "\\bidentityHashCode\\b",
             "int h = System.identityHashCode(this);"),
         call(
             "stack trace on the console",
             "rethrow, or report to LogSink; a bug ends the run with robot, time and seed",
-            SourceFile::isJava,
+            SourceFile::isCode,
             "\\bprintStackTrace\\b",
             "e.printStackTrace();"),
         call(
@@ -85,19 +85,19 @@ final class CodeRules {
         new Rule(
             "empty catch",
             "handle the failure as a value, or let it through",
-            SourceFile::isJava,
+            SourceFile::isCode,
             Rule.acrossLines("\\bcatch\\s*\\([^)]*\\)\\s*\\{\\s*\\}"),
             new SourceFile(CORE, "try {\n  f();\n} catch (Exception e) {\n  // never mind\n}")),
         call(
             "a test that is switched off",
             "mend it or delete it",
-            SourceFile::isJava,
+            SourceFile::isCode,
             "@Disabled\\b",
             "@Disabled"),
         new Rule(
             "a warning suppressed without a reason",
             "a comment beside or above @SuppressWarnings that says why",
-            SourceFile::isJava,
+            SourceFile::isCode,
             CodeRules::unexplainedSuppressions,
             new SourceFile(
                 CORE, "class A {\n\n  @SuppressWarnings(\"unchecked\")\n  void f() {}\n}")));
@@ -136,7 +136,7 @@ final class CodeRules {
   }
 
   private static boolean isAppsLogic(SourceFile file) {
-    return file.path().matches("starl-apps/src/main/java/org/starl/apps/.*/logic/.*");
+    return file.path().matches("starl-apps/.*/org/starl/apps/.*/logic/.*");
   }
 
   private static List<Integer> unexplainedSuppressions(SourceFile file) {

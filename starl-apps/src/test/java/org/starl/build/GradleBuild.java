@@ -26,7 +26,13 @@ final class GradleBuild {
       Pattern.compile("([\\w-]+) = \\{ module = \"([^\"]+)\", version\\.ref = \"([^\"]+)\" \\}");
   private static final Pattern DEPENDENCIES = Pattern.compile("(?ms)^dependencies \\{\\n(.*?)^\\}");
   private static final Pattern DEPENDENCY =
-      Pattern.compile("(\\w+)\\((?:project\\(\":([\\w-]+)\"\\)|libs\\.([\\w.]+))\\)");
+      Pattern.compile(
+          "(\\w+)\\((?:project\\(\":([\\w-]+)\"\\)|libs\\.([\\w.]+)"
+              + "|\"(org\\.starl:[\\w-]+):([^\"]+)\")\\)");
+  private static final Pattern KOTLIN = Pattern.compile("kotlin\\(\"jvm\"\\) version \"([^\"]+)\"");
+
+  /** Builds of their own over this one, since they need plugins that are not Gradle's. */
+  private static final List<String> BESIDE = List.of("starl-apps/kotlin");
 
   private final SortedMap<String, String> versions = new TreeMap<>();
 
@@ -82,8 +88,22 @@ final class GradleBuild {
       modules.add(include.group(1));
       addDependencies(dependencies, include.group(1), own, files);
     }
+    for (String module : BESIDE) {
+      modules.add(module);
+      addDependencies(dependencies, module, own, files);
+      requireKotlin(files.apply(module + "/build.gradle.kts"));
+    }
     String coordinates = own.get("group") + ":" + own.get("version");
     return new Build(coordinates, release.group(1), modules, versions, dependencies);
+  }
+
+  /** The plugin has the version of the library; and its build names its own as this one does. */
+  private void requireKotlin(String script) {
+    Matcher plugin = KOTLIN.matcher(script);
+    if (!plugin.find() || !plugin.group(1).equals(versions.get("kotlin"))) {
+      throw new IllegalStateException(
+          "Kotlin's plugin is not of version " + versions.get("kotlin"));
+    }
   }
 
   private void addDependencies(
@@ -104,6 +124,10 @@ final class GradleBuild {
       if (dependency.group(2) != null) {
         String needed = own.get("group") + ":" + dependency.group(2);
         found.add(new Dependency(module, needed, own.get("version"), scope));
+        continue;
+      }
+      if (dependency.group(4) != null) {
+        found.add(new Dependency(module, dependency.group(4), dependency.group(5), scope));
         continue;
       }
       String[] library = libraries.get(dependency.group(3));

@@ -21,6 +21,7 @@ final class Repository {
   private static final Set<String> TEXT =
       Set.of(
           "java",
+          "kt",
           "kts",
           "xml",
           "toml",

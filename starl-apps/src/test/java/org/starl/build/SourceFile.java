@@ -17,9 +17,14 @@ record SourceFile(String path, String text) {
     return path.endsWith(".java");
   }
 
-  /** Java that is shipped, not a test. */
+  /** Java or Kotlin. */
+  boolean isCode() {
+    return isJava() || path.endsWith(".kt");
+  }
+
+  /** Code that is shipped, not a test. */
   boolean isMain() {
-    return isJava() && path.contains("/src/main/");
+    return isCode() && path.contains("/src/main/");
   }
 
   /** The lines with the contents of comments and of string literals blanked out. */

@@ -19,7 +19,7 @@ final class TextRules {
         new Rule(
             "tab",
             "spaces",
-            file -> file.isJava() || file.path().endsWith(".kts") || file.path().endsWith(".xml"),
+            file -> file.isCode() || file.path().endsWith(".kts") || file.path().endsWith(".xml"),
             Rule.anywhere("\\t"),
             new SourceFile("starl-core/pom.xml", "\t<x/>")),
         new Rule(
@@ -59,7 +59,7 @@ final class TextRules {
             "split it, or open it with a comment: 'Longer than "
                 + LONG_FILE_LINES
                 + " lines because ...'",
-            file -> file.isJava() || file.path().equals("starl") || file.path().startsWith(".ci/"),
+            file -> file.isCode() || file.path().equals("starl") || file.path().startsWith(".ci/"),
             TextRules::unexplainedLength,
             new SourceFile("starl-core/src/main/java/org/starl/Sample.java", "\n".repeat(501))),
         new Rule(
@@ -104,6 +104,7 @@ final class TextRules {
     for (SourceFile file : files) {
       String folder = file.path().substring(0, file.path().lastIndexOf('/') + 1);
       if (file.isMain()
+          && file.isJava()
           && !paths.contains(folder + "package-info.java")
           && !found.contains(folder)) {
         found.add(folder);

@@ -1,0 +1,93 @@
+package org.starl.apps.lineup.logic
+
+import org.starl.GlobalVarHolder
+import org.starl.GvhCell
+import org.starl.LogicThread
+import org.starl.geometry.ItemPosition
+import org.starl.motion.MotionFlag
+import org.starl.motion.MotionParameters
+import org.starl.primitives.agreement.Decision
+import org.starl.primitives.agreement.SetAgreement
+import org.starl.trace.TraceEvent
+
+/**
+ * Robots line up: each proposes the x at which it stands, all agree on one of these, and each drives
+ * along its own lane to that x. A robot whose program starts anew asks what was agreed, and goes on.
+ */
+class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
+
+  enum class Location {
+    PROPOSE,
+    AGREE,
+    DRIVE,
+    DONE,
+  }
+
+  private val agreement = SetAgreement(gvh, INSTANCE)
+  private val location: GvhCell<Location> = gvh.variable(SOURCE, LOCATION, Location.PROPOSE)
+
+  init {
+    gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters()))
+  }
+
+  override fun callStarL(): List<Any> {
+    await(gvh.gps::hasFix)
+    val laneMm = gvh.gps.pose().yMm()
+    var goal = ItemPosition("line", gvh.gps.pose())
+    while (location.get() != Location.DONE) {
+      when (location.get()) {
+        Location.PROPOSE -> {
+          agreement.propose(Millimetres.bytes(gvh.gps.pose().xMm()))
+          location.set(Location.AGREE)
+        }
+        Location.AGREE -> {
+          val decision = agreement.decided().get()
+          if (decision is Decision.Decided) {
+            goal = ItemPosition("line", Millimetres.of(decision.value().bytes()), laneMm)
+            gvh.trace.action(SOURCE, LINE, goal.at().xMm())
+            gvh.plat.moat.doMove(goal)
+            location.set(Location.DRIVE)
+          } else if (agreement.failed().get()) {
+            location.set(Location.PROPOSE)
+          }
+        }
+        Location.DRIVE ->
+          when (gvh.plat.moat.motionflag().get()) {
+            MotionFlag.DONE -> location.set(Location.DONE)
+            MotionFlag.FAIL -> gvh.plat.moat.doMove(goal)
+            else -> {}
+          }
+        Location.DONE -> error("the loop has ended")
+      }
+      sleep(PERIOD_MS)
+    }
+    return listOf("in line at x = ${goal.at().xMm().toInt()} mm")
+  }
+
+  companion object {
+    /** `source` of this app's trace events. */
+    const val SOURCE = "app"
+
+    /** Variable: the location. */
+    const val LOCATION = "location"
+
+    /** Action: where the line is, in mm, as this robot has learnt. */
+    const val LINE = "line"
+
+    /** What a robot has learnt by this event of where the line is, in mm. */
+    fun lineMm(event: TraceEvent): Double? =
+      if (event is TraceEvent.Action && event.source() == SOURCE && event.name() == LINE) {
+        event.args().first().toDouble()
+      } else {
+        null
+      }
+
+    /** How robots move whose bodies are like that. */
+    fun motion(body: MotionParameters): MotionParameters =
+      body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build()
+
+    private const val GOAL_RADIUS_MM = 20.0
+    private const val INSTANCE = "line"
+    private const val PERIOD_MS = 100L
+  }
+}

@@ -1,0 +1,43 @@
+package org.starl.apps.lineup.view
+
+import java.awt.BasicStroke
+import java.awt.Color
+import java.awt.Graphics2D
+import java.awt.geom.Line2D
+import org.starl.RobotId
+import org.starl.apps.lineup.logic.LineupApp
+import org.starl.sim.record.Layer
+import org.starl.sim.record.Scene
+import org.starl.trace.TraceEvent
+
+/** Draws the line as soon as somebody knows of it, and tells where in its program each robot is. */
+internal class LineLayer : Layer {
+
+  private var lineMm: Double? = null
+
+  override fun observe(event: TraceEvent) {
+    lineMm = LineupApp.lineMm(event) ?: lineMm
+  }
+
+  override fun paintFloor(floor: Graphics2D, scene: Scene) {
+    val xMm = lineMm ?: return
+    val ysMm = scene.robots().mapNotNull { scene.pose(it).orElse(null)?.yMm() }
+    if (ysMm.isNotEmpty()) {
+      floor.color = Color(0x99, 0x99, 0x90)
+      floor.stroke = BasicStroke(LINE_MM, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
+      floor.draw(Line2D.Double(xMm, ysMm.min() - BEYOND_MM, xMm, ysMm.max() + BEYOND_MM))
+    }
+  }
+
+  override fun describe(robot: RobotId, scene: Scene): String =
+    scene.variable(robot, LineupApp.SOURCE, LineupApp.LOCATION)
+
+  /** Most is to be seen when all have driven. */
+  override fun interest(scene: Scene): Double =
+    scene.robots().sumOf { robot -> scene.trail(robot).size }.toDouble()
+
+  private companion object {
+    const val LINE_MM = 20f
+    const val BEYOND_MM = 250.0
+  }
+}

@@ -1,0 +1,76 @@
+package org.starl.apps.lineup
+
+import org.assertj.core.api.Assertions.assertThat
+import org.junit.jupiter.api.Test
+import org.starl.RobotId
+import org.starl.apps.lineup.LineupDemo.Companion.lanes
+import org.starl.geometry.Pose
+import org.starl.kotlin.scenario
+import org.starl.sim.Simulation
+import org.starl.sim.fault.Envelope
+import org.starl.sim.junit.Afterwards
+import org.starl.sim.junit.StarlTest
+import org.starl.spec.Monitor
+import org.starl.trace.TraceEvent
+
+/** Robots line up on one line, whatever the network does and whoever starts anew. */
+class LineupTest {
+
+  private val reported = mutableListOf<String>()
+
+  private val report =
+    object : Monitor.Report {
+      override fun checked(lemma: String) {}
+
+      override fun violated(lemma: String, timeNs: Long, robots: List<RobotId>, detail: String) {
+        reported.add("$lemma $robots $detail")
+      }
+    }
+
+  @StarlTest(seeds = 20, faults = ["loss(0.2)", "crash(any,at=1s..9s,restart=2s)"])
+  fun everyRobotEndsOnTheSameLine(
+    simulation: Simulation.Builder,
+    afterwards: Afterwards,
+    seed: Long,
+  ) {
+    simulation.scenario { lanes(5, simulation.settings(), seed) }
+    afterwards.check { result ->
+      assertThat(result.results()).hasSize(5)
+      assertThat(result.results().values.toSet()).hasSize(1)
+    }
+  }
+
+  @StarlTest(seeds = 10, chaos = Envelope.MOVING)
+  fun chaosIsBorne(simulation: Simulation.Builder, seed: Long) {
+    simulation.scenario { lanes(4, simulation.settings(), seed) }
+  }
+
+  @Test
+  fun twoLinesAreTold() {
+    val monitor = InLine(toleranceMm = 150.0)
+    monitor.observe(line(A, "1000.0"), report)
+    assertThat(reported).isEmpty()
+    monitor.observe(line(B, "1001.0"), report)
+    assertThat(reported).containsExactly("one_line [bot0, bot1] lines at 1000.0 and at 1001.0 mm")
+  }
+
+  @Test
+  fun whoIsNotInLineAndSaysSoIsTold() {
+    val monitor = InLine(toleranceMm = 150.0)
+    monitor.observe(TraceEvent.Joined(0, A, Pose(1200.0, 600.0, 0.0), 165.0), report)
+    monitor.observe(line(A, "1000.0"), report)
+    monitor.observe(TraceEvent.Variable(1, A, "app", "location", "DRIVE"), report)
+    assertThat(reported).isEmpty()
+    monitor.observe(TraceEvent.Variable(2, A, "app", "location", "DONE"), report)
+    assertThat(reported)
+      .containsExactly("in_line [bot0] at 1200.0 mm, where the line is at 1000.0 mm")
+  }
+
+  private fun line(robot: RobotId, xMm: String) =
+    TraceEvent.Action(0, robot, "app", "line", listOf(xMm))
+
+  private companion object {
+    val A = RobotId("bot0")
+    val B = RobotId("bot1")
+  }
+}

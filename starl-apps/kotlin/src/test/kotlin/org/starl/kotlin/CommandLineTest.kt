@@ -1,0 +1,84 @@
+package org.starl.kotlin
+
+import com.tngtech.archunit.core.importer.ClassFileImporter
+import com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses
+import java.io.PrintWriter
+import java.io.StringWriter
+import java.nio.file.Files
+import java.nio.file.Path
+import kotlin.io.path.readText
+import org.assertj.core.api.Assertions.assertThat
+import org.junit.jupiter.api.Test
+import org.junit.jupiter.api.io.TempDir
+import org.starl.apps.lineup.logic.LineupApp
+import org.starl.cli.Main
+
+/** The command line with everything that comes with StarL: this module's app too. */
+class CommandLineTest {
+
+  private val root = Path.of("..", "..")
+
+  private fun starl(vararg words: String): String {
+    val out = StringWriter()
+    val err = StringWriter()
+    val status = Main.run(PrintWriter(out), PrintWriter(err), *words)
+    assertThat(status).`as`("%s: %s", words.toList(), err).isZero()
+    return out.toString()
+  }
+
+  @Test
+  fun theAppInKotlinRuns(@TempDir folder: Path) {
+    assertThat(starl("list")).contains("app lineup: ", "app hello: ")
+    assertThat(starl("run", "lineup", "--seed", "7", "--png", "${folder.resolve("a.png")}"))
+      .contains("4 of 4 robots", "one_line", "in_line")
+    starl("verify-determinism", "lineup", "--seed", "7")
+  }
+
+  @Test
+  fun theCommittedSchemaIsThatOfTheCode() {
+    assertThat(root.resolve("docs/scenario.schema.json").readText())
+      .`as`("renew it: ./starl schema > docs/scenario.schema.json")
+      .isEqualTo(starl("schema"))
+  }
+
+  @Test
+  fun itsScenarioRuns() {
+    starl("campaign", "${root.resolve("scenarios/lineup.yaml")}", "--seeds", "1..3")
+  }
+
+  @Test
+  fun theLogicKnowsCoreAndPrimitivesAlone() {
+    val logic = LineupApp::class.java
+    val shipped = ClassFileImporter().importClasses(logic, *logic.declaredClasses)
+    assertThat(shipped).isNotEmpty()
+    noClasses()
+      .that()
+      .resideInAPackage("..logic..")
+      .should()
+      .dependOnClassesThat()
+      .resideInAnyPackage(
+        "org.starl.sim..",
+        "org.starl.deploy..",
+        "org.starl.cli..",
+        "org.starl.kotlin..",
+        "java.awt..",
+      )
+      .check(shipped)
+  }
+
+  @Test
+  fun whatTheDocumentationShowsIsInTheSources() {
+    val page = root.resolve("docs/kotlin.md").readText()
+    val blocks = Regex("```kotlin\n(.*?)```", RegexOption.DOT_MATCHES_ALL).findAll(page).toList()
+    assertThat(blocks).isNotEmpty()
+    val sources =
+      Files.walk(Path.of("src")).use { paths ->
+        paths.filter { it.toString().endsWith(".kt") }.toList().map { it.readText().squeezed() }
+      }
+    for (block in blocks.map { it.groupValues[1].squeezed() }) {
+      assertThat(sources).`as`(block).anyMatch { it.contains(block) }
+    }
+  }
+
+  private fun String.squeezed() = replace(Regex("\\s+"), "")
+}
