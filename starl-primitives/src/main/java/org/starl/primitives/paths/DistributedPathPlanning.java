@@ -218,7 +218,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   /** Seeks a path, unless it cannot begin yet: it is called again when what it waits for is there. */
   private void seek() {
     boolean wanted = flag.get() == TubeFlag.PLANNING && !computing && !pausing && !closed;
-    if (!wanted || !claims.isSettled() || !gvh.gps.hasFix()) {
+    if (!wanted || !claims.isSettled() || !gvh.gps.hasFix() || !holdsOne()) {
       return;
     }
     if (given != null) {
@@ -240,6 +240,26 @@ public final class DistributedPathPlanning implements StarLPrimitive {
         seek();
       }
     });
+  }
+
+  /**
+   * Whether there is room for one more tube. A program that crashed between a grant and the way into
+   * it starts anew with both: it gives back the one that its body is not in, once it knows.
+   */
+  private boolean holdsOne() {
+    List<Tube> held = claims.held();
+    if (held.size() < Holding.MAX_TUBES) {
+      return true;
+    }
+    for (Tube tube : held) {
+      for (int i = 0; i < tube.parts(); i++) {
+        if (TubeDriver.isInside(gvh, tube.part(i))) {
+          claims.keep(List.of(tube));
+          return false;
+        }
+      }
+    }
+    return false;
   }
 
   private PlanTask task(List<Capsule> taken) {

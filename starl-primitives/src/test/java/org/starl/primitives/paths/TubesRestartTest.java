@@ -1,0 +1,68 @@
+package org.starl.primitives.paths;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotId;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.world.Unsynced;
+
+/** Programs that crash between a grant and the way into it, and start anew. */
+class TubesRestartTest {
+
+  private static final Rectangle FLOOR = new Rectangle(0, 0, 6000, 6000);
+  private static final long MS = 1_000_000;
+
+  /** Goes to one place, however often its program starts. */
+  private static final class Traveller extends LogicThread {
+    Traveller(GlobalVarHolder gvh) {
+      super(gvh);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      DistributedPathPlanning paths =
+          new DistributedPathPlanning(gvh, "floor", new OptimalPlanner(), FLOOR);
+      await(gvh.gps::hasFix);
+      paths.goTo(new ItemPosition("goal", 4500, gvh.gps.pose().yMm()));
+      await(() -> !paths.isUnderWay());
+      return List.of(paths.tubeflag().get());
+    }
+  }
+
+  @Test
+  void whoHoldsItsOldPlaceAndItsNewWayStillGoesOn() {
+    // Storage is so slow that a crash falls between the note of the grant and that of what is left.
+    for (long atMs = 500; atMs <= 2_300; atMs += 150) {
+      SimSettings settings = SimSettings.builder().set("stableDelay", "300ms").build();
+      Simulation.Builder builder =
+          Simulation.builder()
+              .seed(atMs)
+              .settings(settings)
+              .monitor(() -> new TubesSpec(600_000 * MS));
+      for (int i = 0; i < 2; i++) {
+        builder.robot(
+            new RobotSpec(
+                new RobotId("bot" + i), new Pose(1000, 1500 + 3000 * i, 0), true, Traveller::new));
+      }
+      long crashMs = atMs;
+      builder.director(control ->
+          control.at(crashMs * MS, () -> control.crash(new RobotId("bot0"), 500 * MS, Unsynced.LOST)));
+      SimResult result = builder.build().run();
+      assertThat(result.spec().violations()).as("crash at %d ms", atMs).isEmpty();
+      assertThat(result.results().values())
+          .as("crash at %d ms", atMs)
+          .hasSize(2)
+          .allMatch(ends -> ends.contains(TubeFlag.DONE));
+    }
+  }
+}
