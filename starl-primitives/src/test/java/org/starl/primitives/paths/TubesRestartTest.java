@@ -56,7 +56,8 @@ class TubesRestartTest {
       }
       long crashMs = atMs;
       builder.director(control ->
-          control.at(crashMs * MS, () -> control.crash(new RobotId("bot0"), 500 * MS, Unsynced.LOST)));
+          control.at(
+              crashMs * MS, () -> control.crash(new RobotId("bot0"), 500 * MS, Unsynced.LOST)));
       SimResult result = builder.build().run();
       assertThat(result.spec().violations()).as("crash at %d ms", atMs).isEmpty();
       assertThat(result.results().values())
