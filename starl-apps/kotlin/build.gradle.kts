@@ -18,7 +18,6 @@ dependencies {
     // Compiles what `starl new` writes.
     testImplementation(libs.kotlin.compiler.embeddable)
     testImplementation(libs.junit.platform.testkit)
-    testImplementation(libs.archunit)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)

@@ -24,92 +24,88 @@ class NewProjectTest {
 
   @TempDir private lateinit var temporary: Path
 
-  private val root by lazy { temporary.resolve(NAME) }
   private val classes by lazy { temporary.resolve("classes") }
 
+  /** Of its README's tour: as written, with the change, with the planted bug; compiled together. */
   @Test
   fun itCompilesPassesItsTestAndKeepsTheTour() {
-    val (status, said) = starl("new", NAME, "--kotlin", "--folder", "$root")
-    assertThat(status).`as`(said).isZero()
-    compile()
-    assertThat(failures()).isEmpty()
+    written(NAME)
+    written(CHANGED).apply {
+      val (before, after) = blocks()
+      edit(app, before, after)
+      mendTheTest()
+    }
+    written(BROKEN).apply {
+      val release = blocks()[2].trim()
+      edit(app, "            $release\n", "")
+      val home = "            gvh.plat.moat.doMove(home)\n"
+      edit(app, home, "            $release\n$home")
+      mendTheTest()
+    }
+    compile(NAME, CHANGED, BROKEN)
+    assertThat(failures("myrobots.MyRobotsTest")).isEmpty()
+    assertThat(failures("changed.ChangedTest")).isEmpty()
+    assertThat(failures("broken.BrokenTest"))
+      .hasSize(1)
+      .allMatch { it.contains("alone_at_the_dock violated") }
     assertThat(run("run", NAME, "--seed", "7", "--png", "${temporary.resolve("a.png")}"))
       .contains("bot3: visits: 2", "4 of 4 robots", "alone_at_the_dock")
-    assertThat(run("campaign", "${root.resolve("scenario.yaml")}", "--seeds", "1..3"))
+    assertThat(run("campaign", "${temporary.resolve("$NAME/scenario.yaml")}", "--seeds", "1..3"))
       .contains("violated                         0")
-    plantTheBugOfTheTour()
-    compile()
-    assertThat(failures()).hasSize(1).allMatch { it.contains("alone_at_the_dock violated") }
   }
 
-  @Test
-  fun theChangeOfTheTourIsRight() {
-    starl("new", NAME, "--kotlin", "--folder", "$root")
-    val (before, after) = blocks()
-    edit(APP, before, after)
-    mendTheTest()
-    compile()
-    assertThat(failures()).isEmpty()
+  private inner class Project(private val name: String) {
+    private val root = temporary.resolve(name)
+    private val type = name.replaceFirstChar { it.uppercase() }
+    val app = "src/main/kotlin/$name/${type}App.kt"
+
+    fun blocks(): List<String> =
+      Regex("```kotlin\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
+        .findAll(root.resolve("README.md").readText())
+        .map { it.groupValues[1] }
+        .toList()
+
+    fun edit(file: String, old: String, changed: String) {
+      val path = root.resolve(file)
+      assertThat(path.readText()).containsOnlyOnce(old)
+      path.writeText(path.readText().replace(old, changed))
+    }
+
+    fun mendTheTest() {
+      edit("src/test/kotlin/$name/${type}Test.kt", blocks()[4].trim(), blocks()[3].trim())
+    }
   }
 
-  private fun plantTheBugOfTheTour() {
-    val release = blocks()[2].trim()
-    edit(APP, "            $release\n", "")
-    val home = "            gvh.plat.moat.doMove(home)\n"
-    edit(APP, home, "            $release\n$home")
-    mendTheTest()
+  private fun written(name: String): Project {
+    val folder = "${temporary.resolve(name)}"
+    val (status, said) = starl("new", name, "--kotlin", "--folder", folder)
+    assertThat(status).`as`(said).isZero()
+    return Project(name)
   }
 
-  private fun mendTheTest() {
-    edit(TEST, blocks()[4].trim(), blocks()[3].trim())
-  }
-
-  private fun blocks(): List<String> =
-    Regex("```kotlin\n(.*?)```", RegexOption.DOT_MATCHES_ALL)
-      .findAll(root.resolve("README.md").readText())
-      .map { it.groupValues[1] }
-      .toList()
-
-  private fun edit(file: String, old: String, changed: String) {
-    val path = root.resolve(file)
-    assertThat(path.readText()).containsOnlyOnce(old)
-    path.writeText(path.readText().replace(old, changed))
-  }
-
-  private fun compile() {
+  private fun compile(vararg names: String) {
     val said = ByteArrayOutputStream()
+    val options = listOf("-no-stdlib", "-no-reflect", "-Werror", "-jvm-target", "21")
+    val paths = listOf("-cp", System.getProperty("java.class.path"), "-d", "$classes")
+    val sources = names.map { "${temporary.resolve("$it/src")}" }
     val status =
-      K2JVMCompiler()
-        .exec(
-          PrintStream(said),
-          "-no-stdlib",
-          "-no-reflect",
-          "-Werror",
-          "-jvm-target",
-          "21",
-          "-cp",
-          System.getProperty("java.class.path"),
-          "-d",
-          "$classes",
-          "${root.resolve("src")}",
-        )
+      K2JVMCompiler().exec(PrintStream(said), *(options + paths + sources).toTypedArray())
     assertThat(status).`as`(said.toString()).isEqualTo(ExitCode.OK)
     val services = "META-INF/services/org.starl.apps.Demo"
     classes.resolve(services).parent.createDirectories()
-    root.resolve("src/main/resources/$services").copyTo(classes.resolve(services), true)
+    temporary.resolve("$NAME/src/main/resources/$services").copyTo(classes.resolve(services), true)
   }
 
-  /** What the failures of its test say. */
-  private fun failures(): List<String> =
-    withClasses { loader ->
-      val tests =
-        EngineTestKit.engine("junit-jupiter")
-          .selectors(selectClass(loader.loadClass("myrobots.MyRobotsTest")))
-          .execute()
-          .testEvents()
-      assertThat(tests.started().count()).isPositive()
-      tests.failed().list().map { it.payload.orElseThrow().toString() }
-    }
+  /** What the failures of a test class say. */
+  private fun failures(type: String): List<String> = withClasses { loader ->
+    val tests =
+      EngineTestKit.engine("junit-jupiter")
+        .selectors(selectClass(loader.loadClass(type)))
+        .execute()
+        .testEvents()
+    assertThat(tests.started().count()).isPositive()
+    tests.failed().list().map { it.payload.orElseThrow().toString() }
+  }
 
   private fun run(vararg words: String): String = withClasses {
     val (status, said) = starl(*words)
@@ -138,7 +134,7 @@ class NewProjectTest {
 
   private companion object {
     const val NAME = "my-robots"
-    const val APP = "src/main/kotlin/myrobots/MyRobotsApp.kt"
-    const val TEST = "src/test/kotlin/myrobots/MyRobotsTest.kt"
+    const val CHANGED = "changed"
+    const val BROKEN = "broken"
   }
 }
