@@ -8,6 +8,7 @@ import java.util.ServiceLoader;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.apps.lightpaint.LightPaintDemo;
+import org.starl.apps.maze.MazeDemo;
 import org.starl.apps.race.RaceDemo;
 import org.starl.sim.input.BadInput;
 
@@ -21,7 +22,12 @@ public record Demos(List<Demo> all) {
   /** Those that StarL brings. */
   public static final Demos STANDARD =
       new Demos(
-          List.of(new HelloDemo(), new IntersectionDemo(), new LightPaintDemo(), new RaceDemo()));
+          List.of(
+              new HelloDemo(),
+              new IntersectionDemo(),
+              new LightPaintDemo(),
+              new MazeDemo(),
+              new RaceDemo()));
 
   public Demos {
     all = List.copyOf(all);

@@ -5,12 +5,33 @@ import org.jspecify.annotations.Nullable;
 /** Start and goal of a task, in whole mm. */
 record Ends(int startX, int startY, int goalX, int goalY) {
 
+  private static final int STEP_MM = 3;
+  private static final int DIRECTIONS = 32;
+
   static Ends of(PlanTask task) {
     return new Ends(
         FreeSpace.x(task.start()),
         FreeSpace.y(task.start()),
         FreeSpace.x(task.goal()),
         FreeSpace.y(task.goal()));
+  }
+
+  /** With the start at the nearest free place, if it is that near; else these. */
+  Ends free(FreeSpace space, int slackMm) {
+    if (space.isFree(startX, startY)) {
+      return this;
+    }
+    for (int mm = 1; mm <= slackMm; mm += STEP_MM) {
+      for (int i = 0; i < DIRECTIONS; i++) {
+        double rad = 2 * StrictMath.PI * i / DIRECTIONS;
+        int x = startX + (int) StrictMath.rint(mm * StrictMath.cos(rad));
+        int y = startY + (int) StrictMath.rint(mm * StrictMath.sin(rad));
+        if (space.isFree(x, y)) {
+          return new Ends(x, y, goalX, goalY);
+        }
+      }
+    }
+    return this;
   }
 
   /** Which end is not free, or null. */

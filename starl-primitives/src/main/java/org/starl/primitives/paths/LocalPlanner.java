@@ -21,7 +21,6 @@ public final class LocalPlanner implements PathPlanner {
   private static final double FIRST_REACH_MM = 5_000;
   private static final double GROWTH = 3;
 
-  private final OptimalPlanner optimal = new OptimalPlanner();
   private final double firstReachMm;
 
   public LocalPlanner() {
@@ -37,13 +36,19 @@ public final class LocalPlanner implements PathPlanner {
 
   @Override
   public Plan plan(PlanTask task) {
+    return planFromNear(task, 0);
+  }
+
+  /**
+   * For a body that is a little nearer to something than it should be: the way begins at the nearest
+   * free place, if there is one within {@code slackMm} of the start, as its first point says. The body
+   * has to get there, by the straight line, at its own risk.
+   */
+  public Plan planFromNear(PlanTask task, int slackMm) {
     double reachMm = firstReachMm + 2 * task.marginMm();
     while (true) {
       Rectangle window = window(task, reachMm);
-      if (window.equals(task.bounds())) {
-        return optimal.plan(task);
-      }
-      Plan plan = within(window, task);
+      Plan plan = within(window, task, slackMm);
       if (plan != null) {
         return plan;
       }
@@ -52,12 +57,16 @@ public final class LocalPlanner implements PathPlanner {
   }
 
   /** The answer, if this part of the floor has it. */
-  private static @Nullable Plan within(Rectangle window, PlanTask task) {
-    FreeSpace space = FloorPlan.of(part(window, task));
-    Ends ends = Ends.of(task);
+  private static @Nullable Plan within(Rectangle window, PlanTask task, int slackMm) {
+    boolean isWhole = window.equals(task.bounds());
+    FreeSpace space = FloorPlan.of(isWhole ? task : part(window, task));
+    Ends ends = Ends.of(task).free(space, slackMm);
     Plan.Blocked blocked = ends.blockedIn(space);
     if (blocked != null) {
       return blocked;
+    }
+    if (isWhole) {
+      return OptimalPlanner.search(space, ends);
     }
     int startRoom = space.room(ends.startX(), ends.startY());
     int goalRoom = space.room(ends.goalX(), ends.goalY());

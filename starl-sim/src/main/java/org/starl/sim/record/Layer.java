@@ -20,6 +20,9 @@ public interface Layer {
     return true;
   }
 
+  /** Over obstacles, trails and bodies. */
+  default void paintOver(Graphics2D floor, Scene scene) {}
+
   /** A line or two for each robot, in the legend. */
   default String describe(RobotId robot, Scene scene) {
     return "";

@@ -97,6 +97,7 @@ public final class Painter {
         body(floor, pose.get(), scene.radiusMm(robot), colour(scene.number(robot)));
       }
     }
+    layer.paintOver(floor, scene);
   }
 
   private static void trail(Graphics2D floor, List<Point> points, Color colour) {

@@ -1,0 +1,62 @@
+package org.starl.apps.maze;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.apps.maze.logic.Blocks;
+import org.starl.apps.maze.logic.CollisionMode;
+import org.starl.apps.maze.logic.Errand;
+import org.starl.apps.maze.logic.Goal;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Segment;
+import org.starl.primitives.paths.Capsule;
+
+/**
+ * A maze with its robots.
+ *
+ * @param floor all bodies stay in it
+ * @param obstacles hidden ones included
+ */
+record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
+
+  /** How far from where it should be a robot may stand, besides the goal's tolerance. */
+  private static final double STANDS_MM = 10;
+
+  /** One robot: where it starts, and its goals in turn. */
+  record Robot(Pose start, List<Goal> goals) {
+    Robot {
+      goals = List.copyOf(goals);
+    }
+  }
+
+  Layout {
+    robots = List.copyOf(robots);
+  }
+
+  /** What robot {@code index} is told. */
+  Errand errand(int index, double bodyMm, CollisionMode mode) {
+    Robot robot = robots.get(index);
+    return new Errand(
+        robot.start().at(), robot.goals(), others(index, bodyMm), floor, Blocks.of(floor), mode);
+  }
+
+  /** Where the others stand while they hold no part of the floor. */
+  List<Capsule> others(int index, double bodyMm) {
+    List<Capsule> others = new ArrayList<>();
+    for (int i = 0; i < robots.size(); i++) {
+      if (i != index) {
+        others.add(disc(robots.get(i).start().at(), bodyMm + STANDS_MM));
+        for (Goal goal : robots.get(i).goals()) {
+          others.add(disc(goal.at(), bodyMm + STANDS_MM + goal.toleranceMm()));
+        }
+      }
+    }
+    return others;
+  }
+
+  private static Capsule disc(Point center, double radiusMm) {
+    return new Capsule(new Segment(center, center), radiusMm);
+  }
+}

@@ -1,0 +1,267 @@
+package org.starl.apps.maze;
+
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.apps.Demo;
+import org.starl.apps.Input;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.Scenario;
+import org.starl.apps.maze.logic.CollisionMode;
+import org.starl.apps.maze.logic.Errand;
+import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.spec.MazeSpec;
+import org.starl.apps.maze.spec.MazeTruth;
+import org.starl.apps.maze.view.MazeLayer;
+import org.starl.geometry.Rectangle;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.input.BadInput;
+import org.starl.sim.input.NearMatches;
+import org.starl.sim.input.Quantities;
+import org.starl.sim.world.GridMap;
+import org.starl.sim.world.GridMaps;
+
+/** The paper's section 5.4: {@code starl run maze}. */
+public final class MazeDemo implements Demo {
+
+  private static final int MOST_ROBOTS = 8;
+  private static final int MOST_BOXES = 64;
+  private static final double LEAST_CELL_MM = 480;
+  private static final double CELL_SPARE_MM = 20;
+  private static final double MOST_CELL_MM = 10_000;
+
+  /** For one robot at a time, bumping its way along every wall of it. */
+  private static final long TURN_NS = 1_800_000_000_000L;
+
+  private static final Parameter SCENARIO =
+      new Parameter("scenario", "drawn", "one of the scenarios above");
+  private static final List<Scenario> SCENARIOS =
+      List.of(
+          new Scenario("drawn", "a maze from the seed, some walls hidden, one cell walled in"),
+          new Scenario("files", "the original StarL's files; needs files=FOLDER"),
+          new Scenario("map", "a grid map of the path-finding benchmarks; needs map=FILE"));
+  private static final Parameter FILES =
+      new Parameter(
+          "files", "", "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies files");
+  private static final Parameter MAP =
+      new Parameter("map", "", "a grid map (.map); implies scenario=map");
+  private static final Parameter CELL =
+      new Parameter("cell", "500mm", "side of a cell of the map, 500mm to 10m");
+  private static final Parameter HIDDEN =
+      new Parameter(
+          "hidden",
+          "",
+          "drawn: which part of the walls nobody knows of, 0 to 1 (0.4); map: how many hidden boxes"
+              + " stand on the robots' shortest ways, 0 to 64 (one a robot)");
+  private static final Parameter COLLISION =
+      new Parameter("collision", "back", "what a bump does: stop, back or discover");
+
+  @Override
+  public String name() {
+    return "maze";
+  }
+
+  @Override
+  public String summary() {
+    return "robots find ways among known and hidden walls, or prove that there is none (section 5.4)";
+  }
+
+  @Override
+  public List<Scenario> scenarios() {
+    return SCENARIOS;
+  }
+
+  @Override
+  public List<Parameter> parameters() {
+    return List.of(SCENARIO, FILES, MAP, CELL, HIDDEN, COLLISION);
+  }
+
+  @Override
+  public Envelope envelope() {
+    return Envelope.SPATIAL;
+  }
+
+  @Override
+  public List<Input> inputs(Path data) {
+    List<Input> inputs = new ArrayList<>();
+    Path original = data.resolve("starl-original").resolve("maze");
+    if (Files.isDirectory(original)) {
+      inputs.add(input("maze", FILES.key(), original, "3 of 3 runs hold for ever: Path not found"));
+    }
+    for (String map :
+        List.of(
+            "empty-48-48",
+            "maze-32-32-4",
+            "room-32-32-4",
+            "random-64-64-20",
+            "den312d",
+            "ht_chantry",
+            "Berlin_1_256")) {
+      Path file = data.resolve("maps").resolve(map + ".map");
+      if (Files.exists(file)) {
+        inputs.add(input(map + ".map", MAP.key(), file, ""));
+      }
+    }
+    return inputs;
+  }
+
+  private static Input input(String name, String key, Path value, String before) {
+    SortedMap<String, String> parameters = new TreeMap<>();
+    parameters.put(key, value.toString());
+    return new Input(name, value, parameters, before);
+  }
+
+  @Override
+  public SimSettings.Builder defaultSettings(Request request) {
+    int robots = robots(request);
+    return SimSettings.builder()
+        .set(Setting.ROBOTS, robots)
+        .set(Setting.DURATION.key(), (robots + 1) * (TURN_NS / 1_000_000_000) + "s");
+  }
+
+  private static int robots(Request request) {
+    int usual =
+        switch (scenario(request)) {
+          case "files" -> 1;
+          case "map" -> 6;
+          default -> 4;
+        };
+    return request.robots().orElse(usual);
+  }
+
+  @Override
+  public Plan plan(Request request, SimSettings settings) {
+    int robots = request.robots().orElse(settings.robots());
+    if (robots < 1 || robots > MOST_ROBOTS) {
+      throw new BadInput("robots: " + robots + ": expected 1 to 8 in a maze");
+    }
+    return plan(layout(request, settings, robots), mode(request), settings);
+  }
+
+  private static String scenario(Request request) {
+    String scenario = request.parameter(SCENARIO.key());
+    boolean isDrawn = scenario.equals(SCENARIO.defaultValue());
+    boolean hasFiles = !request.parameter(FILES.key()).isEmpty();
+    boolean hasMap = !request.parameter(MAP.key()).isEmpty();
+    if (hasFiles && hasMap) {
+      throw new BadInput("files and map: expected one of them");
+    }
+    if (isDrawn) {
+      return hasFiles ? "files" : hasMap ? "map" : scenario;
+    }
+    boolean isKnown = scenario.equals("files") || scenario.equals("map");
+    if (!isKnown || scenario.equals("files") != hasFiles || scenario.equals("map") != hasMap) {
+      throw new BadInput(
+          "scenario="
+              + BadInput.quote(scenario)
+              + ": expected drawn, files with files=FOLDER, or map with map=FILE"
+              + NearMatches.hint(scenario, List.of("drawn", "files", "map")));
+    }
+    return scenario;
+  }
+
+  private static Layout layout(Request request, SimSettings settings, int robots) {
+    Rng rng = new Rng(request.seed()).fork("maze");
+    double bodyMm = settings.robotRadiusMm();
+    return switch (scenario(request)) {
+      case "files" -> {
+        Rectangle floor =
+            new Rectangle(
+                0, 0, settings.get(Setting.FLOOR_WIDTH), settings.get(Setting.FLOOR_HEIGHT));
+        Path folder = Path.of(request.parameter(FILES.key()));
+        yield FileMaze.read(folder, floor, robots, bodyMm, rng.fork("files"));
+      }
+      case "map" -> {
+        GridMap map = GridMaps.read(Path.of(request.parameter(MAP.key())));
+        yield MapMaze.draw(map, cellMm(request, bodyMm), robots, boxes(request, robots), rng);
+      }
+      default -> DrawnMaze.draw(robots, hiddenPart(request), rng);
+    };
+  }
+
+  private static Plan plan(Layout layout, CollisionMode mode, SimSettings settings) {
+    SortedMap<RobotId, Errand> errands = new TreeMap<>();
+    SortedMap<RobotId, Integer> goals = new TreeMap<>();
+    double bodyMm = settings.robotRadiusMm();
+    Simulation.Builder simulation =
+        Simulation.builder().settings(settings).obstacles(layout.obstacles());
+    for (int i = 0; i < layout.robots().size(); i++) {
+      RobotId id = new RobotId(settings.robotName() + i);
+      Errand errand = layout.errand(i, bodyMm, mode);
+      errands.put(id, errand);
+      goals.put(id, errand.goals().size());
+      simulation.robot(
+          new RobotSpec(id, layout.robots().get(i).start(), true, gvh -> new MazeApp(gvh, errand)));
+    }
+    MazeStory story = new MazeStory(goals);
+    MazeTruth truth = new MazeTruth(layout.floor(), layout.obstacles(), errands, bodyMm);
+    simulation.observer(story).monitor(() -> new MazeSpec(truth, errands.size() * TURN_NS));
+    return new Plan(simulation, story, new MazeLayer(errands), layout.obstacles());
+  }
+
+  private static CollisionMode mode(Request request) {
+    String text = request.parameter(COLLISION.key());
+    for (CollisionMode mode : CollisionMode.values()) {
+      if (mode.name().toLowerCase(Locale.ROOT).equals(text)) {
+        return mode;
+      }
+    }
+    throw new BadInput(
+        COLLISION.key() + "=" + BadInput.quote(text) + ": expected stop, back or discover");
+  }
+
+  private static double cellMm(Request request, double bodyMm) {
+    double cellMm;
+    try {
+      cellMm = Quantities.distanceMm(request.parameter(CELL.key()));
+    } catch (BadInput error) {
+      throw Quantities.in(CELL.key(), error);
+    }
+    double leastMm = Math.max(LEAST_CELL_MM, 2 * (bodyMm + Errand.MARGIN_MM)) + CELL_SPARE_MM;
+    if (cellMm < leastMm || cellMm > MOST_CELL_MM) {
+      throw new BadInput(
+          CELL.key()
+              + "="
+              + BadInput.quote(request.parameter(CELL.key()))
+              + ": expected "
+              + Math.round(leastMm)
+              + "mm (room for a body and its margin) to 10m");
+    }
+    return cellMm;
+  }
+
+  private static int boxes(Request request, int robots) {
+    String text = request.parameter(HIDDEN.key());
+    try {
+      return text.isEmpty() ? robots : (int) Quantities.whole(text, 0, MOST_BOXES);
+    } catch (BadInput error) {
+      throw Quantities.in(HIDDEN.key(), error);
+    }
+  }
+
+  private static double hiddenPart(Request request) {
+    String text = request.parameter(HIDDEN.key());
+    double part;
+    try {
+      part = text.isEmpty() ? 0.4 : Quantities.number(text);
+    } catch (BadInput error) {
+      throw Quantities.in(HIDDEN.key(), error);
+    }
+    if (part > 1) {
+      throw new BadInput(HIDDEN.key() + "=" + BadInput.quote(text) + ": expected 0 to 1");
+    }
+    return part;
+  }
+}

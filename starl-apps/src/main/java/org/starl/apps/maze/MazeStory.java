@@ -1,0 +1,91 @@
+package org.starl.apps.maze;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.apps.Measures;
+import org.starl.apps.Story;
+import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.logic.MazeApp.Answer;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Joined;
+
+/** Who got where, when, after how many contacts; and who found that there is no way. */
+final class MazeStory implements Story {
+
+  private static final double NS_PER_S = 1e9;
+
+  private final SortedMap<RobotId, Integer> goals;
+  private final List<String> lines = new ArrayList<>();
+  private final Map<RobotId, Integer> marks = new TreeMap<>();
+  private final Map<RobotId, Long> sinceNs = new LinkedHashMap<>();
+  private final List<Long> waitsNs = new ArrayList<>();
+  private final SortedMap<String, Long> counts = new TreeMap<>();
+
+  /**
+   * @param goals how many each robot has
+   */
+  MazeStory(SortedMap<RobotId, Integer> goals) {
+    this.goals = goals;
+    for (Answer answer : Answer.values()) {
+      counts.put(word(answer), 0L);
+    }
+    counts.put("contacts", 0L);
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    if (event instanceof Joined joined) {
+      sinceNs.put(joined.robot(), joined.timeNs());
+    } else if (event instanceof Action action && action.source().equals(MazeApp.SOURCE)) {
+      if (action.name().equals(MazeApp.MARK)) {
+        marks.merge(action.robot(), 1, Integer::sum);
+        counts.merge("contacts", 1L, Long::sum);
+      } else if (action.name().equals(MazeApp.ANSWER)) {
+        answered(action);
+      }
+    }
+  }
+
+  private void answered(Action action) {
+    RobotId robot = action.robot();
+    Answer answer = Answer.valueOf(action.args().get(1));
+    String goal = action.args().get(0);
+    int contacts = marks.getOrDefault(robot, 0);
+    String what =
+        switch (answer) {
+          case REACHED -> "is at " + goal;
+          case NO_WAY -> "has proven that no way leads to " + goal;
+          case GAVE_UP -> "gave up on " + goal;
+        };
+    String learned = contacts == 0 ? "" : ", " + contacts + " marks from contacts so far";
+    lines.add(
+        String.format(
+            Locale.ROOT, "%8.1f s  %s %s%s", action.timeNs() / NS_PER_S, robot, what, learned));
+    counts.merge(word(answer), 1L, Long::sum);
+    if (answer != Answer.GAVE_UP) {
+      waitsNs.add(action.timeNs() - sinceNs.getOrDefault(robot, 0L));
+    }
+  }
+
+  private static String word(Answer answer) {
+    return answer.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+  }
+
+  @Override
+  public List<String> lines() {
+    return List.copyOf(lines);
+  }
+
+  @Override
+  public Measures measures() {
+    int all = goals.values().stream().mapToInt(Integer::intValue).sum();
+    return new Measures(all, waitsNs.size(), waitsNs, new TreeMap<>(), counts);
+  }
+}

@@ -1,0 +1,40 @@
+package org.starl.apps.maze.logic;
+
+import org.starl.motion.CollisionPolicy;
+import org.starl.motion.MotionParameters;
+import org.starl.motion.RobotType;
+
+/** What a robot does when it bumps: the three of the paper's section 5.1. */
+public enum CollisionMode {
+  /** Stops at the contact; the app turns round and drives back on its trail. */
+  STOP(CollisionPolicy.STOP_ON_COLLISION, 0, 0),
+  /** Backs away from the contact, blind, for 800 ms. */
+  BACK(CollisionPolicy.USE_COLBACK, 110, 0),
+  /** Backs away, then feels along the obstacle for a while: more contacts a collision. */
+  DISCOVER(CollisionPolicy.USE_COLBACK, 1_000, 4_000);
+
+  private final CollisionPolicy policy;
+  private final double wanderMm;
+  private final long feelMs;
+
+  CollisionMode(CollisionPolicy policy, double wanderMm, long feelMs) {
+    this.policy = policy;
+    this.wanderMm = wanderMm;
+    this.feelMs = feelMs;
+  }
+
+  /** How far from its way it may get after a contact. */
+  double wanderMm() {
+    return wanderMm;
+  }
+
+  /** For how long it goes on after a contact on its own; 0 if the motion ends by itself. */
+  long feelMs() {
+    return feelMs;
+  }
+
+  MotionParameters applyTo(MotionParameters p) {
+    RobotType type = this == DISCOVER ? RobotType.DISCOVERY : RobotType.GOAL;
+    return p.toBuilder().collisionPolicy(policy).robotType(type).build();
+  }
+}

@@ -1,0 +1,32 @@
+package org.starl.apps.maze.logic;
+
+import java.util.List;
+import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
+import org.starl.primitives.paths.Capsule;
+
+/**
+ * What one robot is to do, and what all robots know of the floor beforehand, obstacles apart.
+ *
+ * @param start where it stands at first
+ * @param goals in the order in which it goes there
+ * @param others discs in which the other robots stand whenever they hold no block: their starts and
+ *     goals
+ * @param floor all bodies stay in it
+ */
+public record Errand(
+    Point start,
+    List<Goal> goals,
+    List<Capsule> others,
+    Rectangle floor,
+    Blocks blocks,
+    CollisionMode mode) {
+
+  /** A way for a body that is wider by this on every side is found if there is one. */
+  public static final double MARGIN_MM = 75;
+
+  public Errand {
+    goals = List.copyOf(goals);
+    others = List.copyOf(others);
+  }
+}

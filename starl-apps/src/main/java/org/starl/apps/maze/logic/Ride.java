@@ -1,0 +1,140 @@
+package org.starl.apps.maze.logic;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.geometry.Angles;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.motion.Contact;
+import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionParameters;
+import org.starl.primitives.paths.Path;
+
+/** Drives along a path, point by point, and remembers what the body touched and where it has been. */
+final class Ride {
+
+  /** How it stands with the latest ride. */
+  enum State {
+    UNDER_WAY,
+    ARRIVED,
+    /** Stands after a contact, or goes where the collision mode takes it. */
+    BUMPED,
+    /** Stands: no fix, stuck wheels. */
+    HELD_UP
+  }
+
+  private static final double PASS_MM = 20;
+  private static final double LONGEST_LEG_MM = 1_000;
+  private static final double STRAIGHT_RAD = Angles.fromDegrees(1);
+  private static final double TRAIL_STEP_MM = 40;
+  private static final int LONGEST_TRAIL = 500;
+
+  private final GlobalVarHolder gvh;
+  private final List<Contact> contacts = new ArrayList<>();
+  private final List<Point> trail = new ArrayList<>();
+  private List<Point> ahead = List.of();
+  private double toleranceMm;
+
+  Ride(GlobalVarHolder gvh) {
+    this.gvh = gvh;
+    gvh.plat.moat.onContact(contacts::add);
+  }
+
+  /** How robots drive in a maze whose bodies are like that. */
+  static MotionParameters motion(MotionParameters body, CollisionMode mode) {
+    return mode.applyTo(body).toBuilder()
+        .goalRadiusMm(PASS_MM)
+        .smallTurnAngleRad(STRAIGHT_RAD)
+        .enableArcing(false)
+        .build();
+  }
+
+  /**
+   * Sets out.
+   *
+   * @param lastMm nearer to the end than this is there
+   */
+  void along(Path path, double lastMm, CollisionMode mode) {
+    contacts.clear();
+    ahead = cut(path);
+    toleranceMm = lastMm;
+    gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters(), mode));
+    toNext();
+  }
+
+  /** To be asked every now and then: drives on. */
+  State look() {
+    remember();
+    if (!contacts.isEmpty()) {
+      return State.BUMPED;
+    }
+    MotionFlag flag = gvh.plat.moat.motionflag().get();
+    if (flag == MotionFlag.DONE) {
+      ahead = ahead.subList(1, ahead.size());
+      if (ahead.isEmpty()) {
+        return State.ARRIVED;
+      }
+      toNext();
+    }
+    return flag == MotionFlag.FAIL ? State.HELD_UP : State.UNDER_WAY;
+  }
+
+  void stop() {
+    remember();
+    gvh.plat.moat.motion_stop();
+  }
+
+  /** What it has touched since it set out. */
+  List<Contact> contacts() {
+    return List.copyOf(contacts);
+  }
+
+  /** Where the robot was, the latest first; a copy. */
+  List<Point> trail() {
+    List<Point> back = new ArrayList<>(trail);
+    Collections.reverse(back);
+    return back;
+  }
+
+  /** Forgets what comes after the last time at {@code at} on the trail. */
+  void forgetAfter(Point at) {
+    trail.subList(trail.lastIndexOf(at) + 1, trail.size()).clear();
+  }
+
+  private void toNext() {
+    Point next = ahead.get(0);
+    MotionParameters usual = gvh.plat.moat.parameters();
+    if (ahead.size() == 1) {
+      double radiusMm = Math.min(usual.goalRadiusMm(), toleranceMm);
+      gvh.plat.moat.setParameters(usual.toBuilder().goalRadiusMm(radiusMm).build());
+    }
+    gvh.plat.moat.doMove(new ItemPosition("way", next.xMm(), next.yMm()));
+    gvh.plat.moat.setParameters(usual);
+  }
+
+  private void remember() {
+    Point at = gvh.gps.pose().at();
+    if (trail.isEmpty() || trail.get(trail.size() - 1).distanceMm(at) >= TRAIL_STEP_MM) {
+      trail.add(at);
+      if (trail.size() > LONGEST_TRAIL) {
+        trail.remove(0);
+      }
+    }
+  }
+
+  /** The points to drive to, no leg too long: the longer it is, the farther a robot strays. */
+  private static List<Point> cut(Path path) {
+    List<Point> points = new ArrayList<>();
+    for (int i = 0; i < path.legs(); i++) {
+      Point from = path.leg(i).from();
+      Point way = path.leg(i).to().minus(from);
+      int pieces = (int) Math.max(1, StrictMath.ceil(way.normMm() / LONGEST_LEG_MM));
+      for (int j = 1; j <= pieces; j++) {
+        points.add(from.plus(way.times((double) j / pieces)));
+      }
+    }
+    return points;
+  }
+}

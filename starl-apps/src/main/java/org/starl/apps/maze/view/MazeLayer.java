@@ -1,0 +1,225 @@
+package org.starl.apps.maze.view;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.apps.maze.logic.Errand;
+import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.logic.MazeApp.Answer;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.RegionText;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Painter;
+import org.starl.sim.record.Scene;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+
+/**
+ * Draws the goals, crossed out where there is no way, what contacts have proven, and each robot's
+ * intended way dotted.
+ */
+public final class MazeLayer implements Layer {
+
+  private static final Color FLOOR = new Color(0xF0, 0xF0, 0xEA);
+  private static final int MARK_ALPHA = 60;
+  private static final double GOAL_PX = 9;
+  private static final double MOST_PX = 900;
+
+  private final SortedMap<RobotId, Errand> errands;
+  private final Map<RobotId, List<Polygon>> marks = new TreeMap<>();
+  private final Map<String, Answer> answers = new TreeMap<>();
+
+  /** Of robots that are all known beforehand. */
+  public MazeLayer(SortedMap<RobotId, Errand> errands) {
+    this.errands = new TreeMap<>(errands);
+  }
+
+  @Override
+  public void observe(TraceEvent event) {
+    if (event instanceof Action action && action.source().equals(MazeApp.SOURCE)) {
+      if (action.name().equals(MazeApp.MARK)) {
+        Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
+        marks.computeIfAbsent(action.robot(), robot -> new ArrayList<>()).add(mark);
+      } else if (action.name().equals(MazeApp.ANSWER)) {
+        answers.put(
+            action.robot() + " " + action.args().get(0), Answer.valueOf(action.args().get(1)));
+      }
+    }
+  }
+
+  @Override
+  public List<Point> corners() {
+    List<Point> corners = new ArrayList<>();
+    for (Errand errand : errands.values()) {
+      corners.add(new Point(errand.floor().xMinMm(), errand.floor().yMinMm()));
+      corners.add(new Point(errand.floor().xMaxMm(), errand.floor().yMaxMm()));
+    }
+    return corners;
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene) {
+    for (Errand errand : errands.values()) {
+      var area = errand.floor();
+      floor.setColor(FLOOR);
+      floor.fill(
+          new Rectangle2D.Double(
+              area.xMinMm(),
+              area.yMinMm(),
+              area.xMaxMm() - area.xMinMm(),
+              area.yMaxMm() - area.yMinMm()));
+      break;
+    }
+    for (RobotId robot : scene.robots()) {
+      Color colour = Painter.colour(scene.number(robot));
+      for (Polygon mark : marks.getOrDefault(robot, List.of())) {
+        paintMark(floor, mark, colour);
+      }
+    }
+    for (RobotId robot : scene.robots()) {
+      Color colour = Painter.colour(scene.number(robot));
+      paintWay(floor, scene.variable(robot, MazeApp.SOURCE, MazeApp.WAY), colour);
+    }
+  }
+
+  @Override
+  public void paintOver(Graphics2D floor, Scene scene) {
+    for (RobotId robot : scene.robots()) {
+      Errand errand = errands.get(robot);
+      if (errand != null) {
+        Color colour = Painter.colour(scene.number(robot));
+        errand.goals().forEach(goal -> paintGoal(floor, robot, goal, colour));
+      }
+    }
+  }
+
+  /** So many mm are a pixel. */
+  private double pixelMm() {
+    double widest = 1;
+    for (Errand errand : errands.values()) {
+      widest = Math.max(widest, errand.floor().xMaxMm() - errand.floor().xMinMm());
+      widest = Math.max(widest, errand.floor().yMaxMm() - errand.floor().yMinMm());
+    }
+    return widest / MOST_PX;
+  }
+
+  private static void paintMark(Graphics2D floor, Polygon mark, Color colour) {
+    Path2D outline = new Path2D.Double();
+    List<Point> corners = mark.vertices();
+    outline.moveTo(corners.get(0).xMm(), corners.get(0).yMm());
+    for (Point corner : corners) {
+      outline.lineTo(corner.xMm(), corner.yMm());
+    }
+    outline.closePath();
+    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), MARK_ALPHA));
+    floor.fill(outline);
+    floor.setStroke(new BasicStroke(4));
+    floor.draw(outline);
+  }
+
+  private void paintWay(Graphics2D floor, String way, Color colour) {
+    if (way.isEmpty()) {
+      return;
+    }
+    Path2D path = new Path2D.Double();
+    boolean isFirst = true;
+    for (String point : way.split(">", -1)) {
+      int comma = point.indexOf(',');
+      double x = Double.parseDouble(point.substring(0, comma));
+      double y = Double.parseDouble(point.substring(comma + 1));
+      if (isFirst) {
+        path.moveTo(x, y);
+      } else {
+        path.lineTo(x, y);
+      }
+      isFirst = false;
+    }
+    float[] dots = {1, (float) (8 * pixelMm())};
+    float width = (float) (4 * pixelMm());
+    floor.setColor(colour);
+    floor.setStroke(
+        new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, dots, 0));
+    floor.draw(path);
+  }
+
+  /** A flag on a pole; crossed out once it is known that no way leads there. */
+  private void paintGoal(Graphics2D floor, RobotId robot, Goal goal, Color colour) {
+    double px = pixelMm();
+    double x = goal.at().xMm();
+    double y = goal.at().yMm();
+    double size = GOAL_PX * px;
+    floor.setColor(colour.darker());
+    floor.setStroke(new BasicStroke((float) (2.5 * px)));
+    floor.draw(new Line2D.Double(x, y, x, y + 2.4 * size));
+    Path2D flag = new Path2D.Double();
+    flag.moveTo(x, y + 2.4 * size);
+    flag.lineTo(x + 1.6 * size, y + 1.8 * size);
+    flag.lineTo(x, y + 1.2 * size);
+    flag.closePath();
+    floor.fill(flag);
+    Answer answer = answers.get(robot + " " + goal.name());
+    if (answer == Answer.NO_WAY || answer == Answer.GAVE_UP) {
+      floor.setColor(Color.RED.darker());
+      floor.setStroke(new BasicStroke((float) (3.5 * px)));
+      floor.draw(new Line2D.Double(x - size, y, x + 2 * size, y + 2.6 * size));
+      floor.draw(new Line2D.Double(x - size, y + 2.6 * size, x + 2 * size, y));
+    }
+    Graphics2D upright = (Graphics2D) floor.create();
+    upright.transform(AffineTransform.getScaleInstance(1, -1));
+    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 1).deriveFont((float) (12 * px)));
+    upright.setColor(colour.darker());
+    upright.drawString(goal.name(), (float) (x + 1.7 * size), (float) (-y - 1.7 * size));
+    upright.dispose();
+  }
+
+  @Override
+  public String describe(RobotId robot, Scene scene) {
+    Errand errand = errands.get(robot);
+    if (errand == null) {
+      return "";
+    }
+    List<String> told = new ArrayList<>();
+    for (Goal goal : errand.goals()) {
+      Answer answer = answers.get(robot + " " + goal.name());
+      if (answer != null) {
+        told.add(
+            goal.name()
+                + switch (answer) {
+                  case REACHED -> " reached";
+                  case NO_WAY -> ": no way";
+                  case GAVE_UP -> ": gave up";
+                });
+      }
+    }
+    String toward = scene.variable(robot, MazeApp.SOURCE, MazeApp.TOWARD);
+    String location = scene.variable(robot, MazeApp.SOURCE, MazeApp.LOCATION);
+    int learned = marks.getOrDefault(robot, List.of()).size();
+    return location
+        + (toward.isEmpty() ? "" : ", to " + toward)
+        + (learned == 0 ? "" : ", " + learned + " marks")
+        + (told.isEmpty() ? "" : "\n" + String.join(", ", told));
+  }
+
+  /** The end, when all has been found out. */
+  @Override
+  public double interest(Scene scene) {
+    double seen = answers.size();
+    for (RobotId robot : scene.robots()) {
+      seen += 1e-4 * scene.trail(robot).size();
+    }
+    return seen;
+  }
+}

@@ -1,0 +1,225 @@
+package org.starl.apps.maze;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.RobotId;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.input.BadInput;
+
+class MazeTest {
+
+  private static final MazeDemo DEMO = new MazeDemo();
+
+  private static Plan plan(
+      long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
+    SortedMap<String, String> all = DEMO.defaults();
+    all.putAll(parameters);
+    Request request = new Request(seed, OptionalInt.of(robots), all);
+    SimSettings.Builder builder = DEMO.defaultSettings(request);
+    settings.forEach(builder::set);
+    Plan plan = DEMO.plan(request, builder.build());
+    plan.simulation().name("maze").seed(seed);
+    return plan;
+  }
+
+  /** Runs it: every goal is answered, nobody gives up, and every answer is true. */
+  private static SimResult run(
+      long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
+    Plan plan = plan(seed, robots, parameters, settings);
+    SimResult result = plan.simulation().build().run();
+    String which = "seed " + seed + ", " + robots + " robots, " + parameters + settings;
+    assertThat(result.spec().violations()).as(which).isEmpty();
+    assertThat(result.unfinished()).as(which).isEmpty();
+    assertThat(plan.story().measures().counts().get("gave up")).as(which).isZero();
+    return result;
+  }
+
+  private static List<Object> answers(SimResult result, int robot) {
+    return result.results().get(new RobotId("bot" + robot));
+  }
+
+  private static Path shared(String what) {
+    Path path =
+        Path.of(System.getProperty("starl.shared", "../../shared")).resolve("data").resolve(what);
+    assumeTrue(Files.exists(path), "skipped: no " + path + " (set -Dstarl.shared)");
+    return path;
+  }
+
+  @ParameterizedTest
+  @ValueSource(strings = {"back", "stop", "discover"})
+  void goalsAreReachedOrProvenToBeCutOff(String collision) {
+    for (long seed = 1; seed <= 2; seed++) {
+      String loss = seed % 2 == 0 ? "0.2" : "0";
+      run(seed, 3, Map.of("collision", collision), Map.of("messageLoss", loss));
+    }
+  }
+
+  @Test
+  void alsoUnderChaos() {
+    for (long seed = 11; seed <= 14; seed++) {
+      run(seed, 3, Map.of(), Map.of("chaos", "spatial"));
+    }
+  }
+
+  @Test
+  void alsoWithInexactPositionsAndWheels() {
+    run(5, 2, Map.of(), Map.of("positionNoise", "15mm", "speedError", "0.05"));
+  }
+
+  @Test
+  void theOriginalsMazeHasAWayToOneOfItsGoals() {
+    Path folder = shared("starl-original/maze");
+    SimResult result = run(3, 1, Map.of("files", folder.toString()), Map.of());
+    // A wall as high as the floor stands between the two goals.
+    assertThat(answers(result, 0))
+        .isIn(List.of("E REACHED", "Final NO_WAY"), List.of("E NO_WAY", "Final REACHED"));
+  }
+
+  @ParameterizedTest
+  @CsvSource({"maze-32-32-4, 6", "empty-48-48, 8", "ht_chantry, 4"})
+  void onGridMaps(String map, int robots) {
+    Path file = shared("maps/" + map + ".map");
+    run(2, robots, Map.of("map", file.toString()), Map.of("messageLoss", "0.2"));
+  }
+
+  private static final String ROOM =
+      """
+      Hidden;2000,1000;3000,1000;-1
+      Hidden;3000,1000;3000,2000;-1
+      Hidden;3000,2000;2000,2000;-1
+      """;
+
+  private static Path folder(Path folder, String obstacles, String start, String... goals)
+      throws IOException {
+    Files.writeString(folder.resolve("obstacles.wpt"), obstacles);
+    Files.writeString(folder.resolve("start.wpt"), start);
+    Files.writeString(folder.resolve("dest.wpt"), String.join("\n", goals));
+    return folder;
+  }
+
+  @ParameterizedTest
+  @CsvSource({"1000, REACHED", "700, REACHED", "500, REACHED", "300, NO_WAY", "0, NO_WAY"})
+  void aHiddenRoomIsEnteredExactlyIfItsDoorIsWideEnough(
+      int doorMm, String answer, @TempDir Path folder) throws IOException {
+    int half = doorMm / 2;
+    String door =
+        "Hidden;2000,1000;2000,"
+            + (1500 - half)
+            + ";-1\n"
+            + "Hidden;2000,"
+            + (1500 + half)
+            + ";2000,2000;-1\n";
+    folder(folder, ROOM + door, "WAY,4300,1500,180,bot0", "WAY,2500,1500,0,room,20");
+    SimResult result = run(1, 1, Map.of("files", folder.toString()), Map.of());
+    assertThat(answers(result, 0)).containsExactly("room " + answer);
+  }
+
+  @ParameterizedTest
+  @ValueSource(ints = {340, 360, 400, 440, 470})
+  void betweenTheBodyAndItsMarginAnyAnswerWillDoThatIsTrue(int doorMm, @TempDir Path folder)
+      throws IOException {
+    int half = doorMm / 2;
+    String door =
+        "Hidden;2000,1000;2000,"
+            + (1500 - half)
+            + ";-1\n"
+            + "Hidden;2000,"
+            + (1500 + half)
+            + ";2000,2000;-1\n";
+    // From the inside: it may get out, and then its goals there and here are both owed an answer.
+    folder(
+        folder,
+        ROOM + door,
+        "WAY,2600,1500,180,bot0",
+        "WAY,1000,1500,0,outside,20",
+        "WAY,2700,1700,0,inside,20");
+    Plan plan = plan(1, 1, Map.of("files", folder.toString()), Map.of());
+    SimResult result = plan.simulation().build().run();
+    assertThat(result.spec().violations()).isEmpty();
+    assertThat(result.unfinished()).isEmpty();
+    assertThat(answers(result, 0)).hasSize(2);
+  }
+
+  @Test
+  void whoIsWalledInSaysSoAndWhoseGoalLiesInAWallToo(@TempDir Path folder) throws IOException {
+    String wall = "Hidden;2000,1000;2000,2000;-1\n";
+    folder(
+        folder,
+        ROOM + wall + "Obstacle;4000,2000;4500,2000;4500,2500;4000,2500;-1\n",
+        "WAY,2500,1500,0,bot0",
+        "WAY,1000,1500,0,outside",
+        "WAY,4200,2200,0,block",
+        "WAY,2500,1400,0,inside");
+    SimResult result = run(1, 1, Map.of("files", folder.toString()), Map.of());
+    assertThat(answers(result, 0))
+        .containsExactly("outside NO_WAY", "block NO_WAY", "inside REACHED");
+  }
+
+  @ParameterizedTest
+  @CsvSource(
+      delimiter = '|',
+      textBlock =
+          """
+          robots=9 | expected 1 to 8 in a maze
+          collision=bounce | collision='bounce': expected stop, back or discover
+          hidden=2 | hidden='2': expected 0 to 1
+          scenario=files | expected drawn, files with files=FOLDER, or map with map=FILE
+          scenario=labyrinth | expected drawn, files with files=FOLDER, or map with map=FILE
+          files=nowhere | nowhere/dest.wpt: no such file
+          map=nowhere.map | nowhere.map: no such file
+          """)
+  void badParametersAreTold(String setting, String message) {
+    String key = setting.substring(0, setting.indexOf('='));
+    String value = setting.substring(setting.indexOf('=') + 1);
+    boolean isRobots = key.equals("robots");
+    int robots = isRobots ? Integer.parseInt(value) : 1;
+    Map<String, String> parameters = isRobots ? Map.of() : Map.of(key, value);
+    assertThatThrownBy(() -> plan(1, robots, parameters, Map.of()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining(message);
+  }
+
+  @Test
+  void badFilesAreTold(@TempDir Path folder) throws IOException {
+    Map<String, String> files = Map.of("files", folder.toString());
+    folder(folder, "Hidden;0,0;1,1;500", "WAY,500,500,0,bot0", "WAY,1500,1500,0,A");
+    assertThatThrownBy(() -> plan(1, 1, files, Map.of()))
+        .hasMessageContaining("an obstacle with lifetime 500: expected -1");
+    folder(folder, "", "WAY,500,500,0,bot0", "WAY,9000,1500,0,A");
+    assertThatThrownBy(() -> plan(1, 1, files, Map.of()))
+        .hasMessageContaining("A at 9000.0,1500.0: expected on the floor");
+    folder(folder, "", "WAY,500,500,0,bot0", "// nothing");
+    assertThatThrownBy(() -> plan(1, 1, files, Map.of())).hasMessageContaining("no goal");
+    folder(folder, "", "WAY,500,500,0,bot0", "WAY,1500,1500,0,A");
+    assertThatThrownBy(() -> plan(1, 2, files, Map.of()))
+        .hasMessageContaining("start.wpt: 1 starts: expected 2");
+    folder(folder, "Wall;0,0", "WAY,500,500,0,bot0", "WAY,1500,1500,0,A");
+    assertThatThrownBy(() -> plan(1, 1, files, Map.of()))
+        .hasMessageContaining("obstacles.wpt:1: 'Wall;0,0': expected");
+  }
+
+  @Test
+  void aCellMustHoldABodyAndItsMargin() {
+    Path file = shared("maps/maze-32-32-4.map");
+    Map<String, String> parameters = Map.of("map", file.toString(), "cell", "400mm");
+    assertThatThrownBy(() -> plan(1, 4, parameters, Map.of()))
+        .hasMessage("cell='400mm': expected 500mm (room for a body and its margin) to 10m");
+  }
+}

@@ -1,0 +1,138 @@
+package org.starl.apps.maze;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotId;
+import org.starl.apps.maze.logic.CollisionMode;
+import org.starl.apps.maze.logic.Errand;
+import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.spec.MazeSpec;
+import org.starl.apps.maze.spec.MazeTruth;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.RegionText;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+
+/** Robots that are rude, or lie: what is checked of a maze must see them. */
+class RudeRobotsTest {
+
+  private static final int SEEDS = 20;
+  private static final double BODY_MM = 165;
+  private static final long BOUND_NS = 300_000_000_000L;
+
+  enum Bug {
+    /** Takes a bump for an arrival, as the original's motion did. */
+    BUMPED_IS_THERE,
+    /** Gives a goal up at the first bump, as the original did when its planner found nothing. */
+    BUMPED_IS_NO_WAY,
+    /** Marks a square around the contact that it guesses, and widens it by the body. */
+    MARKS_A_GUESS,
+    /** Asks nobody for the floor, and goes where another one stands. */
+    ASKS_NOBODY,
+    /** Waits for somebody to clear the way. */
+    HOLDS_FOR_EVER
+  }
+
+  private static final class RudeRobot extends LogicThread {
+    private final Errand errand;
+    private final Bug bug;
+
+    RudeRobot(GlobalVarHolder gvh, Errand errand, Bug bug) {
+      super(gvh);
+      this.errand = errand;
+      this.bug = bug;
+      gvh.plat.moat.onContact(contact -> {
+        if (bug == Bug.MARKS_A_GUESS) {
+          Point at = contact.at().pose().at();
+          double headingRad = contact.at().pose().headingRad();
+          double x = at.xMm() + BODY_MM * StrictMath.cos(headingRad);
+          double y = at.yMm() + BODY_MM * StrictMath.sin(headingRad);
+          double mm = BODY_MM + 75;
+          Polygon square =
+              Polygon.of(
+                  new Point(x - mm, y - mm),
+                  new Point(x + mm, y - mm),
+                  new Point(x + mm, y + mm),
+                  new Point(x - mm, y + mm));
+          gvh.trace.action(MazeApp.SOURCE, MazeApp.MARK, RegionText.format(square));
+        }
+      });
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      await(gvh.gps::hasFix);
+      var goal = errand.goals().get(0);
+      Point to = bug == Bug.ASKS_NOBODY ? errand.others().get(0).axis().from() : goal.at();
+      gvh.plat.moat.doMove(new ItemPosition(goal.name(), to.xMm(), to.yMm()));
+      await(() -> !gvh.plat.moat.inMotion());
+      boolean isThere = !gvh.plat.moat.failed();
+      switch (bug) {
+        case BUMPED_IS_THERE -> answer(MazeApp.Answer.REACHED);
+        case BUMPED_IS_NO_WAY -> answer(isThere ? MazeApp.Answer.REACHED : MazeApp.Answer.NO_WAY);
+        case HOLDS_FOR_EVER -> {
+          await(() -> isThere);
+          answer(MazeApp.Answer.REACHED);
+        }
+        case MARKS_A_GUESS, ASKS_NOBODY -> answer(MazeApp.Answer.GAVE_UP);
+      }
+      return List.of();
+    }
+
+    private void answer(MazeApp.Answer answer) {
+      String name = errand.goals().get(0).name();
+      gvh.trace.action(MazeApp.SOURCE, MazeApp.ANSWER, name, answer, gvh.gps.errorMm() + 75);
+    }
+  }
+
+  private static SimResult run(Bug bug, long seed) {
+    Layout walled = DrawnMaze.draw(4, 0.5, new Rng(seed).fork("maze"));
+    Obstacles obstacles = bug == Bug.ASKS_NOBODY ? Obstacles.NONE : walled.obstacles();
+    Layout layout = new Layout(walled.floor(), obstacles, walled.robots());
+    SortedMap<RobotId, Errand> errands = new TreeMap<>();
+    SimSettings settings = SimSettings.builder().set("duration", "400s").build();
+    Simulation.Builder simulation =
+        Simulation.builder().seed(seed).settings(settings).obstacles(layout.obstacles());
+    for (int i = 0; i < layout.robots().size(); i++) {
+      RobotId id = new RobotId("bot" + i);
+      Errand errand = layout.errand(i, BODY_MM, CollisionMode.STOP);
+      errands.put(id, errand);
+      simulation.robot(
+          new RobotSpec(
+              id, layout.robots().get(i).start(), true, gvh -> new RudeRobot(gvh, errand, bug)));
+    }
+    MazeTruth truth = new MazeTruth(layout.floor(), layout.obstacles(), errands, BODY_MM);
+    return simulation.monitor(() -> new MazeSpec(truth, BOUND_NS)).build().run();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "BUMPED_IS_THERE, Reached",
+    "BUMPED_IS_NO_WAY, NoWay",
+    "MARKS_A_GUESS, Belief",
+    "ASKS_NOBODY, Apart",
+    "HOLDS_FOR_EVER, Answered",
+  })
+  void aRudeRobotIsSeen(Bug bug, String lemma) {
+    long seed = 0;
+    SimResult result;
+    do {
+      seed++;
+      result = run(bug, seed);
+    } while (result.spec().violations(lemma) == 0 && seed < SEEDS);
+    assertThat(result.spec().violations(lemma)).as("%s, seeds 1..%d", bug, SEEDS).isPositive();
+  }
+}

@@ -1,0 +1,61 @@
+package org.starl.apps.maze.logic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import java.util.SortedSet;
+import net.jqwik.api.Example;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Rectangle;
+import org.starl.primitives.paths.Path;
+import org.starl.random.Rng;
+
+class BlocksTest {
+
+  @Property(tries = 300)
+  void aFloorOfAnyShapeHasFewBlocksWhichCoverIt(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    double width = 300 + 100_000 * rng.nextDouble() * rng.nextDouble();
+    double height = 300 + 100_000 * rng.nextDouble() * rng.nextDouble();
+    Blocks blocks = Blocks.of(new Rectangle(0, 0, width, height));
+    assertThat(blocks.all()).hasSizeBetween(1, 32);
+    Point at = new Point(width * rng.nextDouble(), height * rng.nextDouble());
+    assertThat(blocks.around(at, 1)).isNotEmpty();
+    assertThat(blocks.around(at, 1)).allMatch(name -> blocks.rectangle(name).distanceMm(at) <= 1);
+  }
+
+  @Property(tries = 300)
+  void whoStaysOutOfWhereItMayNotBeTouchesHeldBlocksOnly(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    Blocks blocks = Blocks.of(new Rectangle(0, 0, 20_000, 15_000));
+    Path path = new Path(List.of(place(rng), place(rng), place(rng)));
+    SortedSet<String> held = blocks.along(path, 300);
+    List<Polygon> outside = blocks.outside(held, 200);
+    for (int i = 0; i < 50; i++) {
+      Point at = place(rng);
+      boolean isOutside = outside.stream().anyMatch(polygon -> polygon.contains(at));
+      if (!isOutside) {
+        assertThat(held).containsAll(blocks.around(at, 199));
+      }
+    }
+    for (int i = 0; i < path.legs(); i++) {
+      Point middle = path.leg(i).from().plus(path.leg(i).to()).times(0.5);
+      assertThat(outside).noneMatch(polygon -> polygon.contains(middle));
+    }
+  }
+
+  @Example
+  void aWayThroughTheMiddleOfABlockNeedsThatOneOnly() {
+    Blocks blocks = new Blocks(new Rectangle(0, 0, 9_000, 6_000), 3, 2);
+    Path path = new Path(List.of(new Point(4_000, 1_000), new Point(5_000, 2_000)));
+    assertThat(blocks.along(path, 500)).containsExactly("1.0");
+    assertThat(blocks.along(path, 1_000)).containsExactly("0.0", "1.0", "1.1", "2.0");
+  }
+
+  private static Point place(Rng rng) {
+    return new Point(20_000 * rng.nextDouble(), 15_000 * rng.nextDouble());
+  }
+}
