@@ -12,6 +12,7 @@ import org.locationtech.jts.geom.PrecisionModel;
 import org.locationtech.jts.geom.util.GeometryFixer;
 import org.locationtech.jts.operation.buffer.BufferOp;
 import org.locationtech.jts.operation.buffer.BufferParameters;
+import org.locationtech.jts.operation.overlayng.OverlayNG;
 import org.locationtech.jts.operation.overlayng.UnaryUnionNG;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
@@ -54,16 +55,17 @@ final class FloorPlan {
     }
     // Bodies side by side, as in a grid map, are one before they are widened: that saves most work.
     solid.add(plan.union(bodies));
-    List<Geometry> widened = new ArrayList<>();
-    widened.add(plan.widen(solid, task.marginMm()));
+    Geometry known = plan.widen(solid, task.marginMm());
+    List<Geometry> more = new ArrayList<>();
     for (Capsule capsule : task.taken()) {
-      widened.add(plan.widen(List.of(plan.line(capsule.axis())), marginMm(task, capsule)));
+      more.add(plan.widen(List.of(plan.line(capsule.axis())), marginMm(task, capsule)));
     }
     for (org.starl.geometry.Polygon place : task.keepOut()) {
-      widened.add(plan.asItIs(place));
+      more.add(plan.asItIs(place));
     }
-    widened.add(plan.frame(task));
-    Geometry whole = plan.union(widened);
+    more.add(plan.frame(task));
+    // What is known is large, the others are small and many: joined first, they meet it but once.
+    Geometry whole = OverlayNG.overlay(known, plan.union(more), OverlayNG.UNION, WHOLE_MM);
     whole.normalize();
     List<int[][]> rings = new ArrayList<>();
     for (int i = 0; i < whole.getNumGeometries(); i++) {

@@ -18,7 +18,7 @@ import org.starl.geometry.Rectangle;
  */
 public final class LocalPlanner implements PathPlanner {
 
-  private static final double FIRST_REACH_MM = 5_000;
+  private static final double FIRST_REACH_MM = 2_500;
   private static final double GROWTH = 3;
 
   private final double firstReachMm;
