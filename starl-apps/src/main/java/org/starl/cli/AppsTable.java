@@ -7,7 +7,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
@@ -108,28 +110,42 @@ final class AppsTable {
   /**
    * Runs and prints it, each row as soon as it is there.
    *
-   * @param only of this app, or of all
+   * @param onlyApp of this app, or null for all
+   * @param onlyInput on inputs of this name, or null for all
    * @return whether every run went well
    */
-  boolean print(Demos demos, @Nullable String only, boolean asJson) throws InterruptedException {
-    if (only != null && demos.byName(only).isEmpty()) {
-      throw new BadInput("--app: " + BadInput.quote(only) + ": expected one of " + demos.names());
+  boolean print(Demos demos, @Nullable String onlyApp, @Nullable String onlyInput, boolean asJson)
+      throws InterruptedException {
+    if (onlyApp != null && demos.byName(onlyApp).isEmpty()) {
+      throw new BadInput(
+          "--app: " + BadInput.quote(onlyApp) + ": expected one of " + demos.names());
+    }
+    Map<Input, Demo> chosen = new LinkedHashMap<>();
+    Set<String> names = new TreeSet<>();
+    for (Demo demo : demos.all()) {
+      for (Input input : demo.inputs(data)) {
+        if (onlyApp == null || demo.name().equals(onlyApp)) {
+          names.add(input.name());
+          if (onlyInput == null || input.name().equals(onlyInput)) {
+            chosen.put(input, demo);
+          }
+        }
+      }
+    }
+    if (onlyInput != null && chosen.isEmpty()) {
+      throw new BadInput("--input: " + BadInput.quote(onlyInput) + ": expected one of " + names);
     }
     if (!asJson) {
       HEAD.forEach(out::println);
     }
-    for (Demo demo : demos.all()) {
-      if (only == null || demo.name().equals(only)) {
-        for (Input input : demo.inputs(data)) {
-          if (!Files.exists(input.path())) {
-            throw new BadInput(input.path() + ": no such input of " + demo.name());
-          }
-          for (boolean isLossy : new boolean[] {false, true}) {
-            Row row = row(demo, input, isLossy);
-            out.println(asJson ? Json.line(row.json()) : row.markdown());
-            out.flush();
-          }
-        }
+    for (Map.Entry<Input, Demo> run : chosen.entrySet()) {
+      if (!Files.exists(run.getKey().path())) {
+        throw new BadInput(run.getKey().path() + ": no such input of " + run.getValue().name());
+      }
+      for (boolean isLossy : new boolean[] {false, true}) {
+        Row row = row(run.getValue(), run.getKey(), isLossy);
+        out.println(asJson ? Json.line(row.json()) : row.markdown());
+        out.flush();
       }
     }
     return isGood;

@@ -61,6 +61,12 @@ final class BenchCommand implements Callable<Integer> {
   @Option(names = "--app", paramLabel = "APP", description = "Of apps: this one only.")
   private @Nullable String app;
 
+  @Option(
+      names = "--input",
+      paramLabel = "NAME",
+      description = "Of apps: on inputs of this name only, such as four.wpt.")
+  private @Nullable String input;
+
   @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
@@ -102,7 +108,7 @@ final class BenchCommand implements Callable<Integer> {
     }
     PrintWriter err = spec.commandLine().getErr();
     return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.chosen(null, err), out, err)
-        .print(Main.demos(spec), app, json.isOn());
+        .print(Main.demos(spec), app, input, json.isOn());
   }
 
   /** In Markdown, for the docs. */

@@ -55,6 +55,7 @@ class BadInputTest {
       run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
       bench b9 | 'b9' | expected b1, b2, mutex or apps
       bench apps | expected --inputs FOLDER
+      bench apps --inputs . --app race --input nope | --input | 'nope' | four.wpt
       bench apps --inputs /no/such | --inputs | /no/such | expected a folder
       run intersection --set scenario=figure8 | 'figure8' | expected drawn, figure7, legacy or open
       run intersection --set arrivals=20 | arrivals: '20' | expected a rate | 20/min
