@@ -18,7 +18,7 @@ final class Places {
   private static final double TOLERANCE_MM = 20;
   private static final double CUT_OFF = 0.25;
   private static final int TRIES = 3_000;
-  private static final int TRIES_FOR_CUT_OFF = 300;
+  private static final int TRIES_FOR_CUT_OFF = 40;
   private static final int TRIES_FOR_A_BOX = 20;
 
   private final Board board;
@@ -26,6 +26,9 @@ final class Places {
   private final int mostSteps;
   private final Rng rng;
   private final List<int[]> pairs = new ArrayList<>();
+
+  /** Goals that were to be cut off, and are not. */
+  private final List<Integer> toClose = new ArrayList<>();
 
   /**
    * @param mostSteps a goal in reach is so many cells off at most, where nothing hidden is in the way
@@ -55,6 +58,9 @@ final class Places {
       if (goal >= 0) {
         pairs.add(new int[] {start, goal});
         if (nobodyIsInTheWay()) {
+          if (isCutOff && i >= TRIES_FOR_CUT_OFF) {
+            toClose.add(goal);
+          }
           return true;
         }
         pairs.remove(pairs.size() - 1);
@@ -113,10 +119,13 @@ final class Places {
 
   /**
    * Blocks cells on the robots' shortest ways, in turn, which nobody is told of: some goals are cut
-   * off by that.
+   * off by that. So are those that were to be: by boxes all round.
    */
   List<Integer> hideBoxes(int count) {
     List<Integer> boxes = new ArrayList<>();
+    if (count > 0) {
+      toClose.forEach(goal -> boxes.addAll(close(goal)));
+    }
     for (int i = 0; i < count; i++) {
       int box = hideBox(i % pairs.size());
       if (box >= 0) {
@@ -124,6 +133,18 @@ final class Places {
       }
     }
     return boxes;
+  }
+
+  private List<Integer> close(int goal) {
+    List<Integer> around = board.neighbours(goal);
+    BitSet ends = used(-1);
+    around.removeIf(cell -> !board.isFree(cell));
+    around.forEach(cell -> board.setFree(cell, false));
+    if (around.stream().anyMatch(ends::get) || !nobodyIsInTheWay()) {
+      around.forEach(cell -> board.setFree(cell, true));
+      around.clear();
+    }
+    return around;
   }
 
   private int hideBox(int index) {
