@@ -10,6 +10,7 @@ import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.apps.lightpaint.LightPaintDemo;
 import org.starl.apps.maze.MazeDemo;
 import org.starl.apps.race.RaceDemo;
+import org.starl.apps.search.SearchDemo;
 import org.starl.sim.input.BadInput;
 
 /**
@@ -27,7 +28,8 @@ public record Demos(List<Demo> all) {
               new IntersectionDemo(),
               new LightPaintDemo(),
               new MazeDemo(),
-              new RaceDemo()));
+              new RaceDemo(),
+              new SearchDemo()));
 
   public Demos {
     all = List.copyOf(all);

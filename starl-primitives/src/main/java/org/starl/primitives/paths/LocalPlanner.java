@@ -30,7 +30,7 @@ public final class LocalPlanner implements PathPlanner {
   /**
    * @param firstReachMm the first part reaches so far beyond the ends, and twice the margin
    */
-  LocalPlanner(double firstReachMm) {
+  public LocalPlanner(double firstReachMm) {
     this.firstReachMm = firstReachMm;
   }
 

@@ -1,0 +1,51 @@
+package org.starl.apps.search;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.apps.search.logic.House;
+import org.starl.apps.search.logic.Sensing;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.sim.Director;
+import org.starl.sim.SimControl;
+
+/**
+ * The robots' sensors in the simulator: they show what is in range and sight of the robot's true body,
+ * whatever the robot believes. A director, since its control knows the bodies; it changes nothing.
+ */
+final class TrueSensors implements Director {
+
+  private final House house;
+  private final List<ItemPosition> things;
+  private @Nullable SimControl control;
+
+  TrueSensors(House house, List<ItemPosition> things) {
+    this.house = house;
+    this.things = List.copyOf(things);
+  }
+
+  @Override
+  public void direct(SimControl newControl) {
+    control = newControl;
+  }
+
+  Sensing of(RobotId robot) {
+    return () -> sensed(robot);
+  }
+
+  private List<ItemPosition> sensed(RobotId robot) {
+    if (things.isEmpty() || control == null || !control.isOnFloor(robot)) {
+      return List.of();
+    }
+    Point at = control.truePose(robot).at();
+    List<ItemPosition> sensed = new ArrayList<>();
+    for (ItemPosition thing : things) {
+      if (at.distanceMm(thing.at()) <= house.rangeMm() && house.sight().sees(at, thing.at())) {
+        sensed.add(thing);
+      }
+    }
+    return sensed;
+  }
+}

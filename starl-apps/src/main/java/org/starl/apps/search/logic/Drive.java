@@ -1,0 +1,90 @@
+package org.starl.apps.search.logic;
+
+import org.starl.GlobalVarHolder;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.TubeFailure;
+import org.starl.primitives.paths.TubeFlag;
+
+/** Drives to one place after another in reach tubes, with as much patience as it is told. Strand only. */
+final class Drive {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** A motion that fails, by a bump say, is begun again so often. */
+  private static final int RESTARTS = 3;
+
+  private final GlobalVarHolder gvh;
+  private final DistributedPathPlanning paths;
+  private Point target = new Point(0, 0);
+  private long patienceNs;
+  private long waitingSinceNs;
+  private int restarts;
+  private boolean blocked;
+
+  /** How a drive stands. */
+  enum State {
+    UNDER_WAY,
+    THERE,
+    /** It stands somewhere on the way. */
+    BLOCKED
+  }
+
+  Drive(GlobalVarHolder gvh, DistributedPathPlanning paths) {
+    this.gvh = gvh;
+    this.paths = paths;
+  }
+
+  /**
+   * Sets out, in place of whatever it did before.
+   *
+   * @param patienceMs so long it waits for a way that is free; on its way it is not held up any more
+   */
+  void to(Point place, long patienceMs) {
+    stop();
+    target = place;
+    patienceNs = patienceMs * NS_PER_MS;
+    restarts = 0;
+    blocked = false;
+    begin();
+  }
+
+  void stop() {
+    paths.stop();
+  }
+
+  /** Looks how it stands; to be called every period. */
+  State look() {
+    if (blocked) {
+      return State.BLOCKED;
+    }
+    TubeFlag flag = paths.tubeflag().get();
+    switch (flag) {
+      case DONE -> {
+        return State.THERE;
+      }
+      case PLANNING, CLAIMING -> {
+        if (gvh.plat.clock.nowNs() - waitingSinceNs > patienceNs) {
+          stop();
+          blocked = true;
+        }
+      }
+      case MOVING -> waitingSinceNs = gvh.plat.clock.nowNs();
+      case FAIL, IDLE -> {
+        if (paths.failure().get() == TubeFailure.MOTION && restarts < RESTARTS) {
+          restarts++;
+          begin();
+        } else {
+          blocked = true;
+        }
+      }
+    }
+    return blocked ? State.BLOCKED : State.UNDER_WAY;
+  }
+
+  private void begin() {
+    waitingSinceNs = gvh.plat.clock.nowNs();
+    paths.goTo(new ItemPosition("place", target.xMm(), target.yMm()));
+  }
+}

@@ -1,0 +1,107 @@
+package org.starl.apps.search.spec;
+
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.RobotId;
+import org.starl.apps.search.logic.SearchApp;
+import org.starl.spec.Circumstances;
+import org.starl.spec.Monitor;
+import org.starl.spec.Within;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+
+/** {@code agreed} and {@code ended}: all end, with one answer. */
+final class Ends implements Monitor {
+
+  private static final String AGREED = "agreed";
+  private static final String ENDED = "ended";
+
+  private final Within<RobotId> within;
+  private final Circumstances circumstances = new Circumstances();
+  private final SortedMap<RobotId, String> answers = new TreeMap<>();
+  private final Set<RobotId> robots = new TreeSet<>();
+
+  Ends(long boundNs) {
+    within = new Within<>(boundNs);
+  }
+
+  @Override
+  public List<String> lemmas() {
+    return List.of(AGREED, ENDED);
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    expire(event.timeNs(), report);
+    boolean isChanged = circumstances.observe(event);
+    switch (event) {
+      case Joined joined -> {
+        robots.add(joined.robot());
+        within.owe(joined.robot(), joined.timeNs());
+      }
+      case Fault fault -> {
+        if (fault.name().equals(Fault.CRASH)) {
+          within.settle(fault.robot());
+        } else if (fault.name().equals(Fault.RESTART) && !answers.containsKey(fault.robot())) {
+          within.owe(fault.robot(), fault.timeNs());
+        }
+      }
+      case Action action -> {
+        if (action.source().equals(SearchApp.SOURCE) && action.name().equals(SearchApp.ANSWER)) {
+          ended(action, report);
+        }
+      }
+      default -> {
+        // Ends nothing.
+      }
+    }
+    if (isChanged) {
+      within.assumeAll(circumstances.isFair() && isMajorityUp(), event.timeNs());
+    }
+  }
+
+  @Override
+  public void finish(long endNs, Report report) {
+    expire(endNs, report);
+  }
+
+  private boolean isMajorityUp() {
+    return 2 * robots.stream().filter(circumstances::isUp).count() > robots.size();
+  }
+
+  private void ended(Action action, Report report) {
+    if (within.settle(action.robot())) {
+      report.checked(ENDED);
+    }
+    report.checked(AGREED);
+    String answer = action.args().get(0);
+    answers.forEach((other, theirs) -> {
+      if (!theirs.equals(answer)) {
+        report.violated(
+            AGREED,
+            action.timeNs(),
+            List.copyOf(new TreeSet<>(List.of(other, action.robot()))),
+            other + " ended with '" + theirs + "', " + action.robot() + " with '" + answer + "'");
+      }
+    });
+    answers.put(action.robot(), answer);
+  }
+
+  private void expire(long nowNs, Report report) {
+    within.expire(
+        nowNs,
+        (robot, sinceNs, deadlineNs) -> {
+          report.checked(ENDED);
+          report.violated(
+              ENDED,
+              deadlineNs,
+              List.of(robot),
+              "searches since " + sinceNs + " ns without an end");
+        });
+  }
+}

@@ -1,0 +1,324 @@
+package org.starl.apps.search.view;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.RobotId;
+import org.starl.apps.search.logic.Grid;
+import org.starl.apps.search.logic.House;
+import org.starl.apps.search.logic.Room;
+import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.spec.TrueView;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Painter;
+import org.starl.sim.record.Scene;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * Draws rooms with their names, what was seen of them in the colour of who has the room, each sweep's
+ * legs dotted, the things to find, and a crown on the leader.
+ */
+public final class SearchLayer implements Layer {
+
+  private static final Color UNSEEN = new Color(0xD9, 0xD6, 0xCC);
+  private static final Color SEEN = new Color(0xF4, 0xF3, 0xEE);
+  private static final Color NAME = new Color(0x77, 0x74, 0x6B);
+  private static final Color THING = new Color(0xC0, 0x20, 0x20);
+  private static final Color CROWN = new Color(0xE8, 0xB0, 0x10);
+  private static final Color DEAD = new Color(0x20, 0x20, 0x20);
+  private static final int SEEN_ALPHA = 70;
+  private static final float[] DOTS = {1, 90};
+  private static final double THING_MM = 110;
+
+  private final House house;
+  private final List<ItemPosition> things;
+  private final TrueView view;
+  private final SortedMap<String, RobotId> searchers = new TreeMap<>();
+  private final SortedMap<String, String> sweeps = new TreeMap<>();
+  private final SortedMap<RobotId, String> rooms = new TreeMap<>();
+  private final SortedSet<String> done = new TreeSet<>();
+  private final SortedMap<RobotId, String> ends = new TreeMap<>();
+  private final SortedSet<RobotId> down = new TreeSet<>();
+
+  public SearchLayer(House house, List<ItemPosition> things) {
+    this.house = house;
+    this.things = List.copyOf(things);
+    view = new TrueView(house);
+  }
+
+  @Override
+  public void observe(TraceEvent event) {
+    view.observe(event);
+    if (event instanceof Variable variable
+        && variable.source().equals(SearchApp.SOURCE)
+        && variable.name().equals(SearchApp.ROOM)) {
+      tookRoom(variable.robot(), variable.value());
+    } else if (event instanceof Action action && action.source().equals(SearchApp.SOURCE)) {
+      if (action.name().equals(SearchApp.SWEPT)) {
+        done.add(action.args().get(0));
+      } else if (action.name().equals(SearchApp.SWEEP)) {
+        sweeps.putIfAbsent(action.args().get(0), action.args().get(1));
+      } else if (action.name().equals(SearchApp.ANSWER)) {
+        ends.put(action.robot(), action.args().get(0));
+      }
+    } else if (event instanceof Fault fault) {
+      if (fault.name().equals(Fault.CRASH)) {
+        down.add(fault.robot());
+      } else if (fault.name().equals(Fault.RESTART)) {
+        down.remove(fault.robot());
+      }
+    }
+  }
+
+  /** A room that was given up is drawn as one that nobody has gone to. */
+  private void tookRoom(RobotId robot, String room) {
+    String before = rooms.getOrDefault(robot, "");
+    if (!done.contains(before)) {
+      sweeps.remove(before);
+    }
+    rooms.put(robot, room);
+    if (!room.isEmpty()) {
+      searchers.put(room, robot);
+      sweeps.remove(room);
+    }
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene) {
+    for (Room room : house.rooms()) {
+      paintRoom(floor, room, scene);
+    }
+    for (Map.Entry<String, String> sweep : sweeps.entrySet()) {
+      RobotId robot = searchers.get(sweep.getKey());
+      if (robot != null) {
+        paintSweep(floor, sweep.getValue(), Painter.colour(scene.number(robot)));
+      }
+    }
+    for (ItemPosition thing : things) {
+      paintThing(floor, thing.at());
+    }
+    for (RobotId robot : scene.robots()) {
+      if (scene.pose(robot).isPresent()) {
+        Point at = scene.pose(robot).get().at();
+        if (isLeader(robot, scene)) {
+          paintCrown(floor, at, scene.radiusMm(robot));
+        }
+        if (down.contains(robot)) {
+          paintCross(floor, at, scene.radiusMm(robot));
+        }
+      }
+    }
+  }
+
+  @Override
+  public List<Point> corners() {
+    return List.of(
+        new Point(house.bounds().xMinMm(), house.bounds().yMinMm()),
+        new Point(house.bounds().xMaxMm(), house.bounds().yMaxMm()));
+  }
+
+  private void paintRoom(Graphics2D floor, Room room, Scene scene) {
+    RobotId robot = searchers.get(room.name());
+    Color seen = SEEN;
+    if (robot != null) {
+      Color own = Painter.colour(scene.number(robot));
+      seen = new Color(own.getRed(), own.getGreen(), own.getBlue(), SEEN_ALPHA);
+    }
+    Strips strips = new Strips(floor, house.grid(), seen);
+    room.forEachCell(strips);
+    strips.flush();
+    write(floor, room.name(), room.rest(), 360);
+  }
+
+  /** Cells side by side are painted as one, lest their seams show. */
+  private final class Strips implements Grid.Visitor {
+    private final Graphics2D floor;
+    private final Grid grid;
+    private final Color seen;
+    private int first = -1;
+    private int last = -1;
+    private boolean isSeen;
+
+    Strips(Graphics2D floor, Grid grid, Color seen) {
+      this.floor = floor;
+      this.grid = grid;
+      this.seen = seen;
+    }
+
+    @Override
+    public void visit(int cell) {
+      boolean goesOn =
+          first >= 0
+              && cell == last + 1
+              && cell % grid.columns() != 0
+              && view.wasSeen(cell) == isSeen;
+      if (!goesOn) {
+        flush();
+        first = cell;
+        isSeen = view.wasSeen(cell);
+      }
+      last = cell;
+    }
+
+    void flush() {
+      if (first >= 0) {
+        double half = grid.cellMm() / 2.0;
+        floor.setColor(isSeen ? seen : UNSEEN);
+        floor.fill(
+            new Rectangle2D.Double(
+                grid.centreX(first) - half,
+                grid.centreY(first) - half,
+                (last - first + 1.0) * grid.cellMm(),
+                grid.cellMm()));
+      }
+      first = -1;
+    }
+  }
+
+  private static void write(Graphics2D floor, String text, Point at, int sizeMm) {
+    Graphics2D upright = (Graphics2D) floor.create();
+    upright.transform(AffineTransform.getScaleInstance(1, -1));
+    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, sizeMm));
+    upright.setColor(NAME);
+    int half = upright.getFontMetrics().stringWidth(text) / 2;
+    upright.drawString(text, (int) at.xMm() - half, (int) -at.yMm() + sizeMm / 3);
+    upright.dispose();
+  }
+
+  /** A list of legs as text: {@code [500,1500>900,1500, 700,700]}. */
+  private void paintSweep(Graphics2D floor, String legs, Color colour) {
+    Path2D path = new Path2D.Double();
+    Point last = null;
+    for (Point point : points(legs)) {
+      // From one leg to the next it finds its way; where that is straight it is drawn.
+      if (last == null || !house.sight().sees(last, point)) {
+        path.moveTo(point.xMm(), point.yMm());
+      } else {
+        path.lineTo(point.xMm(), point.yMm());
+      }
+      last = point;
+    }
+    floor.setColor(colour.darker());
+    floor.setStroke(
+        new BasicStroke(30, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+    floor.draw(path);
+  }
+
+  private static List<Point> points(String legs) {
+    List<Point> points = new ArrayList<>();
+    for (String leg : legs.substring(1, legs.length() - 1).split(", ", -1)) {
+      for (String end : leg.isEmpty() ? new String[0] : leg.split(">", -1)) {
+        int comma = end.indexOf(',');
+        points.add(
+            new Point(
+                Integer.parseInt(end.substring(0, comma)),
+                Integer.parseInt(end.substring(comma + 1))));
+      }
+    }
+    return points;
+  }
+
+  private void paintThing(Graphics2D floor, Point at) {
+    floor.setColor(THING);
+    Path2D star = new Path2D.Double();
+    for (int i = 0; i < 10; i++) {
+      double radius = i % 2 == 0 ? THING_MM * 1.8 : THING_MM * 0.75;
+      double angle = StrictMath.PI * (0.5 + i / 5.0);
+      double x = at.xMm() + radius * StrictMath.cos(angle);
+      double y = at.yMm() + radius * StrictMath.sin(angle);
+      if (i == 0) {
+        star.moveTo(x, y);
+      } else {
+        star.lineTo(x, y);
+      }
+    }
+    star.closePath();
+    floor.fill(star);
+    floor.setStroke(new BasicStroke(12));
+    double range = house.rangeMm();
+    floor.draw(new Ellipse2D.Double(at.xMm() - range, at.yMm() - range, 2 * range, 2 * range));
+  }
+
+  private boolean isLeader(RobotId robot, Scene scene) {
+    return !down.contains(robot)
+        && !scene.variable(robot, SearchApp.SOURCE, SearchApp.DUTY).isEmpty();
+  }
+
+  private static void paintCrown(Graphics2D floor, Point at, double radiusMm) {
+    double base = at.yMm() + radiusMm + 20;
+    double half = radiusMm * 0.85;
+    double high = radiusMm * 1.1;
+    Path2D crown = new Path2D.Double();
+    crown.moveTo(at.xMm() - half, base);
+    crown.lineTo(at.xMm() - half, base + high);
+    crown.lineTo(at.xMm() - half / 2, base + high / 2);
+    crown.lineTo(at.xMm(), base + high);
+    crown.lineTo(at.xMm() + half / 2, base + high / 2);
+    crown.lineTo(at.xMm() + half, base + high);
+    crown.lineTo(at.xMm() + half, base);
+    crown.closePath();
+    floor.setColor(CROWN);
+    floor.fill(crown);
+    floor.setColor(CROWN.darker());
+    floor.setStroke(new BasicStroke(14));
+    floor.draw(crown);
+  }
+
+  private static void paintCross(Graphics2D floor, Point at, double radiusMm) {
+    double arm = 1.3 * radiusMm;
+    Path2D cross = new Path2D.Double();
+    cross.moveTo(at.xMm() - arm, at.yMm() - arm);
+    cross.lineTo(at.xMm() + arm, at.yMm() + arm);
+    cross.moveTo(at.xMm() - arm, at.yMm() + arm);
+    cross.lineTo(at.xMm() + arm, at.yMm() - arm);
+    floor.setColor(DEAD);
+    floor.setStroke(new BasicStroke(40));
+    floor.draw(cross);
+  }
+
+  @Override
+  public String describe(RobotId robot, Scene scene) {
+    if (down.contains(robot)) {
+      return "crashed";
+    }
+    String room = scene.variable(robot, SearchApp.SOURCE, SearchApp.ROOM);
+    String location = scene.variable(robot, SearchApp.SOURCE, SearchApp.LOCATION);
+    String what =
+        switch (location) {
+          case "ELECT" -> "elects a leader";
+          case "WAIT" -> "waits for a room";
+          case "GO" -> "goes to room " + room;
+          case "SWEEP" -> "sweeps room " + room;
+          case "ANSWER" -> "agrees on the answer";
+          default -> ends.getOrDefault(robot, location);
+        };
+    return what + (isLeader(robot, scene) ? "\nleads (crown): assigns the rooms" : "");
+  }
+
+  @Override
+  public double interest(Scene scene) {
+    double interest = 0;
+    for (RobotId robot : scene.robots()) {
+      String location = scene.variable(robot, SearchApp.SOURCE, SearchApp.LOCATION);
+      interest += location.equals("SWEEP") ? 2 : location.equals("GO") ? 1 : 0;
+    }
+    return interest;
+  }
+}

@@ -1,0 +1,62 @@
+package org.starl.apps.search;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import java.util.List;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.RobotId;
+import org.starl.apps.search.logic.House;
+import org.starl.apps.search.logic.HousePlan;
+import org.starl.apps.search.logic.RudeSearcher;
+import org.starl.apps.search.logic.SearchApp;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+
+/** Whole searchers that are rude: what is checked of a search must see them. */
+class RudeSearchersTest {
+
+  private static final int ROBOTS = 3;
+  private static final int ROOMS = 2;
+
+  private static SimResult run(RudeSearcher.Fault fault) {
+    SimSettings settings = SimSettings.builder().duration(Duration.ofHours(1)).build();
+    HousePlan plan = GeneratedHouse.of(ROOMS, ROBOTS, new Rng(1));
+    House house =
+        House.of(plan, 600, SearchApp.clearanceMm(settings.motionParameters(0), plan.bounds()));
+    Point thing = GeneratedHouse.somewhere(house, new Rng(1));
+    Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(plan.walls());
+    if (fault == RudeSearcher.Fault.FORGETS_THE_DEAD) {
+      simulation.fault("crash(bot1,at=1s)");
+    }
+    for (Point start : plan.starts()) {
+      RobotId robot = new RobotId("bot" + plan.starts().indexOf(start));
+      simulation.robot(
+          new RobotSpec(robot, Pose.of(start, 0), true, gvh -> new RudeSearcher(gvh, fault)));
+    }
+    SearchDemo.watch(
+        simulation, house, List.of(new ItemPosition("object", thing.xMm(), thing.yMm())), settings);
+    return simulation.build().run();
+  }
+
+  @ParameterizedTest
+  @CsvSource({
+    "SEES_THROUGH_WALLS, found",
+    "DOES_NOT_LOOK, nothing",
+    "IS_LAZY, gave_up",
+    "IS_STUBBORN, agreed",
+    "FORGETS_THE_DEAD, assigned",
+    "NEVER_ENDS, ended",
+  })
+  void aRudeSearcherIsSeen(RudeSearcher.Fault fault, String lemma) {
+    SimResult result = run(fault);
+    assertThat(result.spec().violations(lemma)).as("%s", result.spec()).isPositive();
+  }
+}

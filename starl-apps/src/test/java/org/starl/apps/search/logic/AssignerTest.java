@@ -1,0 +1,137 @@
+package org.starl.apps.search.logic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Optional;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.Participants;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
+
+/** The leader gives rooms, takes them back, and knows when it is over. */
+class AssignerTest {
+
+  private static final long SECOND_NS = 1_000_000_000;
+  private static final RobotId ME = new RobotId("bot0");
+  private static final RobotId OTHER = new RobotId("bot1");
+  private static final RobotId THIRD = new RobotId("bot2");
+  private static final Participants ALL = Participants.of(ME, OTHER, THIRD);
+  private static final House HOUSE = twoRooms();
+
+  private final Board board = new Board(HOUSE);
+  private final Assigner leader = new Assigner(HOUSE, ME, ALL, 1, 0);
+  private long reports;
+
+  /** A hall with the room A at its left end and B at its right one. */
+  private static House twoRooms() {
+    List<Obstacle> walls = new ArrayList<>();
+    for (double x : new double[] {2_000, 6_000}) {
+      walls.add(Obstacle.wall(new Point(x, 0), new Point(x, 1_000)));
+      walls.add(Obstacle.wall(new Point(x, 2_000), new Point(x, 3_000)));
+    }
+    return House.of(
+        new HousePlan(
+            new Rectangle(0, 0, 8_000, 3_000),
+            new Obstacles(walls),
+            List.of(new ItemPosition("A", 2_000, 1_500), new ItemPosition("B", 6_000, 1_500)),
+            List.of(new Point(4_000, 1_500))),
+        600,
+        280);
+  }
+
+  private void hear(RobotId robot, double xMm, int room, List<Integer> swept, int... tries) {
+    List<Integer> all = tries.length == 0 ? List.of(0, 0) : List.of(tries[0], tries[1]);
+    reports++;
+    board.hear(
+        new Report(
+            new ProcessId(robot, 1),
+            reports,
+            Optional.of(new Point(xMm, 1_500)),
+            room,
+            List.of(),
+            new TreeSet<>(swept),
+            all,
+            Optional.empty(),
+            Optional.empty()));
+  }
+
+  private void isUp(RobotId robot, double xMm, int room, long atS, int... tries) {
+    hear(robot, xMm, room, List.of(), tries);
+    leader.heard(robot, atS * SECOND_NS);
+  }
+
+  private int roomOf(RobotId robot) {
+    Report.Task task = leader.duty().tasks().get(robot);
+    return task == null ? Report.NO_ROOM : task.room();
+  }
+
+  @Test
+  void itHearsEverybodyBeforeItGivesAnything() {
+    hear(ME, 4_000, Report.NO_ROOM, List.of());
+    isUp(OTHER, 5_000, Report.NO_ROOM, 1);
+    assertThat(leader.work(board, SECOND_NS)).isEmpty();
+    assertThat(leader.duty().tasks()).isEmpty();
+    // The third one has been silent for long enough.
+    assertThat(leader.work(board, 6 * SECOND_NS)).isEmpty();
+    assertThat(leader.duty().tasks()).hasSize(2);
+  }
+
+  @Test
+  void theNearestRobotsGetTheRooms() {
+    hear(ME, 4_000, Report.NO_ROOM, List.of());
+    isUp(OTHER, 5_500, Report.NO_ROOM, 1);
+    isUp(THIRD, 2_500, Report.NO_ROOM, 1);
+    assertThat(leader.work(board, SECOND_NS)).isEmpty();
+    assertThat(roomOf(OTHER)).isEqualTo(1);
+    assertThat(roomOf(THIRD)).isZero();
+    assertThat(roomOf(ME)).isEqualTo(Report.NO_ROOM);
+  }
+
+  @Test
+  void whatSomebodyDoesAlreadyIsLeftToIt() {
+    hear(ME, 4_000, Report.NO_ROOM, List.of());
+    isUp(OTHER, 5_500, 0, 1);
+    isUp(THIRD, 2_500, Report.NO_ROOM, 1);
+    assertThat(leader.work(board, SECOND_NS)).isEmpty();
+    assertThat(leader.duty().tasks().values()).extracting(Report.Task::room).containsExactly(1);
+  }
+
+  @Test
+  void theRoomOfWhoFallsSilentIsGivenAgain() {
+    theNearestRobotsGetTheRooms();
+    isUp(OTHER, 5_500, 1, 5);
+    isUp(THIRD, 2_500, 0, 5);
+    leader.work(board, 5 * SECOND_NS);
+    isUp(OTHER, 5_500, 1, 12);
+    leader.work(board, 12 * SECOND_NS);
+    assertThat(roomOf(THIRD)).isEqualTo(Report.NO_ROOM);
+    assertThat(roomOf(ME)).isZero();
+  }
+
+  @Test
+  void whenAllIsSweptThereIsNothing() {
+    theNearestRobotsGetTheRooms();
+    hear(OTHER, 5_500, Report.NO_ROOM, List.of(0, 1));
+    hear(THIRD, 5_500, Report.NO_ROOM, List.of(0, 1));
+    assertThat(leader.work(board, 2 * SECOND_NS)).contains(new Answer.Nothing());
+  }
+
+  @Test
+  void aRoomIsGivenUpWhenAllHaveTriedAndSomebodyIsDead() {
+    hear(ME, 4_000, Report.NO_ROOM, List.of(0), 0, 2);
+    isUp(OTHER, 5_500, Report.NO_ROOM, 1, 0, 2);
+    isUp(THIRD, 2_500, Report.NO_ROOM, 1, 0, 2);
+    assertThat(leader.work(board, 2 * SECOND_NS)).as("all are up").isEmpty();
+    Assigner later = new Assigner(HOUSE, ME, ALL, 2, 0);
+    later.heard(OTHER, 9 * SECOND_NS);
+    assertThat(later.work(board, 9 * SECOND_NS)).contains(new Answer.GaveUp(List.of("B")));
+  }
+}
