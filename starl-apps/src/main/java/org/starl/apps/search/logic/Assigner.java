@@ -25,12 +25,16 @@ final class Assigner {
 
   private static final long NS_PER_MS = 1_000_000;
   private static final long SILENCE_NS = 6_000 * NS_PER_MS;
+
+  /** Who has been silent for so long will not come back, to all appearances. */
+  private static final long DEATH_NS = 60_000 * NS_PER_MS;
+
   private static final long TAKEN_WITHIN_NS = 10_000 * NS_PER_MS;
 
-  /** While somebody is silent, who may lie in the only way, a room is tried so often by each. */
+  /** Beside somebody dead, who may lie in the only way, a room is tried so often by each. */
   private static final int TRIES_BESIDE_THE_DEAD = 2;
 
-  /** While everybody is up, who is in the way will go on. */
+  /** Else who is in the way will go on. */
   private static final int TRIES = 8;
 
   /** Robots of whatever incarnation: silence is of the robot. */
@@ -40,6 +44,7 @@ final class Assigner {
   private final Participants participants;
   private final long term;
   private final Suspicion suspicion = new Suspicion(SILENCE_NS);
+  private final Suspicion death = new Suspicion(DEATH_NS);
   private final SortedSet<RobotId> heard = new TreeSet<>();
   private final SortedMap<RobotId, Given> given = new TreeMap<>();
   private int numbers;
@@ -53,6 +58,7 @@ final class Assigner {
     for (RobotId robot : participants) {
       if (!robot.equals(me)) {
         suspicion.expects(new ProcessId(robot, ANY_LIFE), nowNs);
+        death.expects(new ProcessId(robot, ANY_LIFE), nowNs);
       }
     }
     heard.add(me);
@@ -66,6 +72,7 @@ final class Assigner {
   void heard(RobotId robot, long nowNs) {
     heard.add(robot);
     suspicion.heard(new ProcessId(robot, ANY_LIFE), nowNs);
+    death.heard(new ProcessId(robot, ANY_LIFE), nowNs);
   }
 
   Report.Duty duty() {
@@ -95,7 +102,7 @@ final class Assigner {
       }
     }
     given.values().forEach(what -> busy.add(what.task().room()));
-    int limit = up.size() < participants.size() ? TRIES_BESIDE_THE_DEAD : TRIES;
+    int limit = death.suspects(nowNs).isEmpty() ? TRIES : TRIES_BESIDE_THE_DEAD;
     List<RobotId> idle = idle(up, board);
     boolean hasHope = giveRooms(idle, openRooms(board, busy), limit, board, nowNs);
     busy.remove(Report.NO_ROOM);

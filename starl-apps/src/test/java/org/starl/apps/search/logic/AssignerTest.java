@@ -69,7 +69,11 @@ class AssignerTest {
   }
 
   private int roomOf(RobotId robot) {
-    Report.Task task = leader.duty().tasks().get(robot);
+    return roomIn(leader, robot);
+  }
+
+  private static int roomIn(Assigner assigner, RobotId robot) {
+    Report.Task task = assigner.duty().tasks().get(robot);
     return task == null ? Report.NO_ROOM : task.room();
   }
 
@@ -132,6 +136,12 @@ class AssignerTest {
     assertThat(leader.work(board, 2 * SECOND_NS)).as("all are up").isEmpty();
     Assigner later = new Assigner(HOUSE, ME, ALL, 2, 0);
     later.heard(OTHER, 9 * SECOND_NS);
-    assertThat(later.work(board, 9 * SECOND_NS)).contains(new Answer.GaveUp(List.of("B")));
+    assertThat(later.work(board, 9 * SECOND_NS)).as("silent, maybe not dead").isEmpty();
+    assertThat(roomIn(later, OTHER)).isEqualTo(1);
+    later.heard(OTHER, 61 * SECOND_NS);
+    hear(OTHER, 5_500, 1, List.of(0), 0, 2);
+    assertThat(later.work(board, 61 * SECOND_NS)).as("it tries").isEmpty();
+    hear(OTHER, 5_500, Report.NO_ROOM, List.of(0), 0, 3);
+    assertThat(later.work(board, 61 * SECOND_NS)).contains(new Answer.GaveUp(List.of("B")));
   }
 }
