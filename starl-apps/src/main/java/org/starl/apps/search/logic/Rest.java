@@ -3,12 +3,13 @@ package org.starl.apps.search.logic;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.function.Predicate;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
 
 /**
- * Where a robot goes that has nothing to do, so that it is in nobody's way: deep into the room where
- * it is; from the hall into the nearest one, unless it has not left its start. Strand only.
+ * Where a robot goes that has nothing to do, so that it is in nobody's way: deep into the nearest
+ * room that was searched, unless it has not left its start. Strand only.
  */
 final class Rest {
 
@@ -18,14 +19,19 @@ final class Rest {
   private final GlobalVarHolder gvh;
   private final House house;
   private final Drive drive;
+  private final Predicate<Room> isSwept;
   private final List<Room> rooms = new ArrayList<>();
   private boolean underWay;
   private boolean resting;
 
-  Rest(GlobalVarHolder gvh, House house, Drive drive) {
+  /**
+   * @param isSwept whether nobody is to search a room any more
+   */
+  Rest(GlobalVarHolder gvh, House house, Drive drive, Predicate<Room> isSwept) {
     this.gvh = gvh;
     this.house = house;
     this.drive = drive;
+    this.isSwept = isSwept;
   }
 
   /** It has nothing to do from now on. */
@@ -58,14 +64,12 @@ final class Rest {
       return;
     }
     if (rooms.isEmpty()) {
-      rooms.addAll(byDistance());
+      addSweptRooms();
     }
-    if (rooms.isEmpty()) {
-      resting = true;
-      return;
+    underWay = !rooms.isEmpty();
+    if (underWay) {
+      drive.to(rooms.remove(0).rest(), PATIENCE_MS);
     }
-    underWay = true;
-    drive.to(rooms.remove(0).rest(), PATIENCE_MS);
   }
 
   private boolean isAtItsStart() {
@@ -77,20 +81,19 @@ final class Rest {
     return false;
   }
 
-  private List<Room> byDistance() {
-    Point here = gvh.gps.pose().at();
-    int[] distances = house.distancesMm(here);
-    int mine = house.roomAt(here);
-    if (mine >= 0) {
-      distances[mine] = 0;
-    }
-    List<Room> all = new ArrayList<>();
+  /** Adds those that were searched, the nearest first. */
+  private void addSweptRooms() {
     for (Room room : house.rooms()) {
-      if (room.isEnterable()) {
-        all.add(room);
+      if (room.isEnterable() && isSwept.test(room)) {
+        rooms.add(room);
       }
     }
-    all.sort(Comparator.comparingInt(room -> distances[room.index()]));
-    return all;
+    if (rooms.size() > 1) {
+      Point here = gvh.gps.pose().at();
+      int[] distances = house.distancesMm(here);
+      rooms.sort(
+          Comparator.comparingInt(
+              room -> house.roomAt(here) == room.index() ? 0 : distances[room.index()]));
+    }
   }
 }

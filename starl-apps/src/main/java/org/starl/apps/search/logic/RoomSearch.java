@@ -27,11 +27,8 @@ final class RoomSearch {
   private static final long ON_THE_WAY_MS = 45_000;
   private static final long INSIDE_MS = 6_000;
 
-  /** After so many legs in a row to which there was no free way it gives up. */
-  private static final int MOST_BLOCKED = 3;
-
-  /** So often it begins with what is left. */
-  private static final int MOST_SWEEPS = 3;
+  /** It begins with what is left until a whole sweep has shown nothing new, and never oftener. */
+  private static final int MOST_SWEEPS = 8;
 
   private final GlobalVarHolder gvh;
   private final House house;
@@ -43,7 +40,7 @@ final class RoomSearch {
   private final Coverage coverage;
   private @Nullable Computation<Sweep> computing;
   private int sweeps;
-  private int blocked;
+  private int unseenBefore = Integer.MAX_VALUE;
   private boolean inside;
 
   /** How a search stands. */
@@ -106,14 +103,10 @@ final class RoomSearch {
       case UNDER_WAY -> {
         return state();
       }
-      case THERE -> {
-        blocked = 0;
-        inside = true;
-      }
+      case THERE -> inside = true;
       case BLOCKED -> {
-        blocked++;
         ahead.clear(); // what it misses so comes into the next sweep
-        if (!inside || blocked >= MOST_BLOCKED) {
+        if (!inside) {
           return State.BLOCKED;
         }
       }
@@ -148,10 +141,11 @@ final class RoomSearch {
       drive.to(ahead.remove(), inside ? INSIDE_MS : ON_THE_WAY_MS);
       return true;
     }
-    if (sweeps >= MOST_SWEEPS) {
+    BitSet rest = coverage.unseen();
+    if (sweeps >= MOST_SWEEPS || rest.cardinality() == unseenBefore) {
       return coverage.isComplete();
     }
-    BitSet rest = coverage.unseen();
+    unseenBefore = rest.cardinality();
     Point here = gvh.gps.pose().at();
     computing = gvh.plat.compute(() -> Sweep.ofRest(house, room, rest, here));
     return true;

@@ -107,7 +107,7 @@ public final class SearchApp extends LogicThread {
             house.bounds(),
             tubes(house.bounds()));
     drive = new Drive(gvh, paths);
-    rest = new Rest(gvh, house, drive);
+    rest = new Rest(gvh, house, drive, team::isSwept);
   }
 
   /**
