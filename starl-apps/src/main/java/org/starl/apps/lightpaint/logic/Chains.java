@@ -4,9 +4,13 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
 
 /** Joins lines of one ink that meet end to end. */
 final class Chains {
+
+  /** What lies nearer to a line than this is on it. */
+  private static final double STRAIGHT_MM = 1;
 
   private Chains() {}
 
@@ -54,12 +58,23 @@ final class Chains {
 
   private static Line joined(Polyline first, Polyline second, Ink ink) {
     List<Point> points = new ArrayList<>(first.points());
-    // The second begins where the first one ends: what is between is no line of the drawing.
-    for (Point point : second.points().subList(1, second.points().size())) {
+    List<Point> more = second.points();
+    for (Point point : more.subList(isCorner(first, second) ? 0 : 1, more.size())) {
       if (!points.get(points.size() - 1).equals(point)) {
         points.add(point);
       }
     }
     return new Line(new Polyline(points), ink);
+  }
+
+  /** Whether the drawing would look another if the place were left out where the second begins. */
+  private static boolean isCorner(Polyline first, Polyline second) {
+    Point start = second.start();
+    Point next = second.points().get(1);
+    boolean isOnTheWay = new Segment(first.end(), next).distanceMm(start) <= STRAIGHT_MM;
+    boolean isBehind =
+        first.leg(first.legs() - 1).distanceMm(start) <= STRAIGHT_MM
+            && second.leg(0).distanceMm(first.end()) <= STRAIGHT_MM;
+    return !isOnTheWay && !isBehind;
   }
 }

@@ -16,6 +16,9 @@ final class Overlaps {
   /** What two lines have in common by crossing, or at a corner of 15 degrees or more, is shorter. */
   private static final double LEAST_WIDTHS = 4;
 
+  /** Rests that stick out no farther than this are not worth a stroke of their own. */
+  private static final double STUB_MM = 2;
+
   private final double sameMm;
   private final List<Segment> kept = new ArrayList<>();
 
@@ -49,25 +52,42 @@ final class Overlaps {
         atMm = taken.toMm();
       }
       extend(piece, leg, lengthMm, atMm, lengthMm);
-      kept.add(leg);
     }
     finish(piece, line.ink(), pieces);
     return pieces;
   }
 
   private void extend(List<Point> piece, Segment leg, double lengthMm, double fromMm, double toMm) {
-    // A rest that is hardly longer than lines are wide is on the other line all the same.
+    Segment part = new Segment(whole(at(leg, lengthMm, fromMm)), whole(at(leg, lengthMm, toMm)));
     boolean isWhole = fromMm == 0 && toMm == lengthMm;
-    if (!isWhole && toMm - fromMm <= sameMm) {
+    if (part.from().equals(part.to()) || (!isWhole && isShown(part))) {
       return;
     }
-    for (double mm : new double[] {fromMm, toMm}) {
-      Point point = leg.from().plus(leg.to().minus(leg.from()).times(mm / lengthMm));
-      Point whole = new Point(StrictMath.rint(point.xMm()), StrictMath.rint(point.yMm()));
-      if (piece.isEmpty() || !piece.get(piece.size() - 1).equals(whole)) {
-        piece.add(whole);
-      }
+    if (piece.isEmpty()) {
+      piece.add(part.from());
     }
+    piece.add(part.to());
+    // Not the whole leg: what is left out here is no reason to leave it out elsewhere.
+    kept.add(part);
+  }
+
+  private static Point whole(Point point) {
+    return new Point(StrictMath.rint(point.xMm()), StrictMath.rint(point.yMm()));
+  }
+
+  /** Whether it is hardly longer than lines are wide, and beside lines that are kept. */
+  private boolean isShown(Segment part) {
+    Point middle = part.from().plus(part.to()).times(0.5);
+    return part.from().distanceMm(part.to()) <= sameMm
+        && isBesideOne(part.from(), middle)
+        && isBesideOne(middle, part.to());
+  }
+
+  /** As distance from a segment is convex, all that lies between the two is no farther. */
+  private boolean isBesideOne(Point from, Point to) {
+    double nearMm = sameMm + STUB_MM;
+    return kept.stream()
+        .anyMatch(other -> other.distanceMm(from) <= nearMm && other.distanceMm(to) <= nearMm);
   }
 
   private static void finish(List<Point> piece, Ink ink, List<Line> pieces) {

@@ -26,7 +26,8 @@ public final class Strokes {
   }
 
   /**
-   * The strokes of a drawing, in order; equal drawings have equal strokes.
+   * The strokes of a drawing, in order; equal drawings have equal strokes. No place of the drawing
+   * is farther from them than {@code sameMm} and 3 mm, nor are they farther from it.
    *
    * @param lines in the order in which they are drawn
    * @param sameMm lines that run nearer to each other than this are one line there
@@ -47,7 +48,8 @@ public final class Strokes {
   private void cut(Line chain, List<Stroke> strokes) {
     for (Polyline part : fewLegs(chain.path())) {
       double lengthMm = part.lengthMm();
-      boolean isClosed = part.start().distanceMm(part.end()) <= 2 * sameMm;
+      double nearMm = 2 * sameMm;
+      boolean isClosed = lengthMm > nearMm && part.start().distanceMm(part.end()) <= nearMm;
       int pieces = (int) StrictMath.ceil(lengthMm / longestMm);
       pieces = Math.max(pieces, isClosed ? 2 : 1);
       for (int i = 0; i < pieces; i++) {
