@@ -64,6 +64,25 @@ public final class Bodies {
     return onFloor.containsKey(robot);
   }
 
+  /** Is shown bodies. */
+  public interface Visitor {
+
+    /**
+     * @param pose the true one
+     * @param isMoving whether the body changes its place
+     */
+    void visit(RobotId robot, Pose pose, double radiusMm, boolean isMoving);
+  }
+
+  /**
+   * Shows every body that is on the floor, in order, as it is at {@code timeNs}, not before the last
+   * event.
+   */
+  public void forEach(long timeNs, Visitor visitor) {
+    onFloor.forEach((robot, body) ->
+        visitor.visit(robot, poseAt(body, timeNs), body.radiusMm, body.linearMmPerS != 0));
+  }
+
   /** Whether a body on the floor changes its place now. */
   public boolean isMoving(RobotId robot) {
     return body(robot).linearMmPerS != 0;
@@ -75,7 +94,10 @@ public final class Bodies {
 
   /** The true pose of a body on the floor at {@code timeNs}, not before its last event. */
   public Pose poseAt(RobotId robot, long timeNs) {
-    Body body = body(robot);
+    return poseAt(body(robot), timeNs);
+  }
+
+  private static Pose poseAt(Body body, long timeNs) {
     if (body.linearMmPerS == 0 && body.angularRadPerS == 0) {
       return body.from;
     }

@@ -42,7 +42,7 @@ public final class GifRecorder implements SimObserver {
 
   private final Scene scene;
   private final Layer layer;
-  private final Painter painter;
+  private final Page page = new Page();
   private final long everyNs;
   private final int widthPx;
   private final boolean ofViolation;
@@ -64,7 +64,6 @@ public final class GifRecorder implements SimObserver {
           "a frame every " + everyNs + " ns, " + widthPx + " px wide: expected both above 0");
     }
     scene = new Scene(obstacles);
-    painter = new Painter(layer);
     this.layer = layer;
     this.everyNs = everyNs;
     this.widthPx = widthPx;
@@ -149,7 +148,7 @@ public final class GifRecorder implements SimObserver {
       scene.advance(nextNs);
       long tenths = nextNs / TENTH_NS;
       String title = name + ", at " + tenths / 10 + "." + tenths % 10 + " s";
-      frames.add(scaled(painter.paint(scene, title)));
+      frames.add(scaled(page.paint(scene, layer, title)));
       if (ofViolation && !isViolated && frames.size() > FRAMES_BEFORE) {
         frames.remove();
       }

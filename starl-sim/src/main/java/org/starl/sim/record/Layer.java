@@ -12,8 +12,17 @@ public interface Layer {
   /** Sees each event of the run before it is painted. */
   default void observe(TraceEvent event) {}
 
-  /** Under the bodies: zones, routes, goals. */
-  default void paintFloor(Graphics2D floor, Scene scene) {}
+  /** What can be switched off, a word each; {@link Look#shows(String)} tells whether it is on. */
+  default List<String> parts() {
+    return List.of();
+  }
+
+  /**
+   * Under the bodies: zones, routes, goals.
+   *
+   * @param look colours to paint in, and what is switched on
+   */
+  default void paintFloor(Graphics2D floor, Scene scene, Look look) {}
 
   /** Whether to draw where the bodies have been. */
   default boolean showsTrails() {
@@ -21,7 +30,7 @@ public interface Layer {
   }
 
   /** Over obstacles, trails and bodies. */
-  default void paintOver(Graphics2D floor, Scene scene) {}
+  default void paintOver(Graphics2D floor, Scene scene, Look look) {}
 
   /** A line or two for each robot, in the legend. */
   default String describe(RobotId robot, Scene scene) {

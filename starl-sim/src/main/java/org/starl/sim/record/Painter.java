@@ -2,197 +2,212 @@ package org.starl.sim.record;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
-import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
-import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.awt.geom.Path2D;
-import java.awt.geom.Point2D;
-import java.awt.image.BufferedImage;
-import java.util.ArrayList;
-import java.util.Comparator;
 import java.util.List;
 import java.util.Optional;
 import org.starl.RobotId;
-import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 
-/** Paints a {@link Scene}: the floor on the left, a line for each robot on the right. */
+/**
+ * Paints a {@link Scene} with its {@link Layer}, for windows and files alike. What lies outside the
+ * picture costs little, and many robots are painted with ready small pictures. One thread's own.
+ */
 public final class Painter {
 
-  private static final int FLOOR_PX = 900;
-  private static final int LEGEND_PX = 520;
-  private static final int MARGIN_PX = 24;
-  private static final int LEAST_NAME_PX = 62;
-  private static final int LINE_PX = 19;
-  private static final int ENTRY_GAP_PX = 16;
-  private static final double WORLD_MARGIN_MM = 150;
-  private static final double HEADING_FROM = 0.62;
+  /** Above this many in the picture, or below this size, robots are painted with sprites. */
+  private static final int MANY = 250;
 
-  private static final Color PAPER = new Color(0xFA, 0xFA, 0xF7);
-  private static final Color INK = new Color(0x22, 0x22, 0x22);
-  private static final Color WALL = new Color(0x55, 0x55, 0x55);
-  private static final Color HIDDEN = new Color(0xB0, 0x40, 0x20);
+  private static final double LARGE_PX = 40;
+  private static final double SPECK_PX = 1.5;
+  private static final long BUMP_SHOWN_NS = 10_000_000_000L;
 
-  // Twelve hues that can be told apart on paper (after Tol's and Okabe and Ito's palettes).
-  private static final int[] HUES = {
-    0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9,
-    0x882255, 0x117733, 0x999933, 0x332288, 0xAA4499, 0x44AA99
-  };
+  private final BodyPainter bodies = new BodyPainter();
+  private final Sprites sprites = new Sprites();
+  private final ObstaclePainter obstacles = new ObstaclePainter();
+  private final TrailPainter trails = new TrailPainter();
+  private final FlightPainter flights = new FlightPainter();
 
-  private final Layer layer;
-
-  public Painter(Layer layer) {
-    this.layer = layer;
+  /** The same without messages. */
+  public void paint(Graphics2D page, Scene scene, Layer layer, Viewport viewport, Look look) {
+    paint(page, scene, layer, viewport, look, List.of());
   }
 
-  /** The colour of a robot by its {@link Scene#number}. */
-  public static Color colour(int number) {
-    return new Color(HUES[number % HUES.length]);
-  }
-
-  /** The picture of {@code scene} as it is now. */
-  public BufferedImage paint(Scene scene, String title) {
-    BufferedImage image =
-        new BufferedImage(FLOOR_PX + LEGEND_PX, FLOOR_PX, BufferedImage.TYPE_INT_RGB);
-    Graphics2D page = image.createGraphics();
+  /**
+   * Paints all of the viewport, paper included.
+   *
+   * @param page whose origin is the viewport's upper left corner; its clip, if any, is respected
+   * @param messages under way, or just arrived
+   */
+  public void paint(
+      Graphics2D page,
+      Scene scene,
+      Layer layer,
+      Viewport viewport,
+      Look look,
+      List<Flight> messages) {
     page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
     page.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-    page.setColor(PAPER);
-    page.fillRect(0, 0, image.getWidth(), image.getHeight());
-    Extent extent = Extent.of(scene, layer);
-    Graphics2D floor = (Graphics2D) page.create(0, 0, FLOOR_PX, FLOOR_PX);
-    AffineTransform toPixels = extent.toPixels(FLOOR_PX, MARGIN_PX, WORLD_MARGIN_MM);
-    floor.transform(toPixels);
-    paintFloor(floor, scene);
+    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    page.setColor(look.theme().paper());
+    page.fillRect(0, 0, viewport.widthPx(), viewport.heightPx());
+    Look scaled = look.at(viewport);
+    Graphics2D floor = (Graphics2D) page.create();
+    floor.transform(viewport.transform());
+    layer.paintFloor(floor, scene, scaled);
     floor.dispose();
-    names(page, scene, toPixels);
-    legend(page, scene, title);
-    page.dispose();
-    return image;
+    obstacles.paint(page, scene, viewport, scaled);
+    if (look.shows(Part.TRAILS) && layer.showsTrails()) {
+      trails.paint(page, scene, viewport, look);
+    }
+    if (look.shows(Part.RANGE) && look.rangeMm() > 0 && look.selected() != null) {
+      range(page, scene, viewport, look, look.selected());
+    }
+    int shown = look.shows(Part.ROBOTS) ? robots(page, scene, viewport, look) : 0;
+    Graphics2D over = (Graphics2D) page.create();
+    over.transform(viewport.transform());
+    layer.paintOver(over, scene, scaled);
+    over.dispose();
+    if (look.shows(Part.BUMPS)) {
+      bumps(page, scene, viewport, look.theme());
+    }
+    if (look.shows(Part.MESSAGES)) {
+      flights.paint(page, messages, scene, viewport, look);
+    }
+    Labels.paint(page, scene, viewport, look, shown);
   }
 
-  private void paintFloor(Graphics2D floor, Scene scene) {
-    layer.paintFloor(floor, scene);
-    for (Obstacle obstacle : scene.obstacles().standingAt(scene.nowNs()).all()) {
-      floor.setColor(obstacle.hidden() ? HIDDEN : WALL);
-      floor.setStroke(new BasicStroke(14));
-      Path2D outline = outline(obstacle);
-      if (obstacle.closed()) {
-        floor.fill(outline);
+  /** How many of them are in the picture. */
+  private int robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    int[] shown = new int[1];
+    double[] mostPx = new double[1];
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      if (viewport.shows(pose.at(), radiusMm)) {
+        shown[0]++;
+        mostPx[0] = Math.max(mostPx[0], radiusMm * viewport.pxPerMm());
       }
-      floor.draw(outline);
+    });
+    if (shown[0] > MANY && mostPx[0] < LARGE_PX) {
+      many(page, scene, viewport, look.theme());
+    } else {
+      few(page, scene, viewport, look.theme());
     }
-    for (RobotId robot : layer.showsTrails() ? scene.robots() : List.<RobotId>of()) {
-      trail(floor, scene.trail(robot), colour(scene.number(robot)));
-    }
-    for (RobotId robot : scene.robots()) {
-      Optional<Pose> pose = scene.pose(robot);
-      if (pose.isPresent()) {
-        body(floor, pose.get(), scene.radiusMm(robot), colour(scene.number(robot)));
+    marks(page, scene, viewport, look);
+    return shown[0];
+  }
+
+  private void few(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      if (viewport.shows(pose.at(), radiusMm)) {
+        bodies.paint(
+            page,
+            viewport.xPx(pose.at()),
+            viewport.yPx(pose.at()),
+            radiusMm * viewport.pxPerMm(),
+            pose.headingRad(),
+            theme.robot(number),
+            theme);
       }
-    }
-    layer.paintOver(floor, scene);
+    });
   }
 
-  private static void trail(Graphics2D floor, List<Point> points, Color colour) {
-    if (points.isEmpty()) {
-      return;
-    }
-    Path2D path = new Path2D.Double();
-    path.moveTo(points.get(0).xMm(), points.get(0).yMm());
-    for (Point point : points) {
-      path.lineTo(point.xMm(), point.yMm());
-    }
-    floor.setColor(colour);
-    floor.setStroke(new BasicStroke(18, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-    floor.draw(path);
-  }
-
-  private static void body(Graphics2D floor, Pose pose, double radiusMm, Color colour) {
-    Shape disc =
-        new Ellipse2D.Double(
-            pose.xMm() - radiusMm, pose.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
-    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 150));
-    floor.fill(disc);
-    floor.setColor(colour.darker());
-    floor.setStroke(new BasicStroke(12));
-    floor.draw(disc);
-    // From outside the name to the edge.
-    double cos = StrictMath.cos(pose.headingRad());
-    double sin = StrictMath.sin(pose.headingRad());
-    double innerMm = HEADING_FROM * radiusMm;
-    floor.draw(
-        new Line2D.Double(
-            pose.xMm() + innerMm * cos,
-            pose.yMm() + innerMm * sin,
-            pose.xMm() + radiusMm * cos,
-            pose.yMm() + radiusMm * sin));
-  }
-
-  private static Path2D outline(Obstacle obstacle) {
-    Path2D path = new Path2D.Double();
-    List<Point> points = obstacle.points();
-    path.moveTo(points.get(0).xMm(), points.get(0).yMm());
-    for (Point point : points) {
-      path.lineTo(point.xMm(), point.yMm());
-    }
-    if (obstacle.closed()) {
-      path.closePath();
-    }
-    return path;
-  }
-
-  private static void names(Graphics2D page, Scene scene, AffineTransform toPixels) {
-    page.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 12));
-    page.setColor(INK);
-    for (RobotId robot : scene.robots()) {
-      Optional<Pose> pose = scene.pose(robot);
-      if (pose.isPresent()) {
-        Point2D at =
-            toPixels.transform(new Point2D.Double(pose.get().xMm(), pose.get().yMm()), null);
-        int halfWidth = page.getFontMetrics().stringWidth(robot.name()) / 2;
-        page.drawString(robot.name(), (int) at.getX() - halfWidth, (int) at.getY() + 4);
+  /** In the device's own pixels, so that sprites are copied and not scaled. */
+  private void many(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
+    Graphics2D device = (Graphics2D) page.create();
+    AffineTransform at = page.getTransform();
+    double scale = at.getScaleX();
+    double left = at.getTranslateX();
+    double top = at.getTranslateY();
+    device.setTransform(new AffineTransform());
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      Point point = pose.at();
+      if (viewport.shows(point, radiusMm)) {
+        double radiusPx = radiusMm * viewport.pxPerMm() * scale;
+        int x = (int) Math.round(left + scale * viewport.xPx(point));
+        int y = (int) Math.round(top + scale * viewport.yPx(point));
+        if (radiusPx < SPECK_PX) {
+          device.setColor(theme.robot(number));
+          device.fillRect(x - 1, y - 1, 2, 2);
+        } else {
+          sprites.prepare(theme, radiusPx);
+          device.drawImage(
+              sprites.of(number, pose.headingRad()),
+              x - sprites.halfPx(),
+              y - sprites.halfPx(),
+              null);
+        }
       }
+    });
+    device.dispose();
+  }
+
+  /** On single robots: who has crashed, whom the picture is about. */
+  private void marks(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    for (RobotId robot : scene.down()) {
+      scene
+          .pose(robot)
+          .ifPresent(pose ->
+              bodies.paintCross(
+                  page,
+                  viewport.xPx(pose.at()),
+                  viewport.yPx(pose.at()),
+                  Math.max(4, scene.radiusMm(robot) * viewport.pxPerMm()),
+                  look.theme()));
+    }
+    RobotId selected = look.selected();
+    if (selected != null) {
+      scene
+          .pose(selected)
+          .ifPresent(pose ->
+              bodies.paintRing(
+                  page,
+                  viewport.xPx(pose.at()),
+                  viewport.yPx(pose.at()),
+                  scene.radiusMm(selected) * viewport.pxPerMm(),
+                  look.theme()));
     }
   }
 
-  private void legend(Graphics2D page, Scene scene, String title) {
-    int x = FLOOR_PX + MARGIN_PX / 2;
-    int y = MARGIN_PX + LINE_PX;
-    page.setColor(INK);
-    page.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
-    page.drawString(title, x, y);
-    page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-    // Who is there comes first.
-    List<RobotId> robots = new ArrayList<>(scene.robots());
-    robots.sort(Comparator.comparing(robot -> scene.pose(robot).isEmpty()));
-    y += LINE_PX + ENTRY_GAP_PX;
-    int namePx = LEAST_NAME_PX;
-    for (RobotId robot : robots) {
-      namePx = Math.max(namePx, page.getFontMetrics().stringWidth(robot.name() + "  "));
+  private static void range(
+      Graphics2D page, Scene scene, Viewport viewport, Look look, RobotId robot) {
+    Optional<Pose> pose = scene.pose(robot);
+    if (pose.isPresent()) {
+      double x = viewport.xPx(pose.get().at());
+      double y = viewport.yPx(pose.get().at());
+      double r = look.rangeMm() * viewport.pxPerMm();
+      Ellipse2D disc = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
+      Color colour = look.robot(scene, robot);
+      page.setColor(Theme.faded(colour, 22));
+      page.fill(disc);
+      page.setColor(Theme.faded(colour, 150));
+      float[] dashes = {6, 5};
+      page.setStroke(
+          new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, dashes, 0));
+      page.draw(disc);
     }
-    for (int i = 0; i < robots.size(); i++) {
-      List<String> lines = layer.describe(robots.get(i), scene).lines().toList();
-      int heightPx = Math.max(1, lines.size()) * LINE_PX + ENTRY_GAP_PX;
-      if (y + heightPx > FLOOR_PX - LINE_PX && i + 1 < robots.size()) {
-        page.setColor(INK);
-        page.drawString("and " + (robots.size() - i) + " more", x, y);
-        return;
+  }
+
+  /** A burst of short lines; it fades. */
+  private static void bumps(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
+    for (Scene.Bump bump : scene.bumps()) {
+      long ageNs = scene.nowNs() - bump.timeNs();
+      if (ageNs <= BUMP_SHOWN_NS) {
+        int alpha = (int) (255 - 200 * ageNs / BUMP_SHOWN_NS);
+        double x = viewport.xPx(bump.at());
+        double y = viewport.yPx(bump.at());
+        page.setColor(Theme.faded(theme.alarm(), alpha));
+        page.setStroke(new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        for (int i = 0; i < 8; i++) {
+          double cos = StrictMath.cos(i * Math.PI / 4);
+          double sin = StrictMath.sin(i * Math.PI / 4);
+          page.draw(new Line2D.Double(x + 4 * cos, y + 4 * sin, x + 9 * cos, y + 9 * sin));
+        }
       }
-      page.setColor(colour(scene.number(robots.get(i))));
-      page.fillOval(x, y - 10, 11, 11);
-      page.setColor(INK);
-      page.drawString(robots.get(i).name(), x + 18, y);
-      for (int line = 0; line < lines.size(); line++) {
-        page.drawString(lines.get(line), x + 18 + namePx, y + line * LINE_PX);
-      }
-      y += heightPx;
     }
   }
 }

@@ -20,7 +20,7 @@ public final class PictureRecorder implements SimObserver {
 
   private final Scene scene;
   private final Layer layer;
-  private final Painter painter;
+  private final Page page = new Page();
   private final Moment moment;
   private String name = "";
   private double best;
@@ -29,7 +29,6 @@ public final class PictureRecorder implements SimObserver {
 
   public PictureRecorder(Obstacles obstacles, Layer layer, Moment moment) {
     scene = new Scene(obstacles);
-    painter = new Painter(layer);
     this.layer = layer;
     this.moment = moment;
   }
@@ -110,6 +109,6 @@ public final class PictureRecorder implements SimObserver {
   private void take(long timeNs) {
     scene.advance(timeNs);
     long tenths = timeNs / TENTH_NS;
-    picture = painter.paint(scene, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
+    picture = page.paint(scene, layer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
   }
 }

@@ -1,7 +1,10 @@
 package org.starl.sim.record;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Deque;
+import java.util.Iterator;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -9,7 +12,9 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.starl.RobotId;
+import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -25,6 +30,28 @@ public final class Scene {
 
   private static final long TRAIL_STEP_NS = 100_000_000;
   private static final int KEPT_GONE = 12;
+  private static final int KEPT_BUMPS = 64;
+
+  // As the motion automaton traces it.
+  private static final String MOTION = "motion";
+  private static final String FAILED = "failed";
+  private static final String BUMPED = "bumped into something";
+
+  /** A robot ran into something, and says so. */
+  public record Bump(long timeNs, RobotId robot, Point at) {}
+
+  /** A variable of a robot with its latest value. */
+  public record Value(String source, String name, String value) {}
+
+  /** Is shown the bodies that are on the floor. */
+  public interface Visitor {
+
+    /**
+     * @param number as of {@link Scene#number}
+     * @param pose the body's true one
+     */
+    void visit(RobotId robot, int number, Pose pose, double radiusMm);
+  }
 
   private final Obstacles obstacles;
   private final Bodies bodies = new Bodies();
@@ -32,6 +59,9 @@ public final class Scene {
   private final Map<RobotId, Map<String, String>> variables = new TreeMap<>();
   private final Map<RobotId, Integer> numbers = new TreeMap<>();
   private final Set<RobotId> gone = new LinkedHashSet<>();
+  private final Set<RobotId> down = new TreeSet<>();
+  private final Deque<Bump> bumps = new ArrayDeque<>();
+  private final Extent extent = new Extent();
   private int came;
   private long nowNs;
   private long trailNs;
@@ -41,6 +71,9 @@ public final class Scene {
    */
   public Scene(Obstacles obstacles) {
     this.obstacles = obstacles;
+    for (Obstacle obstacle : obstacles.all()) {
+      obstacle.points().forEach(extent::add);
+    }
   }
 
   /** Sees the next event. */
@@ -55,10 +88,37 @@ public final class Scene {
       gone.remove(joined.robot());
       numbers.computeIfAbsent(joined.robot(), robot -> came++);
       trails.computeIfAbsent(joined.robot(), robot -> new ArrayList<>()).add(joined.pose().at());
+      extent.add(joined.pose().at());
     } else if (event instanceof TraceEvent.Left left) {
       gone.add(left.robot());
       if (gone.size() > KEPT_GONE) {
         forget(gone.iterator().next());
+      }
+    } else if (event instanceof TraceEvent.Fault fault) {
+      if (fault.name().equals(TraceEvent.Fault.CRASH)) {
+        down.add(fault.robot());
+      } else if (fault.name().equals(TraceEvent.Fault.RESTART)) {
+        down.remove(fault.robot());
+      }
+    } else if (event instanceof TraceEvent.Action action) {
+      noteBump(action);
+    }
+  }
+
+  private void noteBump(TraceEvent.Action action) {
+    if (action.source().equals(MOTION)
+        && action.name().equals(FAILED)
+        && action.args().contains(BUMPED)
+        && bodies.isOnFloor(action.robot())) {
+      Pose pose = bodies.poseAt(action.robot(), action.timeNs());
+      double radiusMm = bodies.radiusMm(action.robot());
+      Point ahead =
+          new Point(
+              radiusMm * StrictMath.cos(pose.headingRad()),
+              radiusMm * StrictMath.sin(pose.headingRad()));
+      bumps.add(new Bump(action.timeNs(), action.robot(), pose.at().plus(ahead)));
+      if (bumps.size() > KEPT_BUMPS) {
+        bumps.remove();
       }
     }
   }
@@ -68,16 +128,26 @@ public final class Scene {
     trails.remove(robot);
     variables.remove(robot);
     numbers.remove(robot);
+    down.remove(robot);
   }
 
   /** Time goes on to {@code timeNs}. */
   public void advance(long timeNs) {
     while (trailNs <= timeNs) {
-      for (RobotId robot : bodies.robots()) {
-        if (bodies.isMoving(robot)) {
-          trail(robot).add(bodies.poseAt(robot, trailNs).at());
-        }
-      }
+      Iterator<Map.Entry<RobotId, List<Point>>> all = trails.entrySet().iterator();
+      bodies.forEach(
+          trailNs,
+          (robot, pose, radiusMm, isMoving) -> {
+            // Both are in order, and who is on the floor has a trail.
+            Map.Entry<RobotId, List<Point>> entry = all.next();
+            while (!entry.getKey().equals(robot)) {
+              entry = all.next();
+            }
+            if (isMoving) {
+              entry.getValue().add(pose.at());
+              extent.add(pose.at());
+            }
+          });
       trailNs += TRAIL_STEP_NS;
     }
     nowNs = timeNs;
@@ -111,6 +181,40 @@ public final class Scene {
     return bodies.radiusMm(robot);
   }
 
+  /** Shows every body that is on the floor as it is now, in order; fast for many. */
+  public void forEachBody(Visitor visitor) {
+    Iterator<Map.Entry<RobotId, Integer>> all = numbers.entrySet().iterator();
+    bodies.forEach(
+        nowNs,
+        (robot, pose, radiusMm, isMoving) -> {
+          Map.Entry<RobotId, Integer> entry = all.next();
+          while (!entry.getKey().equals(robot)) {
+            entry = all.next();
+          }
+          visitor.visit(robot, entry.getValue(), pose, radiusMm);
+        });
+  }
+
+  /** Whether a robot's program has crashed and was not started again. */
+  public boolean isDown(RobotId robot) {
+    return down.contains(robot);
+  }
+
+  /** Whose programs have crashed and were not started again, in order. */
+  Set<RobotId> down() {
+    return Collections.unmodifiableSet(down);
+  }
+
+  /** Where robots ran into something, oldest first; the last 64. */
+  public List<Bump> bumps() {
+    return List.copyOf(bumps);
+  }
+
+  /** All that stands or ever moved there; grows on as the scene does. */
+  Extent extent() {
+    return extent;
+  }
+
   /** Where a robot's body has been, every 100 ms of its movement. */
   public List<Point> trail(RobotId robot) {
     List<Point> trail = trails.get(robot);
@@ -120,6 +224,18 @@ public final class Scene {
   /** The latest value of a variable as text; empty if it never had one. */
   public String variable(RobotId robot, String source, String name) {
     return variables.getOrDefault(robot, Map.of()).getOrDefault(key(source, name), "");
+  }
+
+  /** All variables of a robot that ever had a value, in the order of source and name. */
+  public List<Value> variables(RobotId robot) {
+    List<Value> values = new ArrayList<>();
+    variables
+        .getOrDefault(robot, Map.of())
+        .forEach((key, value) -> {
+          int space = key.indexOf(' ');
+          values.add(new Value(key.substring(0, space), key.substring(space + 1), value));
+        });
+    return values;
   }
 
   private static String key(String source, String name) {

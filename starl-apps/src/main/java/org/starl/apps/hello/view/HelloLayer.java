@@ -1,9 +1,9 @@
 package org.starl.apps.hello.view;
 
-import java.awt.BasicStroke;
 import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
@@ -11,7 +11,7 @@ import org.starl.geometry.Point;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionParameters;
 import org.starl.sim.record.Layer;
-import org.starl.sim.record.Painter;
+import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -19,7 +19,7 @@ import org.starl.trace.TraceEvent.Action;
 /** Draws each robot's goal as a ring of the goal radius, and dotted the way to it. */
 public final class HelloLayer implements Layer {
 
-  private static final float[] DOTS = {1, 45};
+  private static final String GOALS = "goals";
   private static final String MOTION = "motion";
 
   private final SortedMap<RobotId, Point> goals = new TreeMap<>();
@@ -33,6 +33,11 @@ public final class HelloLayer implements Layer {
     }
   }
 
+  @Override
+  public List<String> parts() {
+    return List.of(GOALS);
+  }
+
   /** Of {@code name@x,y}. */
   private static Point place(String target) {
     String[] xy = target.substring(target.lastIndexOf('@') + 1).split(",", -1);
@@ -40,16 +45,18 @@ public final class HelloLayer implements Layer {
   }
 
   @Override
-  public void paintFloor(Graphics2D floor, Scene scene) {
+  public void paintFloor(Graphics2D floor, Scene scene, Look look) {
+    if (!look.shows(GOALS)) {
+      return;
+    }
     goals.forEach((robot, goal) -> {
-      floor.setColor(Painter.colour(scene.number(robot)));
+      floor.setColor(look.robot(scene, robot));
       double radiusMm = MotionParameters.DEFAULT.goalRadiusMm();
-      floor.setStroke(new BasicStroke(14));
+      floor.setStroke(look.line(14));
       floor.draw(
           new Ellipse2D.Double(
               goal.xMm() - radiusMm, goal.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm));
-      floor.setStroke(
-          new BasicStroke(16, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+      floor.setStroke(look.dots(16, 45));
       scene
           .pose(robot)
           .ifPresent(pose ->

@@ -1,6 +1,5 @@
 package org.starl.apps.intersection.view;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -22,17 +21,17 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
 import org.starl.sim.record.Layer;
-import org.starl.sim.record.Painter;
+import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
+import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 
 /** Draws zones in the colour of who holds them, and each car's intended route dotted. */
 public final class IntersectionLayer implements Layer {
 
-  private static final Color FREE = new Color(0xEC, 0xEC, 0xE6);
-  private static final Color BORDER = new Color(0x99, 0x99, 0x90);
+  private static final String ZONES = "zones";
+  private static final String ROUTES = "routes";
   private static final int HELD_ALPHA = 70;
-  private static final float[] DOTS = {1, 55};
 
   private final Crossing crossing;
   private final Map<RobotId, Trip> trips;
@@ -62,24 +61,35 @@ public final class IntersectionLayer implements Layer {
   }
 
   @Override
-  public void paintFloor(Graphics2D floor, Scene scene) {
+  public List<String> parts() {
+    return List.of(ZONES, ROUTES);
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene, Look look) {
+    if (look.shows(ZONES)) {
+      paintZones(floor, scene, look);
+    }
+    for (RobotId robot : scene.robots()) {
+      if (scene.pose(robot).isPresent()) {
+        if (units.contains(robot)) {
+          paintPost(floor, scene.pose(robot).get().at(), scene.radiusMm(robot), look);
+        } else if (look.shows(ROUTES)) {
+          paintRoute(floor, robot, scene, look);
+        }
+      }
+    }
+  }
+
+  private void paintZones(Graphics2D floor, Scene scene, Look look) {
     for (Map.Entry<String, Region> zone : crossing.regions().entrySet()) {
-      paintZone(floor, zone.getKey(), (Rectangle) zone.getValue(), holder(zone.getKey(), scene));
+      paintZone(floor, zone.getKey(), (Rectangle) zone.getValue(), scene, look);
     }
     int places = units.size() == 0 ? 1 : Crossing.PLACES;
     for (Zone zone : Zone.values()) {
       for (int rank = 0; rank < places; rank++) {
         String name = Crossing.placeName(zone, rank);
-        paintZone(floor, name, (Rectangle) crossing.place(zone, rank), holder(name, scene));
-      }
-    }
-    for (RobotId robot : scene.robots()) {
-      if (scene.pose(robot).isPresent()) {
-        if (units.contains(robot)) {
-          paintPost(floor, scene.pose(robot).get().at(), scene.radiusMm(robot));
-        } else {
-          paintRoute(floor, robot, scene, Painter.colour(scene.number(robot)));
-        }
+        paintZone(floor, name, (Rectangle) crossing.place(zone, rank), scene, look);
       }
     }
   }
@@ -100,27 +110,26 @@ public final class IntersectionLayer implements Layer {
     return ends;
   }
 
-  private Color holder(String zone, Scene scene) {
+  private Color holder(String zone, Scene scene, Look look) {
     for (RobotId robot : scene.robots()) {
       if (zones.held(robot).contains(zone)) {
-        Color colour = Painter.colour(scene.number(robot));
-        return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), HELD_ALPHA);
+        return Theme.faded(look.robot(scene, robot), HELD_ALPHA);
       }
     }
-    return FREE;
+    return look.theme().floor();
   }
 
-  private static void paintZone(Graphics2D floor, String name, Rectangle area, Color colour) {
+  private void paintZone(Graphics2D floor, String name, Rectangle area, Scene scene, Look look) {
     Rectangle2D square =
         new Rectangle2D.Double(
             area.xMinMm(),
             area.yMinMm(),
             area.xMaxMm() - area.xMinMm(),
             area.yMaxMm() - area.yMinMm());
-    floor.setColor(colour);
+    floor.setColor(holder(name, scene, look));
     floor.fill(square);
-    floor.setColor(BORDER);
-    floor.setStroke(new BasicStroke(5));
+    floor.setColor(look.theme().border());
+    floor.setStroke(look.line(5));
     floor.draw(square);
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
@@ -130,13 +139,13 @@ public final class IntersectionLayer implements Layer {
   }
 
   /** A square plate under a roadside unit. */
-  private static void paintPost(Graphics2D floor, Point at, double halfMm) {
-    floor.setColor(BORDER);
+  private static void paintPost(Graphics2D floor, Point at, double halfMm, Look look) {
+    floor.setColor(look.theme().border());
     floor.fill(
         new Rectangle2D.Double(at.xMm() - halfMm, at.yMm() - halfMm, 2 * halfMm, 2 * halfMm));
   }
 
-  private void paintRoute(Graphics2D floor, RobotId robot, Scene scene, Color colour) {
+  private void paintRoute(Graphics2D floor, RobotId robot, Scene scene, Look look) {
     Trip trip = trips.get(robot);
     if (trip == null || trip.stations().isEmpty()) {
       return;
@@ -148,9 +157,8 @@ public final class IntersectionLayer implements Layer {
       path.lineTo(station.at().xMm(), station.at().yMm());
     }
     path.lineTo(trip.exit().at().xMm(), trip.exit().at().yMm());
-    floor.setColor(colour);
-    floor.setStroke(
-        new BasicStroke(18, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+    floor.setColor(look.robot(scene, robot));
+    floor.setStroke(look.dots(18, 55));
     floor.draw(path);
   }
 

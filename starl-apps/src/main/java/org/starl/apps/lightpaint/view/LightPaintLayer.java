@@ -19,8 +19,9 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.primitives.paths.Tube;
 import org.starl.sim.record.Layer;
-import org.starl.sim.record.Painter;
+import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
+import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 
 /** Draws what is to be painted dotted, what is painted in its colour, and tubes. */
@@ -29,8 +30,9 @@ public final class LightPaintLayer implements Layer {
   private static final String TUBES = "tubes/lightpaint";
   private static final int TUBE_ALPHA = 40;
   private static final int GLOW_ALPHA = 110;
-  private static final Color WAITING = new Color(0xB4, 0xB4, 0xAE);
-  private static final float[] DOTS = {8, 34};
+  private static final String DRAWING = "drawing";
+  private static final String PAINTED = "painted";
+  private static final String REACH_TUBES = "tubes";
   private static final double MM_PER_M = 1e3;
 
   private final Painting painting;
@@ -58,21 +60,25 @@ public final class LightPaintLayer implements Layer {
   }
 
   @Override
-  public void paintFloor(Graphics2D floor, Scene scene) {
+  public List<String> parts() {
+    return List.of(DRAWING, PAINTED, REACH_TUBES);
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     trail.advance(scene.nowNs());
-    for (RobotId robot : scene.robots()) {
+    for (RobotId robot : look.shows(REACH_TUBES) ? scene.robots() : List.<RobotId>of()) {
       for (Tube tube : Tube.parse(scene.variable(robot, TUBES, "held"))) {
-        paintTube(floor, tube, Painter.colour(scene.number(robot)));
+        paintTube(floor, tube, look.robot(scene, robot));
       }
     }
-    for (Stroke stroke : painting.strokes()) {
-      floor.setColor(WAITING);
-      floor.setStroke(
-          new BasicStroke(14, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+    for (Stroke stroke : look.shows(DRAWING) ? painting.strokes() : List.<Stroke>of()) {
+      floor.setColor(look.theme().muted());
+      floor.setStroke(look.dashes(8, 24));
       floor.draw(line(stroke.path().points()));
     }
-    for (Pass pass : trail.passes()) {
-      floor.setColor(new Color(pass.ink().rgb()));
+    for (Pass pass : look.shows(PAINTED) ? trail.passes() : List.<Pass>of()) {
+      floor.setColor(look.theme().visible(new Color(pass.ink().rgb())));
       float widthMm = (float) Math.max(24, pass.ink().widthMm());
       floor.setStroke(new BasicStroke(widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
       floor.draw(line(pass.points()));
@@ -80,15 +86,15 @@ public final class LightPaintLayer implements Layer {
     for (RobotId robot : scene.robots()) {
       Ink ink = light(robot, scene).ink();
       if (ink != null && scene.pose(robot).isPresent()) {
-        Color colour = new Color(ink.rgb());
-        floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), GLOW_ALPHA));
+        Color colour = look.theme().visible(new Color(ink.rgb()));
+        floor.setColor(Theme.faded(colour, GLOW_ALPHA));
         floor.fill(disc(scene.pose(robot).get().at(), 1.5 * scene.radiusMm(robot)));
       }
     }
   }
 
   private static void paintTube(Graphics2D floor, Tube tube, Color colour) {
-    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), TUBE_ALPHA));
+    floor.setColor(Theme.faded(colour, TUBE_ALPHA));
     if (tube.points().size() == 1) {
       floor.fill(disc(tube.end(), tube.radiusMm()));
       return;

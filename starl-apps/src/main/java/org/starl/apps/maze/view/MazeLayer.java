@@ -22,8 +22,9 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.RegionText;
 import org.starl.sim.record.Layer;
-import org.starl.sim.record.Painter;
+import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
+import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -33,10 +34,11 @@ import org.starl.trace.TraceEvent.Action;
  */
 public final class MazeLayer implements Layer {
 
-  private static final Color FLOOR = new Color(0xF0, 0xF0, 0xEA);
+  private static final String GOALS = "goals";
+  private static final String MARKS = "marks";
+  private static final String WAYS = "ways";
   private static final int MARK_ALPHA = 60;
   private static final double GOAL_PX = 9;
-  private static final double MOST_PX = 900;
 
   private final SortedMap<RobotId, Errand> errands;
   private final Map<RobotId, List<Polygon>> marks = new TreeMap<>();
@@ -71,10 +73,15 @@ public final class MazeLayer implements Layer {
   }
 
   @Override
-  public void paintFloor(Graphics2D floor, Scene scene) {
+  public List<String> parts() {
+    return List.of(GOALS, MARKS, WAYS);
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     for (Errand errand : errands.values()) {
       var area = errand.floor();
-      floor.setColor(FLOOR);
+      floor.setColor(look.theme().floor());
       floor.fill(
           new Rectangle2D.Double(
               area.xMinMm(),
@@ -83,40 +90,32 @@ public final class MazeLayer implements Layer {
               area.yMaxMm() - area.yMinMm()));
       break;
     }
-    for (RobotId robot : scene.robots()) {
-      Color colour = Painter.colour(scene.number(robot));
-      for (Polygon mark : marks.getOrDefault(robot, List.of())) {
-        paintMark(floor, mark, colour);
+    for (RobotId robot : look.shows(MARKS) ? scene.robots() : List.<RobotId>of()) {
+      Color colour = look.robot(scene, robot);
+      // Of one who is selected, what it alone believes.
+      boolean isMeant = look.selected() == null || look.selected().equals(robot);
+      for (Polygon mark : isMeant ? marks.getOrDefault(robot, List.of()) : List.<Polygon>of()) {
+        paintMark(floor, mark, colour, look);
       }
     }
-    for (RobotId robot : scene.robots()) {
-      Color colour = Painter.colour(scene.number(robot));
-      paintWay(floor, scene.variable(robot, MazeApp.SOURCE, MazeApp.WAY), colour);
+    for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
+      String way = scene.variable(robot, MazeApp.SOURCE, MazeApp.WAY);
+      paintWay(floor, way, look.robot(scene, robot), look);
     }
   }
 
   @Override
-  public void paintOver(Graphics2D floor, Scene scene) {
-    for (RobotId robot : scene.robots()) {
+  public void paintOver(Graphics2D floor, Scene scene, Look look) {
+    for (RobotId robot : look.shows(GOALS) ? scene.robots() : List.<RobotId>of()) {
       Errand errand = errands.get(robot);
       if (errand != null) {
-        Color colour = Painter.colour(scene.number(robot));
-        errand.goals().forEach(goal -> paintGoal(floor, robot, goal, colour));
+        Color colour = look.robot(scene, robot);
+        errand.goals().forEach(goal -> paintGoal(floor, robot, goal, colour, look));
       }
     }
   }
 
-  /** So many mm are a pixel. */
-  private double pixelMm() {
-    double widest = 1;
-    for (Errand errand : errands.values()) {
-      widest = Math.max(widest, errand.floor().xMaxMm() - errand.floor().xMinMm());
-      widest = Math.max(widest, errand.floor().yMaxMm() - errand.floor().yMinMm());
-    }
-    return widest / MOST_PX;
-  }
-
-  private static void paintMark(Graphics2D floor, Polygon mark, Color colour) {
+  private static void paintMark(Graphics2D floor, Polygon mark, Color colour, Look look) {
     Path2D outline = new Path2D.Double();
     List<Point> corners = mark.vertices();
     outline.moveTo(corners.get(0).xMm(), corners.get(0).yMm());
@@ -124,13 +123,13 @@ public final class MazeLayer implements Layer {
       outline.lineTo(corner.xMm(), corner.yMm());
     }
     outline.closePath();
-    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), MARK_ALPHA));
+    floor.setColor(Theme.faded(colour, MARK_ALPHA));
     floor.fill(outline);
-    floor.setStroke(new BasicStroke(4));
+    floor.setStroke(look.line(4));
     floor.draw(outline);
   }
 
-  private void paintWay(Graphics2D floor, String way, Color colour) {
+  private static void paintWay(Graphics2D floor, String way, Color colour, Look look) {
     if (way.isEmpty()) {
       return;
     }
@@ -147,21 +146,18 @@ public final class MazeLayer implements Layer {
       }
       isFirst = false;
     }
-    float[] dots = {1, (float) (8 * pixelMm())};
-    float width = (float) (4 * pixelMm());
     floor.setColor(colour);
-    floor.setStroke(
-        new BasicStroke(width, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, dots, 0));
+    floor.setStroke(look.dots(4 * look.pixelMm(), 8 * look.pixelMm()));
     floor.draw(path);
   }
 
   /** A flag on a pole; crossed out once it is known that no way leads there. */
-  private void paintGoal(Graphics2D floor, RobotId robot, Goal goal, Color colour) {
-    double px = pixelMm();
+  private void paintGoal(Graphics2D floor, RobotId robot, Goal goal, Color colour, Look look) {
+    double px = look.pixelMm();
     double x = goal.at().xMm();
     double y = goal.at().yMm();
     double size = GOAL_PX * px;
-    floor.setColor(colour.darker());
+    floor.setColor(look.theme().edge(colour));
     floor.setStroke(new BasicStroke((float) (2.5 * px)));
     floor.draw(new Line2D.Double(x, y, x, y + 2.4 * size));
     Path2D flag = new Path2D.Double();
@@ -172,7 +168,7 @@ public final class MazeLayer implements Layer {
     floor.fill(flag);
     Answer answer = answers.get(robot + " " + goal.name());
     if (answer == Answer.NO_WAY || answer == Answer.GAVE_UP) {
-      floor.setColor(Color.RED.darker());
+      floor.setColor(look.theme().alarm());
       floor.setStroke(new BasicStroke((float) (3.5 * px)));
       floor.draw(new Line2D.Double(x - size, y, x + 2 * size, y + 2.6 * size));
       floor.draw(new Line2D.Double(x - size, y + 2.6 * size, x + 2 * size, y));
@@ -180,7 +176,7 @@ public final class MazeLayer implements Layer {
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
     upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 1).deriveFont((float) (12 * px)));
-    upright.setColor(colour.darker());
+    upright.setColor(look.theme().edge(colour));
     upright.drawString(goal.name(), (float) (x + 1.7 * size), (float) (-y - 1.7 * size));
     upright.dispose();
   }

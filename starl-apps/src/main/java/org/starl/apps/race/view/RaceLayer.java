@@ -1,6 +1,5 @@
 package org.starl.apps.race.view;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -23,8 +22,9 @@ import org.starl.apps.race.logic.Scoreboard;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.sim.record.Layer;
-import org.starl.sim.record.Painter;
+import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
+import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -34,10 +34,9 @@ import org.starl.trace.TraceEvent.Action;
  */
 public final class RaceLayer implements Layer {
 
-  private static final Color OPEN = new Color(0x77, 0x77, 0x70);
-  private static final Color COURSE = new Color(0xDD, 0xDD, 0xD4);
-  private static final float[] DASHES = {60, 60};
-  private static final float[] DOTS = {1, 45};
+  private static final String COURSE = "course";
+  private static final String TARGETS = "targets";
+  private static final String WAYS = "ways";
   private static final double TARGET_MM = 230;
   private static final int LETTERS_MM = 110;
   private static final int SMALL_MM = 85;
@@ -61,38 +60,45 @@ public final class RaceLayer implements Layer {
   }
 
   @Override
-  public void paintFloor(Graphics2D floor, Scene scene) {
-    course(floor);
-    for (int i = 0; i < points.size(); i++) {
-      target(floor, points.get(i), winners.get(i), scene);
+  public List<String> parts() {
+    return List.of(COURSE, TARGETS, WAYS);
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene, Look look) {
+    if (look.shows(COURSE)) {
+      course(floor, look);
     }
-    for (RobotId robot : scene.robots()) {
-      way(floor, robot, scene);
+    for (int i = 0; look.shows(TARGETS) && i < points.size(); i++) {
+      target(floor, points.get(i), winners.get(i), scene, look);
+    }
+    for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
+      way(floor, robot, scene, look);
     }
   }
 
-  private void course(Graphics2D floor) {
-    floor.setColor(COURSE);
-    floor.setStroke(
-        new BasicStroke(14, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, DASHES, 0));
+  private void course(Graphics2D floor, Look look) {
+    floor.setColor(look.theme().shade());
+    floor.setStroke(look.dashes(14, 60));
     for (int i = 1; i < points.size(); i++) {
       floor.draw(line(points.get(i - 1).at(), points.get(i).at()));
     }
   }
 
-  private static void target(Graphics2D floor, RacePoint point, @Nullable Claim won, Scene scene) {
-    Color colour = won == null ? OPEN : Painter.colour(scene.number(won.winner()));
-    floor.setColor(new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), 60));
+  private static void target(
+      Graphics2D floor, RacePoint point, @Nullable Claim won, Scene scene, Look look) {
+    Color colour = won == null ? look.theme().muted() : look.robot(scene, won.winner());
+    floor.setColor(Theme.faded(colour, 60));
     floor.fill(disc(point.at(), TARGET_MM));
     floor.setColor(colour);
-    floor.setStroke(new BasicStroke(16));
+    floor.setStroke(look.line(16));
     floor.draw(disc(point.at(), TARGET_MM));
     floor.fill(disc(point.at(), point.radiusMm()));
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
     int x = (int) (point.at().xMm() + TARGET_MM + 30);
     int y = (int) -point.at().yMm();
-    upright.setColor(colour.darker());
+    upright.setColor(look.theme().edge(colour));
     upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, LETTERS_MM));
     upright.drawString(point.name(), x, y);
     if (won != null) {
@@ -103,14 +109,13 @@ public final class RaceLayer implements Layer {
     upright.dispose();
   }
 
-  private void way(Graphics2D floor, RobotId robot, Scene scene) {
+  private void way(Graphics2D floor, RobotId robot, Scene scene, Look look) {
     String name = scene.variable(robot, RaceApp.SOURCE, RaceApp.POINT);
     for (RacePoint point : points) {
       if (point.name().equals(name) && scene.pose(robot).isPresent()) {
         Pose pose = scene.pose(robot).get();
-        floor.setColor(Painter.colour(scene.number(robot)));
-        floor.setStroke(
-            new BasicStroke(16, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+        floor.setColor(look.robot(scene, robot));
+        floor.setStroke(look.dots(16, 45));
         floor.draw(line(pose.at(), point.at()));
       }
     }

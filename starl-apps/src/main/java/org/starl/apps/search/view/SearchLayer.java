@@ -1,6 +1,5 @@
 package org.starl.apps.search.view;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
@@ -24,8 +23,9 @@ import org.starl.apps.search.spec.TrueView;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.sim.record.Layer;
-import org.starl.sim.record.Painter;
+import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
+import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -37,14 +37,11 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class SearchLayer implements Layer {
 
-  private static final Color UNSEEN = new Color(0xD9, 0xD6, 0xCC);
-  private static final Color SEEN = new Color(0xF4, 0xF3, 0xEE);
-  private static final Color NAME = new Color(0x77, 0x74, 0x6B);
-  private static final Color THING = new Color(0xC0, 0x20, 0x20);
-  private static final Color CROWN = new Color(0xE8, 0xB0, 0x10);
-  private static final Color DEAD = new Color(0x20, 0x20, 0x20);
+  private static final String ROOMS = "rooms";
+  private static final String SWEEPS = "sweeps";
+  private static final String THINGS = "things";
+  private static final String LEADER = "leader";
   private static final int SEEN_ALPHA = 70;
-  private static final float[] DOTS = {1, 90};
   private static final double THING_MM = 110;
 
   private final House house;
@@ -101,28 +98,27 @@ public final class SearchLayer implements Layer {
   }
 
   @Override
-  public void paintFloor(Graphics2D floor, Scene scene) {
-    for (Room room : house.rooms()) {
-      paintRoom(floor, room, scene);
+  public List<String> parts() {
+    return List.of(ROOMS, SWEEPS, THINGS, LEADER);
+  }
+
+  @Override
+  public void paintFloor(Graphics2D floor, Scene scene, Look look) {
+    for (Room room : look.shows(ROOMS) ? house.rooms() : List.<Room>of()) {
+      paintRoom(floor, room, scene, look);
     }
     for (Map.Entry<String, String> sweep : sweeps.entrySet()) {
       RobotId robot = searchers.get(sweep.getKey());
-      if (robot != null) {
-        paintSweep(floor, sweep.getValue(), Painter.colour(scene.number(robot)));
+      if (robot != null && look.shows(SWEEPS)) {
+        paintSweep(floor, sweep.getValue(), look.robot(scene, robot), look);
       }
     }
-    for (ItemPosition thing : things) {
-      paintThing(floor, thing.at());
+    for (ItemPosition thing : look.shows(THINGS) ? things : List.<ItemPosition>of()) {
+      paintThing(floor, thing.at(), look);
     }
     for (RobotId robot : scene.robots()) {
-      if (scene.pose(robot).isPresent()) {
-        Point at = scene.pose(robot).get().at();
-        if (isLeader(robot, scene)) {
-          paintCrown(floor, at, scene.radiusMm(robot));
-        }
-        if (down.contains(robot)) {
-          paintCross(floor, at, scene.radiusMm(robot));
-        }
+      if (look.shows(LEADER) && isLeader(robot, scene) && scene.pose(robot).isPresent()) {
+        paintCrown(floor, scene.pose(robot).get().at(), scene.radiusMm(robot), look);
       }
     }
   }
@@ -134,17 +130,16 @@ public final class SearchLayer implements Layer {
         new Point(house.bounds().xMaxMm(), house.bounds().yMaxMm()));
   }
 
-  private void paintRoom(Graphics2D floor, Room room, Scene scene) {
+  private void paintRoom(Graphics2D floor, Room room, Scene scene, Look look) {
     RobotId robot = searchers.get(room.name());
-    Color seen = SEEN;
+    Color seen = look.theme().floor();
     if (robot != null) {
-      Color own = Painter.colour(scene.number(robot));
-      seen = new Color(own.getRed(), own.getGreen(), own.getBlue(), SEEN_ALPHA);
+      seen = Theme.faded(look.robot(scene, robot), SEEN_ALPHA);
     }
-    Strips strips = new Strips(floor, house.grid(), seen);
+    Strips strips = new Strips(floor, house.grid(), seen, look.theme().shade());
     room.forEachCell(strips);
     strips.flush();
-    write(floor, room.name(), room.rest(), 360);
+    write(floor, room.name(), room.rest(), 360, look);
   }
 
   /** Cells side by side are painted as one, lest their seams show. */
@@ -152,14 +147,16 @@ public final class SearchLayer implements Layer {
     private final Graphics2D floor;
     private final Grid grid;
     private final Color seen;
+    private final Color unseen;
     private int first = -1;
     private int last = -1;
     private boolean isSeen;
 
-    Strips(Graphics2D floor, Grid grid, Color seen) {
+    Strips(Graphics2D floor, Grid grid, Color seen, Color unseen) {
       this.floor = floor;
       this.grid = grid;
       this.seen = seen;
+      this.unseen = unseen;
     }
 
     @Override
@@ -180,7 +177,7 @@ public final class SearchLayer implements Layer {
     void flush() {
       if (first >= 0) {
         double half = grid.cellMm() / 2.0;
-        floor.setColor(isSeen ? seen : UNSEEN);
+        floor.setColor(isSeen ? seen : unseen);
         floor.fill(
             new Rectangle2D.Double(
                 grid.centreX(first) - half,
@@ -192,18 +189,18 @@ public final class SearchLayer implements Layer {
     }
   }
 
-  private static void write(Graphics2D floor, String text, Point at, int sizeMm) {
+  private static void write(Graphics2D floor, String text, Point at, int sizeMm, Look look) {
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
     upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, sizeMm));
-    upright.setColor(NAME);
+    upright.setColor(look.theme().muted());
     int half = upright.getFontMetrics().stringWidth(text) / 2;
     upright.drawString(text, (int) at.xMm() - half, (int) -at.yMm() + sizeMm / 3);
     upright.dispose();
   }
 
   /** A list of legs as text: {@code [500,1500>900,1500, 700,700]}. */
-  private void paintSweep(Graphics2D floor, String legs, Color colour) {
+  private void paintSweep(Graphics2D floor, String legs, Color colour, Look look) {
     Path2D path = new Path2D.Double();
     Point last = null;
     for (Point point : points(legs)) {
@@ -215,9 +212,8 @@ public final class SearchLayer implements Layer {
       }
       last = point;
     }
-    floor.setColor(colour.darker());
-    floor.setStroke(
-        new BasicStroke(30, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, DOTS, 0));
+    floor.setColor(look.theme().edge(colour));
+    floor.setStroke(look.dots(30, 90));
     floor.draw(path);
   }
 
@@ -235,8 +231,8 @@ public final class SearchLayer implements Layer {
     return points;
   }
 
-  private void paintThing(Graphics2D floor, Point at) {
-    floor.setColor(THING);
+  private void paintThing(Graphics2D floor, Point at, Look look) {
+    floor.setColor(look.theme().alarm());
     Path2D star = new Path2D.Double();
     for (int i = 0; i < 10; i++) {
       double radius = i % 2 == 0 ? THING_MM * 1.8 : THING_MM * 0.75;
@@ -251,7 +247,7 @@ public final class SearchLayer implements Layer {
     }
     star.closePath();
     floor.fill(star);
-    floor.setStroke(new BasicStroke(12));
+    floor.setStroke(look.line(12));
     double range = house.rangeMm();
     floor.draw(new Ellipse2D.Double(at.xMm() - range, at.yMm() - range, 2 * range, 2 * range));
   }
@@ -261,7 +257,7 @@ public final class SearchLayer implements Layer {
         && !scene.variable(robot, SearchApp.SOURCE, SearchApp.DUTY).isEmpty();
   }
 
-  private static void paintCrown(Graphics2D floor, Point at, double radiusMm) {
+  private static void paintCrown(Graphics2D floor, Point at, double radiusMm, Look look) {
     double base = at.yMm() + radiusMm + 20;
     double half = radiusMm * 0.85;
     double high = radiusMm * 1.1;
@@ -274,23 +270,11 @@ public final class SearchLayer implements Layer {
     crown.lineTo(at.xMm() + half, base + high);
     crown.lineTo(at.xMm() + half, base);
     crown.closePath();
-    floor.setColor(CROWN);
+    floor.setColor(look.theme().gold());
     floor.fill(crown);
-    floor.setColor(CROWN.darker());
-    floor.setStroke(new BasicStroke(14));
+    floor.setColor(look.theme().edge(look.theme().gold()));
+    floor.setStroke(look.line(14));
     floor.draw(crown);
-  }
-
-  private static void paintCross(Graphics2D floor, Point at, double radiusMm) {
-    double arm = 1.3 * radiusMm;
-    Path2D cross = new Path2D.Double();
-    cross.moveTo(at.xMm() - arm, at.yMm() - arm);
-    cross.lineTo(at.xMm() + arm, at.yMm() + arm);
-    cross.moveTo(at.xMm() - arm, at.yMm() + arm);
-    cross.lineTo(at.xMm() + arm, at.yMm() - arm);
-    floor.setColor(DEAD);
-    floor.setStroke(new BasicStroke(40));
-    floor.draw(cross);
   }
 
   @Override

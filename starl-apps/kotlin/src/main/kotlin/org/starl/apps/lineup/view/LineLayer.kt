@@ -1,12 +1,11 @@
 package org.starl.apps.lineup.view
 
-import java.awt.BasicStroke
-import java.awt.Color
 import java.awt.Graphics2D
 import java.awt.geom.Line2D
 import org.starl.RobotId
 import org.starl.apps.lineup.logic.LineupApp
 import org.starl.sim.record.Layer
+import org.starl.sim.record.Look
 import org.starl.sim.record.Scene
 import org.starl.trace.TraceEvent
 
@@ -19,12 +18,12 @@ internal class LineLayer : Layer {
     lineMm = LineupApp.lineMm(event) ?: lineMm
   }
 
-  override fun paintFloor(floor: Graphics2D, scene: Scene) {
+  override fun paintFloor(floor: Graphics2D, scene: Scene, look: Look) {
     val xMm = lineMm ?: return
     val ysMm = scene.robots().mapNotNull { scene.pose(it).orElse(null)?.yMm() }
     if (ysMm.isNotEmpty()) {
-      floor.color = Color(0x99, 0x99, 0x90)
-      floor.stroke = BasicStroke(LINE_MM, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND)
+      floor.color = look.theme().border()
+      floor.stroke = look.line(LINE_MM)
       floor.draw(Line2D.Double(xMm, ysMm.min() - BEYOND_MM, xMm, ysMm.max() + BEYOND_MM))
     }
   }
@@ -37,7 +36,7 @@ internal class LineLayer : Layer {
     scene.robots().sumOf { robot -> scene.trail(robot).size }.toDouble()
 
   private companion object {
-    const val LINE_MM = 20f
+    const val LINE_MM = 20.0
     const val BEYOND_MM = 250.0
   }
 }

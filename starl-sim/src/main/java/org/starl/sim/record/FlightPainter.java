@@ -1,0 +1,98 @@
+package org.starl.sim.record;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.util.List;
+import java.util.Optional;
+import org.starl.geometry.Pose;
+
+/** Paints datagrams: an arc from sender to receiver in the sender's colour, and a dot on its way. */
+final class FlightPainter {
+
+  private static final int FEW = 14;
+  private static final double BEND = 0.10;
+  private static final double DOT_PX = 4.5;
+
+  void paint(Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
+    boolean areNamed = flights.size() <= FEW;
+    for (Flight flight : flights) {
+      Optional<Pose> from = scene.pose(flight.from());
+      Optional<Pose> to = scene.pose(flight.to());
+      if (from.isPresent() && to.isPresent() && !flight.from().equals(flight.to())) {
+        Arc arc =
+            new Arc(
+                viewport.xPx(from.get().at()),
+                viewport.yPx(from.get().at()),
+                viewport.xPx(to.get().at()),
+                viewport.yPx(to.get().at()));
+        paint(page, flight, arc, look.robot(scene, flight.from()), look.theme(), areNamed);
+      }
+    }
+  }
+
+  private static void paint(
+      Graphics2D page, Flight flight, Arc arc, Color colour, Theme theme, boolean isNamed) {
+    boolean isDropped = flight.state() == Flight.State.DROPPED;
+    Color line = isDropped ? theme.alarm() : colour;
+    page.setColor(Theme.faded(line, flight.state() == Flight.State.DELIVERED ? 200 : 110));
+    page.setStroke(new BasicStroke(1.4f));
+    page.draw(arc.path());
+    double x = arc.x(flight.share());
+    double y = arc.y(flight.share());
+    if (isDropped) {
+      page.setColor(theme.alarm());
+      page.setStroke(new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+      page.draw(new Line2D.Double(x - DOT_PX, y - DOT_PX, x + DOT_PX, y + DOT_PX));
+      page.draw(new Line2D.Double(x - DOT_PX, y + DOT_PX, x + DOT_PX, y - DOT_PX));
+    } else {
+      page.setColor(theme.paper());
+      page.fill(dot(x, y, DOT_PX + 1.5));
+      page.setColor(line);
+      page.fill(dot(x, y, DOT_PX));
+    }
+    if (isNamed) {
+      page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
+      Labels.haloed(page, flight.title(), x + 8, y + 4, theme.ink(), theme.paper());
+    }
+  }
+
+  private static Ellipse2D dot(double x, double y, double radiusPx) {
+    return new Ellipse2D.Double(x - radiusPx, y - radiusPx, 2 * radiusPx, 2 * radiusPx);
+  }
+
+  /** Bent to one side, lest those there and those back lie on each other. */
+  private record Arc(double x0, double y0, double x1, double y1) {
+
+    private double xBend() {
+      return (x0 + x1) / 2 - BEND * (y1 - y0);
+    }
+
+    private double yBend() {
+      return (y0 + y1) / 2 + BEND * (x1 - x0);
+    }
+
+    Path2D path() {
+      Path2D path = new Path2D.Double();
+      path.moveTo(x0, y0);
+      path.quadTo(xBend(), yBend(), x1, y1);
+      return path;
+    }
+
+    double x(double share) {
+      return at(share, x0, xBend(), x1);
+    }
+
+    double y(double share) {
+      return at(share, y0, yBend(), y1);
+    }
+
+    private static double at(double t, double a, double b, double c) {
+      return (1 - t) * (1 - t) * a + 2 * t * (1 - t) * b + t * t * c;
+    }
+  }
+}
