@@ -15,7 +15,7 @@ public record Plan(Simulation.Builder simulation, Story story, Layer layer, Obst
 
   /** One whose story is what each robot's app returned, and whose pictures show robots alone. */
   public static Plan of(Simulation.Builder simulation) {
-    return of(simulation, new Layer() {});
+    return of(simulation, Layer.NONE);
   }
 
   /** One whose story is what each robot's app returned. */

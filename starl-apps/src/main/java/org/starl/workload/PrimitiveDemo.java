@@ -85,7 +85,7 @@ abstract class PrimitiveDemo implements Demo {
     prepare(simulation, request, settings);
     Obstacles obstacles = obstacles(request);
     simulation.obstacles(obstacles);
-    return new Plan(simulation, story, new Layer() {}, obstacles);
+    return new Plan(simulation, story, Layer.NONE, obstacles);
   }
 
   /** Adds robots and monitors. */

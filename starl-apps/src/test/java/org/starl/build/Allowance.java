@@ -42,6 +42,10 @@ record Allowance(String rule, String path, String reason) {
             "whole runs side by side, none sharing state with another"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-sim" + MAIN + "sim/replay/",
+            "a recording is filled by its run's thread and read by who watches"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-apps" + MAIN + "cli/Samples.java",
             "gathers the figures of a campaign's runs"),
         new Allowance(

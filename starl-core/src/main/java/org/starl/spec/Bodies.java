@@ -34,6 +34,20 @@ public final class Bodies {
       this.sinceNs = sinceNs;
       this.from = from;
     }
+
+    Body copy() {
+      Body copy = new Body(radiusMm, sinceNs, from);
+      copy.linearMmPerS = linearMmPerS;
+      copy.angularRadPerS = angularRadPerS;
+      return copy;
+    }
+  }
+
+  /** The same at this moment, from now on apart. */
+  public Bodies copy() {
+    Bodies copy = new Bodies();
+    onFloor.forEach((robot, body) -> copy.onFloor.put(robot, body.copy()));
+    return copy;
   }
 
   /** Sees the next event. */

@@ -20,6 +20,14 @@ public final class Circumstances {
   // The faults that do harm, each by whom it befalls and what it is; two may be equal.
   private final List<String> underWay = new ArrayList<>();
 
+  /** The same at this moment, from now on apart. */
+  public Circumstances copy() {
+    Circumstances copy = new Circumstances();
+    copy.down.addAll(down);
+    copy.underWay.addAll(underWay);
+    return copy;
+  }
+
   /**
    * Sees the next event.
    *

@@ -152,7 +152,8 @@ public final class IntersectionDemo implements Demo {
     }
     Obstacles floor =
         Floor.withDebris(Floor.kerbs(CROSSING), CROSSING, debris(request), rng.fork("debris"));
-    return new OpenRoadPlan(XID, CROSSING, settings).plan(rateHz, floor, rng.fork("arrivals"));
+    return new OpenRoadPlan(XID, CROSSING, settings)
+        .plan(rateHz, floor, () -> rng.fork("arrivals"));
   }
 
   private static Plan closed(Request request, SimSettings settings, Rng rng) {

@@ -2,12 +2,10 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Deque;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.BiFunction;
 import org.starl.Participants;
 import org.starl.RobotId;
@@ -41,7 +39,6 @@ final class OpenRoad implements Director {
   private final Participants units;
   private final Map<Zone, Deque<Arrival>> outside = new EnumMap<>(Zone.class);
   private final List<Car> cars = new ArrayList<>();
-  private final Map<RobotId, Trip> trips = new TreeMap<>();
   private boolean arrivalsAreOver;
 
   private record Car(RobotId id, Zone arm, Region exit) {}
@@ -68,11 +65,6 @@ final class OpenRoad implements Director {
     this.story = story;
     this.operator = operator;
     this.units = units;
-  }
-
-  /** The trips of the cars that are there now. */
-  Map<RobotId, Trip> trips() {
-    return Collections.unmodifiableMap(trips);
   }
 
   @Override
@@ -129,7 +121,6 @@ final class OpenRoad implements Director {
       return false;
     }
     Trip trip = crossing.tripFromEdge(arrival.route());
-    trips.put(arrival.id(), trip);
     cars.add(new Car(arrival.id(), arm, crossing.exitRegion(arrival.route().lastZone())));
     control.join(programs.apply(arrival, trip));
     return true;
@@ -148,7 +139,6 @@ final class OpenRoad implements Director {
     }
     control.leave(id);
     operator.forget(id);
-    trips.remove(id);
     return true;
   }
 }

@@ -2,6 +2,7 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.apps.Plan;
@@ -40,9 +41,9 @@ final class OpenRoadPlan {
 
   /**
    * @param rateHz of arrivals
-   * @param rng of arrivals
+   * @param rng of arrivals; a new one that draws the same at each call
    */
-  Plan plan(double rateHz, Obstacles floor, Rng rng) {
+  Plan plan(double rateHz, Obstacles floor, Supplier<Rng> rng) {
     long untilNs = settings.endNs();
     List<RobotId> ids = new ArrayList<>();
     List<Pose> corners = Floor.roadsideUnits(crossing);
@@ -50,13 +51,15 @@ final class OpenRoadPlan {
       ids.add(new RobotId(UNIT + i));
     }
     Participants units = Participants.of(ids);
+    Supplier<Arrivals> arrivals =
+        () -> new Arrivals(rateHz, untilNs, settings.robotName(), rng.get());
     Operator operator = new Operator();
     OpenRoadStory story = new OpenRoadStory(untilNs);
     OpenRoad road =
         new OpenRoad(
             crossing,
             settings.robotRadiusMm(),
-            new Arrivals(rateHz, untilNs, settings.robotName(), rng),
+            arrivals.get(),
             untilNs,
             (arrival, trip) -> car(arrival, trip, units, operator),
             story,
@@ -77,7 +80,8 @@ final class OpenRoadPlan {
               ids.get(i), corners.get(i), true, gvh -> new RoadsideUnit(gvh, xid, units)));
     }
     IntersectionDemo.watch(simulation, bounds, settings);
-    return new Plan(simulation, story, new IntersectionLayer(crossing, road.trips(), units), floor);
+    TripBook trips = new TripBook(crossing, arrivals, settings.robotName());
+    return new Plan(simulation, story, new IntersectionLayer(crossing, trips, units), floor);
   }
 
   private RobotSpec car(Arrival arrival, Trip trip, Participants units, Operator operator) {

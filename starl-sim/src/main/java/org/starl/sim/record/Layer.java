@@ -6,8 +6,30 @@ import org.starl.RobotId;
 import org.starl.geometry.Point;
 import org.starl.trace.TraceEvent;
 
-/** What an app draws into the picture of a run. Coordinates are the world's: mm, y upwards. */
+/**
+ * What an app draws into the picture of a run. Coordinates are the world's: mm, y upwards.
+ *
+ * <p>What it draws depends on nothing but what it was made with and the events that it has observed:
+ * so that a picture of any moment can be painted, of a run that goes on as of one in a file, forwards
+ * and backwards.
+ */
 public interface Layer {
+
+  /** Draws nothing: pictures show robots and obstacles alone. */
+  Layer NONE =
+      new Layer() {
+        @Override
+        public Layer copy() {
+          return this;
+        }
+      };
+
+  /**
+   * The same layer at this moment: the copy and this one, which is left as it is, go on apart, maybe
+   * on two threads. A layer that keeps nothing of the events is its own copy, and returns itself; one
+   * that keeps something must give the copy its own.
+   */
+  Layer copy();
 
   /** Sees each event of the run before it is painted. */
   default void observe(TraceEvent event) {}

@@ -54,14 +54,14 @@ public final class Scene {
   }
 
   private final Obstacles obstacles;
-  private final Bodies bodies = new Bodies();
-  private final SortedMap<RobotId, List<Point>> trails = new TreeMap<>();
+  private final Bodies bodies;
+  private final SortedMap<RobotId, Trail> trails = new TreeMap<>();
   private final Map<RobotId, Map<String, String>> variables = new TreeMap<>();
   private final Map<RobotId, Integer> numbers = new TreeMap<>();
   private final Set<RobotId> gone = new LinkedHashSet<>();
   private final Set<RobotId> down = new TreeSet<>();
   private final Deque<Bump> bumps = new ArrayDeque<>();
-  private final Extent extent = new Extent();
+  private final Extent extent;
   private int came;
   private long nowNs;
   private long trailNs;
@@ -70,10 +70,34 @@ public final class Scene {
    * @param obstacles of the world, hidden ones included
    */
   public Scene(Obstacles obstacles) {
-    this.obstacles = obstacles;
+    this(obstacles, new Bodies(), new Extent());
     for (Obstacle obstacle : obstacles.all()) {
       obstacle.points().forEach(extent::add);
     }
+  }
+
+  private Scene(Obstacles obstacles, Bodies bodies, Extent extent) {
+    this.obstacles = obstacles;
+    this.bodies = bodies;
+    this.extent = extent;
+  }
+
+  /**
+   * The same at this moment: the copy and this one, which is left as it is, go on apart, maybe on two
+   * threads. What robots have left behind is not copied but shared.
+   */
+  public Scene copy() {
+    Scene copy = new Scene(obstacles, bodies.copy(), extent.copy());
+    trails.forEach((robot, trail) -> copy.trails.put(robot, trail.copy()));
+    variables.forEach((robot, values) -> copy.variables.put(robot, new TreeMap<>(values)));
+    copy.numbers.putAll(numbers);
+    copy.gone.addAll(gone);
+    copy.down.addAll(down);
+    copy.bumps.addAll(bumps);
+    copy.came = came;
+    copy.nowNs = nowNs;
+    copy.trailNs = trailNs;
+    return copy;
   }
 
   /** Sees the next event. */
@@ -87,7 +111,7 @@ public final class Scene {
     } else if (event instanceof TraceEvent.Joined joined) {
       gone.remove(joined.robot());
       numbers.computeIfAbsent(joined.robot(), robot -> came++);
-      trails.computeIfAbsent(joined.robot(), robot -> new ArrayList<>()).add(joined.pose().at());
+      trails.computeIfAbsent(joined.robot(), robot -> new Trail()).append(joined.pose().at());
       extent.add(joined.pose().at());
     } else if (event instanceof TraceEvent.Left left) {
       gone.add(left.robot());
@@ -134,17 +158,17 @@ public final class Scene {
   /** Time goes on to {@code timeNs}. */
   public void advance(long timeNs) {
     while (trailNs <= timeNs) {
-      Iterator<Map.Entry<RobotId, List<Point>>> all = trails.entrySet().iterator();
+      Iterator<Map.Entry<RobotId, Trail>> all = trails.entrySet().iterator();
       bodies.forEach(
           trailNs,
           (robot, pose, radiusMm, isMoving) -> {
             // Both are in order, and who is on the floor has a trail.
-            Map.Entry<RobotId, List<Point>> entry = all.next();
+            Map.Entry<RobotId, Trail> entry = all.next();
             while (!entry.getKey().equals(robot)) {
               entry = all.next();
             }
             if (isMoving) {
-              entry.getValue().add(pose.at());
+              entry.getValue().append(pose.at());
               extent.add(pose.at());
             }
           });
@@ -217,7 +241,7 @@ public final class Scene {
 
   /** Where a robot's body has been, every 100 ms of its movement. */
   public List<Point> trail(RobotId robot) {
-    List<Point> trail = trails.get(robot);
+    Trail trail = trails.get(robot);
     return trail == null ? Collections.emptyList() : trail;
   }
 

@@ -8,6 +8,8 @@ import org.starl.sim.record.Scene
 /** Tells where in its program each robot is; most is to be seen when all have driven. */
 internal class TrailLayer : Layer {
 
+  override fun copy(): Layer = this
+
   override fun describe(robot: RobotId, scene: Scene): String =
     scene.variable(robot, LineupApp.SOURCE, LineupApp.LOCATION)
 

@@ -25,6 +25,13 @@ public final class HelloLayer implements Layer {
   private final SortedMap<RobotId, Point> goals = new TreeMap<>();
 
   @Override
+  public HelloLayer copy() {
+    HelloLayer copy = new HelloLayer();
+    copy.goals.putAll(goals);
+    return copy;
+  }
+
+  @Override
   public void observe(TraceEvent event) {
     if (event instanceof Action action
         && action.source().equals(MOTION)

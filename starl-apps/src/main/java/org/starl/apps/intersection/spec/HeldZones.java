@@ -32,6 +32,14 @@ public final class HeldZones {
     private final Map<String, Hold> held = new TreeMap<>();
     private final Map<String, SortedSet<String>> requested = new TreeMap<>();
     private final Set<String> refused = new TreeSet<>();
+
+    Car copy() {
+      Car copy = new Car();
+      copy.held.putAll(held);
+      copy.requested.putAll(requested);
+      copy.refused.addAll(refused);
+      return copy;
+    }
   }
 
   /** Of all mutexes. */
@@ -42,6 +50,16 @@ public final class HeldZones {
   /** Of the mutex {@code xid} alone. */
   public HeldZones(String xid) {
     onlySource = MutexTrace.source(xid);
+  }
+
+  private HeldZones(HeldZones other) {
+    onlySource = other.onlySource;
+    other.cars.forEach((robot, car) -> cars.put(robot, car.copy()));
+  }
+
+  /** The same at this moment, from now on apart. */
+  public HeldZones copy() {
+    return new HeldZones(this);
   }
 
   /** Sees the next event. */

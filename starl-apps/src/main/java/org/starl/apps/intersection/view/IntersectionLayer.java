@@ -9,6 +9,9 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.TreeMap;
+import java.util.function.Function;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
@@ -34,30 +37,53 @@ public final class IntersectionLayer implements Layer {
   private static final int HELD_ALPHA = 70;
 
   private final Crossing crossing;
+  private final Function<RobotId, Optional<Trip>> tripsOfArrivals;
   private final Map<RobotId, Trip> trips;
   private final Participants units;
-  private final HeldZones zones = new HeldZones();
+  private final HeldZones zones;
 
   /** Of cars that are all known beforehand. */
   public IntersectionLayer(Crossing crossing, Map<RobotId, Trip> trips) {
-    this(crossing, trips, Participants.of());
+    this(crossing, robot -> Optional.empty(), trips, Participants.of(), new HeldZones());
   }
 
   /**
    * Of an open road.
    *
-   * @param trips of the cars that are there; looked up whenever a picture is painted
+   * @param trips of cars that come; asked when one comes onto the floor, maybe by several threads
    * @param units at the roadside
    */
-  public IntersectionLayer(Crossing crossing, Map<RobotId, Trip> trips, Participants units) {
+  public IntersectionLayer(
+      Crossing crossing, Function<RobotId, Optional<Trip>> trips, Participants units) {
+    this(crossing, trips, Map.of(), units, new HeldZones());
+  }
+
+  private IntersectionLayer(
+      Crossing crossing,
+      Function<RobotId, Optional<Trip>> tripsOfArrivals,
+      Map<RobotId, Trip> trips,
+      Participants units,
+      HeldZones zones) {
     this.crossing = crossing;
-    this.trips = trips;
+    this.tripsOfArrivals = tripsOfArrivals;
+    this.trips = new TreeMap<>(trips);
     this.units = units;
+    this.zones = zones;
+  }
+
+  @Override
+  public IntersectionLayer copy() {
+    return new IntersectionLayer(crossing, tripsOfArrivals, trips, units, zones.copy());
   }
 
   @Override
   public void observe(TraceEvent event) {
     zones.observe(event);
+    if (units.size() > 0 && event instanceof TraceEvent.Joined joined) {
+      tripsOfArrivals.apply(joined.robot()).ifPresent(trip -> trips.put(joined.robot(), trip));
+    } else if (units.size() > 0 && event instanceof TraceEvent.Left left) {
+      trips.remove(left.robot());
+    }
   }
 
   @Override

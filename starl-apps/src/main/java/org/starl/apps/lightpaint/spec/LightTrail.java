@@ -22,7 +22,7 @@ public final class LightTrail {
 
   private static final long STEP_NS = 10_000_000;
 
-  private final Bodies bodies = new Bodies();
+  private final Bodies bodies;
   private final SortedMap<RobotId, Pass> open = new TreeMap<>();
   private final List<Pass> passes = new ArrayList<>();
   private final Consumer<Pass> listener;
@@ -36,7 +36,27 @@ public final class LightTrail {
    * @param listener is told of a pass whenever it has one more point
    */
   LightTrail(Consumer<Pass> listener) {
+    this(listener, new Bodies());
+  }
+
+  private LightTrail(Consumer<Pass> listener, Bodies bodies) {
     this.listener = listener;
+    this.bodies = bodies;
+  }
+
+  /** The same at this moment, from now on apart and without a listener. Passes that are over, are shared. */
+  public LightTrail copy() {
+    LightTrail copy = new LightTrail(pass -> {}, bodies.copy());
+    for (Pass pass : passes) {
+      boolean isOpen = open.get(pass.robot()) == pass;
+      Pass same = isOpen ? pass.copy() : pass;
+      copy.passes.add(same);
+      if (isOpen) {
+        copy.open.put(pass.robot(), same);
+      }
+    }
+    copy.nextNs = nextNs;
+    return copy;
   }
 
   /** All passes, in the order in which they began; the last ones may not be over. */

@@ -39,6 +39,12 @@ public final class Pass {
     return Collections.unmodifiableList(points);
   }
 
+  Pass copy() {
+    Pass copy = new Pass(robot, stroke, ink);
+    copy.points.addAll(points);
+    return copy;
+  }
+
   void add(Point point) {
     points.add(point);
   }

@@ -36,10 +36,20 @@ public final class LightPaintLayer implements Layer {
   private static final double MM_PER_M = 1e3;
 
   private final Painting painting;
-  private final LightTrail trail = new LightTrail();
+  private final LightTrail trail;
 
   public LightPaintLayer(Painting painting) {
+    this(painting, new LightTrail());
+  }
+
+  private LightPaintLayer(Painting painting, LightTrail trail) {
     this.painting = painting;
+    this.trail = trail;
+  }
+
+  @Override
+  public LightPaintLayer copy() {
+    return new LightPaintLayer(painting, trail.copy());
   }
 
   @Override

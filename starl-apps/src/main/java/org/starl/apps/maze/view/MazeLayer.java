@@ -50,6 +50,14 @@ public final class MazeLayer implements Layer {
   }
 
   @Override
+  public MazeLayer copy() {
+    MazeLayer copy = new MazeLayer(errands);
+    marks.forEach((robot, polygons) -> copy.marks.put(robot, new ArrayList<>(polygons)));
+    copy.answers.putAll(answers);
+    return copy;
+  }
+
+  @Override
   public void observe(TraceEvent event) {
     if (event instanceof Action action && action.source().equals(MazeApp.SOURCE)) {
       if (action.name().equals(MazeApp.MARK)) {

@@ -50,6 +50,13 @@ public final class RaceLayer implements Layer {
   }
 
   @Override
+  public RaceLayer copy() {
+    RaceLayer copy = new RaceLayer(points);
+    copy.winners.putAll(winners);
+    return copy;
+  }
+
+  @Override
   public void observe(TraceEvent event) {
     if (event instanceof Action action
         && action.source().equals(RaceApp.SOURCE)

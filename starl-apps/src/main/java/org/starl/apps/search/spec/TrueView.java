@@ -22,17 +22,32 @@ public final class TrueView {
   private static final double STEP_MM = 5;
 
   private final House house;
-  private final Bodies bodies = new Bodies();
-  private final Circumstances circumstances = new Circumstances();
+  private final Bodies bodies;
+  private final Circumstances circumstances;
   private final SortedMap<RobotId, Point> lookedFrom = new TreeMap<>();
   private final BitSet unseen = new BitSet();
   private long nextNs;
 
   public TrueView(House house) {
-    this.house = house;
+    this(house, new Bodies(), new Circumstances());
     for (Room room : house.rooms()) {
       room.forEachCell(unseen::set);
     }
+  }
+
+  private TrueView(House house, Bodies bodies, Circumstances circumstances) {
+    this.house = house;
+    this.bodies = bodies;
+    this.circumstances = circumstances;
+  }
+
+  /** The same at this moment, from now on apart. */
+  public TrueView copy() {
+    TrueView copy = new TrueView(house, bodies.copy(), circumstances.copy());
+    copy.lookedFrom.putAll(lookedFrom);
+    copy.unseen.or(unseen);
+    copy.nextNs = nextNs;
+    return copy;
   }
 
   /** Sees the next event. */

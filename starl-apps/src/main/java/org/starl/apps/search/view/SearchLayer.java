@@ -55,9 +55,25 @@ public final class SearchLayer implements Layer {
   private final SortedSet<RobotId> down = new TreeSet<>();
 
   public SearchLayer(House house, List<ItemPosition> things) {
+    this(house, things, new TrueView(house));
+  }
+
+  private SearchLayer(House house, List<ItemPosition> things, TrueView view) {
     this.house = house;
     this.things = List.copyOf(things);
-    view = new TrueView(house);
+    this.view = view;
+  }
+
+  @Override
+  public SearchLayer copy() {
+    SearchLayer copy = new SearchLayer(house, things, view.copy());
+    copy.searchers.putAll(searchers);
+    copy.sweeps.putAll(sweeps);
+    copy.rooms.putAll(rooms);
+    copy.done.addAll(done);
+    copy.ends.putAll(ends);
+    copy.down.addAll(down);
+    return copy;
   }
 
   @Override

@@ -14,6 +14,8 @@ internal class LineLayer : Layer {
 
   private var lineMm: Double? = null
 
+  override fun copy(): Layer = LineLayer().also { it.lineMm = lineMm }
+
   override fun observe(event: TraceEvent) {
     lineMm = LineupApp.lineMm(event) ?: lineMm
   }

@@ -1,0 +1,177 @@
+package org.starl.sim.replay;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.geometry.Obstacles;
+import org.starl.platform.LogSink.Level;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Scene;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceHeader;
+
+/**
+ * All events of one run, kept while it runs or read from a trace, with what people look for in them.
+ * One thread fills it, as an observer of the run; any others may read it meanwhile, without waiting:
+ * what {@link #size} counts is there, and does not change.
+ */
+public final class Recording implements SimObserver {
+
+  private final Obstacles obstacles;
+  private final Checkpoints checkpoints;
+  private final Chunks<TraceEvent> events = new Chunks<>();
+  private final Chunks<Mark> marks = new Chunks<>();
+  private final Chunks<LogLine> logs = new Chunks<>();
+  private volatile @Nullable TraceHeader header;
+  private volatile boolean isOver;
+  private volatile long endNs;
+
+  /**
+   * @param obstacles of the world, hidden ones included
+   * @param layer that has seen no event; the recording's own
+   */
+  public Recording(Obstacles obstacles, Layer layer) {
+    this.obstacles = obstacles;
+    checkpoints = new Checkpoints(new Scene(obstacles), layer);
+  }
+
+  @Override
+  public void started(TraceHeader newHeader) {
+    header = newHeader;
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    int index = events.size();
+    events.add(event);
+    if (event.timeNs() > endNs) {
+      endNs = event.timeNs();
+    }
+    if (event instanceof Fault fault) {
+      marks.add(new Mark(fault.timeNs(), index, kind(fault), text(fault)));
+    }
+  }
+
+  @Override
+  public void violated(SpecReport.Violation violation) {
+    int index = Math.max(0, events.size() - 1);
+    marks.add(new Mark(violation.timeNs(), index, Mark.Kind.VIOLATION, violation.toString()));
+  }
+
+  @Override
+  public void logged(long timeNs, RobotId robot, Level level, String tag, String line) {
+    logs.add(new LogLine(timeNs, events.size(), robot, level, tag, line));
+  }
+
+  @Override
+  public void finished(SimResult result) {
+    over(result.endNs());
+  }
+
+  /** Nothing more will happen until {@code timeNs}: time goes on though no event tells so. */
+  public void reached(long timeNs) {
+    if (timeNs > endNs) {
+      endNs = timeNs;
+    }
+  }
+
+  /** The run ended so: from now on nothing changes. */
+  public void over(long timeNs) {
+    reached(timeNs);
+    isOver = true;
+  }
+
+  private static Mark.Kind kind(Fault fault) {
+    return switch (fault.name()) {
+      case Fault.CRASH -> Mark.Kind.CRASH;
+      case Fault.RESTART -> Mark.Kind.RESTART;
+      default -> Mark.Kind.FAULT;
+    };
+  }
+
+  private static String text(Fault fault) {
+    String whom = fault.robot().equals(Fault.WORLD) ? "" : fault.robot() + " ";
+    String what = whom + fault.name();
+    return fault.detail().isEmpty() ? what : what + ": " + fault.detail();
+  }
+
+  /**
+   * What the run was.
+   *
+   * @throws IllegalStateException if it has not begun
+   */
+  public TraceHeader header() {
+    TraceHeader known = header;
+    if (known == null) {
+      throw new IllegalStateException("the run has not begun");
+    }
+    return known;
+  }
+
+  /** Whether {@link #header} is known. */
+  public boolean hasBegun() {
+    return header != null;
+  }
+
+  /** Of the world, hidden ones included. */
+  public Obstacles obstacles() {
+    return obstacles;
+  }
+
+  /** How many events there are so far. */
+  public int size() {
+    return events.size();
+  }
+
+  /** When the event of that number happened; never before the one of the number before. */
+  public long timeNs(int index) {
+    return events.get(index).timeNs();
+  }
+
+  public TraceEvent event(int index) {
+    return events.get(index);
+  }
+
+  /** The number of the first event that is later; {@link #size} if there is none. */
+  public int firstAfter(long timeNs) {
+    int from = 0;
+    int to = size();
+    while (from < to) {
+      int middle = (from + to) >>> 1;
+      if (timeNs(middle) <= timeNs) {
+        from = middle + 1;
+      } else {
+        to = middle;
+      }
+    }
+    return from;
+  }
+
+  /** How far the run has come; its end, once it is over. */
+  public long endNs() {
+    return endNs;
+  }
+
+  /** Whether nothing will change any more. */
+  public boolean isOver() {
+    return isOver;
+  }
+
+  /** What stands on the timeline so far, in the order in which it was found. */
+  public List<Mark> marks() {
+    return marks.view();
+  }
+
+  /** What robots have written so far, in order; nothing in a recording of a trace. */
+  public List<LogLine> logs() {
+    return logs.view();
+  }
+
+  Checkpoints checkpoints() {
+    return checkpoints;
+  }
+}

@@ -1,0 +1,14 @@
+/**
+ * A run as something that can be looked at: its events are kept in a {@link
+ * org.starl.sim.replay.Recording}, while it runs or from a trace, and a {@link
+ * org.starl.sim.replay.Cursor} goes to any moment of it, forwards and backwards.
+ *
+ * <p>A recording is filled by one thread and read by others; a cursor is one thread's own. Watching
+ * changes nothing: a run has the same trace with and without a recording.
+ *
+ * <p>May import: core, {@code org.starl.sim} and {@code org.starl.sim.record}.
+ */
+@NullMarked
+package org.starl.sim.replay;
+
+import org.jspecify.annotations.NullMarked;
