@@ -156,7 +156,7 @@ final class AppsTable {
     parameters.putAll(input.parameters());
     Map<String, String> settings = isLossy ? Map.of(Setting.MESSAGE_LOSS.key(), LOSS) : Map.of();
     Chosen chosen = Chosen.of(demo, parameters, settings);
-    ProgressLine progress = new ProgressLine(err);
+    ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
         new Campaign(seeds.first(), seeds.last()).run(seed -> run(chosen, seed), progress::show);
     progress.end();

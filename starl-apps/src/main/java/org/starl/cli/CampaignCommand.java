@@ -1,5 +1,6 @@
 package org.starl.cli;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -12,6 +13,7 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.apps.Plan;
+import org.starl.cli.report.MessageCounts;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.Campaign;
 import org.starl.sim.check.CampaignResult;
@@ -19,6 +21,7 @@ import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
+import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -34,7 +37,8 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Example: starl campaign intersection --seeds 1..500 --loss 0.3 --delay 'uniform(10ms,200ms)'",
-      "         starl campaign mutex --seeds 1..100 --chaos --shrink"
+      "         starl campaign mutex --seeds 1..100 --chaos --shrink",
+      "         starl campaign race --seeds 1..200 --loss 0.3 --report race.html"
     })
 final class CampaignCommand implements Callable<Integer> {
 
@@ -61,38 +65,69 @@ final class CampaignCommand implements Callable<Integer> {
               + " faults, time.")
   private boolean shrink;
 
+  @Option(
+      names = "--report",
+      paramLabel = "FILE",
+      description =
+          "A page for a browser: charts, every run, and stories and pictures of those that do not"
+              + " go well.")
+  private @Nullable String report;
+
   @Mixin private JsonOption json = new JsonOption();
 
   @Spec private @Nullable CommandSpec spec;
 
   @Override
-  public Integer call() throws InterruptedException {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    PrintWriter err = spec.commandLine().getErr();
+  public Integer call() throws InterruptedException, IOException {
     Seeds.Range range = Seeds.Range.of(seeds);
-    Chosen chosen = options.chosen(Main.demos(spec));
+    Chosen chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // What cannot be planned for the first seed is bad input, not a failed run.
     chosen.plan(range.first()).simulation().build();
+    try (ReportFile page = ReportFile.of(report, range)) {
+      return run(campaign, chosen, range, page);
+    }
+  }
+
+  private int run(Campaign campaign, Chosen chosen, Seeds.Range range, @Nullable ReportFile page)
+      throws InterruptedException, IOException {
+    CommandSpec command = Objects.requireNonNull(spec);
+    PrintWriter out = command.commandLine().getOut();
+    PrintWriter err = command.commandLine().getErr();
     CarrierKind carriers = Carriers.chosen(null, err);
-    Samples samples = new Samples(range);
-    ProgressLine progress = new ProgressLine(err);
+    BySeed<Measures> measured = new BySeed<>(range);
+    ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
-        campaign.run(seed -> run(chosen, seed, carriers, samples), progress::show);
+        campaign.run(seed -> run(chosen, seed, carriers, measured, page), progress::show);
     progress.end();
+    Samples samples = new Samples(result, measured);
     CampaignResult.Run bad = result.firstBad();
     Shrinking.Shrunk shrunk =
         bad == null || !shrink
             ? null
-            : new Shrinking(Main.demos(spec), chosen, bad.seed(), carriers).run(err);
+            : new Shrinking(Main.demos(command), chosen, bad.seed(), carriers).run(err);
+    if (page != null) {
+      page.write(
+          ReportFile.subject(chosen, typed(), range, seed -> options.replay("run", seed)),
+          result,
+          seed -> plan(chosen, seed, carriers),
+          shrunk == null ? List.of() : shrunk.lines(),
+          err);
+    }
     if (json.isOn()) {
       Map<String, Object> summary = summary(chosen, range, result, samples);
       if (shrunk != null) {
         summary.put("shrunk", shrunk.json());
       }
+      if (report != null) {
+        summary.put("report", report);
+      }
       out.println(Json.line(summary));
     } else {
       table(chosen, result, samples).forEach(out::println);
+      if (report != null) {
+        out.println("report: " + report);
+      }
     }
     if (bad == null) {
       return ExitStatus.GOOD;
@@ -105,22 +140,52 @@ final class CampaignCommand implements Callable<Integer> {
     return ExitStatus.VIOLATED;
   }
 
+  /** The command line as it was given. */
+  private String typed() {
+    CommandLine root = Objects.requireNonNull(spec).root().commandLine();
+    return Shell.starl(root.getParseResult().originalArgs());
+  }
+
   private int workers() {
     return threads == null
         ? Runtime.getRuntime().availableProcessors()
         : (int) Numbers.whole("--threads", threads, 1, MAX_THREADS);
   }
 
-  private static RunOutcome run(Chosen chosen, long seed, CarrierKind carriers, Samples samples) {
-    Plan plan = chosen.plan(seed);
+  private static Plan plan(Chosen chosen, long seed, CarrierKind carriers) {
+    try {
+      Plan plan = chosen.plan(seed);
+      plan.simulation().carriers(carriers);
+      return plan;
+    } catch (BadInput e) {
+      throw of(seed, e);
+    }
+  }
+
+  /** What could be planned for the first seed, but not for this one. */
+  private static IllegalStateException of(long seed, BadInput error) {
+    return new IllegalStateException("seed " + seed + ": " + error.getMessage(), error);
+  }
+
+  private static RunOutcome run(
+      Chosen chosen,
+      long seed,
+      CarrierKind carriers,
+      BySeed<Measures> measured,
+      @Nullable ReportFile page) {
+    Plan plan = plan(chosen, seed, carriers);
+    MessageCounts messages = page == null ? null : ReportFile.watch(plan);
     SimResult result;
     try {
-      result = plan.simulation().carriers(carriers).build().run();
+      result = plan.simulation().build().run();
     } catch (BadInput e) {
-      throw new IllegalStateException("seed " + seed + ": " + e.getMessage(), e);
+      throw of(seed, e);
+    }
+    if (page != null && messages != null) {
+      page.put(seed, result, plan, messages);
     }
     Measures measures = plan.story().measures();
-    samples.put(seed, measures);
+    measured.put(seed, measures);
     RunOutcome outcome = RunOutcome.of(result);
     SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
     figures.putAll(measures.figures());

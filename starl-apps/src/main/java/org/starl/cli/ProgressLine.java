@@ -20,6 +20,7 @@ final class ProgressLine {
   private static final long RATE_FROM_NS = 2_000_000_000;
 
   private final PrintWriter err;
+  private final String what;
   private final boolean isTerminal;
   private final LongSupplier wallNs;
   private final long startNs;
@@ -27,22 +28,34 @@ final class ProgressLine {
   private long shownTenths;
   private int drawnWidth;
 
-  ProgressLine(PrintWriter err) {
-    this(err, Ansi.AUTO.enabled(), System::nanoTime);
+  /**
+   * @param what is done, in the plural: {@code runs}
+   */
+  ProgressLine(PrintWriter err, String what) {
+    this(err, what, Ansi.AUTO.enabled(), System::nanoTime);
   }
 
   /**
    * @param wallNs a clock that people live by
    */
-  ProgressLine(PrintWriter err, boolean isTerminal, LongSupplier wallNs) {
+  ProgressLine(PrintWriter err, String what, boolean isTerminal, LongSupplier wallNs) {
     this.err = err;
+    this.what = what;
     this.isTerminal = isTerminal;
     this.wallNs = wallNs;
     startNs = wallNs.getAsLong();
     drawnNs = startNs - REDRAW_NS;
   }
 
+  void show(long finished, long planned) {
+    show(finished, planned, "");
+  }
+
   void show(long finished, long planned, long bad) {
+    show(finished, planned, ", " + bad + " bad");
+  }
+
+  private void show(long finished, long planned, String rest) {
     long nowNs = wallNs.getAsLong();
     boolean isLast = finished == planned;
     if (isTerminal) {
@@ -54,14 +67,14 @@ final class ProgressLine {
                 .formatted(
                     "#".repeat(filled),
                     ".".repeat(BAR_WIDTH - filled),
-                    text(finished, planned, bad, nowNs)));
+                    text(finished, planned, rest, nowNs)));
       }
       return;
     }
     long tenths = finished * PLAIN_LINES / planned;
     if (tenths > shownTenths) {
       shownTenths = tenths;
-      err.println(text(finished, planned, bad, nowNs));
+      err.println(text(finished, planned, rest, nowNs));
     }
   }
 
@@ -79,8 +92,8 @@ final class ProgressLine {
     drawnWidth = line.length();
   }
 
-  private String text(long finished, long planned, long bad, long nowNs) {
-    String text = finished + " of " + planned + " runs, " + bad + " bad";
+  private String text(long finished, long planned, String rest, long nowNs) {
+    String text = finished + " of " + planned + " " + what + rest;
     long elapsedNs = nowNs - startNs;
     if (finished == 0 || elapsedNs < RATE_FROM_NS) {
       return text;

@@ -1,56 +1,48 @@
 package org.starl.cli;
 
-import java.util.Objects;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.concurrent.atomic.AtomicReferenceArray;
-import java.util.stream.LongStream;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
+import org.starl.sim.check.CampaignResult;
 
-/** What each run of a campaign measured; runs may end on several threads, in any order. */
+/** What the runs of a campaign measured, those that count. */
 final class Samples {
 
-  private final long first;
-  private final AtomicReferenceArray<@Nullable Measures> bySeed;
+  private final List<Measures> runs = new ArrayList<>();
 
-  Samples(Seeds.Range range) {
-    first = range.first();
-    bySeed = new AtomicReferenceArray<>((int) (range.last() - range.first() + 1));
-  }
-
-  void put(long seed, Measures measures) {
-    bySeed.set((int) (seed - first), measures);
+  /**
+   * @param bySeed of the runs that came to an end
+   */
+  Samples(CampaignResult result, BySeed<Measures> bySeed) {
+    for (CampaignResult.Run run : result.runs()) {
+      Measures measures = bySeed.get(run.seed());
+      if (measures != null) {
+        runs.add(measures);
+      }
+    }
   }
 
   /** Robots that did what they came for. */
   long completed() {
-    return measures().map(i -> get(i).completed()).sum();
+    return runs.stream().mapToLong(Measures::completed).sum();
   }
 
   /** Whatever else was counted, over all runs. */
   SortedMap<String, Long> counts() {
     SortedMap<String, Long> sums = new TreeMap<>();
-    measures()
-        .forEach(i -> get(i).counts().forEach((what, count) -> sums.merge(what, count, Long::sum)));
+    runs.forEach(run -> run.counts().forEach((what, count) -> sums.merge(what, count, Long::sum)));
     return sums;
   }
 
   /** No more than so many percent of all waits are shorter; 0 if nobody waited. */
   long waitNs(int percent) {
     long[] waits =
-        measures()
-            .flatMap(i -> get(i).waitsNs().stream().mapToLong(Long::longValue))
+        runs.stream()
+            .flatMapToLong(run -> run.waitsNs().stream().mapToLong(Long::longValue))
             .sorted()
             .toArray();
     return Measures.waitNs(waits, percent);
-  }
-
-  private LongStream measures() {
-    return LongStream.range(0, bySeed.length()).filter(i -> bySeed.get((int) i) != null);
-  }
-
-  private Measures get(long index) {
-    return Objects.requireNonNull(bySeed.get((int) index));
   }
 }

@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
@@ -21,6 +22,7 @@ final class RoundsStory implements Story {
 
   private final SortedMap<RobotId, Fared> robots = new TreeMap<>();
   private final SortedMap<String, Long> faults = new TreeMap<>();
+  private final List<Long> servedNs = new ArrayList<>();
   private int finished;
   private long messages;
 
@@ -46,7 +48,10 @@ final class RoundsStory implements Story {
     Fared robot = robot(action.robot());
     switch (action.name()) {
       case Client.ASK -> robot.askedNs = action.timeNs();
-      case Client.SERVED -> robot.waitsNs.add(action.timeNs() - robot.askedNs);
+      case Client.SERVED -> {
+        servedNs.add(action.timeNs());
+        robot.waitsNs.add(action.timeNs() - robot.askedNs);
+      }
       case Client.TOLD -> robot.told++;
       default -> throw new IllegalStateException("a client does not " + action.name());
     }
@@ -133,5 +138,12 @@ final class RoundsStory implements Story {
     counts.put("crashes", crashes);
     faults.forEach((kind, times) -> counts.put("faults: " + kind, times));
     return new Measures(robots.size(), finished, waitsNs, new TreeMap<>(), counts);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    return List.of(
+        Sample.howLong("wait for being served", measures().waitsNs()),
+        Sample.when("rounds served", servedNs));
   }
 }

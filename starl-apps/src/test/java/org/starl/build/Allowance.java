@@ -46,8 +46,8 @@ record Allowance(String rule, String path, String reason) {
             "a recording is filled by its run's thread and read by who watches"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps" + MAIN + "cli/Samples.java",
-            "gathers the figures of a campaign's runs"),
+            "starl-apps" + MAIN + "cli/BySeed.java",
+            "gathers what the runs of a campaign give"),
         new Allowance(
             "threads and locks in the simulator and its tools",
             "starl-apps" + MAIN + "processes/",

@@ -58,6 +58,6 @@ class ProgressLineTest {
   }
 
   private ProgressLine line(boolean isTerminal) {
-    return new ProgressLine(new PrintWriter(out, true), isTerminal, () -> nowNs);
+    return new ProgressLine(new PrintWriter(out, true), "runs", isTerminal, () -> nowNs);
   }
 }

@@ -14,6 +14,11 @@ public interface Monitor {
   /** The lemmas that this monitor checks, by their names in the paper, in PVS or in the models. */
   List<String> lemmas();
 
+  /** What one of the {@link #lemmas} says, in a sentence for people; empty where nobody wrote it. */
+  default String says(String lemma) {
+    return "";
+  }
+
   /** Sees the next event. */
   void observe(TraceEvent event, Report report);
 

@@ -6,6 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
@@ -150,6 +151,22 @@ final class IntersectionStory implements Story {
       }
     }
     return new Measures(cars.size(), crossed, waits);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    List<Long> crossings = new ArrayList<>();
+    for (List<Crossed> trips : cars.values()) {
+      for (Crossed trip : trips) {
+        if (trip.leftNs >= 0) {
+          crossings.add(trip.leftNs);
+        }
+      }
+    }
+    return List.of(
+        Sample.howLong(
+            "wait from being registered to being granted all zones", measures().waitsNs()),
+        Sample.when("crossings", crossings));
   }
 
   /** The trip that it is on, or was on last. */

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
@@ -19,7 +20,7 @@ import org.starl.apps.intersection.logic.Zone;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
-/** How the traffic went. Of a car that has left, only how long it waited is kept. */
+/** How the traffic went. Of a car that has left, only how long it waited and when it left is kept. */
 final class OpenRoadStory implements Story {
 
   private static final double NS_PER_S = 1e9;
@@ -31,6 +32,7 @@ final class OpenRoadStory implements Story {
   private final Map<Zone, Integer> queues = new EnumMap<>(Zone.class);
   private final Map<Zone, Integer> beyondEdge = new EnumMap<>(Zone.class);
   private final List<Long> waitsNs = new ArrayList<>();
+  private final List<Long> leftNs = new ArrayList<>();
   private int arrived;
   private int cameIn;
   private int turnedAway;
@@ -94,6 +96,7 @@ final class OpenRoadStory implements Story {
     } else if (event instanceof TraceEvent.Left gone && onFloor.remove(gone.robot())) {
       left++;
       lastLeftNs = gone.timeNs();
+      leftNs.add(lastLeftNs);
       Arrival towedBefore = waiting.remove(gone.robot());
       if (towedBefore != null) {
         count(queues, towedBefore, -1);
@@ -161,6 +164,13 @@ final class OpenRoadStory implements Story {
     figures.put("towed", (double) towed);
     figures.put("turned_away", (double) turnedAway);
     return new Measures(cameIn, crossed(), waitsNs, figures);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    return List.of(
+        Sample.howLong("wait from arriving to being granted all zones", waitsNs),
+        Sample.when("cars that have left", leftNs));
   }
 
   private long[] sortedWaitsNs() {

@@ -11,6 +11,7 @@ import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
 import org.starl.apps.Product;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.lightpaint.logic.LightPaintApp;
 import org.starl.apps.lightpaint.logic.Painting;
@@ -153,6 +154,17 @@ final class LightPaintStory implements Story {
     SortedMap<String, Double> figures = new TreeMap<>();
     figures.put("painted_at_s", lastLightNs / NS_PER_S);
     return new Measures(painters.size(), done, waits, figures);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    return List.of(
+        Sample.howLong("time until a painter had ended", measures().waitsNs()),
+        new Sample(
+            "painted by a robot",
+            Sample.Kind.SIZES,
+            "m",
+            painters.values().stream().map(painter -> painter.paintedMm / MM_PER_M).toList()));
   }
 
   private Painter painter(RobotId robot) {

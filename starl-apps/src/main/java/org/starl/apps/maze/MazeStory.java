@@ -9,6 +9,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.maze.logic.MazeApp;
 import org.starl.apps.maze.logic.MazeApp.Answer;
@@ -26,6 +27,7 @@ final class MazeStory implements Story {
   private final Map<RobotId, Integer> marks = new TreeMap<>();
   private final Map<RobotId, Long> sinceNs = new LinkedHashMap<>();
   private final List<Long> waitsNs = new ArrayList<>();
+  private final List<Long> answeredNs = new ArrayList<>();
   private final SortedMap<String, Long> counts = new TreeMap<>();
 
   /**
@@ -70,6 +72,7 @@ final class MazeStory implements Story {
             Locale.ROOT, "%8.1f s  %s %s%s", action.timeNs() / NS_PER_S, robot, what, learned));
     counts.merge(word(answer), 1L, Long::sum);
     if (answer != Answer.GAVE_UP) {
+      answeredNs.add(action.timeNs());
       waitsNs.add(action.timeNs() - sinceNs.getOrDefault(robot, 0L));
     }
   }
@@ -87,5 +90,12 @@ final class MazeStory implements Story {
   public Measures measures() {
     int all = goals.values().stream().mapToInt(Integer::intValue).sum();
     return new Measures(all, waitsNs.size(), waitsNs, new TreeMap<>(), counts);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    return List.of(
+        Sample.when("goals reached or proven out of reach", answeredNs),
+        Sample.howLong("time from a robot's start to each of its answers", waitsNs));
   }
 }

@@ -8,6 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp;
@@ -106,6 +107,22 @@ final class RaceStory implements Story {
       }
     }
     return new Measures(robots, returned, waits, new TreeMap<>(), counts);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    List<Long> taken = new ArrayList<>();
+    List<Long> spread = new ArrayList<>();
+    for (Race race : races) {
+      if (race.firstNs >= 0) {
+        taken.add(race.firstNs);
+        spread.add(race.lastNs - race.firstNs);
+      }
+    }
+    return List.of(
+        Sample.when("points taken", taken),
+        Sample.howLong("time between two points' being taken", measures().waitsNs()),
+        Sample.howLong("time until all knew who had a point", spread));
   }
 
   private static String seconds(long ns) {

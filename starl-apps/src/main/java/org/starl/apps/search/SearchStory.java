@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.apps.Measures;
+import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.SearchApp;
@@ -28,7 +29,7 @@ final class SearchStory implements Story {
   private final SortedSet<String> answers = new TreeSet<>();
   private final SortedSet<RobotId> leaders = new TreeSet<>();
   private final SortedSet<RobotId> came = new TreeSet<>();
-  private final SortedSet<String> swept = new TreeSet<>();
+  private final SortedMap<String, Long> sweptNs = new TreeMap<>();
 
   @Override
   public void observed(TraceEvent event) {
@@ -71,7 +72,7 @@ final class SearchStory implements Story {
 
   private void acted(Action action) {
     if (action.name().equals(SearchApp.SWEPT)) {
-      swept.add(action.args().get(0));
+      sweptNs.putIfAbsent(action.args().get(0), action.timeNs());
       tell(action, "has searched room " + action.args().get(0) + " in full");
     } else if (action.name().equals(SearchApp.FOUND)) {
       tell(action, "sees " + action.args().get(0));
@@ -102,7 +103,7 @@ final class SearchStory implements Story {
   @Override
   public Measures measures() {
     SortedMap<String, Double> figures = new TreeMap<>();
-    figures.put("rooms_searched", (double) swept.size());
+    figures.put("rooms_searched", (double) sweptNs.size());
     SortedMap<String, Long> counts = new TreeMap<>();
     for (String answer : answers) {
       String kind =
@@ -113,5 +114,12 @@ final class SearchStory implements Story {
     }
     return new Measures(
         came.size(), endedNs.size(), new ArrayList<>(endedNs.values()), figures, counts);
+  }
+
+  @Override
+  public List<Sample> samples() {
+    return List.of(
+        Sample.when("rooms searched", List.copyOf(sweptNs.values())),
+        Sample.howLong("time until a robot had its answer", List.copyOf(endedNs.values())));
   }
 }

@@ -1,7 +1,5 @@
 package org.starl.sim.record;
 
-import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -148,7 +146,7 @@ public final class GifRecorder implements SimObserver {
       scene.advance(nextNs);
       long tenths = nextNs / TENTH_NS;
       String title = name + ", at " + tenths / 10 + "." + tenths % 10 + " s";
-      frames.add(scaled(page.paint(scene, layer, title)));
+      frames.add(Filmstrip.scaled(page.paint(scene, layer, title), widthPx));
       if (ofViolation && !isViolated && frames.size() > FRAMES_BEFORE) {
         frames.remove();
       }
@@ -157,17 +155,5 @@ public final class GifRecorder implements SimObserver {
       }
       nextNs += everyNs;
     }
-  }
-
-  private BufferedImage scaled(BufferedImage image) {
-    int heightPx = image.getHeight() * widthPx / image.getWidth();
-    BufferedImage small = new BufferedImage(widthPx, heightPx, BufferedImage.TYPE_INT_RGB);
-    Graphics2D page = small.createGraphics();
-    page.setRenderingHint(
-        RenderingHints.KEY_INTERPOLATION, RenderingHints.VALUE_INTERPOLATION_BICUBIC);
-    page.setRenderingHint(RenderingHints.KEY_RENDERING, RenderingHints.VALUE_RENDER_QUALITY);
-    page.drawImage(image, 0, 0, widthPx, heightPx, null);
-    page.dispose();
-    return small;
   }
 }

@@ -1,0 +1,78 @@
+package org.starl.cli.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+
+/**
+ * An axis from 0 to {@code steps} times {@code step}, with a tick at each step.
+ *
+ * @param label what it measures, with the unit
+ * @param step a 1, 2 or 5 with zeros
+ */
+record Axis(String label, double step, int steps) {
+
+  /**
+   * One that reaches {@code most}.
+   *
+   * @param fewest about so many steps
+   * @param isWhole whether it counts something
+   */
+  static Axis upTo(String label, double most, int fewest, boolean isWhole) {
+    double step = most > 0 ? nice(most / fewest) : 1;
+    if (isWhole) {
+      step = Math.max(1, step);
+    }
+    // What the division loses must not add a step.
+    int steps = (int) Math.max(1, Math.ceil(most / step - 1e-9));
+    return new Axis(label, step, steps);
+  }
+
+  /** The smallest 1, 2 or 5 with zeros that is not below {@code value}. */
+  static double nice(double value) {
+    double power = 1;
+    while (power > value) {
+      power /= 10;
+    }
+    while (power * 10 <= value) {
+      power *= 10;
+    }
+    for (int factor : new int[] {1, 2, 5}) {
+      if (factor * power >= value) {
+        return rounded(factor, power);
+      }
+    }
+    return rounded(10, power);
+  }
+
+  /** Without what repeated division has left: 0.1, not 0.10000000000000002. */
+  private static double rounded(int factor, double power) {
+    double value = factor * power;
+    return value >= 1
+        ? Math.rint(value)
+        : Double.parseDouble(String.format(Locale.ROOT, "%.1e", value));
+  }
+
+  double max() {
+    return step * steps;
+  }
+
+  List<Double> ticks() {
+    List<Double> ticks = new ArrayList<>();
+    for (int i = 0; i <= steps; i++) {
+      ticks.add(i * step);
+    }
+    return ticks;
+  }
+
+  /** A value as the ticks are written. */
+  String text(double value) {
+    int digits = 0;
+    for (double s = step; s < 0.999 && digits < 6; s *= 10) {
+      digits++;
+    }
+    return digits == 0
+        ? Say.count(Math.round(value))
+        : String.format(Locale.ROOT, "%." + digits + "f", value);
+  }
+}

@@ -1,0 +1,130 @@
+package org.starl.cli.report;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import org.starl.sim.Version;
+import org.starl.sim.check.RunOutcome.Verdict;
+
+/** The verdict, what was run, and the key figures. */
+final class HeadPart {
+
+  private final Html html;
+  private final Report report;
+
+  HeadPart(Html html, Report report) {
+    this.html = html;
+    this.report = report;
+  }
+
+  /** {@code all 200 runs went well}. */
+  static String verdict(Report report) {
+    int runs = report.result().runs().size();
+    long bad = report.bad().size();
+    if (bad == 0) {
+      return runs == 1 ? "its run went well" : "all " + Say.count(runs) + " runs went well";
+    }
+    List<String> how = new ArrayList<>();
+    for (Verdict verdict : List.of(Verdict.VIOLATED, Verdict.FAILED, Verdict.UNFINISHED)) {
+      if (report.count(verdict) > 0) {
+        how.add(Say.count(report.count(verdict)) + " " + Page.of(verdict));
+      }
+    }
+    return Say.count(bad)
+        + " of "
+        + Say.count(runs, "run")
+        + " did not go well ("
+        + String.join(", ", how)
+        + ")";
+  }
+
+  void write() {
+    boolean isGood = report.bad().isEmpty();
+    html.open("header");
+    html.open("h1").text(report.subject().app()).close();
+    html.element("p", report.subject().summary(), "class", "summary");
+    html.open("p", "class", isGood ? "verdict good" : "verdict bad");
+    html.element("span", isGood ? "\u2713" : "\u2717", "aria-hidden", "true", "class", "sign");
+    html.text(" " + Say.upper(verdict(report)) + ".").close();
+    ran();
+    figures();
+    example();
+    html.close();
+  }
+
+  private void ran() {
+    Subject subject = report.subject();
+    html.open("dl", "class", "ran");
+    html.element("dt", "Command").open("dd").element("code", subject.command(), "class", "command");
+    html.close();
+    html.element("dt", "Seeds").element("dd", subject.seeds());
+    html.element("dt", "Faults").open("dd");
+    if (subject.faults().isEmpty()) {
+      html.text("none asked for");
+    } else {
+      html.open("ul");
+      subject.faults().forEach(fault -> html.open("li").element("code", fault).close());
+      html.close();
+    }
+    html.close();
+    if (!subject.given().isEmpty()) {
+      html.element("dt", "Settings").open("dd").open("ul");
+      for (Map.Entry<String, String> setting : subject.given().entrySet()) {
+        html.open("li").element("code", setting.getKey() + "=" + setting.getValue()).close();
+      }
+      html.close().close();
+    }
+    html.element("dt", "StarL").element("dd", Version.STARL).close();
+  }
+
+  private void figures() {
+    html.open("ul", "class", "figures");
+    int runs = report.result().runs().size();
+    long good = report.count(Verdict.GOOD);
+    figure(Say.count(good) + " of " + Say.count(runs), "runs went well");
+    long came = report.facts().values().stream().mapToLong(run -> run.measures().came()).sum();
+    long done = report.facts().values().stream().mapToLong(run -> run.measures().completed()).sum();
+    if (came > 0) {
+      figure(Say.count(done) + " of " + Say.count(came), "did what they came for");
+    }
+    Spread waits =
+        Spread.ofAll(
+            report.facts().values().stream()
+                .map(run -> run.measures().waitsNs().stream().map(ns -> ns / 1e9).toList())
+                .toList());
+    if (!waits.isEmpty()) {
+      figure(Say.measured("s", waits.percentile(50)), "waited, median");
+      figure(Say.measured("s", waits.percentile(95)), "waited, 95 % up to");
+    }
+    if (report.result().samples("end_s") > 0) {
+      figure(Say.measured("s", report.result().percentile("end_s", 50)), "a run, median");
+    }
+    long checks = report.lemmas().values().stream().mapToLong(RunFacts.Checks::checks).sum();
+    if (checks > 0) {
+      figure(Say.count(checks), "checks of " + Say.count(report.lemmas().size(), "specification"));
+    }
+    html.close();
+  }
+
+  private void figure(String value, String what) {
+    html.open("li").element("strong", value).text(" ").element("span", what).close();
+  }
+
+  private void example() {
+    Pictured example = report.example();
+    if (example == null || example.shots().isEmpty()) {
+      return;
+    }
+    html.open("figure", "class", "example");
+    html.empty(
+        "img",
+        "src",
+        example.shots().get(0).address(),
+        "alt",
+        "The floor, the robots, and what each does, at one moment of the run of seed "
+            + example.seed());
+    html.element(
+        "figcaption", "Seed " + example.seed() + ", at the moment when most is to be seen.");
+    html.close();
+  }
+}

@@ -1,0 +1,122 @@
+package org.starl.cli.report;
+
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.List;
+import java.util.function.LongFunction;
+import org.starl.apps.Plan;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.record.Filmstrip;
+import org.starl.sim.record.Filmstrip.Frame;
+import org.starl.sim.record.Moment;
+import org.starl.sim.record.PictureRecorder;
+
+/**
+ * One run of a campaign, run once more to be told and seen.
+ *
+ * @param story in lines; empty if an error ended the run
+ * @param shots in the order of their times
+ * @param outcome how it ended this time
+ */
+public record Pictured(long seed, List<String> story, List<Shot> shots, RunOutcome outcome) {
+
+  private static final int FLOOR_PX = 440;
+  private static final int WHOLE_PX = 1100;
+  private static final long NS_PER_S = 1_000_000_000;
+
+  /** Seconds before what went wrong. */
+  private static final int[] BEFORE_S = {8, 4, 2, 1};
+
+  /**
+   * A picture as the address of an image.
+   *
+   * @param timeNs from the start of the run; -1 if the picture says it
+   * @param isWhole whether the legend is on it, and not the floor alone
+   */
+  record Shot(long timeNs, boolean isWhole, String address) {}
+
+  public Pictured {
+    story = List.copyOf(story);
+    shots = List.copyOf(shots);
+  }
+
+  /**
+   * Runs a seed again, with pictures of {@code momentNs} and of the seconds before it.
+   *
+   * @param plans makes the run, with carriers of the caller's choice; an error is a failed run
+   * @param momentNs beyond the run's end: the end
+   */
+  public static Pictured of(long seed, LongFunction<Plan> plans, long momentNs) {
+    List<Shot> shots = new ArrayList<>();
+    try {
+      Plan plan = plans.apply(seed);
+      Filmstrip film = new Filmstrip(plan.obstacles(), plan.layer(), timesNs(momentNs));
+      plan.simulation().observer(film);
+      try {
+        RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
+        return new Pictured(seed, plan.story().lines(), shots(film), outcome);
+      } catch (RuntimeException e) {
+        shots = shots(film);
+        throw e;
+      }
+    } catch (RuntimeException e) {
+      return new Pictured(seed, List.of(), shots, RunOutcome.failed(e));
+    }
+  }
+
+  /** Runs a seed again, with a picture of when most is to be seen. */
+  public static Pictured best(long seed, LongFunction<Plan> plans) {
+    Plan plan = plans.apply(seed);
+    PictureRecorder recorder =
+        new PictureRecorder(plan.obstacles(), plan.layer(), new Moment.Best());
+    plan.simulation().observer(recorder);
+    RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
+    Shot shot = new Shot(-1, true, address(recorder::writePng));
+    return new Pictured(seed, plan.story().lines(), List.of(shot), outcome);
+  }
+
+  private static List<Long> timesNs(long momentNs) {
+    List<Long> timesNs = new ArrayList<>();
+    for (int beforeS : BEFORE_S) {
+      long timeNs = momentNs - beforeS * NS_PER_S;
+      if (timeNs >= 0) {
+        timesNs.add(timeNs);
+      }
+    }
+    timesNs.add(momentNs);
+    return timesNs;
+  }
+
+  private static List<Shot> shots(Filmstrip film) {
+    film.cut();
+    List<Shot> shots = new ArrayList<>();
+    for (int i = 0; i < film.frames().size(); i++) {
+      Frame frame = film.frames().get(i);
+      boolean isWhole = i == film.frames().size() - 1;
+      Png png =
+          isWhole
+              ? out -> frame.writePng(WHOLE_PX, out)
+              : out -> frame.writeFloorPng(FLOOR_PX, out);
+      shots.add(new Shot(frame.timeNs(), isWhole, address(png)));
+    }
+    return shots;
+  }
+
+  private interface Png {
+    void write(OutputStream out) throws IOException;
+  }
+
+  private static String address(Png png) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try {
+      png.write(bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return "data:image/png;base64," + Base64.getEncoder().encodeToString(bytes.toByteArray());
+  }
+}

@@ -1,0 +1,161 @@
+package org.starl.cli.report;
+
+import java.util.Locale;
+
+/**
+ * A chart: a figure with its title, two axes with ticks and units, and a field to draw on. It is as
+ * wide as its place, and small enough for a phone. What a chart tells stands in a table as well.
+ */
+final class Plot {
+
+  private static final int WIDTH = 480;
+  private static final int HEIGHT = 290;
+  private static final int LEFT = 52;
+  private static final int RIGHT = 20;
+  private static final int TOP = 30;
+  private static final int BOTTOM = 50;
+  private static final int FIELD_WIDTH = WIDTH - LEFT - RIGHT;
+  private static final int FIELD_HEIGHT = HEIGHT - TOP - BOTTOM;
+  private static final int TICK_GAP = 18;
+
+  private final Html html;
+  private final Axis x;
+  private final Axis y;
+
+  /**
+   * Begins a figure.
+   *
+   * @param note under the title; may be empty
+   */
+  Plot(Html html, String title, String note, Axis x, Axis y) {
+    this.html = html;
+    this.x = x;
+    this.y = y;
+    html.open("figure", "class", "chart");
+    html.open("figcaption").element("strong", title);
+    if (!note.isEmpty()) {
+      html.text(" ").element("span", note, "class", "note");
+    }
+    html.close();
+    html.open(
+        "svg",
+        "viewBox",
+        "0 0 " + WIDTH + " " + HEIGHT,
+        "role",
+        "img",
+        "aria-label",
+        title + ". Across: " + x.label() + ". Upwards: " + y.label() + ". " + note);
+    axes();
+  }
+
+  private void axes() {
+    html.open("g", "class", "grid");
+    for (double tick : y.ticks()) {
+      line(0, tick, x.max(), tick, tick == 0 ? "base" : "");
+    }
+    html.close();
+    html.open("g", "class", "axis");
+    for (double tick : y.ticks()) {
+      label(LEFT - 8, yOf(tick) + 5, "end", y.text(tick));
+    }
+    for (double tick : x.ticks()) {
+      double at = xOf(tick);
+      html.empty("path", "d", "M" + px(at) + " " + px(yOf(0)) + "v5");
+      label(at, yOf(0) + TICK_GAP + 3, "middle", x.text(tick));
+    }
+    label(LEFT - 44, 16, "start", y.label());
+    label(WIDTH - RIGHT, HEIGHT - 8, "end", x.label());
+    html.close();
+  }
+
+  private void label(double atX, double atY, String anchor, String text) {
+    html.element("text", text, "x", px(atX), "y", px(atY), "text-anchor", anchor);
+  }
+
+  /** Ends the figure. */
+  void end() {
+    html.close().close();
+  }
+
+  double xOf(double value) {
+    return LEFT + FIELD_WIDTH * Math.min(value, x.max()) / x.max();
+  }
+
+  double yOf(double value) {
+    return TOP + FIELD_HEIGHT * (1 - Math.min(value, y.max()) / y.max());
+  }
+
+  /** Both as a path has them. */
+  String at(double xValue, double yValue) {
+    return px(xOf(xValue)) + " " + px(yOf(yValue));
+  }
+
+  void line(double fromX, double fromY, double toX, double toY, String cssClass) {
+    String path = "M" + at(fromX, fromY) + "L" + at(toX, toY);
+    html.empty("path", "d", path, "class", cssClass);
+  }
+
+  void path(String path, String cssClass) {
+    html.empty("path", "d", path, "class", cssClass);
+  }
+
+  /** From the ground up to {@code height}, between two values, a little apart from others. */
+  void bar(double from, double to, double height) {
+    double left = xOf(from) + 0.5;
+    double width = Math.max(1, xOf(to) - left - 0.5);
+    double top = yOf(height);
+    html.empty(
+        "rect",
+        "class",
+        "bar",
+        "x",
+        px(left),
+        "y",
+        px(top),
+        "width",
+        px(width),
+        "height",
+        px(yOf(0) - top));
+  }
+
+  /** Tells {@code tip} to whoever points anywhere between two values. */
+  void tip(double from, double to, String tip) {
+    html.open(
+        "rect",
+        "class",
+        "tip",
+        "x",
+        px(xOf(from)),
+        "y",
+        px(TOP),
+        "width",
+        px(xOf(to) - xOf(from)),
+        "height",
+        px(FIELD_HEIGHT));
+    html.element("title", tip).close();
+  }
+
+  /** A dot with its text on the right or, where there is no room, on the left. */
+  void mark(double atX, double atY, String text) {
+    double cx = xOf(atX);
+    double cy = yOf(atY);
+    html.empty("circle", "cx", px(cx), "cy", px(cy), "r", "4", "class", "mark");
+    boolean isRight = cx < LEFT + FIELD_WIDTH * 0.62;
+    html.element(
+        "text",
+        text,
+        "class",
+        "mark",
+        "x",
+        px(isRight ? cx + 10 : cx - 8),
+        "y",
+        px(isRight ? cy + 16 : cy - 8),
+        "text-anchor",
+        isRight ? "start" : "end");
+  }
+
+  static String px(double value) {
+    String text = String.format(Locale.ROOT, "%.1f", value);
+    return text.endsWith(".0") ? text.substring(0, text.length() - 2) : text;
+  }
+}

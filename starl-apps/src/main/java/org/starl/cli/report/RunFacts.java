@@ -1,0 +1,72 @@
+package org.starl.cli.report;
+
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.apps.Measures;
+import org.starl.apps.Sample;
+import org.starl.apps.Story;
+import org.starl.sim.SimResult;
+import org.starl.sim.net.NetStatistics;
+import org.starl.spec.SpecReport;
+
+/**
+ * What a page keeps of one run that came to an end; small, whatever the run was like.
+ *
+ * @param lemmas what was checked, by its name
+ * @param violations the first few
+ * @param violated how often a lemma did not hold
+ */
+public record RunFacts(
+    Measures measures,
+    List<Sample> samples,
+    MessageCounts messages,
+    NetStatistics network,
+    SortedMap<String, Checks> lemmas,
+    List<SpecReport.Violation> violations,
+    long violated,
+    long endNs) {
+
+  private static final int KEPT_VIOLATIONS = 8;
+
+  /** How often a lemma was looked at, and did not hold. */
+  record Checks(long checks, long violations) {
+
+    Checks plus(Checks other) {
+      return new Checks(checks + other.checks, violations + other.violations);
+    }
+  }
+
+  public RunFacts {
+    samples = List.copyOf(samples);
+    lemmas = Collections.unmodifiableSortedMap(lemmas);
+    violations = List.copyOf(violations);
+  }
+
+  /**
+   * Of a run that has ended.
+   *
+   * @param messages that observed it
+   */
+  public static RunFacts of(SimResult result, Story story, MessageCounts messages) {
+    SpecReport spec = result.spec();
+    SortedMap<String, Checks> lemmas = new TreeMap<>();
+    long violated = 0;
+    for (String lemma : spec.lemmas()) {
+      lemmas.put(lemma, new Checks(spec.checks(lemma), spec.violations(lemma)));
+      violated += spec.violations(lemma);
+    }
+    List<SpecReport.Violation> found = spec.violations();
+    return new RunFacts(
+        story.measures(),
+        story.samples(),
+        messages,
+        result.network(),
+        lemmas,
+        new ArrayList<>(found.subList(0, Math.min(found.size(), KEPT_VIOLATIONS))),
+        violated,
+        result.endNs());
+  }
+}

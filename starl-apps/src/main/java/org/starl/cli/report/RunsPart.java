@@ -1,0 +1,119 @@
+package org.starl.cli.report;
+
+import java.util.ArrayList;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.stream.Collectors;
+import org.starl.sim.check.CampaignResult.Run;
+import org.starl.sim.check.RunOutcome;
+
+/** A line for each run. */
+final class RunsPart {
+
+  /** A browser still sorts so many in no time. */
+  static final int MOST_ROWS = 5_000;
+
+  /** Columns of numbers: a figure and its heading. */
+  private static final List<List<String>> FIGURES =
+      List.of(
+          List.of("end_s", "simulated time, s"),
+          List.of("datagrams_sent", "datagrams"),
+          List.of("datagrams_lost", "copies lost"),
+          List.of("robots_collided", "collisions"),
+          List.of("walls_hit", "walls hit"));
+
+  private final Html html;
+  private final Report report;
+  private final Set<Long> told;
+
+  RunsPart(Html html, Report report) {
+    this.html = html;
+    this.report = report;
+    told = report.pictured().stream().map(Pictured::seed).collect(Collectors.toSet());
+  }
+
+  void write() {
+    List<Run> rows = rows();
+    html.open("section").element("h2", "Every run");
+    html.open("p").text("One of them again: ");
+    html.element(
+        "code",
+        report.subject().replay().apply(report.result().runs().get(0).seed()),
+        "class",
+        "command");
+    html.close();
+    if (rows.size() < report.result().runs().size()) {
+      html.element(
+          "p",
+          "Of "
+              + Say.count(report.result().runs().size(), "run")
+              + " the table has "
+              + Say.count(rows.size())
+              + ": those that did not go well first, then by seed.",
+          "class",
+          "note");
+    }
+    html.open("div", "class", "wide runs");
+    html.open("table", "id", "runs").open("thead").open("tr");
+    head("seed", "");
+    head("verdict", "");
+    FIGURES.forEach(figure -> head(figure.get(1), "n"));
+    head("violations", "n");
+    html.element("th", "replay", "scope", "col");
+    html.close().close().open("tbody");
+    rows.forEach(this::row);
+    html.close().close().close().close();
+  }
+
+  private void head(String text, String cssClass) {
+    html.element("th", text, "scope", "col", "data-sort", "", "class", cssClass);
+  }
+
+  private List<Run> rows() {
+    List<Run> runs = report.result().runs();
+    if (runs.size() <= MOST_ROWS) {
+      return runs;
+    }
+    Set<Run> chosen = new LinkedHashSet<>(report.bad());
+    chosen.addAll(runs);
+    SortedMap<Long, Run> bySeed = new TreeMap<>();
+    chosen.stream().limit(MOST_ROWS).forEach(run -> bySeed.put(run.seed(), run));
+    return new ArrayList<>(bySeed.values());
+  }
+
+  private void row(Run run) {
+    RunOutcome outcome = run.outcome();
+    html.open("tr", "class", outcome.isGood() ? "good" : "bad");
+    html.open("th", "scope", "row", "data-v", Long.toString(run.seed()));
+    if (told.contains(run.seed())) {
+      html.element("a", Long.toString(run.seed()), "href", "#" + BadRunsPart.anchor(run.seed()));
+    } else {
+      html.text(Long.toString(run.seed()));
+    }
+    html.close();
+    html.open("td", "data-v", Integer.toString(outcome.verdict().ordinal()));
+    html.element("span", Page.of(outcome.verdict()), "class", outcome.isGood() ? "tag" : "tag bad");
+    if (!outcome.isGood()) {
+      html.text(" ").element("span", outcome.detail(), "class", "detail");
+    }
+    html.close();
+    for (List<String> figure : FIGURES) {
+      Double value = outcome.figures().get(figure.get(0));
+      number(value == null ? "" : Say.number(value), value == null ? "-1" : value.toString());
+    }
+    RunFacts facts = report.facts().get(run.seed());
+    number(
+        facts == null ? "" : Say.count(facts.violated()),
+        facts == null ? "-1" : Long.toString(facts.violated()));
+    html.open("td", "class", "replay");
+    html.element("code", report.subject().replay().apply(run.seed()), "class", "command");
+    html.close().close();
+  }
+
+  private void number(String text, String value) {
+    html.element("td", text, "class", "n", "data-v", value);
+  }
+}

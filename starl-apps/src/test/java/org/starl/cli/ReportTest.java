@@ -1,0 +1,279 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Measures;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.Sample;
+import org.starl.apps.Story;
+import org.starl.apps.hello.HelloDemo;
+import org.starl.cli.report.Parsed;
+import org.starl.sim.SimSettings;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+
+/** {@code starl campaign --report}. */
+class ReportTest {
+
+  /** What would run, or break the page, if it were not escaped. */
+  private static final String HOSTILE =
+      "<script>alert(1)</script><img src=x onerror=alert(2)>\"' onload='x' &amp; ]]> --> </title>";
+
+  private static final Demos FOUL = new Demos(List.of(new Foul()));
+
+  @TempDir private Path folder;
+
+  /** Hello whose runs go wrong in every way, as their seeds say, and that says it foully. */
+  private static final class Foul implements Demo {
+    private final Demo hello = new HelloDemo();
+
+    @Override
+    public String name() {
+      return "foul<b>";
+    }
+
+    @Override
+    public String summary() {
+      return HOSTILE;
+    }
+
+    @Override
+    public List<Parameter> parameters() {
+      return List.of(new Parameter("why", "", "anything"));
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return hello.defaultSettings(request);
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Plan plan = hello.plan(request, settings);
+      switch ((int) (request.seed() % 5)) {
+        case 1 -> plan.simulation().monitor(Still::new);
+        case 2 -> throwing(plan, new IllegalStateException(HOSTILE));
+        case 3 -> plan.simulation().endNs(1_000_000_000);
+        default -> {
+          if (request.seed() == 99) {
+            throwing(plan, new StackOverflowError("of the test"));
+          }
+        }
+      }
+      return new Plan(
+          plan.simulation(), new FoulStory(plan.story()), plan.layer(), plan.obstacles());
+    }
+
+    private static void throwing(Plan plan, Throwable what) {
+      plan.simulation()
+          .director(control ->
+              control.at(
+                  1_000_000_000,
+                  () -> {
+                    if (what instanceof Error error) {
+                      throw error;
+                    }
+                    throw (RuntimeException) what;
+                  }));
+    }
+  }
+
+  /** The story of hello, and foul words. */
+  private static final class FoulStory implements Story {
+    private final Story hello;
+
+    FoulStory(Story hello) {
+      this.hello = hello;
+    }
+
+    @Override
+    public List<String> lines() {
+      List<String> lines = new ArrayList<>(hello.lines());
+      lines.add("told: " + HOSTILE);
+      return lines;
+    }
+
+    @Override
+    public Measures measures() {
+      return hello.measures();
+    }
+
+    @Override
+    public List<Sample> samples() {
+      return List.of(
+          Sample.when("times of " + HOSTILE, List.of(1_500_000_000L, 2_000_000_000L)),
+          Sample.howLong("sizes of " + HOSTILE, List.of(0L, 7_000_000L)));
+    }
+  }
+
+  private static final class Still implements Monitor {
+    @Override
+    public List<String> lemmas() {
+      return List.of(HOSTILE);
+    }
+
+    @Override
+    public String says(String lemma) {
+      return "nobody drives " + HOSTILE;
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      report.checked(HOSTILE);
+      if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
+        report.violated(HOSTILE, event.timeNs(), List.of(event.robot()), "drives " + HOSTILE);
+      }
+    }
+  }
+
+  private Cli campaign(Demos demos, String app, String seeds, String... more) {
+    List<String> words = new ArrayList<>(List.of("campaign", app, "--seeds", seeds));
+    words.addAll(List.of("--report", file().toString()));
+    words.addAll(Arrays.asList(more));
+    return Cli.run(demos, words.toArray(String[]::new));
+  }
+
+  private Path file() {
+    return folder.resolve("report.html");
+  }
+
+  private List<Path> files() throws IOException {
+    try (Stream<Path> files = Files.list(folder)) {
+      return files.toList();
+    }
+  }
+
+  @Test
+  void foulTextsAreShownAndDoNothing() throws Exception {
+    Cli cli = campaign(FOUL, "foul<b>", "1..11", "--set", "why=" + HOSTILE);
+    assertThat(cli.status()).isEqualTo(1);
+    String text = Files.readString(file());
+    Document page = Parsed.page(text);
+    assertThat(Parsed.elements(page, "script")).hasSize(1);
+    assertThat(Parsed.elements(page, "title").get(0).getTextContent()).startsWith("foul<b>: ");
+    for (Element element : Parsed.elements(page, "*")) {
+      for (int i = 0; i < element.getAttributes().getLength(); i++) {
+        String name = element.getAttributes().item(i).getNodeName();
+        String value = element.getAttributes().item(i).getNodeValue();
+        assertThat(name).doesNotStartWith("on").isNotEqualTo("style");
+        if (name.equals("src")) {
+          assertThat(value).startsWith("data:image/png;base64,");
+        }
+        if (name.equals("href")) {
+          assertThat(value).startsWith("#seed");
+        }
+      }
+    }
+    assertThat(page.getDocumentElement().getTextContent())
+        .contains("why=" + HOSTILE)
+        .contains("drives " + HOSTILE)
+        .contains("says: nobody drives " + HOSTILE)
+        .contains("told: " + HOSTILE)
+        .contains("Times of " + HOSTILE)
+        .contains("Sizes of " + HOSTILE)
+        .contains("IllegalStateException: " + HOSTILE);
+  }
+
+  @Test
+  void whatDidNotGoWellIsToldAndSeenWithItsReplay() throws Exception {
+    campaign(FOUL, "foul<b>", "1..11");
+    Document page = Parsed.page(Files.readString(file()));
+    List<Element> articles = Parsed.elements(page, "article");
+    assertThat(articles)
+        .extracting(article -> article.getAttribute("id"))
+        .containsExactly("seed1", "seed2", "seed3", "seed6", "seed7", "seed8", "seed11");
+    for (Element article : articles) {
+      String seed = article.getAttribute("id").substring("seed".length());
+      assertThat(article.getTextContent()).contains("./starl run 'foul<b>' --seed " + seed);
+      assertThat(article.getElementsByTagName("img").getLength()).isPositive();
+      boolean isThrown = Integer.parseInt(seed) % 5 == 2;
+      assertThat(article.getElementsByTagName("ol").getLength()).isEqualTo(isThrown ? 0 : 1);
+      assertThat(article.getTextContent()).doesNotContain("ended otherwise");
+    }
+    assertThat(articles.get(0).getTextContent())
+        .contains("violated")
+        .contains("more violations in this run");
+    assertThat(articles.get(2).getTextContent())
+        .contains("unfinished")
+        .contains("1\u00A0s: the end");
+    assertThat(page.getDocumentElement().getTextContent())
+        .contains("7 of 11\u00A0runs did not go well (3 violated, 2 failed, 2 unfinished)");
+  }
+
+  @Test
+  void everySeedHasALineWithItsReplay() throws Exception {
+    Cli cli = campaign(Main.ALL, "hello", "5..44");
+    assertThat(cli.status()).isZero();
+    assertThat(cli.out()).endsWith("report: " + file());
+    String text = Files.readString(file());
+    Document page = Parsed.page(text);
+    Element table =
+        Parsed.elements(page, "table").stream()
+            .filter(any -> any.getAttribute("id").equals("runs"))
+            .findFirst()
+            .orElseThrow();
+    for (int seed = 5; seed <= 44; seed++) {
+      assertThat(table.getTextContent()).contains("./starl run hello --seed " + seed);
+    }
+    assertThat(table.getElementsByTagName("tr").getLength()).isEqualTo(41);
+    assertThat(page.getDocumentElement().getTextContent()).contains("All 40 runs went well.");
+    String ours = text.replace("http-equiv", "").replaceAll("base64,[A-Za-z0-9+/=]+", "");
+    assertThat(ours).hasSizeLessThan(40_000).doesNotContainPattern("http|url\\(|@import|//[a-z]");
+  }
+
+  @Test
+  void theSameCampaignMakesTheSamePageOnAnyNumberOfThreads() throws IOException {
+    campaign(FOUL, "foul<b>", "1..6", "--threads", "1");
+    String one = Files.readString(file());
+    campaign(FOUL, "foul<b>", "1..6", "--threads", "3");
+    assertThat(Files.readString(file())).isEqualTo(one.replace("--threads 1", "--threads 3"));
+  }
+
+  @Test
+  void aPageThatCannotBeWrittenIsToldBeforeTheCampaignBegins() throws IOException {
+    Path noFolder = Files.createFile(folder.resolve("file"));
+    for (Path bad : List.of(folder, noFolder.resolve("report.html"))) {
+      Cli cli = Cli.run("campaign", "hello", "--seeds", "1..100000", "--report", bad.toString());
+      assertThat(cli.status()).isEqualTo(2);
+      assertThat(cli.err()).hasSize(1);
+      assertThat(cli.err().get(0)).startsWith("starl: --report: ").contains("expected");
+    }
+    Cli many = Cli.run("campaign", "hello", "--seeds", "1..100001", "--report", "" + file());
+    assertThat(many.status()).isEqualTo(2);
+    assertThat(many.err()).hasSize(1);
+    assertThat(files()).containsExactly(noFolder);
+  }
+
+  @Test
+  void aCampaignThatEndsInTheMiddleLeavesNothing() throws IOException {
+    assertThatThrownBy(() -> campaign(FOUL, "foul<b>", "99..99"))
+        .isInstanceOf(StackOverflowError.class);
+    assertThat(files()).isEmpty();
+  }
+
+  @Test
+  void jsonNamesThePageBesideIt() throws IOException {
+    Cli cli = campaign(Main.ALL, "hello", "1..3", "--json");
+    assertThat(cli.out()).hasSize(1);
+    assertThat(new ObjectMapper().readTree(cli.out().get(0)).get("report").asText())
+        .isEqualTo(file().toString());
+    assertThat(files()).containsExactly(file());
+  }
+}

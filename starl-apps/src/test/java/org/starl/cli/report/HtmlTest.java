@@ -1,0 +1,46 @@
+package org.starl.cli.report;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import net.jqwik.api.Example;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.w3c.dom.Document;
+import org.w3c.dom.Element;
+
+class HtmlTest {
+
+  /** What is not allowed in XML is taken away first; how is another test's business. */
+  @Property
+  void anyTextComesBackAsItWas(@ForAll String text) throws Exception {
+    String allowed = text.replaceAll("[^\\t\\n -~\\u00A0-\\uD7FF\\uE000-\\uFDCF]", "");
+    Document page =
+        Parsed.page(new Html().open("p", "title", allowed).text(allowed).close().page());
+    Element p = page.getDocumentElement();
+    assertThat(p.getTextContent()).isEqualTo(allowed);
+    assertThat(p.getAttribute("title")).isEqualTo(allowed.replaceAll("[\\t\\n]", " "));
+  }
+
+  @Property
+  void anyTextAtAllParses(@ForAll String text) throws Exception {
+    Parsed.page(new Html().open("p", "title", text).text(text).close().page());
+  }
+
+  @Example
+  void whatCannotStandInXmlIsReplaced() {
+    String text = "a\u0000b\u001Fc\rd\uD800e\uFFFEf\u0085g\uD83E\uDD16h";
+    assertThat(new Html().element("p", text).page())
+        .contains("a\uFFFDb\uFFFDc\uFFFDd\uFFFDe\uFFFDf\uFFFDg\uD83E\uDD16h");
+  }
+
+  @Example
+  void anElementThatIsStillOpenIsToldOf() {
+    assertThatThrownBy(() -> new Html().open("p").page()).hasMessageContaining("[p]");
+  }
+
+  @Example
+  void codeThatTwoParsersWouldReadInTwoWaysIsRefused() {
+    assertThatThrownBy(() -> new Html().code("script", "a < b")).hasMessageContaining("script");
+  }
+}
