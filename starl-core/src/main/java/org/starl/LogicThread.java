@@ -76,6 +76,15 @@ public abstract class LogicThread {
     return List.of();
   }
 
+  /**
+   * A person points at a place, for this robot: does nothing unless overridden. Called on the robot's
+   * strand between two of its actions, with {@link #callStarL} while that waits; not while the robot
+   * is down, nor before it is up.
+   *
+   * @param xMm in the world's frame, as is {@code yMm}
+   */
+  public void receivedPointInput(int xMm, int yMm) {}
+
   /** The period of {@link #step}, or 0 for an app that overrides {@link #callStarL}. */
   public final long stepPeriodMs() {
     return stepPeriodMs;

@@ -61,6 +61,7 @@ final class EventParser {
           case "joined" -> joined(line, timeNs, robot);
           case "left" -> new TraceEvent.Left(timeNs, robot);
           case "fault" -> fault(line, timeNs, robot);
+          case "intervention" -> intervention(line, timeNs, robot);
           default -> throw line.unknown("kind", kind);
         };
     end(line);
@@ -129,6 +130,13 @@ final class EventParser {
       throws TraceFormatException {
     String name = text(line, ",\"name\":");
     return new TraceEvent.Fault(timeNs, robot, name, text(line, ",\"detail\":"));
+  }
+
+  private static TraceEvent intervention(LineParser line, long timeNs, RobotId robot)
+      throws TraceFormatException {
+    long step = number(line, ",\"step\":");
+    String name = text(line, ",\"name\":");
+    return new TraceEvent.Intervention(timeNs, robot, step, name, text(line, ",\"detail\":"));
   }
 
   private static Pose pose(LineParser line) throws TraceFormatException {

@@ -9,6 +9,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
@@ -138,6 +139,11 @@ public final class TraceCodec {
         text(out, ",\"name\":", fault.name());
         text(out, ",\"detail\":", fault.detail());
       }
+      case Intervention intervention -> {
+        number(out, ",\"step\":", intervention.step());
+        text(out, ",\"name\":", intervention.name());
+        text(out, ",\"detail\":", intervention.detail());
+      }
     }
     out.ascii('}');
   }
@@ -153,6 +159,7 @@ public final class TraceCodec {
       case Joined joined -> "joined";
       case Left left -> "left";
       case Fault fault -> "fault";
+      case Intervention intervention -> "intervention";
     };
   }
 

@@ -23,6 +23,7 @@ public sealed interface TraceEvent {
       case Joined e -> new Joined(newTimeNs, e.robot, e.pose, e.radiusMm);
       case Left e -> new Left(newTimeNs, e.robot);
       case Fault e -> new Fault(newTimeNs, e.robot, e.name, e.detail);
+      case Intervention e -> new Intervention(newTimeNs, e.robot, e.step, e.name, e.detail);
     };
   }
 
@@ -103,5 +104,28 @@ public sealed interface TraceEvent {
 
     /** All faults have ended and none will begin: from now on progress is owed. */
     public static final String HEALED = "healed";
+  }
+
+  /**
+   * A person did something to the run while it ran. To do the same to the same run at the same place
+   * is to run it again.
+   *
+   * @param robot to whom, or {@link Fault#WORLD}
+   * @param step after so many steps of the simulator: of several at one time, it tells the place
+   * @param name {@link #FAULT}, {@link #POINT} or {@link #STOP}
+   * @param detail of a fault, its text in the grammar of {@code --fault}; of a point, {@code x,y} in
+   *     mm; else empty
+   */
+  record Intervention(long timeNs, RobotId robot, long step, String name, String detail)
+      implements TraceEvent {
+
+    /** From now on this goes wrong as well; a fault's own events follow. */
+    public static final String FAULT = "fault";
+
+    /** The robot's app is shown a place. */
+    public static final String POINT = "point";
+
+    /** The run ends. */
+    public static final String STOP = "stop";
   }
 }

@@ -65,7 +65,7 @@ final class TraceArbitraries {
 
   static Arbitrary<TraceEvent> events() {
     return Combinators.combine(
-            Arbitraries.integers().between(0, 8),
+            Arbitraries.integers().between(0, 9),
             Arbitraries.longs(),
             robots(),
             strings().list().ofSize(3),
@@ -105,6 +105,7 @@ final class TraceArbitraries {
       case 5 -> new TraceEvent.Moved(number, robot, pose, values.get(3), values.get(4));
       case 6 -> new TraceEvent.Joined(number, robot, pose, values.get(3));
       case 7 -> new TraceEvent.Fault(number, robot, a, b);
+      case 8 -> new TraceEvent.Intervention(number, robot, ~number, a, b);
       default -> new TraceEvent.Left(number, robot);
     };
   }

@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -18,6 +19,7 @@ import org.starl.motion.MotionFlag;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
 import org.starl.sim.fault.FaultPlan;
+import org.starl.sim.fault.FaultRun;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.Impairments;
 import org.starl.sim.fault.RobotClock;
@@ -83,11 +85,15 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     watchers.started(plan.header());
     try {
       plan.robots.forEach(this::join);
-      faults.install(this, behaviourRng.fork("faults"));
+      FaultRun faultRun = faults.install(this, behaviourRng.fork("faults"));
       if (plan.director != null) {
         plan.director.direct(this);
       }
-      kernel.run(plan.endNs(), this::isOver);
+      if (plan.bystander == null) {
+        kernel.run(plan.endNs(), this::isOver);
+      } else {
+        runBeside(plan.bystander, new Hands(this, faultRun, behaviourRng.fork("interventions")));
+      }
     } catch (BadInput e) {
       throw e;
     } catch (RobotError e) {
@@ -110,6 +116,18 @@ final class Engine implements SimControl, Ward, AutoCloseable {
             spec);
     watchers.finished(result);
     return result;
+  }
+
+  private void runBeside(Bystander bystander, Hands hands) {
+    bystander.look(hands);
+    if (!hands.isStopped()) {
+      kernel.run(
+          plan.endNs(),
+          () -> {
+            bystander.look(hands);
+            return hands.isStopped() || isOver();
+          });
+    }
   }
 
   private boolean isOver() {
@@ -340,7 +358,8 @@ final class Engine implements SimControl, Ward, AutoCloseable {
 
   /** The clock of a robot whose time may go wrong, else null. */
   @Nullable RobotClock clockOf(RobotId id) {
-    return faults.touchesTime() ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
+    boolean mayGoWrong = faults.touchesTime() || plan.bystander != null;
+    return mayGoWrong ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
   }
 
   @Override
@@ -365,6 +384,19 @@ final class Engine implements SimControl, Ward, AutoCloseable {
 
   Kernel kernel() {
     return kernel;
+  }
+
+  /** Whoever was there since the run began. */
+  Set<RobotId> known() {
+    return stables.keySet();
+  }
+
+  /** Shows a robot's app a place; nothing happens if it is not there, or down. */
+  void point(RobotId id, int xMm, int yMm) {
+    SimRobot robot = robots.get(id);
+    if (robot != null && !robot.isDown()) {
+      robot.point(xMm, yMm);
+    }
   }
 
   /** What this run's datagrams are sealed with, or null for none. */

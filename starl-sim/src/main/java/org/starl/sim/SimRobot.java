@@ -2,9 +2,11 @@ package org.starl.sim;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
+import org.starl.platform.Strand;
 import org.starl.platform.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.fault.ImpairedStrand;
@@ -189,6 +191,17 @@ final class SimRobot implements TraceSink {
 
   boolean isFinished() {
     return finished;
+  }
+
+  /** Shows its app a place, now, if that is up. */
+  void point(int xMm, int yMm) {
+    Strand own = impaired == null ? strand : impaired;
+    own.post(() -> {
+      LogicThread app = runner.app();
+      if (app != null) {
+        app.receivedPointInput(xMm, yMm);
+      }
+    });
   }
 
   MotionFlag motionflag() {

@@ -93,6 +93,7 @@ public final class Simulation {
     CarrierKind carriers = CarrierKind.best();
     Obstacles obstacles = Obstacles.NONE;
     @Nullable Director director;
+    @Nullable Bystander bystander;
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
     final List<RobotSpec> robots = new ArrayList<>();
@@ -165,6 +166,12 @@ public final class Simulation {
 
     public Builder director(Director newDirector) {
       director = newDirector;
+      return this;
+    }
+
+    /** Somebody who may let the run wait, and may intervene. */
+    public Builder bystander(Bystander newBystander) {
+      bystander = newBystander;
       return this;
     }
 

@@ -136,6 +136,10 @@ public final class McapRecorder implements SimObserver, Closeable {
       }
       case TraceEvent.Fault fault ->
           log(timeNs, Level.WARN, robot, fault.name() + " " + fault.detail());
+      case TraceEvent.Intervention intervention -> {
+        String what = intervention.name() + " " + intervention.detail();
+        log(timeNs, Level.WARN, robot, "a person: " + what);
+      }
     }
   }
 

@@ -89,9 +89,12 @@ public record FaultPlan(List<Fault> faults) {
    * Lets them happen: those that begin with the run begin now.
    *
    * @param rng of the run's seed, forked for faults
+   * @return takes more
    */
-  public void install(Ward ward, Rng rng) {
-    new FaultRun(ward, faults.size()).install(this, rng);
+  public FaultRun install(Ward ward, Rng rng) {
+    FaultRun run = new FaultRun(ward);
+    run.add(this, rng);
+    return run;
   }
 
   @Override

@@ -9,27 +9,35 @@ import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
 import org.starl.trace.TraceEvent;
 
-/** A plan at work in one run: begins and ends its faults and tells of it. */
-final class FaultRun {
+/** Faults at work in one run: begins and ends them and tells of it. */
+public final class FaultRun {
 
   private final Ward ward;
+  private int faults;
   private int toEnd;
 
-  FaultRun(Ward ward, int faults) {
+  FaultRun(Ward ward) {
     this.ward = ward;
-    toEnd = faults;
   }
 
-  void install(FaultPlan plan, Rng rng) {
+  /**
+   * Lets these happen as well: those whose time has come begin now.
+   *
+   * @param rng theirs alone
+   */
+  public void add(FaultPlan plan, Rng rng) {
     Map<String, Integer> sameBefore = new LinkedHashMap<>();
-    List<Fault> faults = plan.faults();
-    for (int i = 0; i < faults.size(); i++) {
-      Fault fault = faults.get(i);
+    List<Fault> more = plan.faults();
+    int before = faults;
+    faults += more.size();
+    toEnd += more.size();
+    for (int i = 0; i < more.size(); i++) {
+      Fault fault = more.get(i);
       // By its text, and for equal ones by their count, so that no fault shifts another's draws.
       int copy = sameBefore.merge(fault.toString(), 1, Integer::sum);
       Rng own = rng.fork(fault + "#" + copy);
       long beginNs = fault.span().at().drawNs(own.fork("at"));
-      int number = i;
+      int number = before + i;
       if (beginNs <= ward.nowNs()) {
         begin(fault, number, own);
       } else {

@@ -12,6 +12,7 @@ import org.starl.sim.record.Scene;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceHeader;
 
 /**
@@ -53,6 +54,10 @@ public final class Recording implements SimObserver {
     }
     if (event instanceof Fault fault) {
       marks.add(new Mark(fault.timeNs(), index, kind(fault), text(fault)));
+    } else if (event instanceof Intervention done) {
+      String whom = done.robot().equals(Fault.WORLD) ? "" : " to " + done.robot();
+      String what = "a person: " + done.name() + " " + done.detail();
+      marks.add(new Mark(done.timeNs(), index, Mark.Kind.INTERVENTION, what.strip() + whom));
     }
   }
 

@@ -46,4 +46,11 @@ final class Wander extends LogicThread {
     }
     return List.of(gvh.gps.pose());
   }
+
+  @Override
+  public void receivedPointInput(int newXMm, int newYMm) {
+    xMm = newXMm;
+    yMm = newYMm;
+    isPointedAt = true;
+  }
 }
