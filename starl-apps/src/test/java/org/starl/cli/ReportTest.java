@@ -10,6 +10,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -275,5 +276,25 @@ class ReportTest {
     assertThat(new ObjectMapper().readTree(cli.out().get(0)).get("report").asText())
         .isEqualTo(file().toString());
     assertThat(files()).containsExactly(file());
+  }
+
+  @Test
+  void everyLemmaOfEveryAppSaysInWordsWhatItIs() {
+    for (Demo demo : Main.ALL.all()) {
+      Plan plan = Chosen.of(demo, demo.defaults(), new TreeMap<>()).plan(1);
+      plan.simulation()
+          .build()
+          .blueprint()
+          .monitors()
+          .forEach(supplier -> {
+            Monitor monitor = supplier.get();
+            for (String lemma : monitor.lemmas()) {
+              assertThat(monitor.says(lemma))
+                  .as("%s of %s", lemma, monitor.getClass())
+                  .matches("[A-Z\"].{15,110}[.]");
+            }
+            assertThat(monitor.says("no lemma of it")).isNotNull();
+          });
+    }
   }
 }

@@ -66,6 +66,16 @@ public final class AgreementSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case AGREEMENT -> "No two robots decide on different values.";
+      case VALIDITY -> "Only a value that somebody has proposed is decided on.";
+      case DECIDED -> "Who proposes learns of a decision within the bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     progress.expire(event.timeNs(), report);
     if (circumstances.observe(event)) {

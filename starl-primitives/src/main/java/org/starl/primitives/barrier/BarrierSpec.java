@@ -60,6 +60,16 @@ public final class BarrierSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case NO_EARLY -> "Nobody passes the barrier before all its members have arrived.";
+      case UNIFORM -> "All who wait at one barrier are told the same outcome.";
+      case NOT_HUNG -> "Whoever waits at a barrier is told something within the bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean changed = circumstances.observe(event);

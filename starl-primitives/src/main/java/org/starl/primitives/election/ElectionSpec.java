@@ -63,6 +63,17 @@ public final class ElectionSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case AGREEMENT -> "In one term all who know a leader know the same one.";
+      case SOUNDNESS -> "Only who stood for election leads.";
+      case ELECTED -> "All who take part come to know one live leader within the bound.";
+      case TOLD -> "Nobody waits for a leader beyond the deadline without being told.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean changed = circumstances.observe(event);

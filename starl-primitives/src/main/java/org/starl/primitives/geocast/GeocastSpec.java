@@ -78,6 +78,19 @@ public final class GeocastSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case EXCLUSION -> "A robot that is outside the area throughout does not get the message.";
+      case INCLUSION ->
+          "A robot that is in the area throughout, and that a copy reaches in time, gets the "
+              + "message.";
+      case DEADLINE -> "Nobody gets the message after its interval is over.";
+      case ONCE -> "Nobody gets the message twice.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     judgeWhatIsOver(event.timeNs(), report);
     switch (event) {

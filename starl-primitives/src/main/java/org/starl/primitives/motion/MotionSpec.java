@@ -78,6 +78,17 @@ public final class MotionSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case AVOIDS -> "No part of a robot enters the area that its move is to avoid.";
+      case ARRIVES -> "A move with nothing in its way is done, and does not fail.";
+      case TOLD ->
+          "A robot that says its move is done is at its goal; and it says done or failed in time.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     judgeWhatIsLate(event.timeNs(), report);
     switch (event) {

@@ -84,6 +84,23 @@ public final class MutexSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case EXCLUSIVE -> "No two robots hold a section in common.";
+      case PROMISE ->
+          "Of two requests that meet, the one that has the other's consent comes first.";
+      case CONNECTED -> "Of two requests on the latest list, one needs the other's consent.";
+      case KEPT -> "Who is on the list no more holds nothing but what its ghost stands for.";
+      case COMPLETE -> "Who holds anything was on the list.";
+      case MutexProgress.SERVED ->
+          "Every request is served within the bound, as long as nobody holds for too long.";
+      case MutexProgress.NON_INTERFERENCE ->
+          "A request that nobody stands in the way of is served at once, within its bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     boolean changes = lives.observe(event);
     if (changes && progress != null) {

@@ -60,6 +60,16 @@ public final class TubesSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case TUBES -> "No two robots hold tubes that meet.";
+      case INSIDE -> "A robot's body lies wholly within what it holds.";
+      case TOLD -> "Every drive ends, done or failed, within the bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     tasks.expire(event.timeNs(), report);
     lookUntil(event.timeNs(), report);

@@ -65,6 +65,19 @@ public final class RegistrationSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case AGREEMENT -> "Lists of one number are equal, whoever has them.";
+      case KEEPS -> "Who is registered stays on the list until it leaves or is confined.";
+      case FRESH -> "Who has left a list never comes back under the same id.";
+      case SOUNDNESS -> "Only who has asked to be registered is on a list.";
+      case REGISTERED ->
+          "Who asks to be registered is, within the bound, unless told that it failed.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     progress.expire(event.timeNs(), report);
     boolean changed = lives.observe(event);

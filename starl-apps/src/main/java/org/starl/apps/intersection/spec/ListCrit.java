@@ -51,6 +51,12 @@ final class ListCrit implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return "What a car still has to cross, it holds while it moves and has asked for while it "
+        + "waits.";
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     if (last != null && (last.timeNs() != event.timeNs() || !last.robot().equals(event.robot()))) {
       check(last, report);

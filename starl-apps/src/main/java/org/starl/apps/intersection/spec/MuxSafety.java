@@ -23,6 +23,11 @@ final class MuxSafety implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return "No two cars hold a zone in common.";
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     if (!(event instanceof TraceEvent.Action)) {
       zones.observe(event);

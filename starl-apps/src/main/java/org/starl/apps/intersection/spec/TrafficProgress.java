@@ -41,6 +41,11 @@ final class TrafficProgress implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return "Every car that comes has left again within the bound.";
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean isChanged = circumstances.observe(event);

@@ -47,6 +47,15 @@ final class TrafficSafety implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case SAFETY -> "No two cars are in one zone at the same time, with any part of their bodies.";
+      case HELD -> "A car that is in a zone, with any part of its body, holds that zone.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     lookUntil(event.timeNs(), report);
     bodies.observe(event);

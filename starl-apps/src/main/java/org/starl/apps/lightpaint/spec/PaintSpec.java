@@ -71,6 +71,19 @@ public final class PaintSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case ON_THE_DRAWING ->
+          "Wherever a light is on, it is on the stroke that it names, in its ink.";
+      case ONCE -> "No place of a stroke is painted twice.";
+      case COMPLETE ->
+          "When all painters have ended and none is down, the whole drawing is painted.";
+      case PAINTED -> "All is painted, and all have ended, within the bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report to) {
     report = to;
     nowNs = event.timeNs();

@@ -66,6 +66,19 @@ public final class MazeSpec implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case REACHED -> "A robot that says it is at its goal is there, in truth.";
+      case NO_WAY ->
+          "Where a robot says that no way leads, there is none, hidden obstacles and all.";
+      case BELIEF -> "Where a robot believes that it cannot be, it cannot.";
+      case APART -> "No two robots touch.";
+      case ANSWERED -> "Each goal is answered within the bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     lookUntil(event.timeNs(), report);

@@ -50,6 +50,17 @@ final class RaceProgress implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case TOLD ->
+          "Once somebody knows who has won a point, everybody who is up knows within the bound.";
+      case TAKEN -> "Within the bound after one point the next one is won.";
+      case AGREED -> "All who come to the end know the same winners.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     if (circumstances.observe(event)) {

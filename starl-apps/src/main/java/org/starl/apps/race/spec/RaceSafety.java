@@ -56,6 +56,18 @@ final class RaceSafety implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case AT_THE_POINT -> "A robot that arrives at a point is there, by its true body.";
+      case TRULY_WON ->
+          "Every winner that anybody knows of has arrived, and has claimed so itself.";
+      case ONE_WINNER ->
+          "A robot knows one winner of each point, and replaces it only by a better one.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     bodies.observe(event);
     switch (event) {

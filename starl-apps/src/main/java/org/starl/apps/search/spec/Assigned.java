@@ -38,6 +38,11 @@ final class Assigned implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return "No room stays with a robot that is down: a leader takes it back within the bound.";
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean isChanged = circumstances.observe(event);

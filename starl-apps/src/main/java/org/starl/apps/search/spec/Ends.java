@@ -36,6 +36,15 @@ final class Ends implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case AGREED -> "All robots that end have one answer.";
+      case ENDED -> "Every robot that is up ends with an answer, within the bound.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean isChanged = circumstances.observe(event);

@@ -40,6 +40,18 @@ final class Findings implements Monitor {
   }
 
   @Override
+  public String says(String lemma) {
+    return switch (lemma) {
+      case FOUND ->
+          "A robot that says it has found a thing sees it, and the thing is where it says.";
+      case NOTHING ->
+          "\"Nothing there\" is said only when every place of every room was truly seen.";
+      case GAVE_UP -> "A room is given up only if somebody has crashed, or no robot can get in.";
+      default -> "";
+    };
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     view.observe(event);
     if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
