@@ -56,6 +56,9 @@ record Chosen(
     Plan plan = demo.plan(request, builder.build());
     plan.simulation().name(demo.name()).seed(seed);
     parameters.forEach(plan.simulation()::parameter);
+    if (robots.isEmpty()) {
+      plan.simulation().countedByScenario();
+    }
     return plan;
   }
 

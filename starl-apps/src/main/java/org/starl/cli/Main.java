@@ -30,6 +30,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
       CampaignCommand.class,
       DeterminismCommand.class,
       RecordCommand.class,
+      ReplayCommand.class,
       SchemaCommand.class,
       NewCommand.class,
       BenchCommand.class,

@@ -17,15 +17,12 @@ import org.starl.trace.TraceEvent.Fault;
  */
 final class Merged {
 
-  /** Why no progress is owed, as a fault. */
-  private static final String REAL_TIME = "realtime";
-
   private final List<TraceEvent> events = new ArrayList<>();
   private long datagrams;
   private long bytes;
 
   Merged() {
-    events.add(new Fault(0, Fault.WORLD, Fault.BEGIN, REAL_TIME));
+    events.add(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
   }
 
   void add(TraceEvent event) {

@@ -104,6 +104,14 @@ public sealed interface TraceEvent {
 
     /** All faults have ended and none will begin: from now on progress is owed. */
     public static final String HEALED = "healed";
+
+    /** The {@code detail} of a fault of the world: its robots are processes in real time. */
+    public static final String REAL_TIME = "realtime";
+
+    /** Whether it says that the run was in real time, which cannot be repeated. */
+    public boolean isRealTime() {
+      return name.equals(BEGIN) && detail.equals(REAL_TIME);
+    }
   }
 
   /**

@@ -13,7 +13,8 @@ import org.starl.RobotId;
  * @param scenario the app's or scenario's name, or its file
  * @param scenarioSeed decides the scenario: starts, routes, arrivals, obstacles
  * @param behaviourSeed decides everything else: delays, losses, noise, what robots draw
- * @param settings every setting that differs from its default, in the order to show them
+ * @param settings the app's parameters and the settings, in the order to show them; without the number
+ *     of robots where the scenario decided it
  * @param robots the robots of the deployment, in order; others may join during the run
  */
 public record TraceHeader(

@@ -101,6 +101,7 @@ public final class Simulation {
     final List<SimObserver> observers = new ArrayList<>();
     final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
     private final SortedMap<String, String> parameters = new TreeMap<>();
+    private boolean isCountGiven = true;
     private @Nullable Function<GlobalVarHolder, ? extends LogicThread> placedApp;
     private int placed;
 
@@ -223,6 +224,15 @@ public final class Simulation {
     }
 
     /**
+     * It was the scenario that decided how many robots there are, whatever the settings say: the
+     * trace's header does not name their number, so that the scenario decides again in a replay.
+     */
+    public Builder countedByScenario() {
+      isCountGiven = false;
+      return this;
+    }
+
+    /**
      * The simulation; the builder is used up.
      *
      * @throws BadInput if the settings' files cannot be read, the robots find no room, or a fault
@@ -298,6 +308,9 @@ public final class Simulation {
     TraceHeader header() {
       Map<String, String> all = new LinkedHashMap<>(parameters);
       all.putAll(settings.asText());
+      if (!isCountGiven) {
+        all.remove(Setting.ROBOTS.key());
+      }
       return new TraceHeader(
           Version.STARL, name, seed, behaviourSeedOrDerived(), all, deployment().asList());
     }

@@ -61,6 +61,11 @@ final class LineComparer extends OutputStream {
     }
   }
 
+  /** How many whole lines were equal before the first difference. */
+  long equalLines() {
+    return lineNumber - 1;
+  }
+
   /** The first difference, or null; call it once, when all was written. */
   @Nullable DifferentLines difference() throws IOException {
     if (referenceLine == null) {

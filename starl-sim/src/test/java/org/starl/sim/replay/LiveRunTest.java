@@ -234,26 +234,4 @@ class LiveRunTest {
     assertThat(IntStream.range(0, count).mapToObj(i -> threads[i].getName()))
         .doesNotContain("simulation");
   }
-
-  @Test
-  void aPlayerLeadsTheRunALittle() throws Exception {
-    Recording recording = recording();
-    try (LiveRun run = new LiveRun(Wander.simulation(1), recording)) {
-      Player player = new Player(recording, run);
-      run.start();
-      player.setSpeed(2);
-      player.play();
-      long wallNs = 77;
-      while (player.nowNs() < 3_000 * NS_PER_MS) {
-        wallNs += 10 * NS_PER_MS;
-        player.tick(wallNs);
-        assertThat(recording.endNs()).isLessThan(player.nowNs() + 500 * NS_PER_MS);
-      }
-      player.pause();
-      long stoodNs = player.tick(wallNs);
-      assertThat(player.tick(wallNs + 9_000 * NS_PER_MS)).isEqualTo(stoodNs);
-      player.seek(1_000 * NS_PER_MS);
-      assertThat(player.nowNs()).isEqualTo(1_000 * NS_PER_MS);
-    }
-  }
 }

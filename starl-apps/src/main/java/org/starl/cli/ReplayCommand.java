@@ -1,0 +1,78 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.check.Determinism;
+import org.starl.sim.check.ReplayCheck;
+import org.starl.sim.input.BadInput;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code starl replay}. */
+@Command(
+    name = "replay",
+    description = "Runs a trace's run again, and compares it with the trace line by line.",
+    mixinStandardHelpOptions = true,
+    footer = {
+      "",
+      "Example: starl run intersection --seed 7 --trace out/crossing.trace",
+      "         starl replay out/crossing.trace --headless"
+    })
+final class ReplayCommand implements Callable<Integer> {
+
+  @Parameters(index = "0", paramLabel = "TRACE", description = "A trace, of 'run --trace'.")
+  private String file = "";
+
+  @Option(names = "--headless", description = "Without a window: only check that it replays.")
+  private boolean headless;
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    CommandSpec command = Objects.requireNonNull(spec);
+    TraceFile trace = TraceFile.open(file, Main.demos(command));
+    return headless ? check(trace, command.commandLine().getOut()) : show(trace);
+  }
+
+  private int check(TraceFile trace, PrintWriter out) {
+    ReplayCheck check = trace.replay();
+    Determinism.Difference difference = check.difference();
+    String failure = check.failure() == null ? "" : "the replay failed: " + check.failure();
+    if (json.isOn()) {
+      Map<String, Object> result = new LinkedHashMap<>();
+      result.put("trace", trace.name());
+      result.put("equal", check.isEqual());
+      result.put("lines", check.lines());
+      result.put("difference", difference == null ? failure : difference.toString());
+      out.println(Json.line(result));
+    } else {
+      out.println(
+          trace.name()
+              + ": "
+              + trace.header().scenario()
+              + ", seed "
+              + trace.header().scenarioSeed());
+      if (!failure.isEmpty()) {
+        out.println(failure);
+      }
+      out.println(
+          difference == null ? "equal: " + check.lines() + " lines" : difference.toString());
+    }
+    return check.isEqual() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+  }
+
+  private static int show(TraceFile trace) {
+    throw new BadInput(trace.name() + ": expected --headless: this StarL has no window");
+  }
+}

@@ -1,0 +1,47 @@
+package org.starl.sim.check;
+
+import java.io.IOException;
+import java.io.InputStream;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.Simulation;
+import org.starl.sim.SimulationFailed;
+import org.starl.sim.check.Determinism.Difference;
+import org.starl.sim.export.TraceRecorder;
+
+/**
+ * Runs a simulation and compares it with a trace, byte by byte.
+ *
+ * @param lines that are equal, from the first one on
+ * @param difference the first line that differs, or null if all are equal
+ * @param failure the error that ended the run, or null
+ */
+public record ReplayCheck(
+    long lines, @Nullable Difference difference, @Nullable SimulationFailed failure) {
+
+  /** Whether the run is the one of the trace. */
+  public boolean isEqual() {
+    return difference == null && failure == null;
+  }
+
+  /**
+   * @param simulation that is expected to do the same, interventions included; used up
+   * @param trace buffered; its owner closes it
+   * @throws IOException if {@code trace} cannot be read
+   */
+  public static ReplayCheck of(Simulation.Builder simulation, InputStream trace)
+      throws IOException {
+    LineComparer comparer = new LineComparer(trace);
+    SimulationFailed failure = null;
+    try (TraceRecorder recorder = new TraceRecorder(comparer)) {
+      simulation.observer(recorder).build().run();
+    } catch (SimulationFailed e) {
+      failure = e;
+    }
+    LineComparer.@Nullable DifferentLines found = comparer.difference();
+    Difference difference =
+        found == null
+            ? null
+            : new Difference("trace", "replay", found.line(), found.reference(), found.written());
+    return new ReplayCheck(comparer.equalLines(), difference, failure);
+  }
+}
