@@ -16,32 +16,53 @@ import org.starl.random.Rng;
 final class DrawnMaze {
 
   private static final int COLUMNS = 8;
+
+  /** More than so many robots need a longer maze, so that nobody is in another's only way. */
+  private static final int MANY_ROBOTS = 6;
+
+  private static final int COLUMNS_FOR_MANY = 12;
   private static final int ROWS = 6;
   private static final double CELL_MM = 1_000;
   private static final double TAKEN_AWAY = 0.15;
   private static final int FEWEST_STEPS = 5;
   private static final int MOST_STEPS = 60;
 
+  /** So many are drawn, and found too small, before that is said: one may have few places far apart. */
+  private static final int MAZES = 10;
+
   /** A wall is known or hidden as a whole, up to so many cells long. */
   private static final int LONGEST_WALL = 2;
 
-  private final Board board = new Board(COLUMNS, ROWS, CELL_MM);
+  private final int columns;
+  private final Board board;
   private final Rng rng;
 
-  private DrawnMaze(Rng rng) {
+  private DrawnMaze(int columns, Rng rng) {
+    this.columns = columns;
+    board = new Board(columns, ROWS, CELL_MM);
     this.rng = rng;
   }
 
   /**
    * @param hidden the part of the walls that nobody is told of
+   * @throws org.starl.sim.input.BadInput if so many robots find no room
    */
   static Layout draw(int robots, double hidden, Rng rng) {
-    DrawnMaze maze = new DrawnMaze(rng.fork("walls"));
-    maze.build();
-    Places places = new Places(maze.board, FEWEST_STEPS, MOST_STEPS, rng.fork("places"));
-    places.draw(robots);
-    Obstacles walls = maze.walls(hidden, rng.fork("hidden"));
-    return new Layout(maze.board.floor(), walls, places.robots());
+    Rng walls = rng.fork("walls");
+    Rng draw = rng.fork("places");
+    int most = 0;
+    for (int i = 0; i < MAZES; i++) {
+      DrawnMaze maze = new DrawnMaze(robots > MANY_ROBOTS ? COLUMNS_FOR_MANY : COLUMNS, walls);
+      maze.build();
+      Places places = new Places(maze.board, FEWEST_STEPS, MOST_STEPS, draw);
+      int found = places.draw(robots);
+      if (found == robots) {
+        Obstacles obstacles = maze.walls(hidden, rng.fork("hidden"));
+        return new Layout(maze.board.floor(), obstacles, places.robots());
+      }
+      most = Math.max(most, found);
+    }
+    throw Places.noRoom(robots, most);
   }
 
   private void build() {
@@ -86,7 +107,7 @@ final class DrawnMaze {
 
   private Obstacles walls(double hidden, Rng draw) {
     List<Obstacle> walls = new ArrayList<>();
-    double width = COLUMNS * CELL_MM;
+    double width = columns * CELL_MM;
     double height = ROWS * CELL_MM;
     walls.add(
         Obstacle.wall(
@@ -95,11 +116,11 @@ final class DrawnMaze {
             new Point(width, height),
             new Point(0, height),
             new Point(0, 0)));
-    for (int column = 0; column < COLUMNS - 1; column++) {
-      addLine(walls, column, 1, COLUMNS, ROWS, hidden, draw);
+    for (int column = 0; column < columns - 1; column++) {
+      addLine(walls, column, 1, columns, ROWS, hidden, draw);
     }
     for (int row = 0; row < ROWS - 1; row++) {
-      addLine(walls, row * COLUMNS, COLUMNS, 1, COLUMNS, hidden, draw);
+      addLine(walls, row * columns, columns, 1, columns, hidden, draw);
     }
     return new Obstacles(walls);
   }
@@ -122,9 +143,9 @@ final class DrawnMaze {
     }
   }
 
-  private static Obstacle wall(int first, int across, int from, int to, boolean isHidden) {
+  private Obstacle wall(int first, int across, int from, int to, boolean isHidden) {
     boolean isUpright = across == 1;
-    int line = isUpright ? first + 1 : first / COLUMNS + 1;
+    int line = isUpright ? first + 1 : first / columns + 1;
     double off = line * CELL_MM;
     Point a = isUpright ? new Point(off, from * CELL_MM) : new Point(from * CELL_MM, off);
     Point b = isUpright ? new Point(off, to * CELL_MM) : new Point(to * CELL_MM, off);

@@ -25,7 +25,10 @@ final class MapMaze {
       board.setFree(cell, map.isFree(cell % map.columns(), cell / map.columns()));
     }
     Places places = new Places(board, FEWEST_STEPS, MOST_STEPS, rng.fork("places"));
-    places.draw(robots);
+    int found = places.draw(robots);
+    if (found < robots) {
+      throw Places.noRoom(robots, found);
+    }
     List<Obstacle> all = new ArrayList<>(map.walls(cellMm).all());
     if (robots > 0) {
       places.hideBoxes(boxes).forEach(cell -> all.add(box(board.middle(cell), cellMm / 2)));

@@ -40,14 +40,18 @@ final class Places {
     this.rng = rng;
   }
 
-  /** @throws BadInput if so many find no room */
-  void draw(int robots) {
-    while (pairs.size() < robots) {
-      if (!drawOne()) {
-        throw new BadInput(
-            "robots: " + robots + ": no room for more than " + pairs.size() + " of them here");
-      }
+  /**
+   * @return how many found room: {@code robots}, or fewer
+   */
+  int draw(int robots) {
+    while (pairs.size() < robots && drawOne()) {
+      // The next one.
     }
+    return pairs.size();
+  }
+
+  static BadInput noRoom(int robots, int found) {
+    return new BadInput("robots: " + robots + ": no room for more than " + found + " of them here");
   }
 
   private boolean drawOne() {

@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
 import org.starl.geometry.Point;
 import org.starl.primitives.paths.LocalPlanner;
 import org.starl.primitives.paths.Plan;
@@ -28,6 +29,12 @@ class PlacesTest {
             165,
             75);
     return new LocalPlanner().plan(task) instanceof Plan.Found;
+  }
+
+  /** The first maze that this seed draws has no room for four. */
+  @Test
+  void aMazeWithoutRoomIsDrawnAnew() {
+    assertThat(DrawnMaze.draw(4, 0.5, new Rng(58)).robots()).hasSize(4);
   }
 
   @Property(tries = 25)
