@@ -84,7 +84,7 @@ final class BadRunsPart {
           "detail");
     }
     html.open("p", "class", "replay").text("Replay: ");
-    html.element("code", report.subject().replay().apply(pictured.seed()), "class", "command");
+    html.command(report.subject().replay().apply(pictured.seed()));
     html.close();
     shots(pictured, outcome);
     story(pictured);

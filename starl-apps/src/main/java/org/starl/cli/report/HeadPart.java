@@ -55,7 +55,7 @@ final class HeadPart {
   private void ran() {
     Subject subject = report.subject();
     html.open("dl", "class", "ran");
-    html.element("dt", "Command").open("dd").element("code", subject.command(), "class", "command");
+    html.element("dt", "Command").open("dd").command(subject.command());
     html.close();
     html.element("dt", "Seeds").element("dd", subject.seeds());
     html.element("dt", "Faults").open("dd");

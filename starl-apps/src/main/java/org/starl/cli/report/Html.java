@@ -103,6 +103,19 @@ final class Html {
     return close();
   }
 
+  /** A command line to paste: lines end between its words, not behind their hyphens. */
+  Html command(String command) {
+    open("code", "class", "command");
+    String[] words = command.split(" ", -1);
+    for (int i = 0; i < words.length; i++) {
+      if (i > 0) {
+        text(" ");
+      }
+      element("span", words[i]);
+    }
+    return close();
+  }
+
   /** The whole page. */
   String page() {
     if (!open.isEmpty()) {

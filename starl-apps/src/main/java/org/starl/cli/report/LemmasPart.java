@@ -49,7 +49,8 @@ final class LemmasPart {
       html.close();
     }
     html.close();
-    html.element("td", Say.count(checks.checks()), "class", "n");
+    String count = checks.checks() == 0 ? "never" : Say.count(checks.checks());
+    html.element("td", count, "class", "n");
     html.element("td", Say.count(checks.violations()), "class", "n");
     html.element("td", Say.count(inRuns), "class", "n").close();
   }

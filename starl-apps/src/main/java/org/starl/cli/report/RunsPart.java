@@ -39,11 +39,7 @@ final class RunsPart {
     List<Run> rows = rows();
     html.open("section").element("h2", "Every run");
     html.open("p").text("One of them again: ");
-    html.element(
-        "code",
-        report.subject().replay().apply(report.result().runs().get(0).seed()),
-        "class",
-        "command");
+    html.command(report.subject().replay().apply(report.result().runs().get(0).seed()));
     html.close();
     if (rows.size() < report.result().runs().size()) {
       html.element(
@@ -62,6 +58,9 @@ final class RunsPart {
     head("verdict", "");
     FIGURES.forEach(figure -> head(figure.get(1), "n"));
     head("violations", "n");
+    if (!report.bad().isEmpty()) {
+      html.element("th", "what was wrong", "scope", "col");
+    }
     html.element("th", "replay", "scope", "col");
     html.close().close().open("tbody");
     rows.forEach(this::row);
@@ -96,9 +95,6 @@ final class RunsPart {
     html.close();
     html.open("td", "data-v", Integer.toString(outcome.verdict().ordinal()));
     html.element("span", Page.of(outcome.verdict()), "class", outcome.isGood() ? "tag" : "tag bad");
-    if (!outcome.isGood()) {
-      html.text(" ").element("span", outcome.detail(), "class", "detail");
-    }
     html.close();
     for (List<String> figure : FIGURES) {
       Double value = outcome.figures().get(figure.get(0));
@@ -108,6 +104,9 @@ final class RunsPart {
     number(
         facts == null ? "" : Say.count(facts.violated()),
         facts == null ? "-1" : Long.toString(facts.violated()));
+    if (!report.bad().isEmpty()) {
+      html.element("td", outcome.detail(), "class", "detail");
+    }
     html.open("td", "class", "replay");
     html.element("code", report.subject().replay().apply(run.seed()), "class", "command");
     html.close().close();

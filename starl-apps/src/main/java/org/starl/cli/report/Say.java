@@ -23,14 +23,15 @@ final class Say {
     return count(value) + GAP + one + (value == 1 ? "" : "s");
   }
 
-  /** Three digits at least, and none behind the point that says nothing. */
+  /** Three digits, and none behind the point that says nothing. */
   static String number(double value) {
     if (value == Math.rint(value) && Math.abs(value) < 1e15) {
       return count((long) value);
     }
     double size = Math.abs(value);
     int digits = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
-    return String.format(Locale.ROOT, "%,." + digits + "f", value).replace(',', GROUP);
+    String text = String.format(Locale.ROOT, "%,." + digits + "f", value).replace(',', GROUP);
+    return digits == 0 ? text : text.replaceAll("\\.?0+$", "");
   }
 
   /** What was measured, to a tenth, or finer where it is below 1. */
