@@ -23,12 +23,17 @@ import org.junit.jupiter.api.Test;
 class SpecificationsTest {
 
   private static final Path ROOT = Path.of("..");
+  private static final List<String> MODULES =
+      List.of("starl-core", "starl-primitives", "starl-sim", "starl-apps", "starl-apps/kotlin");
   private static final Pattern MONITOR =
-      Pattern.compile("class (\\w+)[^{;]* implements [^{;]*\\bMonitor\\b(?!\\.)[^{;]*\\{");
+      Pattern.compile(
+          "class (\\w+)[^{;]*(?: implements |\\) : )[^{;]*\\bMonitor\\b(?!\\.)[^{;]*\\{");
   private static final Pattern CONSTANT =
-      Pattern.compile("static final String (\\w+) = \"([^\"]+)\"");
+      Pattern.compile("(?:static final String|const val) (\\w+) = \"([^\"]+)\"");
   private static final Pattern LEMMAS =
       Pattern.compile("List<String> lemmas(?:\\(\\) \\{|\\s*=)(.*?);\\s*\\n", Pattern.DOTALL);
+  private static final Pattern LEMMAS_IN_KOTLIN =
+      Pattern.compile("fun lemmas\\(\\)[^=]* = listOf\\(([^)]*)\\)");
   private static final Pattern ADDED = Pattern.compile("lemmas\\.add\\(([\\w.]+)\\)");
   private static final Pattern NAME = Pattern.compile("\\b([A-Z][A-Z_]+)\\b");
   private static final Pattern ROW =
@@ -44,13 +49,17 @@ class SpecificationsTest {
 
   @BeforeAll
   static void readSources() throws IOException {
-    for (String module : List.of("starl-core", "starl-primitives", "starl-sim", "starl-apps")) {
+    for (String module : MODULES) {
       try (Stream<Path> files = Files.walk(ROOT.resolve(module).resolve("src"))) {
-        for (Path file : files.filter(f -> f.toString().endsWith(".java")).toList()) {
+        for (Path file : files.filter(SpecificationsTest::isSource).toList()) {
           SOURCES.put(file, Files.readString(file));
         }
       }
     }
+  }
+
+  private static boolean isSource(Path file) {
+    return file.toString().endsWith(".java") || file.toString().endsWith(".kt");
   }
 
   private static List<Row> rows() throws IOException {
@@ -79,8 +88,9 @@ class SpecificationsTest {
 
   private static List<String> lemmasOf(String monitor, String others) {
     StringBuilder named = new StringBuilder();
-    LEMMAS.matcher(monitor).results().forEach(match -> named.append(match.group(1)).append(' '));
-    ADDED.matcher(monitor).results().forEach(match -> named.append(match.group(1)).append(' '));
+    for (Pattern pattern : List.of(LEMMAS, LEMMAS_IN_KOTLIN, ADDED)) {
+      pattern.matcher(monitor).results().forEach(match -> named.append(match.group(1)).append(' '));
+    }
     List<String> lemmas = new ArrayList<>();
     for (String constant :
         NAME.matcher(named).results().map(match -> match.group(1)).distinct().toList()) {
@@ -123,10 +133,10 @@ class SpecificationsTest {
       String test = "";
       String monitor = "";
       for (Path file : SOURCES.keySet()) {
-        test += file.endsWith(row.testClass() + ".java") ? SOURCES.get(file) : "";
-        monitor += file.endsWith(row.monitor() + ".java") ? textsBeside(file) : "";
+        test += isClass(file, row.testClass()) ? SOURCES.get(file) : "";
+        monitor += isClass(file, row.monitor()) ? textsBeside(file) : "";
       }
-      assertThat(test).as("%s", row).contains("  void " + row.method() + "(");
+      assertThat(test).as("%s", row).containsPattern("  (void|fun) " + row.method() + "\\(");
       List<String> names = new ArrayList<>(List.of("\"" + row.lemma() + "\"", ", " + row.lemma()));
       CONSTANT
           .matcher(monitor)
@@ -135,5 +145,9 @@ class SpecificationsTest {
           .forEach(match -> names.add("." + match.group(1)));
       assertThat(names).as("%s", row).anyMatch(test::contains);
     }
+  }
+
+  private static boolean isClass(Path file, String name) {
+    return file.endsWith(name + ".java") || file.endsWith(name + ".kt");
   }
 }

@@ -51,7 +51,7 @@ class LineupTest {
     monitor.observe(line(A, "1000.0"), report)
     assertThat(reported).isEmpty()
     monitor.observe(line(B, "1001.0"), report)
-    assertThat(reported).containsExactly("one_line [bot0, bot1] lines at 1000.0 and at 1001.0 mm")
+    assertThat(reported).containsExactly("${InLine.ONE_LINE} [bot0, bot1] lines at 1000.0 and at 1001.0 mm")
   }
 
   @Test
@@ -63,7 +63,7 @@ class LineupTest {
     assertThat(reported).isEmpty()
     monitor.observe(TraceEvent.Variable(2, A, "app", "location", "DONE"), report)
     assertThat(reported)
-      .containsExactly("in_line [bot0] at 1200.0 mm, where the line is at 1000.0 mm")
+      .containsExactly("${InLine.IN_LINE} [bot0] at 1200.0 mm, where the line is at 1000.0 mm")
   }
 
   private fun line(robot: RobotId, xMm: String) =
