@@ -1,14 +1,22 @@
 package org.starl.cli;
 
+import java.io.Closeable;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.Objects;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Demos;
 import org.starl.apps.Plan;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.export.McapRecorder;
+import org.starl.sim.export.MessageTable;
+import org.starl.sim.export.PositionTable;
+import org.starl.sim.export.VariableTable;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.Quantities;
 import org.starl.sim.record.GifRecorder;
@@ -23,13 +31,17 @@ import picocli.CommandLine.Spec;
 /** {@code starl record}. */
 @Command(
     name = "record",
-    description = "Runs, and writes a picture of one moment, a moving picture, or an MCAP file.",
+    description = {
+      "Writes a picture of one moment, a moving picture, an MCAP file or a table of a run:",
+      "of one that is simulated now, or, without simulating, of one in a trace."
+    },
     mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl record intersection --seed 7 --png t=12s --out crossing.png",
       "         starl record intersection --seed 7 --gif --every 500ms",
-      "         starl record intersection --seed 7 --mcap"
+      "         starl record intersection --seed 7 --mcap",
+      "         starl record out/crossing.trace --gif --when violation"
     })
 final class RecordCommand implements Callable<Integer> {
 
@@ -55,6 +67,14 @@ final class RecordCommand implements Callable<Integer> {
         names = "--mcap",
         description = "Motion, messages, variables and log, for Foxglove and other tools.")
     private boolean mcap;
+
+    @Option(
+        names = "--csv",
+        arity = "0..1",
+        fallbackValue = "",
+        paramLabel = "TABLE",
+        description = "A table of positions (unless said otherwise), messages or variables.")
+    private @Nullable String csv;
   }
 
   @Mixin private RunOptions options = new RunOptions();
@@ -86,7 +106,7 @@ final class RecordCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "What to write to; out/APP-SEED.png, .gif or .mcap unless given.")
+      description = "What to write to; out/APP-SEED.png, .gif, .mcap or .csv unless given.")
   private @Nullable String file;
 
   @Spec private @Nullable CommandSpec spec;
@@ -98,54 +118,64 @@ final class RecordCommand implements Callable<Integer> {
     String suffix = suffix();
     String wanted = when();
     Moment moment = moment(wanted);
-    Chosen chosen = options.chosen(Main.demos(spec));
-    long seedNumber = seed.value();
-    Plan plan = chosen.plan(seedNumber);
-    String target = file == null ? defaultFile(chosen.demo().name(), seedNumber, suffix) : file;
-    plan.simulation().carriers(Carriers.chosen(null, err));
+    Recordable run = run(Main.demos(spec), err);
+    String target = file == null ? defaultFile(run.app(), run.seed(), suffix) : file;
     Recorded recorded =
         switch (suffix) {
-          case "gif" -> gif(plan, wanted, target);
-          case "mcap" -> mcap(plan, target);
-          default -> png(plan, moment, target);
+          case "gif" -> gif(run, wanted, target);
+          case "mcap" ->
+              table(run, target, stream -> new McapRecorder(stream, run.plan().obstacles()));
+          case "csv" -> csv(run, target);
+          default -> png(run, moment, target);
         };
-    String name = chosen.demo().name() + ", seed " + seedNumber + ": ";
+    String name = run.app() + ", seed " + run.seed() + ": ";
     out.println(name + (recorded.isWritten() ? target : "no specification was violated"));
     SimResult result = recorded.result();
     if (Outcome.isGood(result)) {
       return ExitStatus.GOOD;
     }
     Outcome.complaints(result).forEach(err::println);
-    err.println("replay: " + options.replay("run", seedNumber));
+    err.println("replay: " + run.again());
     return ExitStatus.VIOLATED;
+  }
+
+  private Recordable run(Demos demos, PrintWriter err) {
+    if (TraceFile.isOne(options.what())) {
+      options.requireNoneFor(options.what());
+      seed.requireNoneFor(options.what());
+      return Recordable.of(TraceFile.open(options.what(), demos));
+    }
+    Chosen chosen = options.chosen(demos);
+    long seedNumber = seed.value();
+    Plan plan = chosen.plan(seedNumber);
+    plan.simulation().carriers(Carriers.chosen(null, err));
+    return Recordable.of(chosen.demo().name(), seedNumber, plan, options.replay("run", seedNumber));
   }
 
   /** How the run went, and whether there was anything to write. */
   private record Recorded(SimResult result, boolean isWritten) {}
 
-  private static Recorded png(Plan plan, Moment moment, String target) throws IOException {
-    try (Picture picture = new Picture(plan, moment, "--out", target)) {
-      plan.simulation().observer(picture.recorder());
-      SimResult result = plan.simulation().build().run();
+  private static Recorded png(Recordable run, Moment moment, String target) throws IOException {
+    try (Picture picture = new Picture(run.plan(), moment, "--out", target)) {
+      SimResult result = run.show().apply(picture.recorder());
       return new Recorded(result, picture.isTaken());
     }
   }
 
-  private Recorded gif(Plan plan, String wanted, String target) throws IOException {
+  private Recorded gif(Recordable run, String wanted, String target) throws IOException {
     boolean ofViolation = wanted.equals(VIOLATION);
     if (!ofViolation && when != null) {
       throw new BadInput("--when " + when + ": of a moving picture, expected violation or nothing");
     }
     GifRecorder recorder =
         new GifRecorder(
-            plan.obstacles(),
-            plan.layer(),
+            run.plan().obstacles(),
+            run.plan().layer(),
             everyNs(),
             (int) Numbers.whole("--width", width, 100, MAX_WIDTH_PX),
             ofViolation);
-    plan.simulation().observer(recorder);
     try (OutputFile output = new OutputFile("--out", target)) {
-      SimResult result = plan.simulation().build().run();
+      SimResult result = run.show().apply(recorder);
       if (recorder.hasFrames()) {
         recorder.writeGif(output.stream());
       }
@@ -153,17 +183,31 @@ final class RecordCommand implements Callable<Integer> {
     }
   }
 
-  private static Recorded mcap(Plan plan, String target) throws IOException {
-    try (ObserverFile output =
-        ObserverFile.of("--out", target, stream -> new McapRecorder(stream, plan.obstacles()))) {
-      plan.simulation().observer(output.observer());
-      return new Recorded(plan.simulation().build().run(), true);
+  private Recorded csv(Recordable run, String target) throws IOException {
+    String wanted = what == null || what.csv == null ? "" : what.csv;
+    return switch (wanted) {
+      case "", "positions" -> table(run, target, PositionTable::new);
+      case "messages" -> table(run, target, MessageTable::new);
+      case "variables" -> table(run, target, VariableTable::new);
+      default ->
+          throw new BadInput(
+              "--csv: " + BadInput.quote(wanted) + ": expected positions, messages or variables");
+    };
+  }
+
+  private static <T extends SimObserver & Closeable> Recorded table(
+      Recordable run, String target, Function<OutputStream, T> maker) throws IOException {
+    try (ObserverFile output = ObserverFile.of("--out", target, maker)) {
+      return new Recorded(run.show().apply(output.observer()), true);
     }
   }
 
   private String suffix() {
     if (what != null && what.gif) {
       return "gif";
+    }
+    if (what != null && what.csv != null) {
+      return "csv";
     }
     return what != null && what.mcap ? "mcap" : "png";
   }

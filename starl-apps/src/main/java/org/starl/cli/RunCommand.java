@@ -13,8 +13,10 @@ import org.starl.apps.Product;
 import org.starl.processes.FleetResult;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimResult;
+import org.starl.sim.export.MessageTable;
 import org.starl.sim.export.PositionTable;
 import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.export.VariableTable;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.record.Moment;
@@ -44,6 +46,18 @@ final class RunCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description = "Write every change of the true motion to FILE.")
   private @Nullable String csv;
+
+  @Option(
+      names = "--csv-messages",
+      paramLabel = "FILE",
+      description = "Write every message sent, delivered or dropped to FILE.")
+  private @Nullable String csvMessages;
+
+  @Option(
+      names = "--csv-variables",
+      paramLabel = "FILE",
+      description = "Write every new value of a variable to FILE.")
+  private @Nullable String csvVariables;
 
   @Option(
       names = "--png",
@@ -178,10 +192,15 @@ final class RunCommand implements Callable<Integer> {
       throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
         ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
+        ObserverFile messages = ObserverFile.of("--csv-messages", csvMessages, MessageTable::new);
+        ObserverFile variables =
+            ObserverFile.of("--csv-variables", csvVariables, VariableTable::new);
         Picture picture = new Picture(plan, new Moment.Best(), "--png", pictureName)) {
       plan.simulation()
           .observer(traceFile.observer())
           .observer(csvFile.observer())
+          .observer(messages.observer())
+          .observer(variables.observer())
           .observer(picture.recorder());
       if (areProcesses) {
         Blueprint blueprint = plan.simulation().build().blueprint();

@@ -84,6 +84,28 @@ final class RunOptions {
       description = "Any other setting or parameter; 'starl list' names them.")
   private Map<String, String> sets = new LinkedHashMap<>();
 
+  /** What is named, as the user wrote it. */
+  String what() {
+    return what;
+  }
+
+  /**
+   * Nothing may be said of a run that is over.
+   *
+   * @throws BadInput if something is
+   */
+  void requireNoneFor(String trace) {
+    List<String> said = words(0);
+    List<String> nothing = List.of(what, "--seed", "0");
+    if (said.size() > nothing.size()) {
+      throw new BadInput(
+          said.get(nothing.size())
+              + ": "
+              + trace
+              + " is a run that is over; expected nothing that would change it");
+    }
+  }
+
   /** What to run, which is one of {@code demos}. */
   Chosen chosen(Demos demos) {
     boolean isFile = ScenarioFile.isOne(what);

@@ -49,7 +49,15 @@ final class TraceFile {
 
   /** Whether {@code what} means a trace, not an app or a scenario file. */
   static boolean isOne(String what) {
-    return what.endsWith(".trace") || what.endsWith(".jsonl");
+    return what.endsWith(".trace") || (!ScenarioFile.isOne(what) && isFile(what));
+  }
+
+  private static boolean isFile(String what) {
+    try {
+      return what.contains(".") && Files.isRegularFile(Path.of(what));
+    } catch (InvalidPathException e) {
+      return false;
+    }
   }
 
   /** Reads the header. */
@@ -117,6 +125,11 @@ final class TraceFile {
     } catch (BadInput e) {
       throw new BadInput(name + ":1: " + e.getMessage());
     }
+  }
+
+  /** Reads all of it. */
+  void requireWhole() {
+    show(List.of(), List.of());
   }
 
   /** Shows it to the observers, and to the monitors of its app; nothing is simulated. */

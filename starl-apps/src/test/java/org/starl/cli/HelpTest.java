@@ -27,6 +27,7 @@ class HelpTest {
         "campaign",
         "verify-determinism",
         "record",
+        "replay",
         "schema",
         "new",
         "bench"

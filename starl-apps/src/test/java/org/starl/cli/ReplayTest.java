@@ -1,0 +1,267 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.UnaryOperator;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.apps.hello.HelloDemo;
+import org.starl.sim.SimSettings;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+
+/** {@code starl replay} and {@code starl record} on traces, good ones and others. */
+class ReplayTest {
+
+  private static final Demos DEMOS = new Demos(List.of(new HelloDemo(), new Strict()));
+
+  @TempDir private Path folder;
+  private Path trace;
+
+  /** Hello, in which nobody may drive. */
+  private static final class Strict implements Demo {
+    private final Demo hello = new HelloDemo();
+
+    @Override
+    public String name() {
+      return "strict";
+    }
+
+    @Override
+    public String summary() {
+      return "hello that must stand still";
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return hello.defaultSettings(request);
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Plan plan = hello.plan(request, settings);
+      plan.simulation().monitor(StandsStill::new);
+      return plan;
+    }
+  }
+
+  private static final class StandsStill implements Monitor {
+    @Override
+    public List<String> lemmas() {
+      return List.of("stands_still");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
+        report.violated("stands_still", event.timeNs(), List.of(event.robot()), "drives");
+      }
+    }
+  }
+
+  private static Cli cli(String... words) {
+    return Cli.run(DEMOS, words);
+  }
+
+  private Cli traced(String app, Path file) {
+    String png = folder.resolve("a.png").toString();
+    return cli("run", app, "--seed", "4", "--trace", file.toString(), "--png", png);
+  }
+
+  @BeforeEach
+  void aTrace() {
+    trace = folder.resolve("hello.trace");
+    assertThat(traced("hello", trace).status()).isZero();
+  }
+
+  private Path changed(UnaryOperator<List<String>> change) throws IOException {
+    Path other = folder.resolve("other.trace");
+    List<String> lines = new ArrayList<>(Files.readAllLines(trace));
+    Files.writeString(other, String.join("\n", change.apply(lines)) + "\n");
+    return other;
+  }
+
+  private static void isRefused(Path file, String why) {
+    for (String[] words :
+        new String[][] {
+          {"replay", file.toString(), "--headless"},
+          {"record", file.toString(), "--out", file.resolveSibling("no.png").toString()}
+        }) {
+      Cli cli = cli(words);
+      assertThat(cli.err()).hasSize(1).first().asString().contains(file.toString(), why);
+      assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+      assertThat(file.resolveSibling("no.png")).doesNotExist();
+    }
+  }
+
+  @Test
+  void theFirstLineThatDiffersIsTold() throws IOException {
+    int[] number = new int[1];
+    Path other =
+        changed(lines -> {
+          while (!lines.get(number[0]).contains("\"value\":\"MOVING\"")) {
+            number[0]++;
+          }
+          return with(lines, number[0], "MOVING", "FAIL");
+        });
+    Cli cli = cli("replay", other.toString(), "--headless");
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(cli.text())
+        .contains("first difference at line " + (number[0] + 1), "  trace: {", "  replay: {");
+    Cli json = cli("replay", other.toString(), "--headless", "--json");
+    assertThat(json.text()).contains("\"equal\":false", "\"lines\":" + number[0]);
+  }
+
+  @Test
+  void whatIsNoTraceOfThisStarlIsRefusedInOneLine() throws IOException {
+    isRefused(folder.resolve("none.trace"), "there is no such file");
+    isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is no file");
+    isRefused(Files.createFile(folder.resolve("empty.trace")), "expected the header");
+    isRefused(
+        Files.writeString(folder.resolve("poem.trace"), "roses are red\n"), "expected the header");
+    isRefused(Files.write(folder.resolve("bytes.trace"), new byte[] {1, -1, 10}), "expected text");
+    isRefused(changed(lines -> with(lines, 0, "\"format\":1,", "\"format\":9,")), "format 1");
+    isRefused(
+        changed(lines -> with(lines, 0, "\"starl\":\"0", "\"starl\":\"99")),
+        "was written by StarL");
+    isRefused(
+        changed(lines -> with(lines, 0, ":\"hello\"", ":\"helo\"")), "no app is called 'helo'");
+    isRefused(
+        changed(lines -> with(lines, 0, "\"messageLoss\":", "\"messageLos\":")), "messageLos");
+    isRefused(changed(lines -> with(lines, 0, "\"messageLoss\":\"", "\"messageLoss\":\"x")), "x0");
+  }
+
+  @Test
+  void whatIsBrokenIsRefusedWithItsLine() throws IOException {
+    isRefused(changed(lines -> lines.subList(0, 100)), "no line of kind end");
+    String text = Files.readString(trace);
+    isRefused(
+        Files.writeString(folder.resolve("cut.trace"), text.substring(0, text.length() / 2)),
+        "cut off inside it");
+    isRefused(
+        changed(lines -> {
+          lines.add(20, lines.get(90));
+          return lines;
+        }),
+        ":22: expected a time that is not before the one above");
+    isRefused(
+        changed(lines -> {
+          lines.removeIf(line -> line.contains("\"joined\""));
+          return lines;
+        }),
+        "expected a robot that has joined");
+  }
+
+  private static List<String> with(List<String> lines, int number, String old, String next) {
+    assertThat(lines.get(number)).contains(old);
+    lines.set(number, lines.get(number).replace(old, next));
+    return lines;
+  }
+
+  @Test
+  void aRunOfProcessesCannotBeRunAgain() throws IOException {
+    Path other =
+        changed(lines -> {
+          lines.add(
+              1,
+              "{\"kind\":\"fault\",\"timeNs\":0,\"robot\":\"world\",\"name\":\"begin\","
+                  + "\"detail\":\"realtime\"}");
+          int last = lines.size() - 1;
+          lines.set(last, lines.get(last).replaceFirst("\\d+}$", last - 1 + "}"));
+          return lines;
+        });
+    Cli cli = cli("replay", other.toString(), "--headless");
+    assertThat(cli.err()).singleElement().asString().contains("processes in real time");
+    assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    assertThat(cli("record", other.toString(), "--csv", "--out", out("a.csv")).status()).isZero();
+  }
+
+  private String out(String name) {
+    return folder.resolve(name).toString();
+  }
+
+  @Test
+  void ofATraceAllIsRecordedThatARunGives() throws IOException {
+    String file = trace.toString();
+    for (String kind : List.of("--gif", "--mcap", "--png")) {
+      Cli cli = cli("record", file, kind, "--out", out("x" + kind));
+      assertThat(cli.err()).isEmpty();
+      assertThat(folder.resolve("x" + kind)).isNotEmptyFile();
+    }
+    for (String table : List.of("positions", "messages", "variables")) {
+      String ofTrace = out("trace-" + table);
+      String ofRun = out("run-" + table);
+      assertThat(cli("record", file, "--csv=" + table, "--out", ofTrace).status()).isZero();
+      cli("record", "hello", "--seed", "4", "--csv=" + table, "--out", ofRun);
+      assertThat(Files.readAllLines(Path.of(ofTrace))).hasSizeGreaterThanOrEqualTo(1);
+      // A trace rounds places.
+      if (!table.equals("positions")) {
+        assertThat(Path.of(ofTrace)).hasSameTextualContentAs(Path.of(ofRun));
+      }
+    }
+  }
+
+  @Test
+  void whatARunIsChangedByIsRefusedOfATrace() {
+    String file = trace.toString();
+    for (String[] option : new String[][] {{"--seed", "3"}, {"--loss", "0.3"}, {"--ideal"}}) {
+      List<String> words = new ArrayList<>(List.of("record", file));
+      words.addAll(List.of(option));
+      Cli cli = cli(words.toArray(String[]::new));
+      assertThat(cli.err()).singleElement().asString().contains(option[0], "a run that is over");
+      assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
+    }
+    assertThat(cli("record", file, "--csv=pictures").err())
+        .singleElement()
+        .asString()
+        .contains("expected positions, messages or variables");
+  }
+
+  @Test
+  void aViolationIsFoundInTheTrace() {
+    Path strict = folder.resolve("strict.trace");
+    Cli run = traced("strict", strict);
+    assertThat(run.status()).isEqualTo(ExitStatus.VIOLATED);
+    Cli cli = cli("record", strict.toString(), "--gif", "--when", "violation", "--out", out("v"));
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(Path.of(out("v"))).isNotEmptyFile();
+    assertThat(cli.err().stream().filter(line -> line.startsWith("VIOLATED")).toList())
+        .isNotEmpty()
+        .isEqualTo(run.out().stream().filter(line -> line.startsWith("VIOLATED")).toList());
+    assertThat(cli.err()).contains("replay: ./starl replay " + strict + " --headless");
+    assertThat(cli("replay", strict.toString(), "--headless").status()).isZero();
+  }
+
+  @Test
+  void aRunWritesItsTables() throws IOException {
+    Cli cli =
+        cli(
+            "run",
+            "hello",
+            "--csv-messages",
+            out("m.csv"),
+            "--csv-variables",
+            out("v.csv"),
+            "--png",
+            out("a.png"));
+    assertThat(cli.status()).isZero();
+    assertThat(Files.readAllLines(Path.of(out("m.csv"))).get(0))
+        .isEqualTo("time_s,event,from,to,channel,seq,bytes,text");
+    assertThat(Files.readString(Path.of(out("v.csv"))))
+        .startsWith("time_s,robot,source,name,value\n")
+        .contains(",motion,motionflag,DONE\n");
+    Cli bad = cli("run", "hello", "--csv-messages", folder.toString());
+    assertThat(bad.err()).singleElement().asString().contains("--csv-messages");
+    assertThat(bad.status()).isEqualTo(ExitStatus.BAD_INPUT);
+  }
+}
