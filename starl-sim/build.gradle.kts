@@ -9,6 +9,7 @@ dependencies {
     api(project(":starl-core"))
     api(libs.jspecify)
     implementation(libs.jackson.databind)
+    implementation(libs.flatlaf)
     // For users' tests alone: who runs simulations elsewhere does not have it.
     compileOnly(libs.junit.jupiter.api)
     testImplementation(libs.junit.jupiter)

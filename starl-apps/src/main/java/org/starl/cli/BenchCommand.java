@@ -4,14 +4,17 @@ import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.bench.Measurement;
 import org.starl.bench.MutexCost;
+import org.starl.bench.PatrolWorkload;
 import org.starl.bench.Workload;
 import org.starl.bench.Workloads;
 import org.starl.sim.input.BadInput;
+import org.starl.sim.view.ViewBench;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -28,10 +31,15 @@ import picocli.CommandLine.Spec;
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
 final class BenchCommand implements Callable<Integer> {
 
+  private static final String VIEW = "view";
+
+  /** Real time for each number of robots. */
+  private static final double VIEW_S = 8;
+
   @Parameters(
       index = "0",
       paramLabel = "WORKLOAD",
-      description = "b1, b2, mutex or apps; see 'starl list'.")
+      description = "b1, b2, mutex, view or apps; see 'starl list'.")
   private String name = "";
 
   @Option(
@@ -78,6 +86,10 @@ final class BenchCommand implements Callable<Integer> {
       showMutexCost(out);
       return ExitStatus.GOOD;
     }
+    if (name.equals(VIEW)) {
+      showView(out);
+      return ExitStatus.GOOD;
+    }
     if (name.equals(AppsTable.NAME)) {
       return showApps(out, spec) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     }
@@ -87,7 +99,7 @@ final class BenchCommand implements Callable<Integer> {
                 new BadInput(
                     "no workload is called "
                         + BadInput.quote(name)
-                        + ": expected b1, b2, mutex or apps"));
+                        + ": expected b1, b2, mutex, view or apps"));
     Carriers.chosen(null, spec.commandLine().getErr());
     List<Measurement> taken =
         Measurement.take(
@@ -109,6 +121,44 @@ final class BenchCommand implements Callable<Integer> {
     PrintWriter err = spec.commandLine().getErr();
     return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.chosen(null, err), out, err)
         .print(Main.demos(spec), app, input, json.isOn());
+  }
+
+  /** Pictures a second while b2 goes on beside it. */
+  private void showView(PrintWriter out) throws InterruptedException {
+    List<String> sizes = robots == null ? List.of("100", "1000", "10000") : List.of(robots);
+    for (String size : sizes) {
+      int count = (int) Numbers.whole("--robots", size, 2, 1_000_000);
+      ViewBench seen =
+          ViewBench.take(
+              new PatrolWorkload().plan(count, Workload.Style.BLOCKING, Seeds.of(seed)), 1, VIEW_S);
+      out.println(
+          json.isOn()
+              ? Json.line(
+                  Map.of(
+                      "robots",
+                      count,
+                      "framesPerS",
+                      seen.framesPerS(),
+                      "cpuMsPerFrame",
+                      seen.cpuMs(),
+                      "longestMs",
+                      seen.longestMs(),
+                      "simulatedSPerS",
+                      seen.simulatedS() / seen.wallS(),
+                      "traceEventsPerS",
+                      seen.events() / seen.wallS()))
+              : String.format(
+                  Locale.ROOT,
+                  "view n=%d: %.0f frames/s (%.1f CPU ms each, longest wait %.0f ms),"
+                      + " %.2f simulated s/s, %.0f trace events/s",
+                  count,
+                  seen.framesPerS(),
+                  seen.cpuMs(),
+                  seen.longestMs(),
+                  seen.simulatedS() / seen.wallS(),
+                  seen.events() / seen.wallS()));
+      out.flush();
+    }
   }
 
   /** In Markdown, for the docs. */

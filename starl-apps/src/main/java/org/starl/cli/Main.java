@@ -133,6 +133,10 @@ public final class Main implements Runnable {
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
     }
+    if (error instanceof Lacking) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.LACKING;
+    }
     String message = error.getMessage();
     String line = message == null ? error.toString() : message;
     err.println("starl: " + line + (stacktrace ? "" : " (--stacktrace shows where)"));

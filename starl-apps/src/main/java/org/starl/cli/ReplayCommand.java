@@ -2,13 +2,15 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Plan;
 import org.starl.sim.check.Determinism;
 import org.starl.sim.check.ReplayCheck;
-import org.starl.sim.input.BadInput;
+import org.starl.sim.replay.Recording;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -19,11 +21,13 @@ import picocli.CommandLine.Spec;
 /** {@code starl replay}. */
 @Command(
     name = "replay",
-    description = "Runs a trace's run again, and compares it with the trace line by line.",
+    description =
+        "Shows a trace in a window; or runs its run again, and compares the two line by line.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl run intersection --seed 7 --trace out/crossing.trace",
+      "         starl replay out/crossing.trace",
       "         starl replay out/crossing.trace --headless"
     })
 final class ReplayCommand implements Callable<Integer> {
@@ -33,6 +37,8 @@ final class ReplayCommand implements Callable<Integer> {
 
   @Option(names = "--headless", description = "Without a window: only check that it replays.")
   private boolean headless;
+
+  @Mixin private Viewing viewing = new Viewing();
 
   @Mixin private JsonOption json = new JsonOption();
 
@@ -72,7 +78,13 @@ final class ReplayCommand implements Callable<Integer> {
     return check.isEqual() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  private static int show(TraceFile trace) {
-    throw new BadInput(trace.name() + ": expected --headless: this StarL has no window");
+  /** Shows what is in the trace; nothing is run. */
+  private int show(TraceFile trace) {
+    Viewing.demandScreen();
+    Plan plan = trace.plan();
+    Recording recording = new Recording(plan.obstacles(), plan.layer());
+    trace.show(List.of(recording));
+    viewing.show(recording);
+    return ExitStatus.GOOD;
   }
 }

@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -31,7 +32,11 @@ import picocli.CommandLine.Spec;
     name = "run",
     description = "One run, with all monitors on; tells its story and draws its picture.",
     mixinStandardHelpOptions = true,
-    footer = {"", "Example: starl run intersection --robots 8 --seed 7 --loss 0.1"})
+    footer = {
+      "",
+      "Example: starl run intersection --robots 8 --seed 7 --loss 0.1",
+      "         starl run search --seed 7 --view"
+    })
 final class RunCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
@@ -77,6 +82,13 @@ final class RunCommand implements Callable<Integer> {
       description = "What carries robots that wait: virtual or platform (threads).")
   private @Nullable CarrierKind carrier;
 
+  @Option(
+      names = "--view",
+      description = "Show it in a window while it goes on; closing the window ends the run.")
+  private boolean view;
+
+  @Mixin private Viewing viewing = new Viewing();
+
   @Mixin private ProcessOptions processes = new ProcessOptions();
 
   @Mixin private JsonOption json = new JsonOption();
@@ -87,6 +99,12 @@ final class RunCommand implements Callable<Integer> {
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
+    if (view && processes.areOn()) {
+      throw new BadInput("--view: robots as processes have no window: expected one of the two");
+    }
+    if (view) {
+      Viewing.demandScreen();
+    }
     Chosen chosen = options.chosen(Main.demos(spec));
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
@@ -152,10 +170,19 @@ final class RunCommand implements Callable<Integer> {
     boolean isGood();
   }
 
-  private record Simulated(SimResult result) implements Ran {
+  /**
+   * Simulated.
+   *
+   * @param isStopped whether somebody closed the window before the end
+   */
+  private record Simulated(SimResult result, boolean isStopped) implements Ran {
     @Override
     public List<String> lines(Measures measures) {
-      return Outcome.lines(result, measures);
+      List<String> lines = new ArrayList<>(Outcome.lines(result, measures));
+      if (isStopped) {
+        lines.add("stopped, because the window was closed");
+      }
+      return lines;
     }
 
     @Override
@@ -165,7 +192,7 @@ final class RunCommand implements Callable<Integer> {
 
     @Override
     public boolean isGood() {
-      return Outcome.isGood(result);
+      return isStopped ? result.spec().holds() : Outcome.isGood(result);
     }
   }
 
@@ -207,7 +234,11 @@ final class RunCommand implements Callable<Integer> {
         return new Processes(processes.run(blueprint, options.words(seedNumber), err));
       }
       plan.simulation().carriers(Carriers.chosen(carrier, err));
-      return new Simulated(plan.simulation().build().run());
+      if (view) {
+        Viewing.Watched watched = viewing.run(plan);
+        return new Simulated(watched.result(), watched.isStopped());
+      }
+      return new Simulated(plan.simulation().build().run(), false);
     }
   }
 }

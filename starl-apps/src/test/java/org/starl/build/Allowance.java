@@ -12,6 +12,7 @@ record Allowance(String rule, String path, String reason) {
 
   private static final String MAIN = "/src/main/java/org/starl/";
   private static final String KERNEL = "starl-sim" + MAIN + "sim/kernel/";
+  private static final String VIEW = "starl-sim" + MAIN + "sim/view/";
   private static final String BUILD_TESTS = "starl-apps/src/test/java/org/starl/build/";
 
   static List<Allowance> all() {
@@ -32,6 +33,22 @@ record Allowance(String rule, String path, String reason) {
             "wall clock",
             "starl-apps" + MAIN + "cli/ProgressLine.java",
             "tells a person how long a campaign will take"),
+        new Allowance(
+            "wall clock",
+            VIEW + "Window.java",
+            "a person watches in real time; it decides nothing in the run"),
+        new Allowance(
+            "wall clock",
+            VIEW + "ViewBench.java",
+            "a benchmark measures the machine, and decides nothing by it"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            VIEW + "Window.java",
+            "who opens it waits, off Swing's thread, until it is closed"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            VIEW + "Interventions.java",
+            "what came of them comes from the run's thread"),
         new Allowance(
             "threads and locks in the simulator and its tools",
             KERNEL,

@@ -3,7 +3,7 @@ package org.starl.sim.record;
 import org.starl.geometry.Point;
 
 /** The smallest upright rectangle around points of the world; grows as more are added. */
-final class Extent {
+public final class Extent {
 
   private double xMinMm = Double.POSITIVE_INFINITY;
   private double yMinMm = Double.POSITIVE_INFINITY;
@@ -11,7 +11,7 @@ final class Extent {
   private double yMaxMm = Double.NEGATIVE_INFINITY;
 
   /** What a picture of {@code scene} shows: all that stands or ever moved there, and its corners. */
-  static Extent of(Scene scene, Layer layer) {
+  public static Extent of(Scene scene, Layer layer) {
     Extent extent = scene.extent().copy();
     layer.corners().forEach(extent::add);
     return extent;
@@ -24,6 +24,14 @@ final class Extent {
     copy.xMaxMm = xMaxMm;
     copy.yMaxMm = yMaxMm;
     return copy;
+  }
+
+  /** Grows by all of another one. */
+  public void include(Extent other) {
+    xMinMm = Math.min(xMinMm, other.xMinMm);
+    yMinMm = Math.min(yMinMm, other.yMinMm);
+    xMaxMm = Math.max(xMaxMm, other.xMaxMm);
+    yMaxMm = Math.max(yMaxMm, other.yMaxMm);
   }
 
   void add(Point point) {

@@ -4,6 +4,7 @@ import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
@@ -15,24 +16,55 @@ import org.starl.geometry.Pose;
 final class FlightPainter {
 
   private static final int FEW = 14;
+  private static final int MANY = 80;
   private static final double BEND = 0.10;
   private static final double DOT_PX = 4.5;
 
   void paint(Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
+    if (flights.size() > MANY) {
+      plainly(page, flights, scene, viewport, look);
+      return;
+    }
     boolean areNamed = flights.size() <= FEW;
     for (Flight flight : flights) {
       Optional<Pose> from = scene.pose(flight.from());
       Optional<Pose> to = scene.pose(flight.to());
       if (from.isPresent() && to.isPresent() && !flight.from().equals(flight.to())) {
         Arc arc =
-            new Arc(
+            Arc.between(
                 viewport.xPx(from.get().at()),
                 viewport.yPx(from.get().at()),
+                scene.radiusMm(flight.from()) * viewport.pxPerMm(),
                 viewport.xPx(to.get().at()),
-                viewport.yPx(to.get().at()));
+                viewport.yPx(to.get().at()),
+                scene.radiusMm(flight.to()) * viewport.pxPerMm());
         paint(page, flight, arc, look.robot(scene, flight.from()), look.theme(), areNamed);
       }
     }
+  }
+
+  /** Where there are so many that nobody could tell one arc from another. */
+  private static void plainly(
+      Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
+    Object before = page.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
+    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+    page.setStroke(new BasicStroke(1));
+    for (Flight flight : flights) {
+      Optional<Pose> from = scene.pose(flight.from());
+      Optional<Pose> to = scene.pose(flight.to());
+      if (from.isPresent() && to.isPresent()) {
+        page.setColor(
+            flight.state() == Flight.State.DROPPED
+                ? look.theme().alarm()
+                : look.robot(scene, flight.from()));
+        page.drawLine(
+            (int) viewport.xPx(from.get().at()),
+            (int) viewport.yPx(from.get().at()),
+            (int) viewport.xPx(to.get().at()),
+            (int) viewport.yPx(to.get().at()));
+      }
+    }
+    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, before);
   }
 
   private static void paint(
@@ -67,6 +99,17 @@ final class FlightPainter {
 
   /** Bent to one side, lest those there and those back lie on each other. */
   private record Arc(double x0, double y0, double x1, double y1) {
+
+    /** From edge to edge of two discs; from middle to middle if they are too near. */
+    static Arc between(double x0, double y0, double r0, double x1, double y1, double r1) {
+      double length = Math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0));
+      if (length <= r0 + r1 + 4 * DOT_PX) {
+        return new Arc(x0, y0, x1, y1);
+      }
+      double dx = (x1 - x0) / length;
+      double dy = (y1 - y0) / length;
+      return new Arc(x0 + r0 * dx, y0 + r0 * dy, x1 - r1 * dx, y1 - r1 * dy);
+    }
 
     private double xBend() {
       return (x0 + x1) / 2 - BEND * (y1 - y0);

@@ -4,6 +4,7 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.util.List;
 import java.util.Optional;
 import org.starl.RobotId;
 import org.starl.geometry.Pose;
@@ -20,14 +21,17 @@ final class Labels {
   private Labels() {}
 
   static void paint(Graphics2D page, Scene scene, Viewport viewport, Look look, int shown) {
-    for (RobotId robot : scene.robots()) {
+    RobotId selected = look.selected();
+    List<RobotId> named =
+        shown <= MANY ? scene.robots() : selected == null ? List.of() : List.of(selected);
+    for (RobotId robot : named) {
       Optional<Pose> pose = scene.pose(robot);
       if (pose.isEmpty() || !viewport.shows(pose.get().at(), scene.radiusMm(robot))) {
         continue;
       }
       double radiusPx = scene.radiusMm(robot) * viewport.pxPerMm();
-      boolean isSelected = robot.equals(look.selected());
-      if (isSelected || (shown <= MANY && radiusPx >= LEAST_RADIUS_PX)) {
+      boolean isSelected = robot.equals(selected);
+      if (isSelected || radiusPx >= LEAST_RADIUS_PX) {
         double x = viewport.xPx(pose.get().at());
         double y = viewport.yPx(pose.get().at());
         double below = y + radiusPx + (isSelected ? 20 : 15);

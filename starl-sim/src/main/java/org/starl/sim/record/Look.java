@@ -112,6 +112,11 @@ public final class Look {
     return selected;
   }
 
+  /** Whether the radio has a limit. */
+  public boolean isRangeKnown() {
+    return rangeMm > 0;
+  }
+
   double rangeMm() {
     return rangeMm;
   }

@@ -57,10 +57,12 @@ public final class Painter {
     page.setColor(look.theme().paper());
     page.fillRect(0, 0, viewport.widthPx(), viewport.heightPx());
     Look scaled = look.at(viewport);
-    Graphics2D floor = (Graphics2D) page.create();
-    floor.transform(viewport.transform());
-    layer.paintFloor(floor, scene, scaled);
-    floor.dispose();
+    if (look.shows(Part.APP)) {
+      Graphics2D floor = (Graphics2D) page.create();
+      floor.transform(viewport.transform());
+      layer.paintFloor(floor, scene, scaled);
+      floor.dispose();
+    }
     obstacles.paint(page, scene, viewport, scaled);
     if (look.shows(Part.TRAILS) && layer.showsTrails()) {
       trails.paint(page, scene, viewport, look);
@@ -69,10 +71,12 @@ public final class Painter {
       range(page, scene, viewport, look, look.selected());
     }
     int shown = look.shows(Part.ROBOTS) ? robots(page, scene, viewport, look) : 0;
-    Graphics2D over = (Graphics2D) page.create();
-    over.transform(viewport.transform());
-    layer.paintOver(over, scene, scaled);
-    over.dispose();
+    if (look.shows(Part.APP)) {
+      Graphics2D over = (Graphics2D) page.create();
+      over.transform(viewport.transform());
+      layer.paintOver(over, scene, scaled);
+      over.dispose();
+    }
     if (look.shows(Part.BUMPS)) {
       bumps(page, scene, viewport, look.theme());
     }

@@ -2,6 +2,7 @@ package org.starl.sim.record;
 
 /** What a picture consists of besides the app's {@link Layer}; each can be switched off. */
 public enum Part {
+  APP("App", "what the app draws: zones, routes, goals"),
   WALLS("Obstacles", "what all robots know to be in the way"),
   HIDDEN("Hidden obstacles", "what is in the way and on no robot's map at the start"),
   TRAILS("Trails", "where bodies have been"),

@@ -88,8 +88,11 @@ public final class Scene {
    */
   public Scene copy() {
     Scene copy = new Scene(obstacles, bodies.copy(), extent.copy());
-    trails.forEach((robot, trail) -> copy.trails.put(robot, trail.copy()));
-    variables.forEach((robot, values) -> copy.variables.put(robot, new TreeMap<>(values)));
+    // Sorted maps are taken over in linear time.
+    copy.trails.putAll(trails);
+    copy.trails.replaceAll((robot, trail) -> trail.copy());
+    copy.variables.putAll(variables);
+    copy.variables.replaceAll((robot, values) -> new TreeMap<>(values));
     copy.numbers.putAll(numbers);
     copy.gone.addAll(gone);
     copy.down.addAll(down);

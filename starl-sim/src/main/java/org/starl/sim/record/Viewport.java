@@ -28,9 +28,8 @@ public record Viewport(int widthPx, int heightPx, Point centre, double pxPerMm) 
     pxPerMm = Math.max(LEAST_PX_PER_MM, Math.min(MOST_PX_PER_MM, pxPerMm));
   }
 
-  /** All that stands or ever moved in {@code scene}, and what its layer wants to be seen. */
-  public static Viewport fit(Scene scene, Layer layer, int widthPx, int heightPx, int marginPx) {
-    Extent extent = Extent.of(scene, layer);
+  /** All of {@code extent}, and a little around it. */
+  public static Viewport fit(Extent extent, int widthPx, int heightPx, int marginPx) {
     double across = Math.max(1, widthPx - 2 * marginPx) / (extent.widthMm() + 2 * WORLD_MARGIN_MM);
     double up = Math.max(1, heightPx - 2 * marginPx) / (extent.heightMm() + 2 * WORLD_MARGIN_MM);
     return new Viewport(widthPx, heightPx, extent.centre(), Math.min(across, up));

@@ -18,6 +18,9 @@ final class Checkpoints {
   private static final int MOST = 96;
   private static final int LEAST = 8;
 
+  /** They do not stand nearer than so many events for each robot. */
+  private static final int EVENTS_A_ROBOT = 8;
+
   /** A scene of many robots is large. */
   private static final int MOST_ROBOTS = 200_000;
 
@@ -39,13 +42,23 @@ final class Checkpoints {
     if (events % stride != 0 || byEvents.containsKey(events)) {
       return;
     }
-    byEvents.put(events, new Checkpoint(events, scene.copy(), layer.copy()));
-    int most = Math.max(LEAST, Math.min(MOST, MOST_ROBOTS / Math.max(1, scene.robots().size())));
-    while (byEvents.size() > most) {
-      int wider = 2 * stride;
-      byEvents.keySet().removeIf(each -> each % wider != 0);
-      stride = wider;
+    int robots = scene.robots().size();
+    if (stride < EVENTS_A_ROBOT * robots) {
+      // To copy so many would take longer than to go through the events again.
+      widen();
+      return;
     }
+    byEvents.put(events, new Checkpoint(events, scene.copy(), layer.copy()));
+    int most = Math.max(LEAST, Math.min(MOST, MOST_ROBOTS / Math.max(1, robots)));
+    while (byEvents.size() > most) {
+      widen();
+    }
+  }
+
+  private void widen() {
+    int wider = 2 * stride;
+    byEvents.keySet().removeIf(each -> each % wider != 0);
+    stride = wider;
   }
 
   /** The last one after at most so many events. */

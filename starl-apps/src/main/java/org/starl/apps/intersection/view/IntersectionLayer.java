@@ -159,6 +159,7 @@ public final class IntersectionLayer implements Layer {
     floor.draw(square);
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
+    upright.setColor(look.theme().muted());
     upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 90));
     upright.drawString(name, (int) area.xMinMm() + 18, (int) -area.yMaxMm() + 92);
     upright.dispose();

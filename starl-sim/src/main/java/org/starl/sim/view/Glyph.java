@@ -1,0 +1,132 @@
+package org.starl.sim.view;
+
+import java.awt.BasicStroke;
+import java.awt.Component;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.Rectangle2D;
+import javax.swing.Icon;
+import javax.swing.UIManager;
+
+/** The pictures on buttons, 16 by 16, in the colour of text. */
+enum Glyph implements Icon {
+  PLAY,
+  PAUSE,
+  STEP,
+  STEP_BACK,
+  EVENT,
+  EVENT_BACK,
+  FIRST,
+  LAST,
+  NEXT_MARK,
+  PREVIOUS_MARK,
+  FIT,
+  THEME,
+  HELP;
+
+  private static final int SIZE = 16;
+
+  @Override
+  public int getIconWidth() {
+    return SIZE;
+  }
+
+  @Override
+  public int getIconHeight() {
+    return SIZE;
+  }
+
+  @Override
+  public void paintIcon(Component on, Graphics graphics, int x, int y) {
+    Graphics2D page = (Graphics2D) graphics.create();
+    page.translate(x, y);
+    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    page.setColor(
+        on.isEnabled() ? on.getForeground() : UIManager.getColor("Label.disabledForeground"));
+    page.setStroke(new BasicStroke(1.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+    switch (this) {
+      case PLAY -> page.fill(triangle(4, 2.5, 14, 13.5));
+      case PAUSE -> {
+        page.fill(new Rectangle2D.Double(3.5, 2.5, 3.2, 11));
+        page.fill(new Rectangle2D.Double(9.3, 2.5, 3.2, 11));
+      }
+      case STEP -> step(page);
+      case STEP_BACK -> step(mirrored(page));
+      case EVENT -> event(page);
+      case EVENT_BACK -> event(mirrored(page));
+      case LAST -> last(page);
+      case FIRST -> last(mirrored(page));
+      case NEXT_MARK -> mark(page);
+      case PREVIOUS_MARK -> mark(mirrored(page));
+      case FIT -> fit(page);
+      case THEME -> {
+        page.draw(new Ellipse2D.Double(2.5, 2.5, 11, 11));
+        page.clip(new Rectangle2D.Double(8, 0, 8, 16));
+        page.fill(new Ellipse2D.Double(2.5, 2.5, 11, 11));
+      }
+      case HELP -> {
+        page.draw(new Ellipse2D.Double(1.5, 1.5, 13, 13));
+        Path2D hook = new Path2D.Double();
+        hook.moveTo(5.8, 6.3);
+        hook.curveTo(5.8, 3.2, 10.4, 3.4, 10.2, 6.2);
+        hook.curveTo(10.1, 7.8, 8, 7.6, 8, 9.4);
+        page.draw(hook);
+        page.fill(new Ellipse2D.Double(7.1, 11, 1.8, 1.8));
+      }
+    }
+    page.dispose();
+  }
+
+  private static Graphics2D mirrored(Graphics2D page) {
+    page.translate(SIZE, 0);
+    page.scale(-1, 1);
+    return page;
+  }
+
+  /** Points to the right. */
+  private static Path2D triangle(double left, double top, double right, double bottom) {
+    Path2D path = new Path2D.Double();
+    path.moveTo(left, top);
+    path.lineTo(right, (top + bottom) / 2);
+    path.lineTo(left, bottom);
+    path.closePath();
+    return path;
+  }
+
+  private static void step(Graphics2D page) {
+    page.fill(triangle(2, 3.5, 8, 12.5));
+    page.fill(triangle(8, 3.5, 14, 12.5));
+  }
+
+  private static void event(Graphics2D page) {
+    page.fill(new Rectangle2D.Double(3, 3.5, 2, 9));
+    page.fill(triangle(7, 3.5, 14, 12.5));
+  }
+
+  private static void last(Graphics2D page) {
+    page.fill(triangle(2.5, 3.5, 11, 12.5));
+    page.fill(new Rectangle2D.Double(11, 3.5, 2.2, 9));
+  }
+
+  private static void mark(Graphics2D page) {
+    page.draw(new Line2D.Double(4, 2, 4, 14));
+    page.fill(triangle(4, 2.5, 13, 9));
+  }
+
+  private static void fit(Graphics2D page) {
+    for (int corner = 0; corner < 4; corner++) {
+      Path2D path = new Path2D.Double();
+      path.moveTo(2.5, 6);
+      path.lineTo(2.5, 2.5);
+      path.lineTo(6, 2.5);
+      page.draw(path);
+      page.rotate(Math.PI / 2, SIZE / 2.0, SIZE / 2.0);
+    }
+    page.fill(new Ellipse2D.Double(5.8, 5.8, 4.4, 4.4));
+  }
+}

@@ -1,0 +1,32 @@
+package org.starl.sim.view;
+
+/** How fast something goes that is counted, over the last second or so. */
+final class Meter {
+
+  private static final long SPAN_NS = 500_000_000;
+  private static final double NS_PER_S = 1e9;
+
+  private long sinceNs = Long.MIN_VALUE;
+  private long sinceCount;
+  private double rate;
+
+  /**
+   * The count stands there now.
+   *
+   * @param realNs of any clock that goes on
+   */
+  void read(long realNs, long count) {
+    if (sinceNs == Long.MIN_VALUE || count < sinceCount) {
+      sinceNs = realNs;
+      sinceCount = count;
+    } else if (realNs - sinceNs >= SPAN_NS) {
+      rate = (count - sinceCount) * NS_PER_S / (realNs - sinceNs);
+      sinceNs = realNs;
+      sinceCount = count;
+    }
+  }
+
+  double perSecond() {
+    return rate;
+  }
+}

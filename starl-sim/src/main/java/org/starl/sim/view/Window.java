@@ -1,0 +1,113 @@
+package org.starl.sim.view;
+
+import java.awt.AWTError;
+import java.awt.Dimension;
+import java.awt.GraphicsEnvironment;
+import java.awt.HeadlessException;
+import java.awt.Rectangle;
+import java.awt.event.WindowAdapter;
+import java.awt.event.WindowEvent;
+import java.util.concurrent.CountDownLatch;
+import javax.swing.JFrame;
+import javax.swing.SwingUtilities;
+import javax.swing.Timer;
+import javax.swing.WindowConstants;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.record.Theme;
+import org.starl.sim.replay.LiveRun;
+import org.starl.sim.replay.Recording;
+
+/** The window on a run. */
+public final class Window {
+
+  private static final Dimension USUAL = new Dimension(1360, 900);
+
+  private final Content content;
+  private final JFrame frame = new JFrame();
+  private final Timer timer;
+  private long lastNs = System.nanoTime();
+
+  private Window(Session session, Runnable closed) {
+    content = new Content(session, frame::dispose);
+    timer = new Timer(1000 / session.settings().maxFps(), tick -> tick());
+    frame.setTitle(session.title() + " - StarL");
+    frame.setDefaultCloseOperation(WindowConstants.DISPOSE_ON_CLOSE);
+    frame.addWindowListener(
+        new WindowAdapter() {
+          @Override
+          public void windowClosed(WindowEvent event) {
+            timer.stop();
+            closed.run();
+          }
+        });
+    frame.setContentPane(content.panel());
+    frame.setJMenuBar(content.menus());
+    frame.setFocusTraversalKeysEnabled(false);
+    Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
+    frame.setSize(Math.min(USUAL.width, screen.width), Math.min(USUAL.height, screen.height));
+    frame.setMinimumSize(new Dimension(900, 500));
+    frame.setLocationRelativeTo(null);
+  }
+
+  /** Whether this machine can show a window. */
+  public static boolean isPossible() {
+    try {
+      return !GraphicsEnvironment.isHeadless()
+          && GraphicsEnvironment.getLocalGraphicsEnvironment().getScreenDevices().length > 0;
+    } catch (HeadlessException | AWTError e) {
+      return false;
+    }
+  }
+
+  /**
+   * Shows a run until the window is closed.
+   *
+   * @param live the run that fills {@code recording}, started; null if that is of a trace
+   * @param isDark whether the theme is dark at first
+   * @throws InterruptedException if this thread, which waits, is interrupted
+   */
+  public static void show(Recording recording, @Nullable LiveRun live, boolean isDark)
+      throws InterruptedException {
+    CountDownLatch isClosed = new CountDownLatch(1);
+    SwingUtilities.invokeLater(() ->
+        whenBegun(
+            recording,
+            isClosed,
+            () -> {
+              Content.setLook(isDark);
+              Session session = new Session(recording, live);
+              session.view().paintIn(isDark ? Theme.DARK : Theme.LIGHT);
+              session.playback().play();
+              new Window(session, isClosed::countDown).open();
+            }));
+    isClosed.await();
+  }
+
+  /** A run's header comes from its own thread; none comes if it fails at once. */
+  private static void whenBegun(Recording recording, CountDownLatch isClosed, Runnable open) {
+    Timer waiting = new Timer(10, null);
+    waiting.addActionListener(tick -> {
+      if (recording.hasBegun()) {
+        waiting.stop();
+        open.run();
+      } else if (recording.isOver()) {
+        waiting.stop();
+        isClosed.countDown();
+      }
+    });
+    waiting.start();
+  }
+
+  private void open() {
+    frame.setVisible(true);
+    content.floor().surface().requestFocusInWindow();
+    lastNs = System.nanoTime();
+    timer.start();
+  }
+
+  private void tick() {
+    long nowNs = System.nanoTime();
+    content.tick(nowNs, nowNs - lastNs);
+    lastNs = nowNs;
+  }
+}
