@@ -244,7 +244,9 @@ class ReportTest {
     campaign(FOUL, "foul<b>", "1..6", "--threads", "1");
     String one = Files.readString(file());
     campaign(FOUL, "foul<b>", "1..6", "--threads", "3");
-    assertThat(Files.readString(file())).isEqualTo(one.replace("--threads 1", "--threads 3"));
+    String threads = "<span>--threads</span> <span>%d</span>";
+    assertThat(Files.readString(file()).replace(threads.formatted(3), threads.formatted(1)))
+        .isEqualTo(one);
   }
 
   @Test
