@@ -10,6 +10,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.IntConsumer;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
@@ -44,10 +45,16 @@ public record Measurement(
   /**
    * Runs {@code workload} {@code runs} times in this JVM, the first one cold.
    *
+   * @param afterRun is told how many have been run, after each and outside of what is measured
    * @throws BadInput if it cannot be run so
    */
   public static List<Measurement> take(
-      Workload workload, int robots, Workload.Style style, int runs, long seed) {
+      Workload workload,
+      int robots,
+      Workload.Style style,
+      int runs,
+      long seed,
+      IntConsumer afterRun) {
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
     List<Measurement> taken = new ArrayList<>();
     for (int i = 0; i < runs; i++) {
@@ -68,6 +75,7 @@ public record Measurement(
               (System.nanoTime() - start.wallNs) / NS_PER_S,
               0,
               readPeakRssMb()));
+      afterRun.accept(taken.size());
     }
     long bytesPerRobot = Footprint.bytesPerRobot(workload, robots, style, seed);
     taken.replaceAll(measurement -> measurement.withBytesPerRobot(bytesPerRobot));

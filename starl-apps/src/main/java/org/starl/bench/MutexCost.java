@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.IntConsumer;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotId;
@@ -61,8 +62,8 @@ public record MutexCost(
   private static final double NS_PER_MS_EXACTLY = 1e6;
   private static final String SECTION = "A";
 
-  /** A row for 2 robots, for 4, for 8, and so on, up to {@code mostRobots}. */
-  public static List<MutexCost> take(int mostRobots, long seed) {
+  /** A row for 2 robots, for 4, for 8, and so on, up to {@code mostRobots}, each told of. */
+  public static List<MutexCost> take(int mostRobots, long seed, IntConsumer afterRow) {
     List<MutexCost> rows = new ArrayList<>();
     for (int robots = 2; robots <= mostRobots; robots *= 2) {
       // So long after each other that each finds the section free, and the air silent.
@@ -76,6 +77,7 @@ public record MutexCost(
               busy.medianMs(),
               busy.mostMs(),
               busy.messagesEach()));
+      afterRow.accept(rows.size());
     }
     return rows;
   }

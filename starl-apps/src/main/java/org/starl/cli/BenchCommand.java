@@ -83,7 +83,7 @@ final class BenchCommand implements Callable<Integer> {
   public Integer call() throws InterruptedException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     if (name.equals(MutexCost.NAME)) {
-      showMutexCost(out);
+      showMutexCost(out, spec.commandLine().getErr());
       return ExitStatus.GOOD;
     }
     if (name.equals(VIEW)) {
@@ -101,13 +101,17 @@ final class BenchCommand implements Callable<Integer> {
                         + BadInput.quote(name)
                         + ": expected b1, b2, mutex, view or apps"));
     Carriers.chosen(null, spec.commandLine().getErr());
+    int planned = (int) Numbers.whole("--runs", runs, 1, 1000);
+    ProgressLine progress = new ProgressLine(spec.commandLine().getErr(), "runs");
     List<Measurement> taken =
         Measurement.take(
             workload,
             (int) Numbers.whole("--robots", robots == null ? "256" : robots, 1, 10_000_000),
             style,
-            (int) Numbers.whole("--runs", runs, 1, 1000),
-            Seeds.of(seed));
+            planned,
+            Seeds.of(seed),
+            done -> progress.show(done, planned));
+    progress.end();
     for (Measurement run : taken) {
       out.println(json.isOn() ? Json.line(run.asMap()) : line(run));
     }
@@ -162,9 +166,13 @@ final class BenchCommand implements Callable<Integer> {
   }
 
   /** In Markdown, for the docs. */
-  private void showMutexCost(PrintWriter out) {
+  private void showMutexCost(PrintWriter out, PrintWriter err) {
     int most = (int) Numbers.whole("--robots", robots == null ? "64" : robots, 2, 256);
-    List<MutexCost> rows = MutexCost.take(most, Seeds.of(seed));
+    int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
+    ProgressLine progress = new ProgressLine(err, "sizes");
+    List<MutexCost> rows =
+        MutexCost.take(most, Seeds.of(seed), done -> progress.show(done, planned));
+    progress.end();
     if (json.isOn()) {
       rows.forEach(row -> out.println(Json.line(row.asMap())));
       return;

@@ -7,6 +7,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
+import org.starl.sim.Simulation;
 import org.starl.sim.check.Determinism;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -34,7 +35,8 @@ final class DeterminismCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     Chosen chosen = options.chosen(Main.demos(spec));
     long seedNumber = seed.value();
-    Determinism check = Determinism.verify(() -> chosen.plan(seedNumber).simulation());
+    PrintWriter err = spec.commandLine().getErr();
+    Determinism check = Determinism.verify(() -> plan(chosen, seedNumber, err));
     Determinism.Difference difference = check.difference();
     if (json.isOn()) {
       Map<String, Object> result = new LinkedHashMap<>();
@@ -54,5 +56,11 @@ final class DeterminismCommand implements Callable<Integer> {
               : difference.toString());
     }
     return check.holds() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+  }
+
+  private static Simulation.Builder plan(Chosen chosen, long seed, PrintWriter err) {
+    Simulation.Builder simulation = chosen.plan(seed).simulation();
+    RunProgress.of(simulation, err);
+    return simulation;
   }
 }

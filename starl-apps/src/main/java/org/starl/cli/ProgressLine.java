@@ -47,6 +47,11 @@ final class ProgressLine {
     drawnNs = startNs - REDRAW_NS;
   }
 
+  /** Since the work began, on a clock that people live by. */
+  long elapsedNs() {
+    return wallNs.getAsLong() - startNs;
+  }
+
   void show(long finished, long planned) {
     show(finished, planned, "");
   }
@@ -78,10 +83,11 @@ final class ProgressLine {
     }
   }
 
-  /** After the last run: what is printed next begins on a line of its own. */
+  /** After the last, once or more often: what is printed next begins on a line of its own. */
   void end() {
     if (drawnWidth > 0) {
       err.println();
+      drawnWidth = 0;
     }
   }
 

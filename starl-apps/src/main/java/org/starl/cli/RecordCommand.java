@@ -149,6 +149,7 @@ final class RecordCommand implements Callable<Integer> {
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     plan.simulation().carriers(Carriers.chosen(null, err));
+    RunProgress.of(plan.simulation(), err);
     return Recordable.of(chosen.demo().name(), seedNumber, plan, options.replay("run", seedNumber));
   }
 

@@ -238,7 +238,12 @@ final class RunCommand implements Callable<Integer> {
         Viewing.Watched watched = viewing.run(plan);
         return new Simulated(watched.result(), watched.isStopped());
       }
-      return new Simulated(plan.simulation().build().run(), false);
+      RunProgress progress = RunProgress.of(plan.simulation(), err);
+      try {
+        return new Simulated(plan.simulation().build().run(), false);
+      } finally {
+        progress.end();
+      }
     }
   }
 }

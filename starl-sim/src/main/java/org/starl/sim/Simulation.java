@@ -315,7 +315,8 @@ public final class Simulation {
           Version.STARL, name, seed, behaviourSeedOrDerived(), all, deployment().asList());
     }
 
-    long endNs() {
+    /** When it ends at the latest, in ns of virtual time. */
+    public long endNs() {
       return endNs == null ? settings.endNs() : endNs;
     }
   }
