@@ -4,9 +4,9 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.RobotId;
+import org.starl.apps.search.logic.Driving;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
-import org.starl.apps.search.logic.SearchApp;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -69,7 +69,7 @@ final class HouseFiles {
     House house;
     try {
       HousePlan plan = plan();
-      house = House.of(plan, rangeMm, SearchApp.clearanceMm(body, plan.bounds()));
+      house = House.of(plan, rangeMm, Driving.clearanceMm(body, plan.bounds()));
     } catch (IllegalArgumentException noHouse) {
       throw new BadInput(folder + ": " + noHouse.getMessage());
     }

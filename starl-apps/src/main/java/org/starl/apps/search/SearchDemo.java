@@ -15,6 +15,7 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
+import org.starl.apps.search.logic.Driving;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.SearchApp;
@@ -144,7 +145,7 @@ public final class SearchDemo implements Demo {
   static void watch(
       Simulation.Builder simulation, House house, List<ItemPosition> things, SimSettings settings) {
     SearchSpec.of(house, things).forEach(simulation::monitor);
-    MotionParameters motion = SearchApp.motion(settings.motionParameters(0));
+    MotionParameters motion = Driving.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
     simulation.monitor(() -> new TubesSpec(SearchSpec.toldNs(house)));
   }
@@ -196,7 +197,7 @@ public final class SearchDemo implements Demo {
       throw Quantities.in(ROOMS.key(), error);
     }
     HousePlan plan = GeneratedHouse.of(rooms, robots, rng.fork("house"));
-    House house = House.of(plan, RANGE_MM, SearchApp.clearanceMm(body, plan.bounds()));
+    House house = House.of(plan, RANGE_MM, Driving.clearanceMm(body, plan.bounds()));
     List<SearchScene.Start> starts = new ArrayList<>();
     for (Point start : plan.starts()) {
       RobotId robot = new RobotId(settings.robotName() + starts.size());

@@ -12,7 +12,7 @@ import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.search.logic.Answer;
-import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.logic.SearchTrace;
 import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -43,12 +43,12 @@ final class SearchStory implements Story {
         }
       }
       case Variable variable -> {
-        if (variable.source().equals(SearchApp.SOURCE)) {
+        if (variable.source().equals(SearchTrace.SOURCE)) {
           changed(variable);
         }
       }
       case Action action -> {
-        if (action.source().equals(SearchApp.SOURCE)) {
+        if (action.source().equals(SearchTrace.SOURCE)) {
           acted(action);
         }
       }
@@ -59,24 +59,24 @@ final class SearchStory implements Story {
   }
 
   private void changed(Variable variable) {
-    if (variable.name().equals(SearchApp.DUTY)) {
+    if (variable.name().equals(SearchTrace.DUTY)) {
       if (variable.value().isEmpty()) {
         leaders.remove(variable.robot());
       } else if (leaders.add(variable.robot())) {
         tell(variable, "leads");
       }
-    } else if (variable.name().equals(SearchApp.ROOM) && !variable.value().isEmpty()) {
+    } else if (variable.name().equals(SearchTrace.ROOM) && !variable.value().isEmpty()) {
       tell(variable, "takes room " + variable.value());
     }
   }
 
   private void acted(Action action) {
-    if (action.name().equals(SearchApp.SWEPT)) {
+    if (action.name().equals(SearchTrace.SWEPT)) {
       sweptNs.putIfAbsent(action.args().get(0), action.timeNs());
       tell(action, "has searched room " + action.args().get(0) + " in full");
-    } else if (action.name().equals(SearchApp.FOUND)) {
+    } else if (action.name().equals(SearchTrace.FOUND)) {
       tell(action, "sees " + action.args().get(0));
-    } else if (action.name().equals(SearchApp.ANSWER)) {
+    } else if (action.name().equals(SearchTrace.ANSWER)) {
       endedNs.put(action.robot(), action.timeNs());
       if (answers.add(action.args().get(0))) {
         tell(action, "ends: " + action.args().get(0));

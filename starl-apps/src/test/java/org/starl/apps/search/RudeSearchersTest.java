@@ -7,10 +7,10 @@ import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.RobotId;
+import org.starl.apps.search.logic.Driving;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.RudeSearcher;
-import org.starl.apps.search.logic.SearchApp;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -30,10 +30,10 @@ class RudeSearchersTest {
     SimSettings settings = SimSettings.builder().duration(Duration.ofHours(1)).build();
     HousePlan plan = GeneratedHouse.of(ROOMS, ROBOTS, new Rng(1));
     House house =
-        House.of(plan, 600, SearchApp.clearanceMm(settings.motionParameters(0), plan.bounds()));
+        House.of(plan, 600, Driving.clearanceMm(settings.motionParameters(0), plan.bounds()));
     Point thing = GeneratedHouse.somewhere(house, new Rng(1));
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(plan.walls());
-    if (fault == RudeSearcher.Fault.FORGETS_THE_DEAD) {
+    if (fault == RudeSearcher.Fault.FORGETS_THE_DEAD || fault == RudeSearcher.Fault.IS_TIMID) {
       simulation.fault("crash(bot1,at=1s)");
     }
     for (Point start : plan.starts()) {
@@ -51,6 +51,7 @@ class RudeSearchersTest {
     "SEES_THROUGH_WALLS, found",
     "DOES_NOT_LOOK, nothing",
     "IS_LAZY, gave_up",
+    "IS_TIMID, gave_up",
     "IS_STUBBORN, agreed",
     "FORGETS_THE_DEAD, assigned",
     "NEVER_ENDS, ended",

@@ -172,6 +172,11 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return claims.held();
   }
 
+  /** All parts of what others hold or want, as far as this robot knows: its ways keep out of them. */
+  public List<Capsule> taken() {
+    return claims.taken();
+  }
+
   /** Robots that have not said where they stand, as far as this one knows: everybody waits for them. */
   public List<RobotId> unplaced() {
     return claims.unplaced();

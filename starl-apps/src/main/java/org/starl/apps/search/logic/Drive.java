@@ -1,8 +1,10 @@
 package org.starl.apps.search.logic;
 
+import java.util.BitSet;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.primitives.paths.Capsule;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
@@ -14,6 +16,9 @@ final class Drive {
 
   /** A motion that fails, by a bump say, is begun again so often. */
   private static final int RESTARTS = 3;
+
+  /** Places are cells: a way between two tubes need not lead over their middles. */
+  private static final double ROUGH_MM = House.CELL_MM / 2.0;
 
   private final GlobalVarHolder gvh;
   private final DistributedPathPlanning paths;
@@ -52,6 +57,22 @@ final class Drive {
 
   void stop() {
     paths.stop();
+  }
+
+  /** Where it is going, or went last. */
+  Point target() {
+    return target;
+  }
+
+  /** Those of a house's places to which no way leads now past what others hold, as far as is known. */
+  BitSet barred(House house) {
+    BitSet open = house.places();
+    for (Capsule capsule : paths.taken()) {
+      house.bar(capsule.axis(), capsule.radiusMm() + paths.radiusMm() - ROUGH_MM, open);
+    }
+    BitSet barred = house.places();
+    barred.andNot(house.reachable(gvh.gps.pose().at(), open));
+    return barred;
   }
 
   /** Looks how it stands; to be called every period. */

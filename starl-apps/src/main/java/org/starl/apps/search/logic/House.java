@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.List;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.geometry.Segment;
 
 /**
  * What every robot knows of the house: its rooms, derived from walls and doors by {@link Survey}, and
@@ -106,13 +107,18 @@ public final class House {
 
   /** Whether there is a place, in whatever room, from where a robot can see all of a cell. */
   public boolean canBeSeen(int cell) {
+    return canBeSeen(cell, places);
+  }
+
+  /** Whether there is one among some places. */
+  public boolean canBeSeen(int cell, BitSet among) {
     boolean[] found = {false};
     grid.forEachWithin(
         grid.centre(cell),
         rangeMm,
         place ->
             found[0] =
-                found[0] || (places.get(place) && covers(grid.centre(place), SLACK_MM, cell)));
+                found[0] || (among.get(place) && covers(grid.centre(place), SLACK_MM, cell)));
     return found[0];
   }
 
@@ -121,7 +127,7 @@ public final class House {
    * {@code Integer.MAX_VALUE} where there is no way.
    */
   public int[] distancesMm(Point from) {
-    int[] steps = stepsFrom(from);
+    int[] steps = stepsFrom(from, places);
     int[] distances = new int[rooms.size()];
     for (Room room : rooms) {
       int cell = grid.cellAt(room.entry());
@@ -131,14 +137,38 @@ public final class House {
     return distances;
   }
 
-  private int[] stepsFrom(Point from) {
+  /** Where a robot may stand, in whatever room or the hall; a set of the caller's own. */
+  public BitSet places() {
+    return (BitSet) places.clone();
+  }
+
+  /** Takes out of {@code open} the places that are nearer than this to a line. */
+  public void bar(Segment line, double nearMm, BitSet open) {
+    for (int cell = open.nextSetBit(0); cell >= 0; cell = open.nextSetBit(cell + 1)) {
+      if (line.distanceMm(grid.centre(cell)) < nearMm) {
+        open.clear(cell);
+      }
+    }
+  }
+
+  /** The places to which a way leads over places that are open. */
+  public BitSet reachable(Point from, BitSet open) {
+    int[] steps = stepsFrom(from, open);
+    BitSet reached = new BitSet();
+    for (int cell = 0; cell < steps.length; cell++) {
+      reached.set(cell, steps[cell] >= 0);
+    }
+    return reached;
+  }
+
+  private int[] stepsFrom(Point from, BitSet open) {
     int[] steps = new int[grid.count()];
     Arrays.fill(steps, -1);
-    int start = placeNear(from);
+    int start = placeNear(from, open);
     if (start < 0) {
       return steps;
     }
-    int[] queue = new int[places.cardinality()];
+    int[] queue = new int[open.cardinality()];
     int head = 0;
     int tail = 0;
     queue[tail++] = start;
@@ -147,7 +177,7 @@ public final class House {
       int cell = queue[head++];
       for (int side = 0; side < 4; side++) {
         int next = grid.neighbour(cell, side);
-        if (next >= 0 && places.get(next) && steps[next] < 0) {
+        if (next >= 0 && open.get(next) && steps[next] < 0) {
           steps[next] = steps[cell] + 1;
           queue[tail++] = next;
         }
@@ -156,8 +186,8 @@ public final class House {
     return steps;
   }
 
-  /** The place nearest to a point, or -1 if there is none near. */
-  private int placeNear(Point point) {
+  /** The open place nearest to a point, or -1 if there is none near. */
+  private int placeNear(Point point, BitSet open) {
     int[] best = {-1};
     double[] bestMm = {Double.POSITIVE_INFINITY};
     grid.forEachWithin(
@@ -165,7 +195,7 @@ public final class House {
         NEAR_MM,
         cell -> {
           double mm = grid.centre(cell).distanceMm(point);
-          if (places.get(cell) && mm < bestMm[0]) {
+          if (open.get(cell) && mm < bestMm[0]) {
             best[0] = cell;
             bestMm[0] = mm;
           }

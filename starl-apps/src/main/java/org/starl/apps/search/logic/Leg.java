@@ -14,6 +14,19 @@ public record Leg(Point from, Point to) {
     return from.equals(to);
   }
 
+  double lengthMm() {
+    return from.distanceMm(to);
+  }
+
+  /**
+   * A place on it.
+   *
+   * @param part 0 at its beginning, 1 at its end
+   */
+  Point at(double part) {
+    return from.plus(to.minus(from).times(part));
+  }
+
   double distanceMm(Point point) {
     return new Segment(from, to).distanceMm(point);
   }

@@ -1,6 +1,7 @@
 package org.starl.apps.search.logic;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
@@ -9,7 +10,8 @@ import org.starl.geometry.Point;
 
 /**
  * Where a robot goes that has nothing to do, so that it is in nobody's way: deep into the nearest
- * room that was searched, unless it has not left its start. Strand only.
+ * room that was searched, unless it stands where somebody started; if there is none, back to such a
+ * place. Strand only.
  */
 final class Rest {
 
@@ -20,7 +22,7 @@ final class Rest {
   private final House house;
   private final Drive drive;
   private final Predicate<Room> isSwept;
-  private final List<Room> rooms = new ArrayList<>();
+  private final List<Point> places = new ArrayList<>();
   private boolean underWay;
   private boolean resting;
 
@@ -36,7 +38,7 @@ final class Rest {
 
   /** It has nothing to do from now on. */
   void begin() {
-    rooms.clear();
+    places.clear();
     underWay = false;
     resting = false;
   }
@@ -63,13 +65,12 @@ final class Rest {
       resting = true;
       return;
     }
-    if (rooms.isEmpty()) {
+    if (places.isEmpty()) {
       addSweptRooms();
+      addStarts();
     }
-    underWay = !rooms.isEmpty();
-    if (underWay) {
-      drive.to(rooms.remove(0).rest(), PATIENCE_MS);
-    }
+    underWay = true;
+    drive.to(places.remove(0), PATIENCE_MS);
   }
 
   private boolean isAtItsStart() {
@@ -83,6 +84,7 @@ final class Rest {
 
   /** Adds those that were searched, the nearest first. */
   private void addSweptRooms() {
+    List<Room> rooms = new ArrayList<>();
     for (Room room : house.rooms()) {
       if (room.isEnterable() && isSwept.test(room)) {
         rooms.add(room);
@@ -95,5 +97,14 @@ final class Rest {
           Comparator.comparingInt(
               room -> house.roomAt(here) == room.index() ? 0 : distances[room.index()]));
     }
+    rooms.forEach(room -> places.add(room.rest()));
+  }
+
+  /** Adds where robots started, the place farthest from all rooms first. */
+  private void addStarts() {
+    List<Point> starts = new ArrayList<>(house.plan().starts());
+    starts.sort(
+        Comparator.comparingInt(start -> -Arrays.stream(house.distancesMm(start)).min().orElse(0)));
+    places.addAll(starts);
   }
 }

@@ -10,6 +10,10 @@ public final class Room {
   private final String name;
   private final Point door;
   private final BitSet cells;
+
+  /** The same, one by one: with every report they are gone through. */
+  private final int[] inOrder;
+
   private final BitSet places;
   private final Point entry;
   private final Point rest;
@@ -25,6 +29,7 @@ public final class Room {
     this.name = name;
     this.door = door;
     this.cells = cells;
+    inOrder = cells.stream().toArray();
     this.places = places;
     this.entry = entry;
     this.rest = rest;
@@ -59,11 +64,16 @@ public final class Room {
 
   /** How many cells it has. */
   public int size() {
-    return cells.cardinality();
+    return inOrder.length;
+  }
+
+  /** Its cell number {@code at}, from 0. */
+  int cell(int at) {
+    return inOrder[at];
   }
 
   public void forEachCell(Grid.Visitor visitor) {
-    for (int cell = cells.nextSetBit(0); cell >= 0; cell = cells.nextSetBit(cell + 1)) {
+    for (int cell : inOrder) {
       visitor.visit(cell);
     }
   }
@@ -80,6 +90,17 @@ public final class Room {
 
   boolean isPlace(int cell) {
     return cell >= 0 && places.get(cell);
+  }
+
+  /** Whether a straight way leads over cells in whose middle a robot may stand. */
+  boolean hasPlacesAlong(Leg way, Grid grid) {
+    int steps = 1 + (int) (2 * way.lengthMm() / grid.cellMm());
+    for (int i = 0; i <= steps; i++) {
+      if (!isPlace(grid.cellAt(way.at((double) i / steps)))) {
+        return false;
+      }
+    }
+    return true;
   }
 
   @Override

@@ -1,8 +1,10 @@
 package org.starl.apps.search.logic;
 
 import java.util.ArrayDeque;
+import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Deque;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.Computation;
 import org.starl.GlobalVarHolder;
@@ -15,9 +17,6 @@ import org.starl.geometry.Point;
  */
 final class RoomSearch {
 
-  /** Action: a sweep's legs, for whoever draws them. */
-  static final String SWEEP = "sweep";
-
   /**
    * In a room it claims no longer tubes: what a searcher that dies bars for the others is hardly more
    * than what it has seen.
@@ -27,21 +26,35 @@ final class RoomSearch {
   private static final long ON_THE_WAY_MS = 45_000;
   private static final long INSIDE_MS = 6_000;
 
-  /** It begins with what is left until a whole sweep has shown nothing new, and never oftener. */
-  private static final int MOST_SWEEPS = 8;
+  /** Where no free way leads, none leads so near either: other places have the same in view. */
+  private static final double BARRED_MM = 100;
+
+  /** It begins with what is left until a whole sweep has changed nothing, and never oftener. */
+  private static final int MOST_SWEEPS = 12;
 
   private final GlobalVarHolder gvh;
   private final House house;
   private final Room room;
   private final Drive drive;
-  private final Deque<Point> ahead = new ArrayDeque<>();
+  private final Deque<Hop> ahead = new ArrayDeque<>();
   private final Deque<Leg> legs = new ArrayDeque<>();
   private final BitSet before;
   private final Coverage coverage;
+  private final BitSet tried = new BitSet();
+  private BitSet barred = new BitSet();
   private @Nullable Computation<Sweep> computing;
   private int sweeps;
   private int unseenBefore = Integer.MAX_VALUE;
+  private BitSet barredBefore = new BitSet();
   private boolean inside;
+  private boolean passing;
+
+  /**
+   * One drive.
+   *
+   * @param passing on the way to a leg, where another way would do as well
+   */
+  private record Hop(Point to, boolean passing) {}
 
   /** How a search stands. */
   enum State {
@@ -82,7 +95,9 @@ final class RoomSearch {
 
   /** The sensor was read just now. */
   void look() {
-    coverage.look(gvh.gps.pose().at(), gvh.gps.errorMm());
+    if (gvh.gps.hasFix()) {
+      coverage.look(gvh.gps.pose().at(), gvh.gps.errorMm());
+    }
   }
 
   /** One step; to be called every period. */
@@ -93,11 +108,12 @@ final class RoomSearch {
     }
     Computation<Sweep> sweep = computing;
     if (sweep != null) {
-      if (sweep.isDone()) {
-        computing = null;
-        begin(sweep.result());
+      if (!sweep.isDone()) {
+        return state();
       }
-      return state();
+      computing = null;
+      begin(sweep.result());
+      return next() ? state() : State.BLOCKED;
     }
     switch (drive.look()) {
       case UNDER_WAY -> {
@@ -105,10 +121,12 @@ final class RoomSearch {
       }
       case THERE -> inside = true;
       case BLOCKED -> {
-        ahead.clear(); // what it misses so comes into the next sweep
         if (!inside) {
           return State.BLOCKED;
         }
+        leaveOut();
+        house.grid().forEachWithin(drive.target(), BARRED_MM, tried::set);
+        barred = barredNow();
       }
     }
     return next() ? state() : State.BLOCKED;
@@ -122,39 +140,86 @@ final class RoomSearch {
     sweeps++;
     legs.addAll(sweep.legs());
     if (gvh.trace.isOn()) {
-      gvh.trace.action(SearchApp.SOURCE, SWEEP, room.name(), sweep.legs());
+      gvh.trace.action(SearchTrace.SOURCE, SearchTrace.SWEEP, room.name(), sweep.legs());
     }
-    coverage.forget(sweep.hidden());
-    next();
+    if (sweeps == 1) {
+      coverage.forget(sweep.hidden()); // of the whole room, nothing being barred
+    }
   }
 
-  /** Sets out to the next place, if any is worth it; else thinks anew. */
+  /** Leaves out what lies behind a place that is barred. */
+  private void leaveOut() {
+    if (passing) {
+      ahead.removeIf(Hop::passing); // there may be a way around
+    } else {
+      ahead.clear(); // what it misses so comes into the next sweep
+    }
+  }
+
+  /** Sets out to the next place, if any is worth it; else thinks anew, if that may help. */
   private boolean next() {
     while (ahead.isEmpty() && !legs.isEmpty()) {
       Leg leg = legs.remove();
       if (coverage.isWorthGoing(leg)) {
-        ahead.add(leg.from());
-        addHops(leg);
+        if (!isBarred(leg.from())) {
+          addLeg(leg);
+        } else if (!isBarred(leg.to())) {
+          addLeg(leg.reversed());
+        }
       }
     }
     if (!ahead.isEmpty()) {
-      drive.to(ahead.remove(), inside ? INSIDE_MS : ON_THE_WAY_MS);
+      Hop hop = ahead.remove();
+      passing = hop.passing();
+      drive.to(hop.to(), inside ? INSIDE_MS : ON_THE_WAY_MS);
       return true;
     }
     BitSet rest = coverage.unseen();
-    if (sweeps >= MOST_SWEEPS || rest.cardinality() == unseenBefore) {
+    barred = barredNow();
+    boolean isOfUse = rest.cardinality() != unseenBefore || !barred.equals(barredBefore);
+    if (sweeps >= MOST_SWEEPS || !isOfUse) {
       return coverage.isComplete();
     }
     unseenBefore = rest.cardinality();
+    barredBefore = barred;
+    BitSet without = (BitSet) barred.clone();
     Point here = gvh.gps.pose().at();
-    computing = gvh.plat.compute(() -> Sweep.ofRest(house, room, rest, here));
+    computing = gvh.plat.compute(() -> Sweep.ofRest(house, room, rest, without, here));
     return true;
   }
 
-  private void addHops(Leg leg) {
-    int hops = (int) StrictMath.ceil(leg.from().distanceMm(leg.to()) / HOP_MM);
-    for (int i = 1; i <= hops; i++) {
-      ahead.add(leg.from().plus(leg.to().minus(leg.from()).times((double) i / hops)));
+  /** Where others are in the way now, and where no way was found before. */
+  private BitSet barredNow() {
+    BitSet now = drive.barred(house);
+    now.or(tried);
+    return now;
+  }
+
+  private boolean isBarred(Point at) {
+    return barred.get(house.grid().cellAt(at));
+  }
+
+  private void addLeg(Leg leg) {
+    if (inside) {
+      Leg way = new Leg(gvh.gps.pose().at(), leg.from());
+      if (room.hasPlacesAlong(way, house.grid())) {
+        for (Point at : hops(way)) {
+          ahead.add(new Hop(house.grid().centre(house.grid().cellAt(at)), true));
+        }
+        ahead.pollLast();
+      }
     }
+    ahead.add(new Hop(leg.from(), false));
+    hops(leg).forEach(at -> ahead.add(new Hop(at, false)));
+  }
+
+  /** Places on a leg, the last one at its end; none if it has no length. */
+  private static List<Point> hops(Leg leg) {
+    List<Point> hops = new ArrayList<>();
+    int count = (int) StrictMath.ceil(leg.lengthMm() / HOP_MM);
+    for (int i = 1; i <= count; i++) {
+      hops.add(leg.at((double) i / count));
+    }
+    return hops;
   }
 }

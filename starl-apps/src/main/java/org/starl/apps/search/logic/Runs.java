@@ -38,18 +38,14 @@ final class Runs {
   /** The cells that {@link #of} was told; of other lengths, whatever they say. */
   static BitSet cells(List<Integer> runs, Room room) {
     BitSet part = new BitSet();
-    int[] next = {0};
-    int[] left = {runs.isEmpty() ? 0 : runs.get(0)};
-    room.forEachCell(cell -> {
-      while (left[0] == 0 && next[0] < runs.size()) {
-        next[0]++;
-        left[0] = next[0] < runs.size() ? runs.get(next[0]) : 0;
+    int from = 0;
+    for (int i = 0; i < runs.size(); i++) {
+      int to = Math.min(room.size(), from + runs.get(i));
+      for (int at = from; at < to && i % 2 == 1; at++) {
+        part.set(room.cell(at));
       }
-      if (next[0] < runs.size()) {
-        part.set(cell, next[0] % 2 == 1);
-        left[0]--;
-      }
-    });
+      from = to;
+    }
     return part;
   }
 }

@@ -18,7 +18,7 @@ import org.starl.geometry.Point;
  * view is in {@link #hidden}. Immutable.
  *
  * @param legs in order
- * @param hidden cells that no robot can see whole from any place, in whatever room
+ * @param hidden cells that no robot can see whole from any of the room's places
  */
 public record Sweep(List<Leg> legs, BitSet hidden) {
 
@@ -50,9 +50,15 @@ public record Sweep(List<Leg> legs, BitSet hidden) {
     return maker.sweep(lanes, rest, from);
   }
 
-  /** The sweep of what is left of a room. */
-  public static Sweep ofRest(House house, Room room, BitSet rest, Point from) {
-    return new Maker(house, room).sweep(List.of(), rest, from);
+  /**
+   * The sweep of what is left of a room.
+   *
+   * @param barred places that are not to be used; what only they have in view is {@link #hidden}
+   */
+  static Sweep ofRest(House house, Room room, BitSet rest, BitSet barred, Point from) {
+    Maker maker = new Maker(house, room);
+    maker.places.andNot(barred);
+    return maker.sweep(List.of(), rest, from);
   }
 
   private static final class Maker {
@@ -144,12 +150,9 @@ public record Sweep(List<Leg> legs, BitSet hidden) {
 
     /** Takes out of {@code rest} what comes into view on a leg. */
     void see(Leg leg, BitSet rest) {
-      double lengthMm = leg.from().distanceMm(leg.to());
-      int steps = (int) StrictMath.ceil(lengthMm / (2 * House.CELL_MM));
+      int steps = (int) StrictMath.ceil(leg.lengthMm() / (2 * House.CELL_MM));
       for (int i = 0; i <= steps; i++) {
-        double part = steps == 0 ? 0 : (double) i / steps;
-        Point at = leg.from().plus(leg.to().minus(leg.from()).times(part));
-        rest.andNot(view(at, rest));
+        rest.andNot(view(leg.at(steps == 0 ? 0 : (double) i / steps), rest));
       }
     }
 

@@ -23,12 +23,6 @@ import org.starl.primitives.geocast.Broadcast;
  */
 final class Team {
 
-  /** Variable of a leader: its term, then who is to go where. */
-  static final String DUTY = "duty";
-
-  /** Variable: the rooms that were searched in full, as far as this robot knows. */
-  static final String SWEPT = "swept";
-
   private static final long NS_PER_MS = 1_000_000;
   private static final long PERIOD_NS = 1_000 * NS_PER_MS;
   private static final long TELL_MS = 950;
@@ -60,8 +54,8 @@ final class Team {
     board = new Board(house);
     me = gvh.id.freshProcess();
     tries = new int[house.rooms().size()];
-    duty = gvh.variable(SearchApp.SOURCE, DUTY, "");
-    swept = gvh.variable(SearchApp.SOURCE, SWEPT, "");
+    duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");
+    swept = gvh.variable(SearchTrace.SOURCE, SearchTrace.SWEPT, "");
     election = new Election(gvh, xid);
     end = new SetAgreement(gvh, xid);
     broadcast =
@@ -152,7 +146,7 @@ final class Team {
   /** This robot has searched its room in full. */
   void sweptRoom() {
     board.swept(room);
-    gvh.trace.action(SearchApp.SOURCE, SWEPT, house.room(room).name());
+    gvh.trace.action(SearchTrace.SOURCE, SearchTrace.SWEPT, house.room(room).name());
     leaveRoom();
   }
 

@@ -6,7 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
-import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.logic.SearchTrace;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
@@ -50,14 +50,14 @@ final class Assigned implements Monitor {
       within.assumeAll(circumstances.isFair(), event.timeNs());
     }
     if (event instanceof Variable variable
-        && variable.source().equals(SearchApp.SOURCE)
-        && variable.name().equals(SearchApp.DUTY)) {
+        && variable.source().equals(SearchTrace.SOURCE)
+        && variable.name().equals(SearchTrace.DUTY)) {
       duties.put(variable.robot(), variable.value());
       report.checked(ASSIGNED);
       isChanged = true;
     } else if (event instanceof Action action
-        && action.source().equals(SearchApp.SOURCE)
-        && action.name().equals(SearchApp.ANSWER)) {
+        && action.source().equals(SearchTrace.SOURCE)
+        && action.name().equals(SearchTrace.ANSWER)) {
       isOver = true;
       isChanged = true;
     }

@@ -6,7 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
-import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.logic.SearchTrace;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
@@ -61,7 +61,8 @@ final class Ends implements Monitor {
         }
       }
       case Action action -> {
-        if (action.source().equals(SearchApp.SOURCE) && action.name().equals(SearchApp.ANSWER)) {
+        if (action.source().equals(SearchTrace.SOURCE)
+            && action.name().equals(SearchTrace.ANSWER)) {
           ended(action, report);
         }
       }

@@ -1,17 +1,17 @@
 package org.starl.apps.search.spec;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.starl.RobotId;
 import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
-import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.logic.SearchTrace;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Fault;
 
 /** {@code found}, {@code nothing} and {@code gave_up}: what robots say is so, in truth. */
 final class Findings implements Monitor {
@@ -26,12 +26,13 @@ final class Findings implements Monitor {
   private final House house;
   private final List<ItemPosition> things;
   private final TrueView view;
-  private boolean hasCrashed;
+  private final Reach reach;
 
   Findings(House house, List<ItemPosition> things) {
     this.house = house;
     this.things = List.copyOf(things);
     view = new TrueView(house);
+    reach = new Reach(house);
   }
 
   @Override
@@ -46,7 +47,8 @@ final class Findings implements Monitor {
           "A robot that says it has found a thing sees it, and the thing is where it says.";
       case NOTHING ->
           "\"Nothing there\" is said only when every place of every room was truly seen.";
-      case GAVE_UP -> "A room is given up only if somebody has crashed, or no robot can get in.";
+      case GAVE_UP ->
+          "A room is given up only if robots that are down bar some of it, or none can get in.";
       default -> "";
     };
   }
@@ -54,13 +56,11 @@ final class Findings implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     view.observe(event);
-    if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
-      hasCrashed = true;
-    }
-    if (event instanceof Action action && action.source().equals(SearchApp.SOURCE)) {
-      if (action.name().equals(SearchApp.FOUND)) {
+    reach.observe(event);
+    if (event instanceof Action action && action.source().equals(SearchTrace.SOURCE)) {
+      if (action.name().equals(SearchTrace.FOUND)) {
         checkFound(action, report);
-      } else if (action.name().equals(SearchApp.ANSWER)) {
+      } else if (action.name().equals(SearchTrace.ANSWER)) {
         checkAnswer(action, action.args().get(0), report);
       }
     }
@@ -120,16 +120,21 @@ final class Findings implements Monitor {
 
   private void checkGaveUp(Action action, List<String> rooms, Report report) {
     report.checked(GAVE_UP);
-    boolean isClosed = false;
-    for (Room room : house.rooms()) {
-      isClosed |= rooms.contains(room.name()) && !room.isEnterable();
+    List<Point> up = new ArrayList<>();
+    for (RobotId robot : view.robots()) {
+      if (reach.isUp(robot)) {
+        up.add(view.at(robot, action.timeNs()));
+      }
     }
-    if (!hasCrashed && !isClosed) {
-      report.violated(
-          GAVE_UP,
-          action.timeNs(),
-          List.of(action.robot()),
-          "nobody has crashed, and a robot can get into each of " + rooms);
+    for (Room room : house.rooms()) {
+      boolean isLeft = rooms.contains(room.name());
+      if (isLeft && room.isEnterable() && reach.isInReach(room, up, action.timeNs())) {
+        report.violated(
+            GAVE_UP,
+            action.timeNs(),
+            List.of(action.robot()),
+            "no robot that is down bars anything of room " + room.name());
+      }
     }
   }
 }

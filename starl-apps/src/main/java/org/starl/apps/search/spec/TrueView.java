@@ -1,6 +1,7 @@
 package org.starl.apps.search.spec;
 
 import java.util.BitSet;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
@@ -68,6 +69,11 @@ public final class TrueView {
   /** Where a body truly is. */
   Point at(RobotId robot, long timeNs) {
     return bodies.poseAt(robot, timeNs).at();
+  }
+
+  /** Whose bodies are on the floor. */
+  Set<RobotId> robots() {
+    return bodies.robots();
   }
 
   boolean isOnFloor(RobotId robot) {

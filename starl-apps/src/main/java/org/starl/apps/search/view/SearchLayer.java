@@ -18,7 +18,7 @@ import org.starl.RobotId;
 import org.starl.apps.search.logic.Grid;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
-import org.starl.apps.search.logic.SearchApp;
+import org.starl.apps.search.logic.SearchTrace;
 import org.starl.apps.search.spec.TrueView;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -80,15 +80,15 @@ public final class SearchLayer implements Layer {
   public void observe(TraceEvent event) {
     view.observe(event);
     if (event instanceof Variable variable
-        && variable.source().equals(SearchApp.SOURCE)
-        && variable.name().equals(SearchApp.ROOM)) {
+        && variable.source().equals(SearchTrace.SOURCE)
+        && variable.name().equals(SearchTrace.ROOM)) {
       tookRoom(variable.robot(), variable.value());
-    } else if (event instanceof Action action && action.source().equals(SearchApp.SOURCE)) {
-      if (action.name().equals(SearchApp.SWEPT)) {
+    } else if (event instanceof Action action && action.source().equals(SearchTrace.SOURCE)) {
+      if (action.name().equals(SearchTrace.SWEPT)) {
         done.add(action.args().get(0));
-      } else if (action.name().equals(SearchApp.SWEEP)) {
+      } else if (action.name().equals(SearchTrace.SWEEP)) {
         sweeps.putIfAbsent(action.args().get(0), action.args().get(1));
-      } else if (action.name().equals(SearchApp.ANSWER)) {
+      } else if (action.name().equals(SearchTrace.ANSWER)) {
         ends.put(action.robot(), action.args().get(0));
       }
     } else if (event instanceof Fault fault) {
@@ -270,7 +270,7 @@ public final class SearchLayer implements Layer {
 
   private boolean isLeader(RobotId robot, Scene scene) {
     return !down.contains(robot)
-        && !scene.variable(robot, SearchApp.SOURCE, SearchApp.DUTY).isEmpty();
+        && !scene.variable(robot, SearchTrace.SOURCE, SearchTrace.DUTY).isEmpty();
   }
 
   private static void paintCrown(Graphics2D floor, Point at, double radiusMm, Look look) {
@@ -298,8 +298,8 @@ public final class SearchLayer implements Layer {
     if (down.contains(robot)) {
       return "crashed";
     }
-    String room = scene.variable(robot, SearchApp.SOURCE, SearchApp.ROOM);
-    String location = scene.variable(robot, SearchApp.SOURCE, SearchApp.LOCATION);
+    String room = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.ROOM);
+    String location = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.LOCATION);
     String what =
         switch (location) {
           case "ELECT" -> "elects a leader";
@@ -316,7 +316,7 @@ public final class SearchLayer implements Layer {
   public double interest(Scene scene) {
     double interest = 0;
     for (RobotId robot : scene.robots()) {
-      String location = scene.variable(robot, SearchApp.SOURCE, SearchApp.LOCATION);
+      String location = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.LOCATION);
       interest += location.equals("SWEEP") ? 2 : location.equals("GO") ? 1 : 0;
     }
     return interest;

@@ -19,6 +19,8 @@ public final class RudeSearcher extends LogicThread {
     DOES_NOT_LOOK,
     /** It gives rooms up that it could get into. */
     IS_LAZY,
+    /** It gives rooms up because somebody is down, who is not in the way. */
+    IS_TIMID,
     /** Each ends with an answer of its own. */
     IS_STUBBORN,
     /** It leads, and leaves a room with a robot that has crashed. */
@@ -33,7 +35,7 @@ public final class RudeSearcher extends LogicThread {
   public RudeSearcher(GlobalVarHolder gvh, Fault fault) {
     super(gvh);
     this.fault = fault;
-    duty = gvh.variable(SearchApp.SOURCE, SearchApp.DUTY, "");
+    duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");
   }
 
   @Override
@@ -42,9 +44,13 @@ public final class RudeSearcher extends LogicThread {
     boolean isFirst = me.equals(gvh.id.participants().asList().get(0));
     switch (fault) {
       case SEES_THROUGH_WALLS ->
-          gvh.trace.action(SearchApp.SOURCE, SearchApp.FOUND, "object", 1, 2);
+          gvh.trace.action(SearchTrace.SOURCE, SearchTrace.FOUND, "object", 1, 2);
       case DOES_NOT_LOOK -> answer(new Answer.Nothing());
       case IS_LAZY -> answer(new Answer.GaveUp(List.of("A")));
+      case IS_TIMID -> {
+        sleep(5_000);
+        answer(new Answer.GaveUp(List.of("A")));
+      }
       case IS_STUBBORN -> answer(new Answer.Found("object", 1, 2, me.name()));
       case FORGETS_THE_DEAD -> {
         if (isFirst) {
@@ -60,6 +66,6 @@ public final class RudeSearcher extends LogicThread {
   }
 
   private void answer(Answer answer) {
-    gvh.trace.action(SearchApp.SOURCE, SearchApp.ANSWER, answer);
+    gvh.trace.action(SearchTrace.SOURCE, SearchTrace.ANSWER, answer);
   }
 }

@@ -3,6 +3,7 @@ package org.starl.apps.search.logic;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -146,11 +147,29 @@ class SweepTest {
     var rest = room.cells();
     int half = rest.length() - rest.cardinality() / 2;
     rest.clear(0, half);
-    Sweep sweep = Sweep.ofRest(house, room, rest, room.entry());
+    Sweep sweep = Sweep.ofRest(house, room, rest, new BitSet(), room.entry());
     Coverage coverage = new Coverage(house, rest);
     coverage.forget(sweep.hidden());
     for (Leg leg : sweep.legs()) {
       assertThat(leg.isPlace()).isTrue();
+      coverage.look(leg.from(), House.SLACK_MM);
+    }
+    assertThat(coverage.isComplete()).as("seed %d", seed).isTrue();
+  }
+
+  @Property(tries = 25)
+  void whatIsLeftIsLookedAtFromPlacesThatAreNotBarred(@ForAll long seed) {
+    House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
+    Room room = house.room(0);
+    Point first =
+        Sweep.ofRest(house, room, room.cells(), new BitSet(), room.entry()).legs().get(0).from();
+    BitSet barred = new BitSet();
+    house.grid().forEachWithin(first, 300, barred::set);
+    Sweep sweep = Sweep.ofRest(house, room, room.cells(), barred, room.entry());
+    Coverage coverage = new Coverage(house, room.cells());
+    coverage.forget(sweep.hidden());
+    for (Leg leg : sweep.legs()) {
+      assertThat(leg.from().distanceMm(first)).as("seed %d", seed).isGreaterThan(300);
       coverage.look(leg.from(), House.SLACK_MM);
     }
     assertThat(coverage.isComplete()).as("seed %d", seed).isTrue();

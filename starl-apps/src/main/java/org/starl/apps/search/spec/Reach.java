@@ -1,0 +1,83 @@
+package org.starl.apps.search.spec;
+
+import java.util.BitSet;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.RobotId;
+import org.starl.apps.search.logic.House;
+import org.starl.apps.search.logic.Room;
+import org.starl.geometry.Point;
+import org.starl.primitives.paths.Tube;
+import org.starl.spec.Circumstances;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * Where robots that are up could get in spite of those that are down: what these hold bars the way for
+ * ever, or until they are back. Of a robot that has only just come back nobody knows yet that it is.
+ */
+final class Reach {
+
+  private static final long JUST_BACK_NS = 30_000_000_000L;
+
+  /** Planners need some room beside a tube, and robots stand beside their goals. */
+  private static final double MARGIN_MM = 100;
+
+  private static final String TUBES = "tubes/";
+  private static final String HELD = "held";
+
+  private final House house;
+  private final Circumstances circumstances = new Circumstances();
+  private final SortedMap<RobotId, List<Tube>> held = new TreeMap<>();
+  private final SortedMap<RobotId, List<Tube>> heldWhenDown = new TreeMap<>();
+  private final SortedMap<RobotId, Long> backNs = new TreeMap<>();
+
+  Reach(House house) {
+    this.house = house;
+  }
+
+  void observe(TraceEvent event) {
+    circumstances.observe(event);
+    if (event instanceof Variable variable
+        && variable.source().startsWith(TUBES)
+        && variable.name().equals(HELD)) {
+      held.put(variable.robot(), Tube.parse(variable.value()));
+    } else if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+      heldWhenDown.put(fault.robot(), held.getOrDefault(fault.robot(), List.of()));
+    } else if (event instanceof Fault fault && fault.name().equals(Fault.RESTART)) {
+      backNs.put(fault.robot(), fault.timeNs());
+    }
+  }
+
+  boolean isUp(RobotId robot) {
+    return circumstances.isUp(robot);
+  }
+
+  /**
+   * Whether each cell of a room that robots can see at all can be seen from a place that is not barred.
+   *
+   * @param from where robots are that are up
+   */
+  boolean isInReach(Room room, List<Point> from, long nowNs) {
+    BitSet open = house.places();
+    heldWhenDown.forEach((robot, tubes) -> {
+      Long back = backNs.get(robot);
+      if (!isUp(robot) || (back != null && nowNs - back < JUST_BACK_NS)) {
+        tubes.forEach(tube -> bar(tube, open));
+      }
+    });
+    BitSet reached = new BitSet();
+    from.forEach(at -> reached.or(house.reachable(at, open)));
+    boolean[] isAll = {true};
+    room.forEachCell(cell -> isAll[0] &= house.canBeSeen(cell, reached) || !house.canBeSeen(cell));
+    return isAll[0];
+  }
+
+  private void bar(Tube tube, BitSet open) {
+    for (int i = 0; i < tube.parts(); i++) {
+      house.bar(tube.part(i).axis(), 2.0 * tube.radiusMm() + MARGIN_MM, open);
+    }
+  }
+}
