@@ -7,6 +7,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.platform.LogSink.Level;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
+import org.starl.sim.input.BadInput;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.spec.SpecReport;
@@ -22,8 +23,16 @@ import org.starl.trace.TraceHeader;
  */
 public final class Recording implements SimObserver {
 
+  /** Of what Java may use; the rest is for the run, and for those who look. */
+  private static final double SHARE_OF_MEMORY = 0.6;
+
+  private static final long BYTES_IN_MB = 1 << 20;
+  private static final long NS_PER_S = 1_000_000_000;
+
   private final Obstacles obstacles;
   private final Checkpoints checkpoints;
+  private final long mostBytes;
+  private final Compactor compactor = new Compactor();
   private final Chunks<TraceEvent> events = new Chunks<>();
   private final Chunks<Mark> marks = new Chunks<>();
   private final Chunks<LogLine> logs = new Chunks<>();
@@ -36,7 +45,17 @@ public final class Recording implements SimObserver {
    * @param layer that has seen no event; the recording's own
    */
   public Recording(Obstacles obstacles, Layer layer) {
+    this(obstacles, layer, (long) (SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory()));
+  }
+
+  /**
+   * The same, of a bounded size.
+   *
+   * @param mostBytes that its events may take, about
+   */
+  Recording(Obstacles obstacles, Layer layer, long mostBytes) {
     this.obstacles = obstacles;
+    this.mostBytes = mostBytes;
     checkpoints = new Checkpoints(new Scene(obstacles), layer);
   }
 
@@ -45,10 +64,23 @@ public final class Recording implements SimObserver {
     header = newHeader;
   }
 
+  /**
+   * @throws BadInput if there are more events than memory for them
+   */
   @Override
   public void observed(TraceEvent event) {
     int index = events.size();
-    events.add(event);
+    events.add(compactor.compact(event));
+    if (compactor.bytes() > mostBytes) {
+      throw new BadInput(
+          "the run has too many events to be kept: "
+              + index
+              + " by "
+              + event.timeNs() / NS_PER_S
+              + " s take "
+              + mostBytes / BYTES_IN_MB
+              + " MB; expected a shorter run, or more memory for Java (STARL_JAVA_OPTS=-Xmx8g)");
+    }
     if (event.timeNs() > endNs) {
       endNs = event.timeNs();
     }

@@ -1,6 +1,7 @@
 package org.starl.sim.replay;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -13,6 +14,7 @@ import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
 import org.starl.geometry.Obstacles;
+import org.starl.sim.SimObserver;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.trace.TraceEvent;
@@ -79,6 +81,7 @@ class CursorTest {
     Recording recording = recorded(seed);
     Cursor cursor = new Cursor(recording);
     cursor.seek(Long.MAX_VALUE);
+    assertThat(recording.checkpoints().size()).isGreaterThan(2);
     for (int timeMs : timesMs) {
       long timeNs = Math.min(timeMs * NS_PER_MS, recording.endNs());
       cursor.seek(timeNs);
@@ -131,5 +134,31 @@ class CursorTest {
         .allSatisfy(mark -> assertThat(recording.timeNs(mark.index())).isEqualTo(mark.timeNs()));
     assertThat(recording.logs()).isNotEmpty();
     assertThat(recording.isOver()).isTrue();
+  }
+
+  @Test
+  void aRunThatIsTooLongForTheMemoryIsRefusedBeforeThereIsNone() {
+    Recording recording = new Recording(Obstacles.NONE, Layer.NONE, 20_000);
+    assertThatThrownBy(() -> Wander.simulation(1).observer(recording).build().run())
+        .hasMessageContaining("too many events to be kept")
+        .hasMessageContaining("take 0 MB; expected a shorter run");
+  }
+
+  @Test
+  void eventsAreKeptAsTheyWere() {
+    List<TraceEvent> events = new ArrayList<>();
+    Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
+    SimObserver all =
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            events.add(event);
+          }
+        };
+    Wander.simulation(1).observer(recording).observer(all).build().run();
+    assertThat(recording.size()).isEqualTo(events.size());
+    for (int i = 0; i < events.size(); i++) {
+      assertThat(recording.event(i)).isEqualTo(events.get(i));
+    }
   }
 }
