@@ -163,7 +163,7 @@ class ReportTest {
 
   @Test
   void foulTextsAreShownAndDoNothing() throws Exception {
-    Cli cli = campaign(FOUL, "foul<b>", "1..11", "--set", "why=" + HOSTILE);
+    Cli cli = campaign(FOUL, "foul<b>", "1..3", "--set", "why=" + HOSTILE);
     assertThat(cli.status()).isEqualTo(1);
     String text = Files.readString(file());
     Document page = Parsed.page(text);
@@ -194,12 +194,12 @@ class ReportTest {
 
   @Test
   void whatDidNotGoWellIsToldAndSeenWithItsReplay() throws Exception {
-    campaign(FOUL, "foul<b>", "1..11");
+    campaign(FOUL, "foul<b>", "1..7");
     Document page = Parsed.page(Files.readString(file()));
     List<Element> articles = Parsed.elements(page, "article");
     assertThat(articles)
         .extracting(article -> article.getAttribute("id"))
-        .containsExactly("seed1", "seed2", "seed3", "seed6", "seed7", "seed8", "seed11");
+        .containsExactly("seed1", "seed2", "seed3", "seed6", "seed7");
     for (Element article : articles) {
       String seed = article.getAttribute("id").substring("seed".length());
       assertThat(article.getTextContent()).contains("./starl run 'foul<b>' --seed " + seed);
@@ -215,7 +215,7 @@ class ReportTest {
         .contains("unfinished")
         .contains("1\u00A0s: the end");
     assertThat(page.getDocumentElement().getTextContent())
-        .contains("7 of 11\u00A0runs did not go well (3 violated, 2 failed, 2 unfinished)");
+        .contains("5 of 7\u00A0runs did not go well (2 violated, 2 failed, 1 unfinished)");
   }
 
   @Test
@@ -241,9 +241,9 @@ class ReportTest {
 
   @Test
   void theSameCampaignMakesTheSamePageOnAnyNumberOfThreads() throws IOException {
-    campaign(FOUL, "foul<b>", "1..6", "--threads", "1");
+    campaign(FOUL, "foul<b>", "1..4", "--threads", "1");
     String one = Files.readString(file());
-    campaign(FOUL, "foul<b>", "1..6", "--threads", "3");
+    campaign(FOUL, "foul<b>", "1..4", "--threads", "3");
     String threads = "<span>--threads</span> <span>%d</span>";
     assertThat(Files.readString(file()).replace(threads.formatted(3), threads.formatted(1)))
         .isEqualTo(one);
