@@ -213,7 +213,7 @@ class ReportTest {
         .contains("more violations in this run");
     assertThat(articles.get(2).getTextContent())
         .contains("unfinished")
-        .contains("1\u00A0s: the end");
+        .contains("1.000\u00A0s: the end");
     assertThat(page.getDocumentElement().getTextContent())
         .contains("5 of 7\u00A0runs did not go well (2 violated, 2 failed, 1 unfinished)");
   }

@@ -1,6 +1,7 @@
 package org.starl.cli.report;
 
 import java.util.List;
+import java.util.Locale;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.cli.report.Claims.Claim;
@@ -14,7 +15,8 @@ import org.starl.spec.SpecReport.Violation;
 final class BadRunsPart {
 
   private static final int MOST_STORY_LINES = 200;
-  private static final double NS_PER_S = 1e9;
+  private static final long NS_PER_S = 1_000_000_000;
+  private static final long NS_PER_MS = 1_000_000;
 
   private final Html html;
   private final Report report;
@@ -140,11 +142,14 @@ final class BadRunsPart {
   }
 
   private static String when(long timeNs, long momentNs, Verdict verdict) {
-    String at = Say.with("s", Math.rint(timeNs / NS_PER_S * 1000) / 1000);
+    // Cut off, not rounded: as the violation's own text has it.
+    String at =
+        String.format(
+            Locale.ROOT, "%d.%03d\u00A0s", timeNs / NS_PER_S, timeNs % NS_PER_S / NS_PER_MS);
     if (timeNs == momentNs) {
       return at + (verdict == Verdict.VIOLATED ? ": the violation" : ": the end");
     }
-    return at + ", " + Say.with("s", (momentNs - timeNs) / NS_PER_S) + " before";
+    return at + ", " + Say.with("s", (double) (momentNs - timeNs) / NS_PER_S) + " before";
   }
 
   private void story(Pictured pictured) {
