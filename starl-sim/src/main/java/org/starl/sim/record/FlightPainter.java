@@ -19,6 +19,7 @@ final class FlightPainter {
   private static final int MANY = 80;
   private static final double BEND = 0.10;
   private static final double DOT_PX = 4.5;
+  private static final double LEAST_DOT_PX = 2.5;
 
   void paint(Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
     if (flights.size() > MANY) {
@@ -38,7 +39,10 @@ final class FlightPainter {
                 viewport.xPx(to.get().at()),
                 viewport.yPx(to.get().at()),
                 scene.radiusMm(flight.to()) * viewport.pxPerMm());
-        paint(page, flight, arc, look.robot(scene, flight.from()), look.theme(), areNamed);
+        double robotPx = scene.radiusMm(flight.to()) * viewport.pxPerMm();
+        double dotPx = Math.max(LEAST_DOT_PX, Math.min(DOT_PX, 0.3 * robotPx));
+        Color colour = look.robot(scene, flight.from());
+        paint(page, flight, arc, dotPx, colour, look.theme(), areNamed);
       }
     }
   }
@@ -68,26 +72,32 @@ final class FlightPainter {
   }
 
   private static void paint(
-      Graphics2D page, Flight flight, Arc arc, Color colour, Theme theme, boolean isNamed) {
+      Graphics2D page,
+      Flight flight,
+      Arc arc,
+      double dotPx,
+      Color colour,
+      Theme theme,
+      boolean isNamed) {
     boolean isDropped = flight.state() == Flight.State.DROPPED;
     Color line = isDropped ? theme.alarm() : colour;
-    page.setColor(Theme.faded(line, flight.state() == Flight.State.DELIVERED ? 200 : 110));
-    page.setStroke(new BasicStroke(1.4f));
+    page.setColor(Theme.faded(line, flight.state() == Flight.State.DELIVERED ? 150 : 95));
+    page.setStroke(new BasicStroke(1.3f));
     page.draw(arc.path());
     double x = arc.x(flight.share());
     double y = arc.y(flight.share());
     if (isDropped) {
       page.setColor(theme.alarm());
       page.setStroke(new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-      page.draw(new Line2D.Double(x - DOT_PX, y - DOT_PX, x + DOT_PX, y + DOT_PX));
-      page.draw(new Line2D.Double(x - DOT_PX, y + DOT_PX, x + DOT_PX, y - DOT_PX));
+      page.draw(new Line2D.Double(x - dotPx, y - dotPx, x + dotPx, y + dotPx));
+      page.draw(new Line2D.Double(x - dotPx, y + dotPx, x + dotPx, y - dotPx));
     } else {
       page.setColor(theme.paper());
-      page.fill(dot(x, y, DOT_PX + 1.5));
+      page.fill(dot(x, y, dotPx + 1));
       page.setColor(line);
-      page.fill(dot(x, y, DOT_PX));
+      page.fill(dot(x, y, dotPx));
     }
-    if (isNamed) {
+    if (isNamed && flight.state() != Flight.State.DELIVERED) {
       page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 11));
       Labels.haloed(page, flight.title(), x + 8, y + 4, theme.ink(), theme.paper());
     }

@@ -186,7 +186,7 @@ public final class Painter {
       double r = look.rangeMm() * viewport.pxPerMm();
       Ellipse2D disc = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
       Color colour = look.robot(scene, robot);
-      page.setColor(Theme.faded(colour, 22));
+      page.setColor(Theme.faded(colour, 12));
       page.fill(disc);
       page.setColor(Theme.faded(colour, 150));
       float[] dashes = {6, 5};

@@ -102,7 +102,9 @@ final class Content {
     top.addTab("Robots", null, robots.pane(), "Every robot, and what it is doing");
     top.addTab("Layers", null, switches.pane(), "What is shown");
     JSplitPane side = new JSplitPane(JSplitPane.VERTICAL_SPLIT, top, inspector.panel());
-    side.setResizeWeight(0.5);
+    top.setPreferredSize(new Dimension(SIDE_PX, 300));
+    inspector.panel().setPreferredSize(new Dimension(SIDE_PX, 460));
+    side.setResizeWeight(0.4);
     side.setBorder(BorderFactory.createEmptyBorder());
     side.setPreferredSize(new Dimension(SIDE_PX, 400));
     side.setMinimumSize(new Dimension(220, 200));

@@ -128,9 +128,7 @@ final class FloorView {
     } else if (session.recording().size() == 0) {
       strip(page, widthPx, heightPx / 2, "Nothing has happened yet", theme.muted());
     } else if (violation != null) {
-      String when = Inspection.seconds(violation.timeNs());
-      strip(
-          page, widthPx, MARGIN_PX, "Violated at " + when + ": " + violation.text(), theme.alarm());
+      strip(page, widthPx, MARGIN_PX, violation.text(), theme.alarm());
     } else if (session.playback().isAtEnd()) {
       String when = Inspection.seconds(session.recording().endNs());
       strip(page, widthPx, MARGIN_PX, "The run ended at " + when, theme.muted());

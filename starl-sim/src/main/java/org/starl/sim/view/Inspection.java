@@ -2,6 +2,7 @@ package org.starl.sim.view;
 
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
@@ -52,7 +53,9 @@ final class Inspection {
     }
     rows.add(new Row(false, "program", scene.isDown(robot) ? "crashed" : "runs"));
     String source = "";
-    for (Scene.Value value : scene.variables(robot)) {
+    List<Scene.Value> values = new ArrayList<>(scene.variables(robot));
+    values.sort(Comparator.comparingInt(Inspection::rank));
+    for (Scene.Value value : values) {
       if (!value.source().equals(source)) {
         source = value.source();
         rows.add(new Row(true, source, ""));
@@ -60,6 +63,11 @@ final class Inspection {
       rows.add(new Row(false, value.name(), value.value()));
     }
     return rows;
+  }
+
+  /** The app comes first, then motion, then each primitive. */
+  private static int rank(Scene.Value value) {
+    return value.source().equals("app") ? 0 : value.source().equals("motion") ? 1 : 2;
   }
 
   private static String mm(double mm) {
@@ -97,7 +105,7 @@ final class Inspection {
     while (end < message.length() && Character.isJavaIdentifierPart(message.charAt(end))) {
       end++;
     }
-    String text = message.substring(0, end) + "  " + channel + message.substring(end);
+    String text = message.substring(0, end) + "  " + channel + "  " + message.substring(end);
     return new Line(timeNs, whom, text, channel + "\n" + message);
   }
 

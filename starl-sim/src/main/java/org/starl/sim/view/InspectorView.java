@@ -20,7 +20,7 @@ final class InspectorView {
   private final JTabbedPane tabs = new JTabbedPane();
   private final Table state = new Table(104);
   private final Table messages = new Table(74, 62);
-  private final Table log = new Table(74, 128);
+  private final Table log = new Table(74, 92);
 
   InspectorView(Session session) {
     this.session = session;

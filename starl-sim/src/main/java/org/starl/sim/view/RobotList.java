@@ -130,9 +130,9 @@ final class RobotList {
         boolean isSelected,
         boolean hasFocus) {
       var theme = session.view().look().theme();
-      Color ink = isSelected ? in.getSelectionForeground() : in.getForeground();
-      Color faint = isSelected ? in.getSelectionForeground() : theme.muted();
-      panel.setBackground(isSelected ? in.getSelectionBackground() : in.getBackground());
+      Color ink = in.getForeground();
+      Color faint = theme.muted();
+      panel.setBackground(isSelected ? Tones.selection() : in.getBackground());
       dot.setIcon(new Dot(session.view().look().robot(session.scene(), robot)));
       name.setText(robot.name());
       name.setFont(in.getFont().deriveFont(Font.BOLD));
@@ -140,7 +140,7 @@ final class RobotList {
       boolean isDown = session.scene().isDown(robot);
       boolean isGone = session.scene().pose(robot).isEmpty();
       state.setText(isDown ? "crashed" : isGone ? "not on the floor" : "");
-      state.setForeground(isDown && !isSelected ? theme.alarm() : faint);
+      state.setForeground(isDown ? theme.alarm() : faint);
       List<String> told =
           session.playback().layer().describe(robot, session.scene()).lines().toList();
       for (int i = 0; i < rows.length; i++) {

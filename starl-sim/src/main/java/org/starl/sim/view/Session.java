@@ -16,8 +16,11 @@ final class Session {
   /** Real time that a run may be ahead of who watches it: a few pictures. */
   private static final long LEAD_NS = 150_000_000;
 
-  private static final long LINGER_NS = 120_000_000;
-  private static final long MOST_LINGER_NS = 500_000_000;
+  /** What has arrived is shown for so much real time, but within limits of the run's. */
+  private static final long LINGER_NS = 70_000_000;
+
+  private static final long LEAST_LINGER_NS = 15_000_000;
+  private static final long MOST_LINGER_NS = 300_000_000;
 
   private final Recording recording;
   private final ViewSettings settings;
@@ -98,8 +101,9 @@ final class Session {
     if (!view.shows(Part.MESSAGES)) {
       return List.of();
     }
-    double speed = Math.min(playback.speed(), 1e3);
-    long lingerNs = (long) Math.min(MOST_LINGER_NS, LINGER_NS * speed);
+    // What stands still is to be a moment, not a while.
+    double speed = playback.isPlaying() ? Math.min(playback.speed(), 1e3) : 0;
+    long lingerNs = (long) Math.max(LEAST_LINGER_NS, Math.min(MOST_LINGER_NS, LINGER_NS * speed));
     return traffic.at(playback.nowNs(), playback.index(), lingerNs, view.selected());
   }
 

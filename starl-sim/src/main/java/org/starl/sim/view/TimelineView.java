@@ -76,7 +76,7 @@ final class TimelineView {
     double nowPx = xPx(session.playback().nowNs());
     page.setColor(theme.floor());
     page.fill(new RoundRectangle2D.Double(SIDE_PX, TRACK_PX - 3, widthPx - 2.0 * SIDE_PX, 6, 6, 6));
-    Color accent = accent();
+    Color accent = Tones.accent();
     double recordedPx = xPx(session.recording().endNs());
     page.setColor(theme.isDark() ? theme.border() : theme.border().brighter());
     page.fill(new RoundRectangle2D.Double(SIDE_PX, TRACK_PX - 3, recordedPx - SIDE_PX, 6, 6, 6));
@@ -92,11 +92,6 @@ final class TimelineView {
     page.fill(new Ellipse2D.Double(nowPx - 8, TRACK_PX - 8, 16, 16));
     page.setColor(accent);
     page.fill(new Ellipse2D.Double(nowPx - 6, TRACK_PX - 6, 12, 12));
-  }
-
-  private static Color accent() {
-    Color accent = UIManager.getColor("Component.accentColor");
-    return accent == null ? new Color(0x2675BF) : accent;
   }
 
   private void ticks(Graphics2D page, Theme theme) {
@@ -163,12 +158,16 @@ final class TimelineView {
       case FAULT -> page.draw(new Line2D.Double(x, TRACK_PX - 14, x, TRACK_PX - 9));
       case INTERVENTION -> {
         Path2D diamond = new Path2D.Double();
-        diamond.moveTo(x, TRACK_PX - 17);
-        diamond.lineTo(x + 4.5, TRACK_PX - 12);
-        diamond.lineTo(x, TRACK_PX - 7);
-        diamond.lineTo(x - 4.5, TRACK_PX - 12);
+        // On the track: above it stands the fault that it may be.
+        diamond.moveTo(x, TRACK_PX - 6.5);
+        diamond.lineTo(x + 6.5, TRACK_PX);
+        diamond.lineTo(x, TRACK_PX + 6.5);
+        diamond.lineTo(x - 6.5, TRACK_PX);
         diamond.closePath();
         page.fill(diamond);
+        page.setColor(UIManager.getColor("Panel.background"));
+        page.setStroke(new BasicStroke(1.5f));
+        page.draw(diamond);
       }
     }
   }
@@ -178,7 +177,7 @@ final class TimelineView {
       case VIOLATION -> theme.alarm();
       case CRASH, RESTART -> theme.ink();
       case FAULT -> theme.isDark() ? theme.gold() : theme.gold().darker();
-      case INTERVENTION -> accent();
+      case INTERVENTION -> Tones.accent();
     };
   }
 

@@ -53,7 +53,7 @@ class InspectionTest {
     assertThat(Inspection.messages(recording, recording.firstAfter(3), A)).hasSize(1);
     assertThat(Inspection.messages(recording, recording.size(), B))
         .extracting(Inspection.Line::text)
-        .containsExactly("Copy  geocast/g[x=1]");
+        .containsExactly("Copy  geocast/g  [x=1]");
   }
 
   @Test

@@ -3,6 +3,7 @@ package org.starl.apps.search.view;
 import java.awt.Color;
 import java.awt.Font;
 import java.awt.Graphics2D;
+import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
@@ -153,8 +154,12 @@ public final class SearchLayer implements Layer {
       seen = Theme.faded(look.robot(scene, robot), SEEN_ALPHA);
     }
     Strips strips = new Strips(floor, house.grid(), seen, look.theme().shade());
+    // Smoothed edges of strips side by side would show as lines.
+    Object before = floor.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
+    floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
     room.forEachCell(strips);
     strips.flush();
+    floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, before);
     write(floor, room.name(), room.rest(), 360, look);
   }
 
