@@ -17,6 +17,9 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
 import org.starl.sim.SimSettings;
+import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.replay.LiveRun;
+import org.starl.sim.replay.Recording;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
@@ -263,5 +266,50 @@ class ReplayTest {
     Cli bad = cli("run", "hello", "--csv-messages", folder.toString());
     assertThat(bad.err()).singleElement().asString().contains("--csv-messages");
     assertThat(bad.status()).isEqualTo(ExitStatus.BAD_INPUT);
+  }
+
+  /** Watches a run from its beginning, does something every 2 s of it, and stops it in the end. */
+  private static void meddle(TraceFile with, Path into, List<String> faults) throws Exception {
+    Plan plan = with.plan();
+    Recording recording = new Recording(plan.obstacles(), plan.layer());
+    try (TraceRecorder recorder = new TraceRecorder(Files.newOutputStream(into));
+        LiveRun live = new LiveRun(plan.simulation().observer(recorder), recording)) {
+      live.start();
+      long timeNs = 0;
+      for (String fault : faults) {
+        timeNs += 2_000_000_000L;
+        live.runUntil(timeNs);
+        while (recording.endNs() < timeNs) {
+          Thread.onSpinWait();
+        }
+        live.fault(fault).get();
+        live.point(with.header().robots().get(0), 100, -200).get();
+      }
+    }
+  }
+
+  @Test
+  void whatSomebodyDidToARunIsDoneAgain() throws Exception {
+    Path plain = folder.resolve("plain.trace");
+    String png = folder.resolve("a.png").toString();
+    String[] run = {"--seed", "7", "--set", "scenario=figure7", "--set", "debris=1"};
+    List<String> words = new ArrayList<>(List.of("run", "intersection"));
+    words.addAll(List.of(run));
+    words.addAll(List.of("--trace", plain.toString(), "--png", png));
+    assertThat(Cli.run(words.toArray(String[]::new)).status()).isZero();
+    Path meddled = folder.resolve("meddled.trace");
+    List<String> faults =
+        List.of(
+            "crash(bot1,restart=3s)",
+            "loss(0.7,from=bot2,for=4s)",
+            "skew(bot0,40ms)",
+            "partition(bot0+bot1|bot2+bot3,for=2s)",
+            "block(any,for=3s)",
+            "flood(bot3,5ms,for=1s)");
+    meddle(TraceFile.open(plain.toString(), Main.ALL), meddled, faults);
+    assertThat(meddled).content().contains("\"kind\":\"intervention\"", "\"name\":\"stop\"");
+    Cli replayed = Cli.run("replay", meddled.toString(), "--headless");
+    assertThat(replayed.out().get(replayed.out().size() - 1)).startsWith("equal: ");
+    assertThat(replayed.status()).isZero();
   }
 }
