@@ -18,8 +18,8 @@ final class HelpSheet {
     {"disc with a line", "a robot's true body; the line points where it heads"},
     {"cross on a robot", "its program has crashed"},
     {"ring around a robot", "it is selected"},
-    {"grey or black lines", "obstacles that all robots know"},
-    {"orange-red lines", "hidden obstacles: on no robot's map at the start"},
+    {"grey lines and areas", "obstacles that all robots know"},
+    {"orange-red lines and areas", "hidden obstacles: on no robot's map at the start"},
     {"burst of red lines", "a robot ran into something, up to ten seconds ago"},
     {"line in a robot's colour", "its trail"},
     {"dots in a robot's colour", "where it means to go"},
@@ -79,13 +79,17 @@ final class HelpSheet {
     }
     html.append("</td></tr></table><h3>Marks</h3><table cellpadding=1>");
     for (String[] mark : MARKS) {
-      row(html, mark[0], mark[1]);
+      row(html, 190, mark[0], mark[1]);
     }
     return html.append("</table></body></html>").toString();
   }
 
   private static void row(StringBuilder html, String left, String right) {
-    html.append("<tr><td width=110><b>").append(left.replace("<", "&lt;"));
+    row(html, 110, left, right);
+  }
+
+  private static void row(StringBuilder html, int widthPx, String left, String right) {
+    html.append("<tr><td width=").append(widthPx).append("><b>").append(left);
     html.append("</b></td><td>").append(right).append("</td></tr>");
   }
 }
