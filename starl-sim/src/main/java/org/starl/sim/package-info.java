@@ -4,7 +4,7 @@
  *
  * <p>May import: {@code org.starl} core, and the sub-packages of {@code org.starl.sim} that the
  * facade joins. Of this package the sub-packages that watch or repeat a run ({@code check}, {@code
- * export}, {@code record}) import its observers, settings and results; the others import nothing.
+ * export}, {@code record}, {@code replay}, {@code view}) import its observers, settings and results; the others import nothing.
  */
 @NullMarked
 package org.starl.sim;
