@@ -11,8 +11,8 @@ import org.starl.RobotId;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.maze.logic.MazeApp;
-import org.starl.apps.maze.logic.MazeApp.Answer;
+import org.starl.apps.maze.logic.Answer;
+import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -45,11 +45,11 @@ final class MazeStory implements Story {
   public void observed(TraceEvent event) {
     if (event instanceof Joined joined) {
       sinceNs.put(joined.robot(), joined.timeNs());
-    } else if (event instanceof Action action && action.source().equals(MazeApp.SOURCE)) {
-      if (action.name().equals(MazeApp.MARK)) {
+    } else if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
+      if (action.name().equals(MazeTrace.MARK)) {
         marks.merge(action.robot(), 1, Integer::sum);
         counts.merge("contacts", 1L, Long::sum);
-      } else if (action.name().equals(MazeApp.ANSWER)) {
+      } else if (action.name().equals(MazeTrace.ANSWER)) {
         answered(action);
       }
     }

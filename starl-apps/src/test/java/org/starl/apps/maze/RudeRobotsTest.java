@@ -10,9 +10,10 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotId;
+import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.Errand;
-import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.apps.maze.spec.MazeSpec;
 import org.starl.apps.maze.spec.MazeTruth;
 import org.starl.geometry.ItemPosition;
@@ -67,7 +68,7 @@ class RudeRobotsTest {
                   new Point(x + mm, y - mm),
                   new Point(x + mm, y + mm),
                   new Point(x - mm, y + mm));
-          gvh.trace.action(MazeApp.SOURCE, MazeApp.MARK, RegionText.format(square));
+          gvh.trace.action(MazeTrace.SOURCE, MazeTrace.MARK, RegionText.format(square));
         }
       });
     }
@@ -81,20 +82,20 @@ class RudeRobotsTest {
       await(() -> !gvh.plat.moat.inMotion());
       boolean isThere = !gvh.plat.moat.failed();
       switch (bug) {
-        case BUMPED_IS_THERE -> answer(MazeApp.Answer.REACHED);
-        case BUMPED_IS_NO_WAY -> answer(isThere ? MazeApp.Answer.REACHED : MazeApp.Answer.NO_WAY);
+        case BUMPED_IS_THERE -> answer(Answer.REACHED);
+        case BUMPED_IS_NO_WAY -> answer(isThere ? Answer.REACHED : Answer.NO_WAY);
         case HOLDS_FOR_EVER -> {
           await(() -> isThere);
-          answer(MazeApp.Answer.REACHED);
+          answer(Answer.REACHED);
         }
-        case MARKS_A_GUESS, ASKS_NOBODY -> answer(MazeApp.Answer.GAVE_UP);
+        case MARKS_A_GUESS, ASKS_NOBODY -> answer(Answer.GAVE_UP);
       }
       return List.of();
     }
 
-    private void answer(MazeApp.Answer answer) {
+    private void answer(Answer answer) {
       String name = errand.goals().get(0).name();
-      gvh.trace.action(MazeApp.SOURCE, MazeApp.ANSWER, name, answer, gvh.gps.errorMm() + 75);
+      gvh.trace.action(MazeTrace.SOURCE, MazeTrace.ANSWER, name, answer, gvh.gps.errorMm() + 75);
     }
   }
 

@@ -7,9 +7,9 @@ import org.starl.motion.RobotType;
 /** What a robot does when it bumps: the three of the paper's section 5.1. */
 public enum CollisionMode {
   /** Stops at the contact; the app turns round and drives back on its trail. */
-  STOP(CollisionPolicy.STOP_ON_COLLISION, 0, 0),
+  STOP(CollisionPolicy.STOP_ON_COLLISION, 0, 5_000),
   /** Backs away from the contact, blind, for 800 ms. */
-  BACK(CollisionPolicy.USE_COLBACK, 110, 0),
+  BACK(CollisionPolicy.USE_COLBACK, 110, 5_000),
   /** Backs away, then feels along the obstacle for a while: more contacts a collision. */
   DISCOVER(CollisionPolicy.USE_COLBACK, 1_000, 4_000);
 
@@ -28,9 +28,14 @@ public enum CollisionMode {
     return wanderMm;
   }
 
-  /** For how long it goes on after a contact on its own; 0 if the motion ends by itself. */
+  /** For how long it goes on after a contact on its own, at the most. */
   long feelMs() {
     return feelMs;
+  }
+
+  /** The same for a robot on its way back, which does not stay to feel for more. */
+  CollisionMode goingBack() {
+    return this == DISCOVER ? BACK : this;
   }
 
   MotionParameters applyTo(MotionParameters p) {

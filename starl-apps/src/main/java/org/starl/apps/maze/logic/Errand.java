@@ -3,6 +3,7 @@ package org.starl.apps.maze.logic;
 import java.util.List;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.motion.Contact;
 import org.starl.primitives.paths.Capsule;
 
 /**
@@ -25,8 +26,27 @@ public record Errand(
   /** A way for a body that is wider by this on every side is found if there is one. */
   public static final double MARGIN_MM = 75;
 
+  /** A contact this near to another one's place may be with that one's body. */
+  private static final double NEAR_MM = 40;
+
   public Errand {
     goals = List.copyOf(goals);
     others = List.copyOf(others);
+  }
+
+  /**
+   * Whether a contact may be with another robot that holds no block, and so proves nothing.
+   *
+   * @param bodyMm radius of the body that was stopped
+   */
+  boolean mayBeOther(Contact contact, double bodyMm) {
+    Point at = contact.at().pose().at();
+    for (Capsule other : others) {
+      double reachMm = bodyMm + other.radiusMm() + contact.at().errorMm() + NEAR_MM;
+      if (other.axis().distanceMm(at) <= reachMm) {
+        return true;
+      }
+    }
+    return false;
   }
 }

@@ -1,7 +1,6 @@
 package org.starl.apps.maze.logic;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Angles;
@@ -30,6 +29,8 @@ final class Ride {
   private static final double STRAIGHT_RAD = Angles.fromDegrees(1);
   private static final double TRAIL_STEP_MM = 40;
   private static final int LONGEST_TRAIL = 500;
+  private static final double LEAST_RETREAT_MM = 30;
+  private static final double RETREAT_TO_MM = 20;
 
   private final GlobalVarHolder gvh;
   private final List<Contact> contacts = new ArrayList<>();
@@ -91,16 +92,22 @@ final class Ride {
     return List.copyOf(contacts);
   }
 
-  /** Where the robot was, the latest first; a copy. */
-  List<Point> trail() {
-    List<Point> back = new ArrayList<>(trail);
-    Collections.reverse(back);
-    return back;
-  }
-
-  /** Forgets what comes after the last time at {@code at} on the trail. */
-  void forgetAfter(Point at) {
-    trail.subList(trail.lastIndexOf(at) + 1, trail.size()).clear();
+  /**
+   * Sets out to where it came from last, along its trail, which it then forgets from there on.
+   *
+   * @return false if it remembers no such place that lies in no mark
+   */
+  boolean retreat(Belief belief) {
+    Point here = gvh.gps.pose().at();
+    for (int i = trail.size() - 1; i >= 0; i--) {
+      Point at = trail.get(i);
+      if (at.distanceMm(here) >= LEAST_RETREAT_MM && !belief.isMarked(at)) {
+        trail.subList(i + 1, trail.size()).clear();
+        along(new Path(List.of(here, at)), RETREAT_TO_MM, CollisionMode.BACK);
+        return true;
+      }
+    }
+    return false;
   }
 
   private void toNext() {

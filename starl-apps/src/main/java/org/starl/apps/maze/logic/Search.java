@@ -52,10 +52,15 @@ record Search(Errand errand, Belief belief, Point from, Point goal, double bodyM
   }
 
   /** A way that keeps out of {@code outside}. */
-  Outcome within(List<Polygon> outside) {
+  private Outcome within(List<Polygon> outside) {
     return fromHere(1, outside) instanceof Plan.Found found
         ? way(found, false)
         : new Outcome.Lost();
+  }
+
+  /** A way that keeps out of {@code outside}; if there is none, one anywhere, or the proof. */
+  Outcome onward(List<Polygon> outside) {
+    return within(outside) instanceof Outcome.Way way ? way : anywhere();
   }
 
   /** A way that keeps out of {@code outside}, if need be through gaps that the margin closes. */

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.RobotId;
+import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Goal;
-import org.starl.apps.maze.logic.MazeApp;
-import org.starl.apps.maze.logic.MazeApp.Answer;
+import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Pose;
@@ -90,7 +90,7 @@ public final class MazeSpec implements Monitor {
       for (Goal goal : truth.errands().get(joined.robot()).goals()) {
         answers.owe(key(joined.robot(), goal.name()), joined.timeNs());
       }
-    } else if (event instanceof Action action && action.source().equals(MazeApp.SOURCE)) {
+    } else if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
       acted(action, report);
     }
   }
@@ -118,8 +118,8 @@ public final class MazeSpec implements Monitor {
 
   private void acted(Action action, Report report) {
     switch (action.name()) {
-      case MazeApp.MARK -> checkMark(action, report);
-      case MazeApp.ANSWER -> {
+      case MazeTrace.MARK -> checkMark(action, report);
+      case MazeTrace.ANSWER -> {
         String name = action.args().get(0);
         if (answers.settle(key(action.robot(), name))) {
           report.checked(ANSWERED);

@@ -14,10 +14,10 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.RobotId;
+import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
-import org.starl.apps.maze.logic.MazeApp;
-import org.starl.apps.maze.logic.MazeApp.Answer;
+import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.RegionText;
@@ -59,11 +59,11 @@ public final class MazeLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    if (event instanceof Action action && action.source().equals(MazeApp.SOURCE)) {
-      if (action.name().equals(MazeApp.MARK)) {
+    if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
+      if (action.name().equals(MazeTrace.MARK)) {
         Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
         marks.computeIfAbsent(action.robot(), robot -> new ArrayList<>()).add(mark);
-      } else if (action.name().equals(MazeApp.ANSWER)) {
+      } else if (action.name().equals(MazeTrace.ANSWER)) {
         answers.put(
             action.robot() + " " + action.args().get(0), Answer.valueOf(action.args().get(1)));
       }
@@ -107,7 +107,7 @@ public final class MazeLayer implements Layer {
       }
     }
     for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
-      String way = scene.variable(robot, MazeApp.SOURCE, MazeApp.WAY);
+      String way = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.WAY);
       paintWay(floor, way, look.robot(scene, robot), look);
     }
   }
@@ -208,8 +208,8 @@ public final class MazeLayer implements Layer {
                 });
       }
     }
-    String toward = scene.variable(robot, MazeApp.SOURCE, MazeApp.TOWARD);
-    String location = scene.variable(robot, MazeApp.SOURCE, MazeApp.LOCATION);
+    String toward = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.TOWARD);
+    String location = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.LOCATION);
     int learned = marks.getOrDefault(robot, List.of()).size();
     return location
         + (toward.isEmpty() ? "" : ", to " + toward)

@@ -1,0 +1,82 @@
+package org.starl.apps.maze.logic;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Segment;
+import org.starl.motion.Bumps;
+import org.starl.motion.Contact;
+import org.starl.motion.Location;
+import org.starl.primitives.paths.Capsule;
+
+/** What a robot is after, and what it answers when. */
+class AgendaTest {
+
+  private static final Rectangle FLOOR = new Rectangle(0, 0, 6_000, 6_000);
+  private static final Point START = new Point(500, 500);
+  private static final Goal FIRST = new Goal("first", new Point(2_000, 500), 50);
+  private static final Goal SECOND = new Goal("second", new Point(4_000, 500), 60);
+
+  private static Errand errand(List<Capsule> others) {
+    Blocks blocks = Blocks.of(FLOOR);
+    return new Errand(START, List.of(FIRST, SECOND), others, FLOOR, blocks, CollisionMode.STOP);
+  }
+
+  private static final Point AT = new Point(3_000, 3_000);
+
+  private final Agenda agenda = new Agenda(errand(List.of()));
+
+  @Test
+  void whoArrivesAtItsGoalHasReachedItAndRestsThere() {
+    assertThat(agenda.to()).isEqualTo(FIRST.at());
+    assertThat(agenda.toleranceMm()).isEqualTo(50);
+    assertThat(agenda.arrived()).isEqualTo(Answer.REACHED);
+    assertThat(agenda.answer(Answer.REACHED)).isEqualTo(FIRST);
+    agenda.backForGood();
+    assertThat(agenda.to()).isEqualTo(FIRST.at());
+  }
+
+  @Test
+  void whoIsCutOffSaysSoOnlyBackWhereItStood() {
+    agenda.backForGood();
+    assertThat(agenda.goesBack()).isTrue();
+    assertThat(agenda.to()).isEqualTo(START);
+    assertThat(agenda.arrived()).isEqualTo(Answer.NO_WAY);
+    agenda.answer(Answer.NO_WAY);
+    assertThat(agenda.goesBack()).isFalse();
+    assertThat(agenda.to()).isEqualTo(SECOND.at());
+    assertThat(agenda.answers()).containsExactly("first NO_WAY");
+    assertThat(agenda.arrived()).isEqualTo(Answer.REACHED);
+  }
+
+  @Test
+  void whoNeedsTheWholeFloorAnswersNothingBackWhereItStoodAndNeedsItForThatGoalAlone() {
+    agenda.backForAll();
+    assertThat(agenda.to()).isEqualTo(START);
+    assertThat(agenda.arrived()).isNull();
+    assertThat(agenda.to()).isEqualTo(FIRST.at());
+    assertThat(agenda.needsAll()).isTrue();
+    agenda.answer(Answer.REACHED);
+    assertThat(agenda.needsAll()).isFalse();
+    agenda.answer(Answer.GAVE_UP);
+    assertThat(agenda.isDone()).isTrue();
+    assertThat(agenda.answers()).containsExactly("first REACHED", "second GAVE_UP");
+  }
+
+  @Test
+  void aContactNearAnotherOnesPlaceMayBeWithThatOne() {
+    Capsule other = new Capsule(new Segment(AT, AT), 165);
+    Errand errand = errand(List.of(other));
+    assertThat(errand.mayBeOther(contact(3_000 - 165 - 165 - 10 - 39, 10), 165)).isTrue();
+    assertThat(errand.mayBeOther(contact(3_000 - 165 - 165 - 10 - 41, 10), 165)).isFalse();
+  }
+
+  private static Contact contact(double xMm, double errorMm) {
+    Pose at = new Pose(xMm, 3_000, 0);
+    return new Contact(new Location.Known(at, errorMm, 0, 0, 0), Bumps.BOTH);
+  }
+}
