@@ -11,6 +11,7 @@ import org.starl.apps.Input;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.apps.race.logic.Drive;
 import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.Scoreboard;
@@ -122,7 +123,7 @@ public final class RaceDemo implements Demo {
     RaceSpec.of(points, bounds).forEach(simulation::monitor);
     RacePoint widest =
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
-    MotionParameters motion = RaceApp.motion(settings.motionParameters(0), widest);
+    MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);
     simulation.monitor(() -> new MotionSpec(motion));
     simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS));
   }

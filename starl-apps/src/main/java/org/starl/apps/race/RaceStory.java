@@ -11,8 +11,8 @@ import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.race.logic.Claim;
-import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.RaceTrace;
 import org.starl.apps.race.logic.Scoreboard;
 import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
@@ -44,10 +44,10 @@ final class RaceStory implements Story {
 
   @Override
   public void observed(TraceEvent event) {
-    if (!(event instanceof Action action) || !action.source().equals(RaceApp.SOURCE)) {
+    if (!(event instanceof Action action) || !action.source().equals(RaceTrace.SOURCE)) {
       return;
     }
-    if (action.name().equals(RaceApp.ARRIVE)) {
+    if (action.name().equals(RaceTrace.ARRIVE)) {
       races.get(Integer.parseInt(action.args().get(0))).arrivals++;
     } else if (action.name().equals(Scoreboard.TAKEN)) {
       Claim claim = Scoreboard.claim(action.args());

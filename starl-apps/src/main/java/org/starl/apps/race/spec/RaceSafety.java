@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
-import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.RaceTrace;
 import org.starl.apps.race.logic.Scoreboard;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Bodies;
@@ -73,10 +73,11 @@ final class RaceSafety implements Monitor {
     switch (event) {
       case Action action when Records.isTaken(action) -> taken(action, report);
       case Action action
-          when action.source().equals(RaceApp.SOURCE) && action.name().equals(RaceApp.ARRIVE) ->
+          when action.source().equals(RaceTrace.SOURCE) && action.name().equals(RaceTrace.ARRIVE) ->
           arrived(action, report);
       case Variable variable
-          when variable.source().equals(RaceApp.SOURCE) && variable.name().equals(RaceApp.POINT) ->
+          when variable.source().equals(RaceTrace.SOURCE)
+              && variable.name().equals(RaceTrace.POINT) ->
           inVain.put(variable.robot(), 0);
       case Variable variable
           when variable.name().equals("motionflag")

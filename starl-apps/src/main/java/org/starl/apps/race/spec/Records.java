@@ -6,8 +6,8 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.apps.race.logic.Claim;
-import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RaceApp.Location;
+import org.starl.apps.race.logic.RaceTrace;
 import org.starl.apps.race.logic.Scoreboard;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -40,8 +40,8 @@ final class Records {
         of(action.robot()).claims.put(claim.point(), claim);
       }
       case Variable variable
-          when variable.source().equals(RaceApp.SOURCE)
-              && variable.name().equals(RaceApp.LOCATION) ->
+          when variable.source().equals(RaceTrace.SOURCE)
+              && variable.name().equals(RaceTrace.LOCATION) ->
           of(variable.robot()).isDone = variable.value().equals(Location.DONE.name());
       default -> {
         // Says nothing of winners.
@@ -50,7 +50,7 @@ final class Records {
   }
 
   static boolean isTaken(Action action) {
-    return action.source().equals(RaceApp.SOURCE) && action.name().equals(Scoreboard.TAKEN);
+    return action.source().equals(RaceTrace.SOURCE) && action.name().equals(Scoreboard.TAKEN);
   }
 
   private Past of(RobotId robot) {

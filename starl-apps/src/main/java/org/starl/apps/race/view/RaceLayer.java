@@ -15,9 +15,9 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.apps.race.logic.Claim;
-import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.RaceTrace;
 import org.starl.apps.race.logic.Scoreboard;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -59,7 +59,7 @@ public final class RaceLayer implements Layer {
   @Override
   public void observe(TraceEvent event) {
     if (event instanceof Action action
-        && action.source().equals(RaceApp.SOURCE)
+        && action.source().equals(RaceTrace.SOURCE)
         && action.name().equals(Scoreboard.TAKEN)) {
       Claim claim = Scoreboard.claim(action.args());
       winners.merge(claim.point(), claim, (a, b) -> a.compareTo(b) <= 0 ? a : b);
@@ -117,7 +117,7 @@ public final class RaceLayer implements Layer {
   }
 
   private void way(Graphics2D floor, RobotId robot, Scene scene, Look look) {
-    String name = scene.variable(robot, RaceApp.SOURCE, RaceApp.POINT);
+    String name = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.POINT);
     for (RacePoint point : points) {
       if (point.name().equals(name) && scene.pose(robot).isPresent()) {
         Pose pose = scene.pose(robot).get();
@@ -152,8 +152,8 @@ public final class RaceLayer implements Layer {
   }
 
   private static String doing(RobotId robot, Scene scene) {
-    String location = scene.variable(robot, RaceApp.SOURCE, RaceApp.LOCATION);
-    String point = scene.variable(robot, RaceApp.SOURCE, RaceApp.POINT);
+    String location = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.LOCATION);
+    String point = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.POINT);
     if (location.isEmpty()) {
       return "";
     }

@@ -37,7 +37,7 @@ public final class RudeRacer extends LogicThread {
     super(gvh);
     this.points = points;
     this.bug = bug;
-    location = gvh.variable(RaceApp.SOURCE, RaceApp.LOCATION, RaceApp.Location.RACE);
+    location = gvh.variable(RaceTrace.SOURCE, RaceTrace.LOCATION, RaceApp.Location.RACE);
     broadcast =
         new Broadcast<>(
             gvh,
@@ -54,7 +54,7 @@ public final class RudeRacer extends LogicThread {
       int point = i;
       RacePoint next = points.get(i);
       if (bug != Bug.DOES_NOT_DRIVE) {
-        gvh.plat.moat.setParameters(RaceApp.motion(gvh.plat.moat.parameters(), next));
+        gvh.plat.moat.setParameters(Drive.motion(gvh.plat.moat.parameters(), next));
         gvh.plat.moat.doMove(new ItemPosition(next.name(), next.at().xMm(), next.at().yMm()));
       }
       while (!best.containsKey(point)
@@ -72,7 +72,7 @@ public final class RudeRacer extends LogicThread {
   }
 
   private void arrive(int point, RacePoint next) {
-    gvh.trace.action(RaceApp.SOURCE, RaceApp.ARRIVE, point, next.name(), 0, 0, next.radiusMm());
+    gvh.trace.action(RaceTrace.SOURCE, RaceTrace.ARRIVE, point, next.name(), 0, 0, next.radiusMm());
     Claim claim = new Claim(point, gvh.id.name(), gvh.plat.clock.nowNs(), 0);
     record(claim);
     if (bug != Bug.TELLS_NOBODY) {
@@ -102,7 +102,7 @@ public final class RudeRacer extends LogicThread {
   private void record(Claim claim) {
     best.put(claim.point(), claim);
     gvh.trace.action(
-        RaceApp.SOURCE,
+        RaceTrace.SOURCE,
         Scoreboard.TAKEN,
         claim.point(),
         points.get(claim.point()).name(),
