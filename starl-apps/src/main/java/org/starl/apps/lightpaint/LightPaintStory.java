@@ -14,6 +14,7 @@ import org.starl.apps.Product;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.spec.LightTrail;
 import org.starl.apps.lightpaint.spec.Pass;
@@ -59,7 +60,7 @@ final class LightPaintStory implements Story {
         }
       }
       case Variable variable -> {
-        if (variable.source().equals(LightPaintApp.SOURCE)) {
+        if (variable.source().equals(PaintTrace.SOURCE)) {
           changed(variable);
         }
       }
@@ -71,9 +72,9 @@ final class LightPaintStory implements Story {
 
   private void changed(Variable variable) {
     Painter painter = painter(variable.robot());
-    if (variable.name().equals(LightPaintApp.LIGHT)) {
+    if (variable.name().equals(PaintTrace.LIGHT)) {
       lastLightNs = variable.timeNs();
-    } else if (variable.name().equals(LightPaintApp.LOCATION)) {
+    } else if (variable.name().equals(PaintTrace.LOCATION)) {
       if (variable.value().equals(LightPaintApp.Location.RETREAT.name())) {
         painter.retreats++;
       } else if (variable.value().equals(LightPaintApp.Location.DONE.name())) {

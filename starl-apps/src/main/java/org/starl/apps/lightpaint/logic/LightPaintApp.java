@@ -5,7 +5,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhCell;
 import org.starl.LogicThread;
-import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
@@ -39,30 +38,15 @@ public final class LightPaintApp extends LogicThread {
     DONE
   }
 
-  /** {@code source} of this app's trace events. */
-  public static final String SOURCE = "app";
-
-  /** Variable: the location. */
-  public static final String LOCATION = "location";
-
-  /** Variable: the {@link Light}. */
-  public static final String LIGHT = "light";
-
-  /** Variable: the number of the stroke that it is about; -1 for none. */
-  public static final String STROKE = "stroke";
-
   private static final long PERIOD_MS = 100;
   private static final long PAUSE_MS = 1_000;
 
   /** Where nothing becomes of the work for so long, something is in the way that will not move. */
   private static final long GIVE_UP_NS = 240_000_000_000L;
 
-  private static final double HOME_MM = 100;
-  private static final double AT_MM = 12;
-
   private final Painting painting;
-  private final ItemPosition home;
   private final DistributedPathPlanning paths;
+  private final Trips trips;
   private final Board board;
   private final Notes notes;
   private final GvhCell<Location> location;
@@ -77,7 +61,6 @@ public final class LightPaintApp extends LogicThread {
   public LightPaintApp(GlobalVarHolder gvh, Painting painting, Point home) {
     super(gvh);
     this.painting = painting;
-    this.home = new ItemPosition("home", home.xMm(), home.yMm());
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
     paths =
         new DistributedPathPlanning(
@@ -87,11 +70,12 @@ public final class LightPaintApp extends LogicThread {
             new OptimalPlanner(),
             painting.floor(),
             Painting.TUBES);
+    trips = new Trips(gvh, paths, home);
     board = new Board(gvh, painting.strokes(), 2.0 * paths.radiusMm());
     notes = new Notes(gvh.plat.stable);
-    location = gvh.variable(SOURCE, LOCATION, Location.RESUME);
-    light = gvh.variable(SOURCE, LIGHT, Light.OFF);
-    target = gvh.variable(SOURCE, STROKE, Hint.NONE);
+    location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
+    light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
+    target = gvh.variable(PaintTrace.SOURCE, PaintTrace.STROKE, Hint.NONE);
   }
 
   @Override
@@ -130,13 +114,13 @@ public final class LightPaintApp extends LogicThread {
           }
         }
         case RETREAT -> {
-          if (isBack()) {
+          if (trips.isBack()) {
             sleep(PAUSE_MS);
             comeBack();
           }
         }
         case PARK -> {
-          if (isBack() || board.silenceNs() > 2 * GIVE_UP_NS) {
+          if (trips.isBack() || board.silenceNs() > 2 * GIVE_UP_NS) {
             location.set(Location.DONE);
           }
         }
@@ -164,7 +148,7 @@ public final class LightPaintApp extends LogicThread {
       location.set(Location.RETREAT);
     } else {
       work = Work.from(free, here);
-      paths.goTo(start(work));
+      trips.to(work);
       location.set(Location.GO);
     }
   }
@@ -178,7 +162,8 @@ public final class LightPaintApp extends LogicThread {
       drop();
     } else if (paths.isUnderWay()) {
       return;
-    } else if (mayBegin(now) && (paths.tubeflag().get() == TubeFlag.DONE || isAt(now))) {
+    } else if (trips.mayBegin(now)
+        && (paths.tubeflag().get() == TubeFlag.DONE || trips.isAt(now))) {
       notes.write(now, true);
       location.set(Location.NOTE);
     } else if (paths.failed()) {
@@ -186,14 +171,14 @@ public final class LightPaintApp extends LogicThread {
       location.set(isMine ? Location.RETREAT : Location.PICK);
       work = isMine ? now : null;
     } else {
-      paths.goTo(start(now));
+      trips.to(now);
     }
   }
 
   private void begin(Work now) {
     if (now.isDone()) {
       location.set(Location.LEAVE);
-    } else if (mayBegin(now)) {
+    } else if (trips.mayBegin(now)) {
       paths.goAlong(new Path(now.rest().points()));
       location.set(Location.PAINT);
     } else {
@@ -213,30 +198,13 @@ public final class LightPaintApp extends LogicThread {
     }
     light.set(Light.OFF);
     if (paths.failure().get() == TubeFailure.MOTION) {
-      paths.goTo(start(work()));
+      trips.to(work());
       location.set(Location.GO);
     } else {
       work = paths.failed() ? work : now.finished();
       notes.write(work(), false);
       location.set(Location.LEAVE);
     }
-  }
-
-  /** Whether it stands in its own place and holds no more than that; if not, it goes there. */
-  private boolean isBack() {
-    if (paths.isUnderWay()) {
-      return false;
-    }
-    boolean isThere = gvh.gps.nearestMm(home.at()) <= HOME_MM && holdsNoWay();
-    if (!isThere) {
-      paths.goTo(home);
-    }
-    return isThere;
-  }
-
-  /** Who was stopped on its way goes on holding it. */
-  private boolean holdsNoWay() {
-    return paths.held().stream().allMatch(tube -> tube.points().size() == 1);
   }
 
   private void comeBack() {
@@ -248,7 +216,7 @@ public final class LightPaintApp extends LogicThread {
         location.set(Location.PICK);
       }
     } else if (!board.mustWait(now.stroke())) {
-      paths.goTo(start(now));
+      trips.to(now);
       location.set(Location.GO);
     }
   }
@@ -261,21 +229,6 @@ public final class LightPaintApp extends LogicThread {
     work = null;
     notes.clear();
     location.set(Location.PICK);
-  }
-
-  /** Whether the robot stands where its work goes on, as near as a way along it needs, for certain. */
-  private boolean mayBegin(Work now) {
-    double offMm = Painting.TUBES.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm();
-    return gvh.gps.farthestMm(now.next()) <= offMm;
-  }
-
-  private boolean isAt(Work now) {
-    return gvh.gps.pose().at().distanceMm(now.next()) <= AT_MM;
-  }
-
-  private static ItemPosition start(Work now) {
-    String name = "stroke" + now.stroke().number();
-    return new ItemPosition(name, now.next().xMm(), now.next().yMm());
   }
 
   private Work work() {

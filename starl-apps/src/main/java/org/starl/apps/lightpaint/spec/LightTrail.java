@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.starl.RobotId;
 import org.starl.apps.lightpaint.logic.Light;
-import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
@@ -69,8 +69,8 @@ public final class LightTrail {
     advance(event.timeNs());
     switch (event) {
       case Variable variable -> {
-        if (variable.source().equals(LightPaintApp.SOURCE)
-            && variable.name().equals(LightPaintApp.LIGHT)) {
+        if (variable.source().equals(PaintTrace.SOURCE)
+            && variable.name().equals(PaintTrace.LIGHT)) {
           close(variable.robot(), variable.timeNs());
           shine(variable.robot(), Light.parse(variable.value()), variable.timeNs());
         }

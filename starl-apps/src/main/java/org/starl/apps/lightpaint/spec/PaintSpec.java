@@ -9,8 +9,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
-import org.starl.apps.lightpaint.logic.LightPaintApp;
 import org.starl.apps.lightpaint.logic.LightPaintApp.Location;
+import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.geometry.Point;
 import org.starl.spec.Circumstances;
@@ -98,8 +98,8 @@ public final class PaintSpec implements Monitor {
         progress.owe(ALL, nowNs);
       }
       case Variable variable -> {
-        if (variable.source().equals(LightPaintApp.SOURCE)
-            && variable.name().equals(LightPaintApp.LOCATION)) {
+        if (variable.source().equals(PaintTrace.SOURCE)
+            && variable.name().equals(PaintTrace.LOCATION)) {
           boolean isDone = variable.value().equals(Location.DONE.name());
           ended.put(variable.robot(), isDone);
           if (isDone && areAllDone()) {

@@ -10,7 +10,7 @@ import java.util.Locale;
 import org.starl.RobotId;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Light;
-import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.spec.LightTrail;
@@ -129,14 +129,14 @@ public final class LightPaintLayer implements Layer {
   }
 
   private static Light light(RobotId robot, Scene scene) {
-    String text = scene.variable(robot, LightPaintApp.SOURCE, LightPaintApp.LIGHT);
+    String text = scene.variable(robot, PaintTrace.SOURCE, PaintTrace.LIGHT);
     return text.isEmpty() ? Light.OFF : Light.parse(text);
   }
 
   @Override
   public String describe(RobotId robot, Scene scene) {
-    String location = scene.variable(robot, LightPaintApp.SOURCE, LightPaintApp.LOCATION);
-    String stroke = scene.variable(robot, LightPaintApp.SOURCE, LightPaintApp.STROKE);
+    String location = scene.variable(robot, PaintTrace.SOURCE, PaintTrace.LOCATION);
+    String stroke = scene.variable(robot, PaintTrace.SOURCE, PaintTrace.STROKE);
     Light light = light(robot, scene);
     String doing =
         switch (location) {

@@ -34,9 +34,8 @@ public final class RudePainter extends LogicThread {
     super(gvh);
     this.strokes = strokes;
     this.bug = bug;
-    light = gvh.variable(LightPaintApp.SOURCE, LightPaintApp.LIGHT, Light.OFF);
-    location =
-        gvh.variable(LightPaintApp.SOURCE, LightPaintApp.LOCATION, LightPaintApp.Location.RESUME);
+    light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
+    location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, LightPaintApp.Location.RESUME);
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
   }
 
