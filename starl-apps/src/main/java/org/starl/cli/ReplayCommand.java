@@ -26,9 +26,9 @@ import picocli.CommandLine.Spec;
     mixinStandardHelpOptions = true,
     footer = {
       "",
-      "Example: starl run intersection --seed 7 --trace out/crossing.trace",
-      "         starl replay out/crossing.trace",
-      "         starl replay out/crossing.trace --headless"
+      "Example: starl replay out/crossing.trace",
+      "         starl replay out/crossing.trace --headless",
+      "where 'starl run intersection --seed 7 --trace out/crossing.trace' has made the trace."
     })
 final class ReplayCommand implements Callable<Integer> {
 

@@ -53,7 +53,7 @@ class BadInputTest {
       run intersection --set debrs=1 | 'debrs' | did you mean debris?
       run intersection --set messageLos=1 | 'messageLos' | did you mean messageLoss?
       run intersection --set zzzzzzzzzz=1 | 'zzzzzzzzzz' | expected one of
-      bench b9 | 'b9' | expected b1, b2, mutex or apps
+      bench b9 | 'b9' | expected b1, b2, mutex, view or apps
       bench apps | expected --inputs FOLDER
       bench apps --inputs . --app race --input nope | --input | 'nope' | four.wpt
       bench apps --inputs /no/such | --inputs | /no/such | expected a folder
