@@ -250,9 +250,11 @@ class BarrierProtocol implements SynodProtocol {
       return;
     }
     if (proposeAtNs == NEVER) {
-      // In turn, for proposers defeat each other.
+      // In turn, for proposers defeat each other; but those before it may have crashed, and its own
+      // turn must come before its deadline.
+      long turnNs = DECIDE * settings.deltaMs() * NS_PER_MS;
       long rank = arrivals(generation).headSet(me).size();
-      proposeAtNs = nowNs + rank * DECIDE * settings.deltaMs() * NS_PER_MS;
+      proposeAtNs = Math.max(nowNs, Math.min(nowNs + rank * turnNs, deadlineNs - turnNs));
     }
     if (nowNs >= proposeAtNs) {
       proposeAtNs = NEVER;

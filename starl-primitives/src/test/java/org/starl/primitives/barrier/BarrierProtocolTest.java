@@ -25,6 +25,15 @@ class BarrierProtocolTest {
     assertThat(well).as("seed %d: healed, and the members go on", seed).isTrue();
   }
 
+  /**
+   * Two of six are left, the last in the order in which robots propose; four that come before them had
+   * arrived and crashed, and a deadline is shorter than their turns.
+   */
+  @Test
+  void whoIsLastInOrderProposesBeforeItsDeadline() {
+    assertThat(Gathering.drawn(-78).live()).isTrue();
+  }
+
   /** In a life of its own a member may be alone, and is owed nothing; in most it is. */
   @Test
   void mostLivesCheckThatNobodyHangs() {
