@@ -2,15 +2,12 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.starl.apps.Plan;
 import org.starl.sim.check.Determinism;
 import org.starl.sim.check.ReplayCheck;
-import org.starl.sim.replay.Recording;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -81,10 +78,7 @@ final class ReplayCommand implements Callable<Integer> {
   /** Shows what is in the trace; nothing is run. */
   private int show(TraceFile trace) {
     Viewing.demandScreen();
-    Plan plan = trace.plan();
-    Recording recording = new Recording(plan.obstacles(), plan.layer());
-    trace.show(List.of(recording));
-    viewing.show(recording);
+    viewing.show(trace.reading());
     return ExitStatus.GOOD;
   }
 }

@@ -21,7 +21,9 @@ import org.starl.sim.Version;
 import org.starl.sim.check.ReplayCheck;
 import org.starl.sim.input.BadInput;
 import org.starl.sim.input.NearMatches;
+import org.starl.sim.replay.Recording;
 import org.starl.sim.replay.SameInterventions;
+import org.starl.sim.replay.TraceReading;
 import org.starl.sim.replay.TraceShow;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -134,9 +136,20 @@ final class TraceFile {
 
   /** Shows it to the observers, and to the monitors of its app; nothing is simulated. */
   SimResult show(List<? extends SimObserver> observers) {
+    return show(monitors(), observers);
+  }
+
+  private List<Monitor> monitors() {
     List<Monitor> monitors = new ArrayList<>();
     plan().simulation().build().blueprint().monitors().forEach(maker -> monitors.add(maker.get()));
-    return show(monitors, observers);
+    return monitors;
+  }
+
+  /** Ready to be read for somebody who watches, and checked by the monitors of its app meanwhile. */
+  TraceReading reading() {
+    Plan plan = plan();
+    Recording recording = new Recording(plan.obstacles(), plan.layer());
+    return new TraceReading(recording, observers -> show(List.of(), observers), this::monitors);
   }
 
   private SimResult show(List<Monitor> monitors, List<? extends SimObserver> observers) {

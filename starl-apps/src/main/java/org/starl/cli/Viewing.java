@@ -3,8 +3,10 @@ package org.starl.cli;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
 import org.starl.sim.SimResult;
+import org.starl.sim.input.BadInput;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
+import org.starl.sim.replay.TraceReading;
 import org.starl.sim.view.Window;
 import picocli.CommandLine.Option;
 
@@ -30,9 +32,20 @@ final class Viewing {
     }
   }
 
-  /** Shows what has happened, until the window is closed. */
-  void show(Recording recording) {
-    show(recording, null);
+  /**
+   * Shows a trace, as far as it is one, until the window is closed.
+   *
+   * @throws BadInput afterwards, if it is broken somewhere
+   */
+  void show(TraceReading reading) {
+    try (reading) {
+      reading.start();
+      show(reading.recording(), null);
+    }
+    RuntimeException failure = reading.failure();
+    if (failure != null) {
+      throw failure;
+    }
   }
 
   /** Runs while somebody watches; closing the window ends the run. */

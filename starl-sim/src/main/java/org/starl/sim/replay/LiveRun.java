@@ -152,6 +152,7 @@ public final class LiveRun implements AutoCloseable {
       result = simulation.run();
     } catch (RuntimeException e) {
       failure = e;
+      recording.failed("The simulation failed: " + e.getMessage());
     } finally {
       recording.over(recording.endNs());
       refuseAll();

@@ -26,6 +26,7 @@ public final class Recording implements SimObserver {
   /** Of what Java may use; the rest is for the run, and for those who look. */
   private static final double SHARE_OF_MEMORY = 0.6;
 
+  private static final int ALL = Integer.MAX_VALUE;
   private static final long BYTES_IN_MB = 1 << 20;
   private static final long NS_PER_S = 1_000_000_000;
 
@@ -39,6 +40,8 @@ public final class Recording implements SimObserver {
   private volatile @Nullable TraceHeader header;
   private volatile boolean isOver;
   private volatile long endNs;
+  private volatile int checked = ALL;
+  private volatile String failure = "";
 
   /**
    * @param obstacles of the world, hidden ones included
@@ -95,7 +98,11 @@ public final class Recording implements SimObserver {
 
   @Override
   public void violated(SpecReport.Violation violation) {
-    int index = Math.max(0, events.size() - 1);
+    violated(Math.max(0, events.size() - 1), violation);
+  }
+
+  /** Found at an event that may be long past. */
+  void violated(int index, SpecReport.Violation violation) {
     marks.add(new Mark(violation.timeNs(), index, Mark.Kind.VIOLATION, violation.toString()));
   }
 
@@ -116,10 +123,35 @@ public final class Recording implements SimObserver {
     }
   }
 
-  /** The run ended so: from now on nothing changes. */
+  /** The run ended so: from now on nothing happens. */
   public void over(long timeNs) {
     reached(timeNs);
     isOver = true;
+  }
+
+  /**
+   * An error ended the run, or the reading of it, which is over by that.
+   *
+   * @param why one line
+   */
+  void failed(String why) {
+    failure = why;
+    over(endNs);
+  }
+
+  /** The specifications will look at the events later: all of {@link #checked} that follows is theirs. */
+  void toBeChecked() {
+    checked = 0;
+  }
+
+  /** The specifications have looked at so many events. */
+  void checked(int count) {
+    checked = count;
+  }
+
+  /** The specifications have looked at everything, the end too. */
+  void allChecked() {
+    checked = ALL;
   }
 
   private static Mark.Kind kind(Fault fault) {
@@ -193,9 +225,27 @@ public final class Recording implements SimObserver {
     return endNs;
   }
 
-  /** Whether nothing will change any more. */
+  /** Whether nothing will happen any more; {@link #isChecked} tells whether more may be found in it. */
   public boolean isOver() {
     return isOver;
+  }
+
+  /** The error that ended the run, or the reading of it, in one line; empty if there is none. */
+  public String failure() {
+    return failure;
+  }
+
+  /**
+   * Whether the specifications have looked at all that has happened so far: always, but of a trace,
+   * which is read first.
+   */
+  public boolean isChecked() {
+    return checked == ALL;
+  }
+
+  /** How many events the specifications have looked at. */
+  public int checked() {
+    return Math.min(checked, size());
   }
 
   /** What stands on the timeline so far, in the order in which it was found. */

@@ -13,7 +13,6 @@ import org.starl.sim.input.BadInput;
 import org.starl.sim.net.NetStatistics;
 import org.starl.sim.world.Collisions;
 import org.starl.spec.Monitor;
-import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEnd;
 import org.starl.trace.TraceEvent;
@@ -27,7 +26,7 @@ public final class TraceShow {
 
   private final String file;
   private final TraceReader reader;
-  private final Monitors monitors;
+  private final Checker checker;
   private final List<SimObserver> observers;
   private final Set<RobotId> onFloor = new TreeSet<>();
   private long events;
@@ -36,13 +35,12 @@ public final class TraceShow {
   private long sentBytes;
   private long delivered;
   private long dropped;
-  private int told;
 
   private TraceShow(
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
     this.file = file;
     this.reader = reader;
-    this.monitors = new Monitors(monitors);
+    checker = new Checker(monitors);
     this.observers = List.copyOf(observers);
   }
 
@@ -66,11 +64,11 @@ public final class TraceShow {
     for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
       check(event);
       count(event);
-      monitors.observe(event);
+      List<SpecReport.Violation> violations = checker.observe(event);
       for (int i = 0; i < observers.size(); i++) {
         observers.get(i).observed(event);
       }
-      tellViolations();
+      tell(violations);
     }
     @Nullable TraceEnd end = reader.end();
     if (end == null) {
@@ -81,8 +79,7 @@ public final class TraceShow {
     if (end.timeNs() < timeNs) {
       throw bad("an end that is not before the last event");
     }
-    monitors.finish(end.timeNs());
-    tellViolations();
+    tell(checker.finish(end.timeNs()));
     SimResult result = result(end.timeNs());
     observers.forEach(observer -> observer.finished(result));
     return result;
@@ -126,13 +123,9 @@ public final class TraceShow {
     }
   }
 
-  private void tellViolations() {
-    int found = monitors.report().found();
-    if (found > told) {
-      for (SpecReport.Violation violation : monitors.report().violations().subList(told, found)) {
-        observers.forEach(observer -> observer.violated(violation));
-      }
-      told = found;
+  private void tell(List<SpecReport.Violation> violations) {
+    for (SpecReport.Violation violation : violations) {
+      observers.forEach(observer -> observer.violated(violation));
     }
   }
 
@@ -146,6 +139,6 @@ public final class TraceShow {
         List.of(),
         new NetStatistics(sent, sentBytes, delivered, dropped),
         Collisions.NONE,
-        monitors.report());
+        checker.report());
   }
 }

@@ -4,8 +4,9 @@
  * org.starl.sim.replay.Cursor} goes to any moment of it, forwards and backwards. {@link
  * org.starl.sim.replay.LiveRun} lets a simulation run on a thread of its own, no farther ahead of who
  * watches than that one likes, and takes what a person does to it. Whatever that is, is an event of the
- * run, and {@link org.starl.sim.replay.SameInterventions} does it again. {@link org.starl.sim.replay.TraceShow} shows a
- * trace to whoever observes runs.
+ * run, and {@link org.starl.sim.replay.SameInterventions} does it again. {@link
+ * org.starl.sim.replay.TraceShow} shows a trace to whoever observes runs; {@link
+ * org.starl.sim.replay.TraceReading} does it on a thread of its own, for somebody who watches.
  *
  * <p>A recording is filled by one thread and read by others; a cursor is one thread's own. Watching
  * changes nothing: a run has the same trace with and without a recording.

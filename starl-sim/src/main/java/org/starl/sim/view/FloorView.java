@@ -123,15 +123,18 @@ final class FloorView {
   private void banner(Graphics2D page, int widthPx, int heightPx) {
     Theme theme = session.view().look().theme();
     Mark violation = session.violation();
-    if (!session.failure().isEmpty()) {
-      strip(page, widthPx, MARGIN_PX, "The simulation failed: " + session.failure(), theme.alarm());
+    String failure = session.recording().failure();
+    if (!failure.isEmpty()) {
+      strip(page, widthPx, MARGIN_PX, failure, theme.alarm());
     } else if (session.recording().size() == 0) {
       strip(page, widthPx, heightPx / 2, "Nothing has happened yet", theme.muted());
     } else if (violation != null) {
       strip(page, widthPx, MARGIN_PX, violation.text(), theme.alarm());
     } else if (session.playback().isAtEnd()) {
       String when = Inspection.seconds(session.recording().endNs());
-      strip(page, widthPx, MARGIN_PX, "The run ended at " + when, theme.muted());
+      String open =
+          session.recording().isChecked() ? "" : "; its specifications are still being checked";
+      strip(page, widthPx, MARGIN_PX, "The run ended at " + when + open, theme.muted());
     }
   }
 

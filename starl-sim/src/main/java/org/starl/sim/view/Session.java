@@ -52,12 +52,6 @@ final class Session {
     return live == null || live.isOver() ? null : live;
   }
 
-  /** The error that ended the run; empty if none did. */
-  String failure() {
-    RuntimeException error = live == null ? null : live.failure();
-    return error == null ? "" : String.valueOf(error.getMessage());
-  }
-
   ViewSettings settings() {
     return settings;
   }

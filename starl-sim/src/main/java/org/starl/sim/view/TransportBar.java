@@ -14,6 +14,7 @@ import javax.swing.JComboBox;
 import javax.swing.JLabel;
 import javax.swing.JPanel;
 import org.starl.sim.replay.Mark;
+import org.starl.sim.replay.Recording;
 
 /** Buttons for the time, and how it stands. */
 final class TransportBar {
@@ -126,9 +127,10 @@ final class TransportBar {
     event.setText("event " + playback.index() + " of " + session.recording().size());
     boolean isMoving = playback.isPlaying() || !session.recording().isOver();
     rate.setText(isMoving ? Math.round(session.eventsPerSecond()) + " events/s" : "");
-    marks.setText(found(session.recording().marks()));
+    long violations = violations(session.recording().marks());
+    marks.setText(found(violations) + openText(session.recording()));
     marks.setForeground(
-        marks.getText().startsWith("no")
+        violations == 0
             ? session.view().look().theme().muted()
             : session.view().look().theme().alarm());
   }
@@ -141,12 +143,24 @@ final class TransportBar {
     return best;
   }
 
-  private static String found(List<Mark> marks) {
-    long violations = marks.stream().filter(mark -> mark.kind() == Mark.Kind.VIOLATION).count();
+  private static long violations(List<Mark> marks) {
+    return marks.stream().filter(mark -> mark.kind() == Mark.Kind.VIOLATION).count();
+  }
+
+  private static String found(long violations) {
     return switch ((int) Math.min(violations, 2)) {
       case 0 -> "no violation";
       case 1 -> "1 violation";
       default -> violations + " violations";
     };
+  }
+
+  /** What may still be found, for the specifications have not looked at all of it. */
+  static String openText(Recording recording) {
+    if (recording.isChecked()) {
+      return "";
+    }
+    long percent = 100L * recording.checked() / Math.max(1, recording.size());
+    return " so far, " + percent + "% checked";
   }
 }

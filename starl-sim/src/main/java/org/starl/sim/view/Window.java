@@ -62,7 +62,7 @@ public final class Window {
   /**
    * Shows a run until the window is closed.
    *
-   * @param live the run that fills {@code recording}, started; null if that is of a trace
+   * @param live the run that fills {@code recording}, started; null if a trace does
    * @param isDark whether the theme is dark at first
    * @throws InterruptedException if this thread, which waits, is interrupted
    */

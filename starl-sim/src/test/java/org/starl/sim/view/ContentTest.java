@@ -6,6 +6,7 @@ import java.awt.Component;
 import java.awt.Container;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
+import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import javax.swing.SwingUtilities;
@@ -15,6 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Recording;
+import org.starl.sim.replay.TraceReading;
 
 /** The window without a screen: built, laid out and painted in memory. */
 class ContentTest {
@@ -113,6 +115,15 @@ class ContentTest {
       run(content, "Close");
       assertThat(isClosed[0]).isTrue();
     });
+  }
+
+  @Test
+  void whileSpecificationsHaveNotLookedAtAllItSaysSo() {
+    Recording recording = recording();
+    assertThat(TransportBar.openText(recording)).isEmpty();
+    TraceReading reading = new TraceReading(recording, observers -> {}, List::of);
+    assertThat(reading.recording()).isSameAs(recording);
+    assertThat(TransportBar.openText(recording)).isEqualTo(" so far, 0% checked");
   }
 
   private static void run(Content content, String name) {
