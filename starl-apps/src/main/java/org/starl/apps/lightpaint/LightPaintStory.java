@@ -13,7 +13,7 @@ import org.starl.apps.Measures;
 import org.starl.apps.Product;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.lightpaint.logic.LightPaintApp;
+import org.starl.apps.lightpaint.logic.Location;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.spec.LightTrail;
@@ -75,9 +75,9 @@ final class LightPaintStory implements Story {
     if (variable.name().equals(PaintTrace.LIGHT)) {
       lastLightNs = variable.timeNs();
     } else if (variable.name().equals(PaintTrace.LOCATION)) {
-      if (variable.value().equals(LightPaintApp.Location.RETREAT.name())) {
+      if (variable.value().equals(Location.RETREAT.name())) {
         painter.retreats++;
-      } else if (variable.value().equals(LightPaintApp.Location.DONE.name())) {
+      } else if (variable.value().equals(Location.DONE.name())) {
         painter.endNs = variable.timeNs();
       }
     }

@@ -27,6 +27,9 @@ final class Board {
   private static final long FRESH_NS = 15_000 * NS_PER_MS;
   private static final long LATER_NS = 20_000 * NS_PER_MS;
 
+  /** Where nothing becomes of the work for so long, something is in the way that will not move. */
+  private static final long GIVE_UP_NS = 240_000 * NS_PER_MS;
+
   private final GlobalVarHolder gvh;
   private final List<Stroke> strokes;
   private final double apartMm;
@@ -70,7 +73,7 @@ final class Board {
   }
 
   /** Whose the stroke is; null as long as this robot does not know that it is anybody's. */
-  @Nullable RobotId painter(Stroke stroke) {
+  private @Nullable RobotId painter(Stroke stroke) {
     Decision decision = painters.get(stroke.number()).decided().get();
     return decision instanceof Decision.Decided decided
         ? new RobotId(new String(decided.value().bytes(), StandardCharsets.UTF_8))
@@ -81,8 +84,12 @@ final class Board {
     return gvh.id.name().equals(painter(stroke));
   }
 
+  boolean isOthers(Stroke stroke) {
+    return painter(stroke) != null && !isMine(stroke);
+  }
+
   /** How many strokes are this robot's. */
-  int mine() {
+  private int mine() {
     int count = 0;
     for (Stroke stroke : strokes) {
       count += isMine(stroke) ? 1 : 0;
@@ -116,8 +123,16 @@ final class Board {
     return nearest;
   }
 
+  /** Whether there is something new for who found nothing: a free stroke, or none any more. */
+  boolean isWorthALook(Point here) {
+    return left() == 0 || nearestFree(here) != null;
+  }
+
   /** Whether this robot, on its way to {@code stroke}, had better go elsewhere. */
   boolean isContested(Stroke stroke) {
+    if (painter(stroke) != null) {
+      return isOthers(stroke);
+    }
     RobotId other = inTheWay(stroke);
     if (other == null) {
       return false;
@@ -142,10 +157,18 @@ final class Board {
     laterNs.put(stroke.number(), nowNs() + LATER_NS);
   }
 
-  /** Says what this robot is about, again where it is long ago. */
-  void tell(int stroke, boolean paints) {
-    int finished = mine() - (paints ? 1 : 0);
-    Hint hint = new Hint(stroke, paints, Math.max(0, finished));
+  /**
+   * How many strokes this robot has painted.
+   *
+   * @param inHand number of the stroke that it is still about
+   */
+  int finished(int inHand) {
+    return mine() - (isMine(inHand) ? 1 : 0);
+  }
+
+  /** Says which stroke this robot is about, by its number, again where it is long ago. */
+  void tell(int inHand) {
+    Hint hint = new Hint(inHand, isMine(inHand), finished(inHand));
     if (!hint.equals(own) || nowNs() >= repeatNs) {
       if (hint.finished() > own.finished()) {
         newsNs = nowNs();
@@ -156,8 +179,18 @@ final class Board {
     }
   }
 
+  /** Whether nothing has become of the work for so long that nothing will. */
+  boolean isHopeless() {
+    return silenceNs() > GIVE_UP_NS;
+  }
+
+  /** Whether it is hopeless for so long that whoever waits for a way home gets none either. */
+  boolean isLongHopeless() {
+    return silenceNs() > 2 * GIVE_UP_NS;
+  }
+
   /** For how long nothing has become of the work, as far as this robot knows. */
-  long silenceNs() {
+  private long silenceNs() {
     int nowGiven = strokes.size() - left();
     int nowFinished = 0;
     for (Heard heard : others.values()) {
@@ -169,6 +202,10 @@ final class Board {
       newsNs = nowNs();
     }
     return nowNs() - newsNs;
+  }
+
+  private boolean isMine(int number) {
+    return number != Hint.NONE && isMine(strokes.get(number));
   }
 
   /** Of those who are about something too near to {@code stroke}, the one that comes first. */

@@ -1,15 +1,11 @@
 package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.Point;
 import org.starl.primitives.paths.DistributedPathPlanning;
-import org.starl.primitives.paths.OptimalPlanner;
-import org.starl.primitives.paths.Path;
-import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
 
 /**
@@ -18,99 +14,68 @@ import org.starl.primitives.paths.TubeFlag;
  * no stroke, no way or gets no tube gives way: it waits in its own place beside the drawing.
  *
  * <p>A stroke is given to one painter for ever. What a painter has in hand, and how far it is, stands
- * in its notes, written before it asks for the stroke: one that starts anew finds by its place and its
+ * in its note, written before it asks for the stroke: one that starts anew finds by its place and its
  * note where it stopped, and goes on from there. Where a painter is gone for good in mid-stroke, the
  * rest of that stroke is not painted: its body and its tube are in the way.
  */
 public final class LightPaintApp extends LogicThread {
 
-  /** Where a painter is in its work. */
-  public enum Location {
-    RESUME,
-    PICK,
-    GO,
-    NOTE,
-    ASK,
-    PAINT,
-    LEAVE,
-    RETREAT,
-    PARK,
-    DONE
-  }
-
   private static final long PERIOD_MS = 100;
   private static final long PAUSE_MS = 1_000;
 
-  /** Where nothing becomes of the work for so long, something is in the way that will not move. */
-  private static final long GIVE_UP_NS = 240_000_000_000L;
-
-  private final Painting painting;
   private final DistributedPathPlanning paths;
   private final Trips trips;
   private final Board board;
-  private final Notes notes;
+  private final Brush brush;
+  private final InHand inHand;
   private final GvhCell<Location> location;
-  private final GvhCell<Light> light;
-  private final GvhCell<Integer> target;
-
-  private @Nullable Work work;
 
   /**
    * @param home a place beside the drawing, this robot's own
    */
   public LightPaintApp(GlobalVarHolder gvh, Painting painting, Point home) {
     super(gvh);
-    this.painting = painting;
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
-    paths =
-        new DistributedPathPlanning(
-            gvh,
-            "lightpaint",
-            gvh.id.participants(),
-            new OptimalPlanner(),
-            painting.floor(),
-            Painting.TUBES);
+    paths = painting.paths(gvh);
     trips = new Trips(gvh, paths, home);
     board = new Board(gvh, painting.strokes(), 2.0 * paths.radiusMm());
-    notes = new Notes(gvh.plat.stable);
     location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
-    light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
-    target = gvh.variable(PaintTrace.SOURCE, PaintTrace.STROKE, Hint.NONE);
+    brush = new Brush(gvh, paths);
+    inHand = new InHand(gvh, painting.strokes());
   }
 
+  /** Returns how many strokes it has painted, and how many nobody had taken as far as it knows. */
   @Override
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
       switch (location.get()) {
         case RESUME -> {
           if (gvh.gps.hasFix() && paths.isPlaced()) {
-            work = notes.read(painting.strokes(), gvh.gps.pose().at());
-            location.set(work == null ? Location.PICK : Location.GO);
+            inHand.resume(gvh.gps.pose().at());
+            location.set(inHand.isNothing() ? Location.PICK : Location.GO);
           }
         }
         case PICK -> pick();
-        case GO -> go(work());
+        case GO -> go(inHand.work());
         case NOTE -> {
-          if (notes.isSafe()) {
-            board.ask(work().stroke());
+          if (inHand.isNoted()) {
+            board.ask(inHand.stroke());
             location.set(Location.ASK);
           }
         }
         case ASK -> {
-          if (board.isMine(work().stroke())) {
-            begin(work());
-          } else if (board.painter(work().stroke()) != null) {
+          if (board.isMine(inHand.stroke())) {
+            begin(inHand.work());
+          } else if (board.isOthers(inHand.stroke())) {
             drop();
-          } else if (board.hasGivenUp(work().stroke())) {
-            board.ask(work().stroke());
+          } else if (board.hasGivenUp(inHand.stroke())) {
+            board.ask(inHand.stroke());
           }
         }
-        case PAINT -> paint(work());
+        case PAINT -> paint();
         case LEAVE -> {
-          if (notes.isSafe()) {
-            boolean isDone = work().isDone();
-            work = isDone ? null : work;
-            location.set(isDone ? Location.PICK : Location.RETREAT);
+          if (inHand.isNoted()) {
+            leave(inHand.work().isDone());
           }
         }
         case RETREAT -> {
@@ -120,137 +85,100 @@ public final class LightPaintApp extends LogicThread {
           }
         }
         case PARK -> {
-          if (trips.isBack() || board.silenceNs() > 2 * GIVE_UP_NS) {
+          if (trips.isBack() || board.isLongHopeless()) {
             location.set(Location.DONE);
           }
         }
         case DONE -> throw new IllegalStateException("the loop has ended");
       }
-      tell();
+      inHand.tell();
+      board.tell(inHand.number());
       rest();
     }
-    return returnResults();
-  }
-
-  /** How many strokes it has painted, and how many nobody had taken as far as it knows. */
-  @Override
-  protected List<Object> returnResults() {
-    int inHand = work != null && board.isMine(work.stroke()) ? 1 : 0;
-    return List.of(board.mine() - inHand, board.left());
+    return List.of(board.finished(inHand.number()), board.left());
   }
 
   private void pick() {
     Point here = gvh.gps.pose().at();
     Stroke free = board.nearestFree(here);
-    if (board.left() == 0 || isHopeless()) {
+    if (board.left() == 0 || board.isHopeless()) {
       location.set(Location.PARK);
     } else if (free == null) {
       location.set(Location.RETREAT);
     } else {
-      work = Work.from(free, here);
-      trips.to(work);
-      location.set(Location.GO);
+      inHand.take(Work.from(free, here));
+      setOut();
     }
   }
 
-  /** To where the work goes on. */
-  private void go(Work now) {
-    boolean isMine = board.isMine(now.stroke());
-    boolean isOthers = !isMine && board.painter(now.stroke()) != null;
-    if (isOthers || (!isMine && board.isContested(now.stroke()))) {
+  private void go(Work work) {
+    if (board.isContested(work.stroke())) {
       paths.stop();
       drop();
-    } else if (paths.isUnderWay()) {
-      return;
-    } else if (trips.mayBegin(now)
-        && (paths.tubeflag().get() == TubeFlag.DONE || trips.isAt(now))) {
-      notes.write(now, true);
+    } else if (trips.isThere(work)) {
+      inHand.note(true);
       location.set(Location.NOTE);
     } else if (paths.failed()) {
-      board.later(now.stroke());
-      location.set(isMine ? Location.RETREAT : Location.PICK);
-      work = isMine ? now : null;
-    } else {
-      trips.to(now);
+      board.later(work.stroke());
+      leave(!board.isMine(work.stroke()));
+    } else if (!paths.isUnderWay()) {
+      setOut();
     }
   }
 
-  private void begin(Work now) {
-    if (now.isDone()) {
+  private void begin(Work work) {
+    if (work.isDone()) {
       location.set(Location.LEAVE);
-    } else if (trips.mayBegin(now)) {
-      paths.goAlong(new Path(now.rest().points()));
+    } else if (trips.mayBegin(work)) {
+      brush.along(work);
       location.set(Location.PAINT);
     } else {
       location.set(Location.GO);
     }
   }
 
-  private void paint(Work now) {
-    if (paths.tubeflag().get() == TubeFlag.MOVING) {
-      light.set(Light.of(now.stroke()));
-    }
-    boolean isLit = light.get().isOn();
-    work = isLit ? now.reached(gvh.gps.pose().at()) : now;
-    if (paths.isUnderWay()) {
-      notes.progress(work());
-      return;
-    }
-    light.set(Light.OFF);
-    if (paths.failure().get() == TubeFailure.MOTION) {
-      trips.to(work());
-      location.set(Location.GO);
-    } else {
-      work = paths.failed() ? work : now.finished();
-      notes.write(work(), false);
-      location.set(Location.LEAVE);
-    }
-  }
-
-  private void comeBack() {
-    Work now = work;
-    if (isHopeless()) {
-      location.set(Location.PARK);
-    } else if (now == null) {
-      if (board.left() == 0 || board.nearestFree(gvh.gps.pose().at()) != null) {
-        location.set(Location.PICK);
+  private void paint() {
+    switch (brush.look(inHand)) {
+      case UNDER_WAY -> inHand.noteProgress();
+      case HELD_UP -> setOut();
+      case PAINTED, NO_TUBE -> {
+        inHand.note(false);
+        location.set(Location.LEAVE);
       }
-    } else if (!board.mustWait(now.stroke())) {
-      trips.to(now);
-      location.set(Location.GO);
     }
   }
 
-  private boolean isHopeless() {
-    return board.silenceNs() > GIVE_UP_NS;
+  /** Gives way, and keeps the stroke in hand; or lets go of it, and picks another. */
+  private void leave(boolean isForGood) {
+    if (isForGood) {
+      inHand.letGo();
+    }
+    location.set(isForGood ? Location.PICK : Location.RETREAT);
   }
 
   private void drop() {
-    work = null;
-    notes.clear();
+    inHand.drop();
     location.set(Location.PICK);
   }
 
-  private Work work() {
-    if (work == null) {
-      throw new IllegalStateException("nothing in hand in " + location.get());
-    }
-    return work;
+  private void setOut() {
+    trips.to(inHand.work());
+    location.set(Location.GO);
   }
 
-  private void tell() {
-    Work now = work;
-    target.set(now == null ? Hint.NONE : now.stroke().number());
-    board.tell(target.get(), now != null && board.isMine(now.stroke()));
+  private void comeBack() {
+    if (board.isHopeless()) {
+      location.set(Location.PARK);
+    } else if (inHand.isNothing() && board.isWorthALook(gvh.gps.pose().at())) {
+      location.set(Location.PICK);
+    } else if (!inHand.isNothing() && !board.mustWait(inHand.stroke())) {
+      setOut();
+    }
   }
 
   /** While it paints it must not be late: the light goes on and off as the wheels do. */
   private void rest() {
     TubeFlag before = paths.tubeflag().get();
-    if (location.get() == Location.PAINT) {
-      await(() -> paths.tubeflag().get() != before, PERIOD_MS);
-    } else {
-      sleep(PERIOD_MS);
-    }
+    await(() -> location.get() == Location.PAINT && paths.tubeflag().get() != before, PERIOD_MS);
   }
 }

@@ -6,7 +6,7 @@ public final class PaintTrace {
   /** {@code source} of the app's events. */
   public static final String SOURCE = "app";
 
-  /** Variable: the {@link LightPaintApp.Location}. */
+  /** Variable: the {@link Location}. */
   public static final String LOCATION = "location";
 
   /** Variable: the {@link Light}. */

@@ -1,10 +1,12 @@
 package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
+import org.starl.GlobalVarHolder;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Rectangle;
 import org.starl.motion.MotionParameters;
 import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.TubeSettings;
 
 /**
@@ -28,6 +30,12 @@ public record Painting(List<Stroke> strokes, Rectangle floor) {
         throw new IllegalArgumentException("stroke " + strokes.get(i).number() + " at " + i);
       }
     }
+  }
+
+  /** For one painter's tubes. */
+  DistributedPathPlanning paths(GlobalVarHolder gvh) {
+    return new DistributedPathPlanning(
+        gvh, "lightpaint", gvh.id.participants(), new OptimalPlanner(), floor, TUBES);
   }
 
   /** How painters move whose bodies are like that: exactly, at the price of some time. */

@@ -4,6 +4,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.TubeFlag;
 
 /**
  * Where a painter goes with its light off: to where its work goes on, and back to its own place
@@ -30,9 +31,11 @@ final class Trips {
     paths.goTo(new ItemPosition(name, work.next().xMm(), work.next().yMm()));
   }
 
-  /** Whether the robot stands where {@code work} goes on, as far as it knows. */
-  boolean isAt(Work work) {
-    return gvh.gps.pose().at().distanceMm(work.next()) <= AT_MM;
+  /** Whether it has come to where {@code work} goes on, and may begin. */
+  boolean isThere(Work work) {
+    boolean isAt = gvh.gps.pose().at().distanceMm(work.next()) <= AT_MM;
+    boolean hasCome = paths.tubeflag().get() == TubeFlag.DONE || isAt;
+    return !paths.isUnderWay() && hasCome && mayBegin(work);
   }
 
   /** Whether it stands there as near as a way along the work needs, for certain. */

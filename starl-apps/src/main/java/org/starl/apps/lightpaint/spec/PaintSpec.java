@@ -9,7 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
-import org.starl.apps.lightpaint.logic.LightPaintApp.Location;
+import org.starl.apps.lightpaint.logic.Location;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.geometry.Point;

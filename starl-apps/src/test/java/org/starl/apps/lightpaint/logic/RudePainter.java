@@ -28,14 +28,14 @@ public final class RudePainter extends LogicThread {
   private final List<Stroke> strokes;
   private final Bug bug;
   private final GvhCell<Light> light;
-  private final GvhCell<LightPaintApp.Location> location;
+  private final GvhCell<Location> location;
 
   public RudePainter(GlobalVarHolder gvh, List<Stroke> strokes, Bug bug) {
     super(gvh);
     this.strokes = strokes;
     this.bug = bug;
     light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
-    location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, LightPaintApp.Location.RESUME);
+    location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
   }
 
@@ -57,7 +57,7 @@ public final class RudePainter extends LogicThread {
     }
     light.set(Light.OFF);
     await(() -> bug != Bug.NEVER_ENDS);
-    location.set(LightPaintApp.Location.DONE);
+    location.set(Location.DONE);
     return List.of(count, strokes.size() - count);
   }
 
