@@ -219,7 +219,7 @@ public final class IntersectionDemo implements Demo {
   /** Adds everything that is checked in a run of the intersection. */
   static void watch(Simulation.Builder simulation, Bounds bounds, SimSettings settings) {
     IntersectionSpec.of(XID, CROSSING, bounds).forEach(simulation::monitor);
-    MotionParameters motion = IntersectionApp.motion(settings.motionParameters(0));
+    MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
   }
 

@@ -8,7 +8,7 @@ import org.starl.RobotId;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -38,8 +38,8 @@ final class IntersectionStory implements Story {
   public void observed(TraceEvent event) {
     switch (event) {
       case Action action -> {
-        if (action.source().equals(IntersectionApp.SOURCE)
-            && action.name().equals(IntersectionApp.TRIP)) {
+        if (action.source().equals(CrossingTrace.SOURCE)
+            && action.name().equals(CrossingTrace.TRIP)) {
           car(action.robot()).trip = action.args().get(0);
         }
       }
@@ -71,8 +71,8 @@ final class IntersectionStory implements Story {
 
   private void changed(Variable variable) {
     Crossed car = car(variable.robot());
-    if (variable.name().equals(IntersectionApp.LOCATION)
-        && variable.source().equals(IntersectionApp.SOURCE)) {
+    if (variable.name().equals(CrossingTrace.LOCATION)
+        && variable.source().equals(CrossingTrace.SOURCE)) {
       switch (Location.valueOf(variable.value())) {
         case MUTEX_WAIT -> {
           if (car.askedNs < 0) {
@@ -85,8 +85,7 @@ final class IntersectionStory implements Story {
           // On its way between two of these.
         }
       }
-    } else if (variable.name().equals("myseq")
-        && variable.source().equals(IntersectionApp.SOURCE)) {
+    } else if (variable.name().equals("myseq") && variable.source().equals(CrossingTrace.SOURCE)) {
       car.rest = variable.value();
     } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {
       car.bumps++;

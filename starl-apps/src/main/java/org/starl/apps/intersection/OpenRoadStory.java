@@ -14,7 +14,7 @@ import org.starl.RobotId;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.trace.TraceEvent;
@@ -86,8 +86,8 @@ final class OpenRoadStory implements Story {
   @Override
   public void observed(TraceEvent event) {
     if (event instanceof Variable variable) {
-      if (variable.source().equals(IntersectionApp.SOURCE)
-          && variable.name().equals(IntersectionApp.LOCATION)
+      if (variable.source().equals(CrossingTrace.SOURCE)
+          && variable.name().equals(CrossingTrace.LOCATION)
           && variable.value().equals(Location.MOVE_WAIT.name())) {
         granted(variable);
       } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {

@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.sim.SimControl;
 import org.starl.sim.SimObserver;
@@ -31,8 +31,8 @@ final class Operator implements SimObserver {
   @Override
   public void observed(TraceEvent event) {
     if (event instanceof Variable variable
-        && variable.source().equals(IntersectionApp.SOURCE)
-        && variable.name().equals(IntersectionApp.LOCATION)) {
+        && variable.source().equals(CrossingTrace.SOURCE)
+        && variable.name().equals(CrossingTrace.LOCATION)) {
       Location location = Location.valueOf(variable.value());
       if (location == Location.UNREGISTER_WAIT || location == Location.DONE) {
         ready.add(variable.robot());

@@ -6,7 +6,8 @@ import org.starl.GlobalVarHolder;
 import org.starl.GvhCell;
 import org.starl.LogicThread;
 import org.starl.ProcessId;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.geometry.ItemPosition;
@@ -41,10 +42,10 @@ final class RudeCar extends LogicThread {
     this.fault = fault;
     this.trip = trip;
     id = gvh.id.freshProcess();
-    gvh.trace.action(IntersectionApp.SOURCE, IntersectionApp.TRIP, trip.label(), trip.zones());
-    location = gvh.variable(IntersectionApp.SOURCE, IntersectionApp.LOCATION, Location.S_0);
-    myseq = gvh.variable(IntersectionApp.SOURCE, IntersectionApp.MYSEQ, trip.zones());
-    gvh.plat.moat.setParameters(IntersectionApp.motion(gvh.plat.moat.parameters()));
+    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
+    location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, Location.S_0);
+    myseq = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
+    gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
   }
 
   @Override

@@ -9,6 +9,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
+import org.starl.motion.MotionParameters;
 
 /**
  * The floor plan of Figure 2: a two by two square of critical zones, four arms of two lanes, with an
@@ -39,6 +40,13 @@ public record Crossing(Point middle, double zoneWidthMm) {
   private static final double DEPARTURE_ZONE_END = 2.7;
   private static final double EXIT_POINT = 3.6;
   private static final double ROAD_END = 4.5;
+
+  private static final double GOAL_RADIUS_MM = 10;
+
+  /** How cars move whose bodies are like that. */
+  public static MotionParameters motion(MotionParameters body) {
+    return body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build();
+  }
 
   /** A critical zone's square. */
   public Region region(Zone zone) {

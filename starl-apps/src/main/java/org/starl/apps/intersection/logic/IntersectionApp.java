@@ -1,17 +1,12 @@
 package org.starl.apps.intersection.logic;
 
-import java.util.ArrayDeque;
-import java.util.ArrayList;
-import java.util.Collection;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhCell;
 import org.starl.LogicThread;
 import org.starl.Participants;
 import org.starl.geometry.ItemPosition;
-import org.starl.geometry.Point;
 import org.starl.motion.MotionFlag;
-import org.starl.motion.MotionParameters;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.RList;
@@ -59,35 +54,15 @@ public final class IntersectionApp extends LogicThread {
     DONE
   }
 
-  /** {@code source} of this app's trace events. */
-  public static final String SOURCE = "app";
-
-  /** Action at the start of the program: the trip's label, and its zones as a list. */
-  public static final String TRIP = "trip";
-
-  /** Variable: the location. */
-  public static final String LOCATION = "location";
-
-  /** Variable: the zones that still lie ahead, as a list. */
-  public static final String MYSEQ = "myseq";
-
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1000;
-  private static final double GOAL_RADIUS_MM = 10;
 
-  private final Crossing crossing;
-  private final Trip trip;
-  private final ItemPosition exit;
   private final RegPrim reg;
   private final MutexPrim mutex;
   private final Lane lane;
-
-  private final ArrayDeque<ItemPosition> myseq;
-  private final List<String> behind = new ArrayList<>();
-  private Participants plist = Participants.of();
-
   private final GvhCell<Location> location;
-  private final GvhCell<List<String>> tracedSeq;
+  private final Course myseq;
+  private Participants plist = Participants.of();
 
   /**
    * A car among those that the deployment knows, all of which are acceptors of the registration, at
@@ -107,23 +82,14 @@ public final class IntersectionApp extends LogicThread {
   public IntersectionApp(
       GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip, Participants acceptors) {
     super(gvh);
-    this.crossing = crossing;
-    this.trip = trip;
-    exit = trip.exit();
-    myseq = new ArrayDeque<>(trip.stations());
     Registration registration = new Registration(gvh, xid, acceptors);
     reg = registration;
     mutex = new M_Mutex(gvh, xid, registration);
     lane = new Lane(gvh, xid, crossing, trip.approach(), acceptors);
-    tellTrip();
-    location = gvh.variable(SOURCE, LOCATION, start());
-    tracedSeq = gvh.variable(SOURCE, MYSEQ, names(myseq));
-    gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters()));
-  }
-
-  /** How cars move whose bodies are like that. */
-  public static MotionParameters motion(MotionParameters body) {
-    return body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build();
+    CrossingTrace trace = new CrossingTrace(gvh, trip, start(trip));
+    location = trace.location();
+    myseq = new Course(gvh, crossing, trip, trace);
+    gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
   }
 
   @Override
@@ -133,7 +99,9 @@ public final class IntersectionApp extends LogicThread {
       switch (location.get()) {
         case RESUME -> {
           if (gvh.gps.hasFix()) {
-            resume();
+            mutex.standsIn(myseq.occupied());
+            lane.beginAnew(myseq.resume());
+            myseq.tell();
             location.set(lane.isAtTheHead() ? Location.S_0 : Location.QUEUE);
           }
         }
@@ -155,10 +123,10 @@ public final class IntersectionApp extends LogicThread {
           if (reg.getList() instanceof RList.Agreed agreed) {
             plist = agreed.list();
             if (myseq.isEmpty()) {
-              gvh.plat.moat.doMove(exit);
+              gvh.plat.moat.doMove(myseq.currentDestination());
               location.set(Location.S_1);
             } else {
-              mutex.do_mutex(names(myseq), plist);
+              mutex.do_mutex(myseq.zones(), plist);
               location.set(Location.MUTEX_WAIT);
             }
           } else if (reg.failed().get()) {
@@ -166,40 +134,32 @@ public final class IntersectionApp extends LogicThread {
           }
         }
         case MUTEX_S -> {
-          mutex.do_mutex(names(myseq), plist);
+          mutex.do_mutex(myseq.zones(), plist);
           location.set(Location.MUTEX_WAIT);
         }
         case MUTEX_WAIT -> {
-          if (mutex.od_mutex()) {
-            if (lane.isWaiting()) {
-              break; // for a place that the car stands in
-            }
+          if (mutex.od_mutex() && !lane.isWaiting()) { // also for a place that the car stands in
             if (startedAnew()) {
               mutex.standsIn(List.of()); // who it was before need not keep anything any more
             }
-            gvh.plat.moat.doMove(myseq.element());
+            gvh.plat.moat.doMove(myseq.currentDestination());
             location.set(Location.MOVE_WAIT);
-          } else if (mutex.failed().get()) {
+          } else if (!mutex.od_mutex() && mutex.failed().get()) {
             location.set(mutex.failure().get().mustRegister() ? Location.S_0 : Location.MUTEX_S);
           }
         }
         case MOVE_WAIT -> {
-          if (arrivedOrRetried(myseq.element())) {
+          if (arrivedOrRetried(myseq.currentDestination())) {
             giveBackWhatIsBehind();
-            behind.add(csName(myseq.remove()));
-            tracedSeq.set(names(myseq));
-            if (myseq.isEmpty()) {
-              gvh.plat.moat.doMove(exit);
-              location.set(Location.S_1);
-            } else {
-              gvh.plat.moat.doMove(myseq.element());
-            }
+            myseq.remove();
+            gvh.plat.moat.doMove(myseq.currentDestination());
+            location.set(myseq.isEmpty() ? Location.S_1 : Location.MOVE_WAIT);
           }
         }
         case S_1 -> {
-          if (arrivedOrRetried(exit)) {
+          if (arrivedOrRetried(myseq.currentDestination())) {
             giveBackWhatIsBehind();
-            if (behind.isEmpty() && !lane.holds()) {
+            if (myseq.isAllLeft() && !lane.holds()) {
               reg.unregister();
               gvh.plat.moat.motion_stop();
               location.set(Location.UNREGISTER_WAIT);
@@ -220,8 +180,8 @@ public final class IntersectionApp extends LogicThread {
     return returnResults();
   }
 
-  private Location start() {
-    if (myseq.isEmpty()) {
+  private Location start(Trip trip) {
+    if (trip.stations().isEmpty()) {
       return Location.DONE;
     }
     if (startedAnew()) {
@@ -233,39 +193,6 @@ public final class IntersectionApp extends LogicThread {
 
   private boolean startedAnew() {
     return gvh.id.boot() > 1;
-  }
-
-  /** Finds out how far the car has come: {@code myseq} is what is left from the first zone it is in. */
-  private void resume() {
-    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
-    List<String> occupied = new ArrayList<>();
-    for (ItemPosition station : myseq) {
-      if (!gvh.gps.isClearOf(crossing.region(csName(station)), radiusMm)) {
-        occupied.add(csName(station));
-      }
-    }
-    mutex.standsIn(occupied);
-    boolean isBeyond = occupied.isEmpty() && isNearerTo(exit, trip.stations().get(0));
-    while (isBeyond ? !myseq.isEmpty() : isBehind(occupied)) {
-      myseq.remove();
-    }
-    lane.beginAnew(isBeyond || !occupied.isEmpty());
-    tellTrip();
-    tracedSeq.set(names(myseq));
-  }
-
-  /** Whether the car is in some zones, and the next one of its trip is none of them. */
-  private boolean isBehind(List<String> occupied) {
-    return !occupied.isEmpty() && !occupied.contains(csName(myseq.element()));
-  }
-
-  private boolean isNearerTo(ItemPosition one, ItemPosition other) {
-    Point at = gvh.gps.pose().at();
-    return at.distanceMm(one.at()) < at.distanceMm(other.at());
-  }
-
-  private void tellTrip() {
-    gvh.trace.action(SOURCE, TRIP, trip.label(), names(myseq));
   }
 
   /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */
@@ -280,24 +207,6 @@ public final class IntersectionApp extends LogicThread {
 
   private void giveBackWhatIsBehind() {
     lane.giveBackWhatIsBehind();
-    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
-    for (String zone : List.copyOf(behind)) {
-      if (gvh.gps.isClearOf(crossing.region(zone), radiusMm)) {
-        mutex.release(zone);
-        behind.remove(zone);
-      }
-    }
-  }
-
-  private static String csName(ItemPosition station) {
-    return station.name();
-  }
-
-  private static List<String> names(Collection<ItemPosition> stations) {
-    List<String> names = new ArrayList<>();
-    for (ItemPosition station : stations) {
-      names.add(csName(station));
-    }
-    return List.copyOf(names);
+    myseq.left().forEach(mutex::release);
   }
 }

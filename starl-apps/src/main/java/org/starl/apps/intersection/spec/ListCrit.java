@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -69,7 +69,7 @@ final class ListCrit implements Monitor {
     } else if (event instanceof TraceEvent.Left) {
       states.remove(event.robot());
     } else if (event instanceof Variable variable
-        && variable.source().equals(IntersectionApp.SOURCE)) {
+        && variable.source().equals(CrossingTrace.SOURCE)) {
       changed(variable);
     }
   }
@@ -79,9 +79,9 @@ final class ListCrit implements Monitor {
     if (state == null) {
       return; // of a car that has left the floor, and owes nothing
     }
-    if (variable.name().equals(IntersectionApp.LOCATION)) {
+    if (variable.name().equals(CrossingTrace.LOCATION)) {
       state.location = Location.valueOf(variable.value());
-    } else if (variable.name().equals(IntersectionApp.MYSEQ)) {
+    } else if (variable.name().equals(CrossingTrace.MYSEQ)) {
       state.myseq = HeldZones.list(variable.value());
     }
   }

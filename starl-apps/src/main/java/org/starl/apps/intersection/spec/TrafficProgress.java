@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.RobotId;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
@@ -76,8 +76,8 @@ final class TrafficProgress implements Monitor {
         settle(left.robot(), report);
       }
       case Variable variable -> {
-        if (variable.source().equals(IntersectionApp.SOURCE)
-            && variable.name().equals(IntersectionApp.LOCATION)
+        if (variable.source().equals(CrossingTrace.SOURCE)
+            && variable.name().equals(CrossingTrace.LOCATION)
             && variable.value().equals(Location.DONE.name())) {
           settle(variable.robot(), report);
         }

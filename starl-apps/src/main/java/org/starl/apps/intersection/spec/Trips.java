@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.starl.RobotId;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -22,8 +22,8 @@ final class Trips {
     if (event instanceof TraceEvent.Left left) {
       zones.remove(left.robot());
     } else if (event instanceof Action action
-        && action.source().equals(IntersectionApp.SOURCE)
-        && action.name().equals(IntersectionApp.TRIP)) {
+        && action.source().equals(CrossingTrace.SOURCE)
+        && action.name().equals(CrossingTrace.TRIP)) {
       zones.put(action.robot(), HeldZones.list(action.args().get(1)));
       return true;
     }

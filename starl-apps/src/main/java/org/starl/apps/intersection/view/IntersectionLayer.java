@@ -15,7 +15,7 @@ import java.util.function.Function;
 import org.starl.Participants;
 import org.starl.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.apps.intersection.spec.HeldZones;
@@ -196,7 +196,7 @@ public final class IntersectionLayer implements Layer {
     }
     Trip trip = trips.get(robot);
     String route = trip == null ? "" : trip.label();
-    String location = scene.variable(robot, IntersectionApp.SOURCE, "location");
+    String location = scene.variable(robot, CrossingTrace.SOURCE, CrossingTrace.LOCATION);
     String held = String.join(" ", zones.held(robot));
     return route + "\n" + location + (held.isEmpty() ? "" : ", holds " + held);
   }
