@@ -20,9 +20,12 @@ class FootprintTest {
   private final Footprint footprint = new Footprint(blocks, BODY_MM, 0);
 
   @Property(tries = 300)
-  void whatIsHeldForAWayLeavesRoomAroundItToPlanAgain(@ForAll long seed) {
+  void whatIsHeldForAWayAcrossTheFloorLeavesRoomAroundItToPlanAgain(@ForAll long seed) {
     Rng rng = new Rng(seed);
-    Path way = new Path(List.of(place(rng), place(rng)));
+    Point at = place(rng);
+    Path along = new Path(List.of(new Point(0, at.yMm()), new Point(20_000, at.yMm())));
+    Path up = new Path(List.of(new Point(at.xMm(), 0), new Point(at.xMm(), 15_000)));
+    Path way = rng.nextBoolean(0.5) ? along : up;
     double wanderMm = 1_000 * rng.nextDouble();
     Footprint wandering = new Footprint(blocks, BODY_MM, wanderMm);
     List<Polygon> outside = wandering.outside(wandering.along(way));
