@@ -21,6 +21,7 @@ import org.starl.sim.replay.Recording;
 public final class Window {
 
   private static final Dimension USUAL = new Dimension(1360, 900);
+  private static final Dimension LEAST = new Dimension(900, 500);
 
   private final Content content;
   private final JFrame frame = new JFrame();
@@ -45,7 +46,8 @@ public final class Window {
     frame.setFocusTraversalKeysEnabled(false);
     Rectangle screen = GraphicsEnvironment.getLocalGraphicsEnvironment().getMaximumWindowBounds();
     frame.setSize(Math.min(USUAL.width, screen.width), Math.min(USUAL.height, screen.height));
-    frame.setMinimumSize(new Dimension(900, 500));
+    frame.setMinimumSize(
+        new Dimension(Math.min(LEAST.width, screen.width), Math.min(LEAST.height, screen.height)));
     frame.setLocationRelativeTo(null);
   }
 
