@@ -26,14 +26,13 @@ record Footprint(Blocks blocks, double bodyMm, double wanderMm) {
     return blocks.along(way, bodyMm + ASK_MM + wanderMm);
   }
 
-  /** Where no way may lead for the body to stay in {@code held}, also after a contact. */
-  List<Polygon> outside(SortedSet<String> held) {
-    return blocks.outside(held, bodyMm + INSIDE_MM + wanderMm);
-  }
-
-  /** The same for the way back, which has to be found where the body stands already. */
-  List<Polygon> outsideGoingBack(SortedSet<String> held) {
-    return blocks.outside(held, bodyMm + INSIDE_MM);
+  /**
+   * Where no way may lead for the body to stay in {@code held}, also after a contact.
+   *
+   * @param isBack for the way back, which has to be found where the body stands already
+   */
+  List<Polygon> outside(SortedSet<String> held, boolean isBack) {
+    return blocks.outside(held, bodyMm + INSIDE_MM + (isBack ? 0 : wanderMm));
   }
 
   /** What of {@code held} a body does not need that stays at {@code at}. */

@@ -20,29 +20,9 @@ import org.starl.primitives.paths.Path;
  */
 public final class MazeApp extends LogicThread {
 
-  /** What it is about. */
-  public enum Location {
-    START,
-    /** Stands at its start or at a goal, holds nothing, and looks for a way to the next goal. */
-    CHOOSE,
-    ASK,
-    ASK_WAIT,
-    DRIVE,
-    /** Has bumped, and learns from it. */
-    FEEL,
-    /** Stands somewhere in the blocks that it holds, and looks for a way on. */
-    PLAN_AGAIN,
-    /** Goes back on its trail, from where no way leads on. */
-    RETREAT,
-    DONE
-  }
-
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1_000;
   private static final MutexTimes DAY = MutexTimes.DEFAULT.withDeadlineMs(24L * 3600 * 1000);
-
-  /** So often it tries to squeeze through, or to go back on its trail, one after the other. */
-  private static final int TRIES_WHEN_LOST = 30;
 
   private final Errand errand;
   private final MutexPrim mutex;
@@ -54,7 +34,6 @@ public final class MazeApp extends LogicThread {
   private final Agenda agenda;
 
   private Path path;
-  private int lost;
 
   public MazeApp(GlobalVarHolder gvh, Errand errand) {
     super(gvh);
@@ -74,11 +53,7 @@ public final class MazeApp extends LogicThread {
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
       switch (location.get()) {
-        case START -> {
-          if (known.isPlaceCertain()) {
-            location.set(Location.CHOOSE);
-          }
-        }
+        case START -> location.set(known.isPlaceCertain() ? Location.CHOOSE : Location.START);
         case CHOOSE -> choose();
         case ASK -> {
           mutex.do_mutex(agenda.needsAll() ? errand.blocks().all() : footprint.along(path));
@@ -94,9 +69,8 @@ public final class MazeApp extends LogicThread {
         case DRIVE -> drives(this::arrived);
         case RETREAT -> drives(() -> location.set(Location.PLAN_AGAIN));
         case FEEL -> {
-          if (known.hasLearned(PERIOD_MS)) {
-            location.set(Location.PLAN_AGAIN);
-          }
+          boolean hasLearned = known.hasLearned(PERIOD_MS);
+          location.set(hasLearned ? Location.PLAN_AGAIN : Location.FEEL);
         }
         case PLAN_AGAIN -> planAgain();
         case DONE -> throw new IllegalStateException("the loop has ended");
@@ -157,20 +131,15 @@ public final class MazeApp extends LogicThread {
 
   private void planAgain() {
     Search search = known.searchTo(agenda.to());
-    if (agenda.goesBack()) {
-      List<Polygon> outside = footprint.outsideGoingBack(mutex.held());
-      goOn(found(() -> search.back(outside)));
-    } else {
-      List<Polygon> outside = footprint.outside(mutex.held());
-      goOn(found(() -> search.onward(outside)));
-    }
+    boolean isBack = agenda.goesBack();
+    List<Polygon> outside = footprint.outside(mutex.held(), isBack);
+    goOn(found(() -> isBack ? search.back(outside) : search.onward(outside)));
   }
 
   private void goOn(Search.Outcome outcome) {
     switch (outcome) {
       case Search.Outcome.Way found -> {
-        lost = found.isNarrow() ? lost + 1 : 0;
-        if (lost > TRIES_WHEN_LOST) {
+        if (!ride.mayTry(found)) {
           giveUp();
         } else if (agenda.goesBack() || mutex.held().containsAll(footprint.along(found.path()))) {
           drive(found.path());
@@ -180,8 +149,7 @@ public final class MazeApp extends LogicThread {
       }
       case Search.Outcome.NoWay no -> agenda.backForGood();
       case Search.Outcome.Lost from -> {
-        lost++;
-        if (lost <= TRIES_WHEN_LOST && ride.retreat(known.belief())) {
+        if (ride.mayTry(from) && ride.retreat(known.belief())) {
           location.set(Location.RETREAT);
         } else {
           giveUp();

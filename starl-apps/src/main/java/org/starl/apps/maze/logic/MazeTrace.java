@@ -14,7 +14,7 @@ public final class MazeTrace {
   /** {@code source} of the app's events. */
   public static final String SOURCE = "app";
 
-  /** Variable: the {@link MazeApp.Location}. */
+  /** Variable: the {@link Location}. */
   public static final String LOCATION = "location";
 
   /** Variable: the name of the goal that the robot is after; empty at the end. */

@@ -24,6 +24,9 @@ final class Ride {
     HELD_UP
   }
 
+  /** So often it tries to squeeze through, or to go back on its trail, one after the other. */
+  private static final int TRIES_WHEN_LOST = 30;
+
   private static final double PASS_MM = 20;
   private static final double LONGEST_LEG_MM = 1_000;
   private static final double STRAIGHT_RAD = Angles.fromDegrees(1);
@@ -37,6 +40,7 @@ final class Ride {
   private final List<Point> trail = new ArrayList<>();
   private List<Point> ahead = List.of();
   private double toleranceMm;
+  private int lost;
 
   Ride(GlobalVarHolder gvh) {
     this.gvh = gvh;
@@ -90,6 +94,13 @@ final class Ride {
   /** What it has touched since it set out. */
   List<Contact> contacts() {
     return List.copyOf(contacts);
+  }
+
+  /** Whether what was found is still to be tried: not narrow ways and none for ever. */
+  boolean mayTry(Search.Outcome found) {
+    boolean isWide = found instanceof Search.Outcome.Way way && !way.isNarrow();
+    lost = isWide ? 0 : lost + 1;
+    return lost <= TRIES_WHEN_LOST;
   }
 
   /**

@@ -28,7 +28,7 @@ class FootprintTest {
     Path way = rng.nextBoolean(0.5) ? along : up;
     double wanderMm = 1_000 * rng.nextDouble();
     Footprint wandering = new Footprint(blocks, BODY_MM, wanderMm);
-    List<Polygon> outside = wandering.outside(wandering.along(way));
+    List<Polygon> outside = wandering.outside(wandering.along(way), false);
     Point middle = way.leg(0).from().plus(way.leg(0).to()).times(0.5);
     double directionRad = 2 * StrictMath.PI * rng.nextDouble();
     Point besides =
