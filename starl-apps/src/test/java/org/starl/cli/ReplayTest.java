@@ -11,17 +11,13 @@ import java.util.function.UnaryOperator;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
-import org.starl.sim.SimSettings;
 import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
-import org.starl.spec.Monitor;
-import org.starl.trace.TraceEvent;
 
 /** {@code starl replay} and {@code starl record} on traces, good ones and others. */
 class ReplayTest {
@@ -32,43 +28,15 @@ class ReplayTest {
   private Path trace;
 
   /** Hello, in which nobody may drive. */
-  private static final class Strict implements Demo {
-    private final Demo hello = new HelloDemo();
-
-    @Override
-    public String name() {
-      return "strict";
+  private static final class Strict extends HelloWithATwist {
+    Strict() {
+      super("strict", "hello that must stand still");
     }
 
     @Override
-    public String summary() {
-      return "hello that must stand still";
-    }
-
-    @Override
-    public SimSettings.Builder defaultSettings(Request request) {
-      return hello.defaultSettings(request);
-    }
-
-    @Override
-    public Plan plan(Request request, SimSettings settings) {
-      Plan plan = hello.plan(request, settings);
+    Plan twist(Plan plan, Request request) {
       plan.simulation().monitor(StandsStill::new);
       return plan;
-    }
-  }
-
-  private static final class StandsStill implements Monitor {
-    @Override
-    public List<String> lemmas() {
-      return List.of("stands_still");
-    }
-
-    @Override
-    public void observe(TraceEvent event, Report report) {
-      if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
-        report.violated("stands_still", event.timeNs(), List.of(event.robot()), "drives");
-      }
     }
   }
 

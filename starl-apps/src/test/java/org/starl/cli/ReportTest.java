@@ -22,9 +22,7 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
-import org.starl.apps.hello.HelloDemo;
 import org.starl.cli.report.Parsed;
-import org.starl.sim.SimSettings;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.w3c.dom.Document;
@@ -42,17 +40,9 @@ class ReportTest {
   @TempDir private Path folder;
 
   /** Hello whose runs go wrong in every way, as their seeds say, and that says it foully. */
-  private static final class Foul implements Demo {
-    private final Demo hello = new HelloDemo();
-
-    @Override
-    public String name() {
-      return "foul<b>";
-    }
-
-    @Override
-    public String summary() {
-      return HOSTILE;
+  private static final class Foul extends HelloWithATwist {
+    Foul() {
+      super("foul<b>", HOSTILE);
     }
 
     @Override
@@ -61,13 +51,7 @@ class ReportTest {
     }
 
     @Override
-    public SimSettings.Builder defaultSettings(Request request) {
-      return hello.defaultSettings(request);
-    }
-
-    @Override
-    public Plan plan(Request request, SimSettings settings) {
-      Plan plan = hello.plan(request, settings);
+    Plan twist(Plan plan, Request request) {
       switch ((int) (request.seed() % 5)) {
         case 1 -> plan.simulation().monitor(Still::new);
         case 2 -> throwing(plan, new IllegalStateException(HOSTILE));

@@ -13,14 +13,10 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
-import org.starl.apps.hello.HelloDemo;
-import org.starl.sim.SimSettings;
-import org.starl.sim.fault.Envelope;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
@@ -32,22 +28,9 @@ class ShrinkingTest {
   @TempDir private Path folder;
 
   /** Hello, of which three robots bear no wheels that are stuck. */
-  private static final class Fragile implements Demo {
-    private final Demo hello = new HelloDemo();
-
-    @Override
-    public String name() {
-      return "fragile";
-    }
-
-    @Override
-    public String summary() {
-      return "hello that must not be stuck";
-    }
-
-    @Override
-    public Envelope envelope() {
-      return hello.envelope();
+  private static final class Fragile extends HelloWithATwist {
+    Fragile() {
+      super("fragile", "hello that must not be stuck");
     }
 
     @Override
@@ -56,13 +39,7 @@ class ShrinkingTest {
     }
 
     @Override
-    public SimSettings.Builder defaultSettings(Request request) {
-      return hello.defaultSettings(request);
-    }
-
-    @Override
-    public Plan plan(Request request, SimSettings settings) {
-      Plan plan = hello.plan(request, settings);
+    Plan twist(Plan plan, Request request) {
       int least = Integer.parseInt(request.parameter("least"));
       plan.simulation().monitor(() -> new NeverStuck(least));
       return plan;

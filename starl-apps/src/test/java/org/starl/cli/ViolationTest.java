@@ -11,15 +11,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
-import org.starl.apps.hello.HelloDemo;
-import org.starl.sim.SimSettings;
-import org.starl.spec.Monitor;
-import org.starl.trace.TraceEvent;
 
 /** Campaigns; and what is said where a specification is violated, or an app throws. */
 class ViolationTest {
@@ -29,17 +24,9 @@ class ViolationTest {
   @TempDir private Path folder;
 
   /** Hello, with a specification that does not hold for every third seed. */
-  private static final class Broken implements Demo {
-    private final Demo hello = new HelloDemo();
-
-    @Override
-    public String name() {
-      return "broken";
-    }
-
-    @Override
-    public String summary() {
-      return "hello that stands still";
+  private static final class Broken extends HelloWithATwist {
+    Broken() {
+      super("broken", "hello that stands still");
     }
 
     @Override
@@ -48,31 +35,11 @@ class ViolationTest {
     }
 
     @Override
-    public SimSettings.Builder defaultSettings(Request request) {
-      return hello.defaultSettings(request);
-    }
-
-    @Override
-    public Plan plan(Request request, SimSettings settings) {
-      Plan plan = hello.plan(request, settings);
+    Plan twist(Plan plan, Request request) {
       if (request.seed() % Long.parseLong(request.parameter("every")) == 0) {
         plan.simulation().monitor(StandsStill::new);
       }
       return plan;
-    }
-  }
-
-  private static final class StandsStill implements Monitor {
-    @Override
-    public List<String> lemmas() {
-      return List.of("stands_still");
-    }
-
-    @Override
-    public void observe(TraceEvent event, Report report) {
-      if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
-        report.violated("stands_still", event.timeNs(), List.of(event.robot()), "drives");
-      }
     }
   }
 
@@ -138,32 +105,13 @@ class ViolationTest {
   }
 
   /** A scenario with a bug. */
-  private static final class Throwing implements Demo {
-    private final Demo hello = new HelloDemo();
-
-    @Override
-    public String name() {
-      return "throwing";
+  private static final class Throwing extends HelloWithATwist {
+    Throwing() {
+      super("throwing", "hello that ends early");
     }
 
     @Override
-    public String summary() {
-      return "hello that ends early";
-    }
-
-    @Override
-    public List<Parameter> parameters() {
-      return List.of();
-    }
-
-    @Override
-    public SimSettings.Builder defaultSettings(Request request) {
-      return hello.defaultSettings(request);
-    }
-
-    @Override
-    public Plan plan(Request request, SimSettings settings) {
-      Plan plan = hello.plan(request, settings);
+    Plan twist(Plan plan, Request request) {
       plan.simulation()
           .director(control ->
               control.at(

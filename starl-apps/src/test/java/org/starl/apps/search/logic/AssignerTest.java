@@ -2,7 +2,6 @@ package org.starl.apps.search.logic;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
@@ -10,11 +9,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.Participants;
 import org.starl.ProcessId;
 import org.starl.RobotId;
-import org.starl.geometry.ItemPosition;
-import org.starl.geometry.Obstacle;
-import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.geometry.Rectangle;
 
 /** The leader gives rooms, takes them back, and knows when it is over. */
 class AssignerTest {
@@ -24,28 +19,11 @@ class AssignerTest {
   private static final RobotId OTHER = new RobotId("bot1");
   private static final RobotId THIRD = new RobotId("bot2");
   private static final Participants ALL = Participants.of(ME, OTHER, THIRD);
-  private static final House HOUSE = twoRooms();
+  private static final House HOUSE = TwoRooms.HOUSE;
 
   private final Board board = new Board(HOUSE);
   private final Assigner leader = new Assigner(HOUSE, ME, ALL, 1, 0);
   private long reports;
-
-  /** A hall with the room A at its left end and B at its right one. */
-  private static House twoRooms() {
-    List<Obstacle> walls = new ArrayList<>();
-    for (double x : new double[] {2_000, 6_000}) {
-      walls.add(Obstacle.wall(new Point(x, 0), new Point(x, 1_000)));
-      walls.add(Obstacle.wall(new Point(x, 2_000), new Point(x, 3_000)));
-    }
-    return House.of(
-        new HousePlan(
-            new Rectangle(0, 0, 8_000, 3_000),
-            new Obstacles(walls),
-            List.of(new ItemPosition("A", 2_000, 1_500), new ItemPosition("B", 6_000, 1_500)),
-            List.of(new Point(4_000, 1_500))),
-        600,
-        280);
-  }
 
   private void hear(RobotId robot, double xMm, int room, List<Integer> swept, int... tries) {
     List<Integer> all = tries.length == 0 ? List.of(0, 0) : List.of(tries[0], tries[1]);

@@ -2,18 +2,12 @@ package org.starl.apps.search.spec;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
 import org.starl.apps.search.logic.House;
-import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.Room;
-import org.starl.geometry.ItemPosition;
-import org.starl.geometry.Obstacle;
-import org.starl.geometry.Obstacles;
-import org.starl.geometry.Point;
-import org.starl.geometry.Rectangle;
+import org.starl.apps.search.logic.TwoRooms;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -22,29 +16,11 @@ class ReachTest {
 
   private static final long SECOND_NS = 1_000_000_000;
   private static final RobotId DEAD = new RobotId("bot1");
-  private static final Point HALL = new Point(4_000, 1_500);
-  private static final House HOUSE = twoRooms();
+  private static final House HOUSE = TwoRooms.HOUSE;
   private static final Room A = HOUSE.room(0);
   private static final Room B = HOUSE.room(1);
 
   private final Reach reach = new Reach(HOUSE);
-
-  /** A hall with the room A at its left end and B at its right one. */
-  private static House twoRooms() {
-    List<Obstacle> walls = new ArrayList<>();
-    for (double x : new double[] {2_000, 6_000}) {
-      walls.add(Obstacle.wall(new Point(x, 0), new Point(x, 1_000)));
-      walls.add(Obstacle.wall(new Point(x, 2_000), new Point(x, 3_000)));
-    }
-    return House.of(
-        new HousePlan(
-            new Rectangle(0, 0, 8_000, 3_000),
-            new Obstacles(walls),
-            List.of(new ItemPosition("A", 2_000, 1_500), new ItemPosition("B", 6_000, 1_500)),
-            List.of(HALL)),
-        600,
-        280);
-  }
 
   private void holds(String tube) {
     reach.observe(new Variable(SECOND_NS, DEAD, "tubes/house", "held", tube));
@@ -55,7 +31,7 @@ class ReachTest {
   }
 
   private boolean isInReach(Room room, long atS) {
-    return reach.isInReach(room, List.of(HALL), atS * SECOND_NS);
+    return reach.isInReach(room, List.of(TwoRooms.HALL), atS * SECOND_NS);
   }
 
   @Test

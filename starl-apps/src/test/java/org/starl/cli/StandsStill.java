@@ -1,0 +1,20 @@
+package org.starl.cli;
+
+import java.util.List;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+
+/** A specification that no run of hello meets: nobody drives. */
+final class StandsStill implements Monitor {
+  @Override
+  public List<String> lemmas() {
+    return List.of("stands_still");
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    if (event instanceof TraceEvent.Moved moved && moved.linearMmPerS() != 0) {
+      report.violated("stands_still", event.timeNs(), List.of(event.robot()), "drives");
+    }
+  }
+}
