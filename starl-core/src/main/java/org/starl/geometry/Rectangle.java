@@ -1,5 +1,7 @@
 package org.starl.geometry;
 
+import java.util.List;
+
 /** A rectangle along the axes; a line or a point if its sides say so. */
 public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMaxMm)
     implements Region {
@@ -31,6 +33,26 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
         center.yMm() - heightMm / 2,
         center.xMm() + widthMm / 2,
         center.yMm() + heightMm / 2);
+  }
+
+  /** The smallest one that holds all of {@code points}, at least one. */
+  public static Rectangle around(List<Point> points) {
+    double xMin = Double.POSITIVE_INFINITY;
+    double yMin = Double.POSITIVE_INFINITY;
+    double xMax = Double.NEGATIVE_INFINITY;
+    double yMax = Double.NEGATIVE_INFINITY;
+    for (Point point : points) {
+      xMin = Math.min(xMin, point.xMm());
+      yMin = Math.min(yMin, point.yMm());
+      xMax = Math.max(xMax, point.xMm());
+      yMax = Math.max(yMax, point.yMm());
+    }
+    return new Rectangle(xMin, yMin, xMax, yMax);
+  }
+
+  /** Wider by {@code byMm} on each side. */
+  public Rectangle widened(double byMm) {
+    return new Rectangle(xMinMm - byMm, yMinMm - byMm, xMaxMm + byMm, yMaxMm + byMm);
   }
 
   public Point center() {

@@ -71,4 +71,11 @@ class RegionTest {
     assertThatThrownBy(() -> Polygon.of(a, a, b, c)).hasMessageContaining("meet");
     assertThat(Polygon.of(a, b, c, d)).isNotEqualTo(Polygon.of(d, c, b, a));
   }
+
+  @Test
+  void aRectangleAroundPointsHoldsThemAndNoMore() {
+    List<Point> points = List.of(new Point(3, -1), new Point(-2, 5), new Point(0, 0));
+    assertThat(Rectangle.around(points)).isEqualTo(new Rectangle(-2, -1, 3, 5));
+    assertThat(Rectangle.around(points).widened(2)).isEqualTo(new Rectangle(-4, -3, 5, 7));
+  }
 }

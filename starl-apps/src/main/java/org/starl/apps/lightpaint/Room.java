@@ -2,7 +2,6 @@ package org.starl.apps.lightpaint;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.apps.lightpaint.logic.Boxes;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
@@ -29,20 +28,20 @@ record Room(Rectangle floor, List<Point> places) {
   static Room around(List<Stroke> strokes, List<Point> also, int painters, double radiusMm) {
     List<Point> points = new ArrayList<>(also);
     strokes.forEach(stroke -> points.addAll(stroke.path().points()));
-    Rectangle inside = Boxes.around(points);
+    Rectangle inside = Rectangle.around(points);
     // A painter may pass at the very border of the drawing while others are in their places.
     double marginMm = 2 * radiusMm + SPARE_MM;
     double apartMm = 2 * radiusMm + SPARE_MM;
-    while (perimeterMm(Boxes.widened(inside, marginMm)) < painters * apartMm) {
+    while (perimeterMm(inside.widened(marginMm)) < painters * apartMm) {
       marginMm += apartMm;
     }
-    Rectangle ring = Boxes.widened(inside, marginMm);
+    Rectangle ring = inside.widened(marginMm);
     List<Point> places = new ArrayList<>();
     double stepMm = perimeterMm(ring) / painters;
     for (int i = 0; i < painters; i++) {
       places.add(along(ring, stepMm * (i + 0.5)));
     }
-    return new Room(Boxes.widened(ring, radiusMm + SPARE_MM), places);
+    return new Room(ring.widened(radiusMm + SPARE_MM), places);
   }
 
   private static double perimeterMm(Rectangle ring) {

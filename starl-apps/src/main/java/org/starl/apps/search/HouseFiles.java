@@ -77,21 +77,11 @@ final class HouseFiles {
   }
 
   private HousePlan plan() {
-    double xMin = Double.POSITIVE_INFINITY;
-    double yMin = Double.POSITIVE_INFINITY;
-    double xMax = Double.NEGATIVE_INFINITY;
-    double yMax = Double.NEGATIVE_INFINITY;
-    for (Obstacle wall : walls.all()) {
-      for (Point point : wall.points()) {
-        xMin = Math.min(xMin, point.xMm());
-        yMin = Math.min(yMin, point.yMm());
-        xMax = Math.max(xMax, point.xMm());
-        yMax = Math.max(yMax, point.yMm());
-      }
-    }
+    List<Point> corners = new ArrayList<>();
+    walls.all().forEach(wall -> corners.addAll(wall.points()));
     List<Point> starting = new ArrayList<>();
     positions(starts).forEach(start -> starting.add(start.at()));
-    return new HousePlan(new Rectangle(xMin, yMin, xMax, yMax), walls, positions(doors), starting);
+    return new HousePlan(Rectangle.around(corners), walls, positions(doors), starting);
   }
 
   private static List<ItemPosition> positions(List<Waypoint> waypoints) {

@@ -2,7 +2,6 @@ package org.starl.apps.lightpaint.view;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.apps.lightpaint.logic.Boxes;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.spec.Pass;
 import org.starl.geometry.Point;
@@ -17,7 +16,7 @@ record Frame(double xMinMm, double yMinMm, double widthMm, double heightMm) {
     List<Point> points = new ArrayList<>();
     strokes.forEach(stroke -> points.addAll(stroke.path().points()));
     passes.forEach(pass -> points.addAll(pass.points()));
-    Rectangle box = Boxes.widened(Boxes.around(points), MARGIN_MM);
+    Rectangle box = Rectangle.around(points).widened(MARGIN_MM);
     return new Frame(
         Math.floor(box.xMinMm()),
         Math.floor(box.yMinMm()),

@@ -105,20 +105,11 @@ final class Survey {
 
   /** The cells of the box around some points, widened. */
   private void forEachCellNear(List<Point> points, double reachMm, Grid.Visitor visitor) {
-    double xMin = Double.POSITIVE_INFINITY;
-    double yMin = Double.POSITIVE_INFINITY;
-    double xMax = Double.NEGATIVE_INFINITY;
-    double yMax = Double.NEGATIVE_INFINITY;
-    for (Point point : points) {
-      xMin = Math.min(xMin, point.xMm());
-      yMin = Math.min(yMin, point.yMm());
-      xMax = Math.max(xMax, point.xMm());
-      yMax = Math.max(yMax, point.yMm());
-    }
-    int toRow = Math.min(grid.rows() - 1, grid.row(yMax + reachMm));
-    int toColumn = Math.min(grid.columns() - 1, grid.column(xMax + reachMm));
-    for (int row = Math.max(0, grid.row(yMin - reachMm)); row <= toRow; row++) {
-      for (int column = Math.max(0, grid.column(xMin - reachMm)); column <= toColumn; column++) {
+    Rectangle box = Rectangle.around(points).widened(reachMm);
+    int toRow = Math.min(grid.rows() - 1, grid.row(box.yMaxMm()));
+    int toColumn = Math.min(grid.columns() - 1, grid.column(box.xMaxMm()));
+    for (int row = Math.max(0, grid.row(box.yMinMm())); row <= toRow; row++) {
+      for (int column = Math.max(0, grid.column(box.xMinMm())); column <= toColumn; column++) {
         visitor.visit(grid.cell(column, row));
       }
     }
