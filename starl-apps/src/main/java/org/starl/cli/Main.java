@@ -36,7 +36,12 @@ import picocli.CommandLine.UnmatchedArgumentException;
       BenchCommand.class,
       RobotCommand.class
     },
-    footer = {"", "Example: starl run intersection", "Every test: starl test"})
+    footer = {
+      "",
+      "Example: starl run intersection",
+      "Every test: starl test",
+      "Every proof: starl prove"
+    })
 public final class Main implements Runnable {
 
   /** What StarL brings: apps, and primitives with workloads of their own. */
