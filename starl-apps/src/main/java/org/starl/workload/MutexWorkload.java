@@ -10,6 +10,7 @@ import org.starl.apps.Request;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexBounds;
+import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
@@ -67,7 +68,7 @@ final class MutexWorkload extends PrimitiveDemo {
     MutexBounds bounds = MutexBounds.of(robots, D1_NS, deltaNs);
     // Later than the bounds, so that what does not come by then is seen, and not told before.
     MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / NS_PER_MS);
-    simulation.monitor(() -> new MutexSpec(XID, bounds));
+    simulation.monitor(() -> new MutexSpec(XID, bounds)).monitor(MutexConformance::new);
     long withinNs = Bounds.withinNs(settings);
     RegistrationSettings how =
         RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));

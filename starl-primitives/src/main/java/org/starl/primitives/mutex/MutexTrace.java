@@ -72,6 +72,15 @@ public final class MutexTrace {
     return Optional.empty();
   }
 
+  /** Whether it is of a mutex, and tells who asks, has access or has it no more. */
+  static boolean isOfAccess(TraceEvent.Action action) {
+    return switch (action.name()) {
+      case DO_MUTEX, OD_MUTEX, RELEASE, WITHDRAW, STANDS_IN ->
+          action.source().startsWith(PRIMITIVE + "/");
+      default -> false;
+    };
+  }
+
   static String name(MutexEvent event) {
     return switch (event) {
       case MutexEvent.DoMutex e -> DO_MUTEX;

@@ -145,6 +145,7 @@ class CrashSimTest {
     }
     return builder
         .monitor(() -> new MutexSpec(XID, bounds))
+        .monitor(MutexConformance::new)
         .monitor(() -> new RegistrationSpec(20 * S))
         .observer(
             new SimObserver() {

@@ -13,6 +13,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.specimen.SetMutex.Bug;
 import org.starl.sim.Setting;
@@ -61,6 +62,8 @@ class SpecimenTest {
         "Connected", setMutex(false, Bug.ASKS_NEIGHBOURS), () -> new MutexSpec(Contender.XID)),
     SET_MUTEX_THAT_LETS_STRANGERS_IN(
         "Complete", setMutex(false, Bug.LETS_STRANGERS_IN), () -> new MutexSpec(Contender.XID)),
+    SET_MUTEX_THAT_ENTERS_ONE_ANSWER_EARLY(
+        "Mutex_decls", setMutex(false, Bug.ENTERS_EARLY), MutexConformance::new),
     BARRIER_THAT_LOSES_EARLY_ARRIVALS(
         "NotHung", ForgetfulBarrier::new, () -> new BarrierSpec(BOUND_NS, 2 * END_NS)),
     GEOCAST_RECTANGLE_WITH_SWAPPED_EDGE("exclusion", CrookedGeocast::new, GeocastSpec::new);

@@ -1,0 +1,49 @@
+package org.starl.spec.automaton;
+
+import java.util.function.Supplier;
+
+/**
+ * The value of an enabling condition, a conjunction as in the theory: true, or its first conjunct
+ * that is false, with the values that make it so.
+ */
+public final class Enabled {
+
+  /** Of an action that is always enabled. */
+  public static final Enabled TRUE = new Enabled("");
+
+  private final String obstacle;
+
+  private Enabled(String obstacle) {
+    this.obstacle = obstacle;
+  }
+
+  /**
+   * A condition of one conjunct.
+   *
+   * @param conjunct its text in the theory
+   * @param values called if it does not hold: {@code req_set(bot1) = [A]}
+   */
+  public static Enabled when(String conjunct, boolean holds, Supplier<String> values) {
+    return TRUE.and(conjunct, holds, values);
+  }
+
+  /** With one conjunct more. */
+  public Enabled and(String conjunct, boolean holds, Supplier<String> values) {
+    return holds || !isTrue() ? this : new Enabled(conjunct + " is false: " + values.get());
+  }
+
+  public boolean isTrue() {
+    return obstacle.isEmpty();
+  }
+
+  /** {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty if it is true. */
+  public String obstacle() {
+    return obstacle;
+  }
+
+  /** {@code true}, or the {@link #obstacle}. */
+  @Override
+  public String toString() {
+    return isTrue() ? "true" : obstacle;
+  }
+}

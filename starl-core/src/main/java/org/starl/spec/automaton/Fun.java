@@ -1,0 +1,145 @@
+package org.starl.spec.automaton;
+
+import java.util.Arrays;
+import java.util.function.BiConsumer;
+import java.util.function.BiPredicate;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A function as a state of a theory has it, {@code [PIDS -> Zoneset]}: total, and one and the same
+ * almost everywhere. Immutable; takes memory, and a change takes time, for where it differs alone.
+ *
+ * @param <K> arguments, in their order
+ * @param <V> compared by {@code equals}
+ */
+public final class Fun<K extends Comparable<? super K>, V> {
+
+  private final V elsewhere;
+  // Two rows of one length; arguments ascend, and no value is the one of elsewhere.
+  private final Object[] arguments;
+  private final Object[] values;
+
+  private Fun(V elsewhere, Object[] arguments, Object[] values) {
+    this.elsewhere = elsewhere;
+    this.arguments = arguments;
+    this.values = values;
+  }
+
+  /** {@code LAMBDA x: value}. */
+  public static <K extends Comparable<? super K>, V> Fun<K, V> always(V value) {
+    return new Fun<>(value, new Object[0], new Object[0]);
+  }
+
+  /** Its value at {@code argument}. */
+  public V at(K argument) {
+    int place = place(argument);
+    return place < 0 ? elsewhere : value(place);
+  }
+
+  /** {@code f WITH [(argument) := value]}. */
+  public Fun<K, V> with(K argument, V value) {
+    int place = place(argument);
+    if (value.equals(elsewhere)) {
+      return place < 0 ? this : new Fun<>(elsewhere, cut(arguments, place), cut(values, place));
+    }
+    if (place >= 0) {
+      Object[] changed = values.clone();
+      changed[place] = value;
+      return new Fun<>(elsewhere, arguments, changed);
+    }
+    int before = -place - 1;
+    return new Fun<>(elsewhere, put(arguments, before, argument), put(values, before, value));
+  }
+
+  /** At how many arguments it differs from what it is elsewhere. */
+  public int size() {
+    return arguments.length;
+  }
+
+  /** Whether it is the same everywhere. */
+  public boolean isConstant() {
+    return arguments.length == 0;
+  }
+
+  /** Shows every argument, in order, at which it differs from what it is elsewhere, and its value. */
+  public void forEach(BiConsumer<? super K, ? super V> visitor) {
+    for (int place = 0; place < arguments.length; place++) {
+      visitor.accept(argument(place), value(place));
+    }
+  }
+
+  /** Whether {@code test} is true of every argument at which it differs, and its value. */
+  public boolean allMatch(BiPredicate<? super K, ? super V> test) {
+    for (int place = 0; place < arguments.length; place++) {
+      if (!test.test(argument(place), value(place))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private int place(K argument) {
+    int from = 0;
+    int to = arguments.length - 1;
+    while (from <= to) {
+      int middle = (from + to) >>> 1;
+      int order = argument(middle).compareTo(argument);
+      if (order == 0) {
+        return middle;
+      }
+      if (order < 0) {
+        from = middle + 1;
+      } else {
+        to = middle - 1;
+      }
+    }
+    return -from - 1;
+  }
+
+  // Only with() makes rows, and puts nothing else into them.
+  @SuppressWarnings("unchecked")
+  private K argument(int place) {
+    return (K) arguments[place];
+  }
+
+  // Only with() makes rows, and puts nothing else into them.
+  @SuppressWarnings("unchecked")
+  private V value(int place) {
+    return (V) values[place];
+  }
+
+  private static Object[] cut(Object[] row, int place) {
+    Object[] shorter = Arrays.copyOf(row, row.length - 1);
+    System.arraycopy(row, place + 1, shorter, place, shorter.length - place);
+    return shorter;
+  }
+
+  private static Object[] put(Object[] row, int place, Object what) {
+    Object[] longer = Arrays.copyOf(row, row.length + 1);
+    System.arraycopy(row, place, longer, place + 1, row.length - place);
+    longer[place] = what;
+    return longer;
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return other instanceof Fun<?, ?> that
+        && elsewhere.equals(that.elsewhere)
+        && Arrays.equals(arguments, that.arguments)
+        && Arrays.equals(values, that.values);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * Arrays.hashCode(arguments) + Arrays.hashCode(values);
+  }
+
+  /** {@code (bot0: [A, C], bot1: [B])}, without where it is as elsewhere. */
+  @Override
+  public String toString() {
+    StringBuilder text = new StringBuilder("(");
+    forEach((argument, value) ->
+        text.append(text.length() > 1 ? ", " : "").append(argument).append(": ").append(value));
+    return text.append(')').toString();
+  }
+}

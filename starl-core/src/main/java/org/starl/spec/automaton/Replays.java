@@ -1,0 +1,28 @@
+package org.starl.spec.automaton;
+
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+
+/** The runs of all instances of a primitive, told apart by their sources: {@code mutex/crossing}. */
+public final class Replays<S, A extends Action> {
+
+  private final Automaton<S, A> automaton;
+  private final Steps<S, A> steps;
+  private final Map<String, Replay<S, A>> byInstance = new TreeMap<>();
+
+  public Replays(Automaton<S, A> automaton, Steps<S, A> steps) {
+    this.automaton = automaton;
+    this.steps = steps;
+  }
+
+  /** The run of {@code instance}; it begins where nobody has asked for it before. */
+  public Replay<S, A> of(String instance) {
+    return byInstance.computeIfAbsent(instance, source -> new Replay<>(automaton, source, steps));
+  }
+
+  /** Shows every run, in order. */
+  public void forEach(Consumer<Replay<S, A>> visitor) {
+    byInstance.values().forEach(visitor);
+  }
+}

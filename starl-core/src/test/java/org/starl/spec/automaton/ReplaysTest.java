@@ -1,0 +1,132 @@
+package org.starl.spec.automaton;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+
+/** A lamp that is switched on and off. */
+class ReplaysTest {
+
+  private static final TraceEvent EVENT =
+      new TraceEvent.Action(7_000_000, new RobotId("bot1"), "lamp/x", "switch_on", List.of());
+
+  private sealed interface Switch extends Action {
+    record switch_on(int i) implements Switch {
+      @Override
+      public List<Object> args() {
+        return List.of(i);
+      }
+    }
+
+    record switch_off(int i, int j) implements Switch {
+      @Override
+      public List<Object> args() {
+        return List.of(i, j);
+      }
+    }
+  }
+
+  private static final class Lamp implements Automaton<Boolean, Switch> {
+    @Override
+    public String theory() {
+      return "Lamp_decls";
+    }
+
+    @Override
+    public Boolean start() {
+      return false;
+    }
+
+    @Override
+    public Enabled enabled(Switch action, Boolean isOn) {
+      return switch (action) {
+        case Switch.switch_on a ->
+            Enabled.when("i > 0", a.i() > 0, () -> "i = " + a.i())
+                .and("NOT on(s)", !isOn, () -> "on(s) = true");
+        case Switch.switch_off a -> Enabled.TRUE;
+      };
+    }
+
+    @Override
+    public Boolean trans(Switch action, Boolean isOn) {
+      return action instanceof Switch.switch_on;
+    }
+  }
+
+  private final List<String> steps = new ArrayList<>();
+  private final SpecReport report = new SpecReport();
+  private final Replays<Boolean, Switch> replays =
+      new Replays<>(
+          new Lamp(),
+          new Steps<>() {
+            @Override
+            public void stepped(String instance, TraceEvent event, Switch action, Boolean after) {
+              steps.add(instance + " " + action.text() + " " + after);
+            }
+
+            @Override
+            public void resulted(String instance, String component, Object argument, Object value) {
+              steps.add(instance + " " + component + "(" + argument + ") = " + value);
+            }
+          });
+
+  @Test
+  void enabledStepsAreTakenAndTold() {
+    Replay<Boolean, Switch> replay = replays.of("lamp/x");
+    replay.step(EVENT, new Switch.switch_on(1), report);
+    replay.result(EVENT, "on", 1, true, replay.state(), report);
+    replay.step(EVENT, new Switch.switch_off(1, 2), report);
+    assertThat(steps)
+        .containsExactly(
+            "lamp/x switch_on(1) true", "lamp/x on(1) = true", "lamp/x switch_off(1, 2) false");
+    assertThat(report.holds()).isTrue();
+    assertThat(report.checks("Lamp_decls")).isEqualTo(3);
+  }
+
+  @Test
+  void theFirstStepThatIsNotEnabledIsToldWithItsFirstFalseConjunctAndTheRunIsOver() {
+    Replay<Boolean, Switch> replay = replays.of("lamp/x");
+    replay.step(EVENT, new Switch.switch_on(1), report);
+    replay.step(EVENT, new Switch.switch_on(1), report);
+    replay.step(EVENT, new Switch.switch_on(0), report);
+    replay.result(EVENT, "on", 1, false, replay.state(), report);
+    assertThat(replay.isOver()).isTrue();
+    assertThat(report.violations())
+        .extracting(SpecReport.Violation::toString)
+        .containsExactly(
+            "Lamp_decls violated at 0.007 s by bot1: lamp/x: switch_on(1) is not enabled:"
+                + " NOT on(s) is false: on(s) = true");
+    assertThat(steps).hasSize(1);
+  }
+
+  @Test
+  void theFirstOfSeveralFalseConjunctsIsTold() {
+    replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
+    replays.of("lamp/x").step(EVENT, new Switch.switch_on(-1), report);
+    assertThat(report.violations().get(0).detail()).endsWith("i > 0 is false: i = -1");
+  }
+
+  @Test
+  void aResultThatIsNotTheAutomatonsIsTold() {
+    Replay<Boolean, Switch> replay = replays.of("lamp/x");
+    replay.result(EVENT, "on", 1, true, replay.state(), report);
+    assertThat(report.violations())
+        .extracting(SpecReport.Violation::detail)
+        .containsExactly("lamp/x: on(1) is false, but the trace has true");
+  }
+
+  @Test
+  void instancesStandApart() {
+    replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
+    replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
+    replays.of("lamp/y").step(EVENT, new Switch.switch_on(1), report);
+    List<String> seen = new ArrayList<>();
+    replays.forEach(replay -> seen.add(replay.instance() + " " + replay.isOver()));
+    assertThat(seen).containsExactly("lamp/x true", "lamp/y false");
+  }
+}
