@@ -37,7 +37,7 @@ class SpecificationsTest {
   private static final Pattern ADDED = Pattern.compile("lemmas\\.add\\(([\\w.]+)\\)");
   private static final Pattern NAME = Pattern.compile("\\b([A-Z][A-Z_]+)\\b");
   private static final Pattern ROW =
-      Pattern.compile("\\| `(\\w+)` \\| `(\\w+)` \\| [^|]+ \\| `(\\w+)#(\\w+)` \\|");
+      Pattern.compile("\\| `(\\w+)` \\| `(\\w+)` \\| [^|]+ \\| [^|]+ \\| `(\\w+)#(\\w+)` \\|");
 
   private static final SortedMap<Path, String> SOURCES = new TreeMap<>();
 
