@@ -11,6 +11,7 @@ import org.starl.primitives.barrier.BarrierOutcome;
 import org.starl.primitives.barrier.BarrierSettings;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.registration.Registration;
+import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
@@ -46,6 +47,7 @@ final class BarrierWorkload extends PrimitiveDemo {
         RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
     place(simulation, settings, count(request, 1, 32), gvh -> new Guest(gvh, course, how));
     simulation.monitor(() -> new RegistrationSpec(withinNs));
+    simulation.monitor(RegistrationConformance::new);
     // By a clock that is slow by a tenth and was put back by a second, the deadlines are later.
     long toldNs = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * NS_PER_MS;
     simulation.monitor(() -> new BarrierSpec(withinNs, toldNs));

@@ -15,6 +15,7 @@ import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.Registration;
+import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
@@ -82,6 +83,7 @@ final class MutexWorkload extends PrimitiveDemo {
             return new Car(gvh, course, sections, new M_Mutex(gvh, XID, reg, times), reg);
           });
       simulation.monitor(() -> new RegistrationSpec(withinNs));
+      simulation.monitor(RegistrationConformance::new);
     } else {
       place(
           simulation,

@@ -43,9 +43,9 @@ public abstract class FoulNetwork {
     }
   }
 
-  protected FoulNetwork(long seed, Monitor spec) {
+  protected FoulNetwork(long seed, Monitor... specs) {
     rng = new Rng(seed);
-    monitors = new Monitors(List.of(spec));
+    monitors = new Monitors(List.of(specs));
   }
 
   /** A robot's place in the order of all. */

@@ -15,8 +15,8 @@ public final class LiveWorld<R extends LiveRobot> extends FoulNetwork {
   public final List<R> robots = new ArrayList<>();
   private boolean isFoul;
 
-  public LiveWorld(long seed, Monitor spec) {
-    super(seed, spec);
+  public LiveWorld(long seed, Monitor... specs) {
+    super(seed, specs);
   }
 
   /** Adds robots {@code bot0}, {@code bot1}, ..., none of them started. */

@@ -53,7 +53,7 @@ final class Town extends FoulNetwork {
   boolean ballotsCollide;
 
   Town(long seed, int size, int acceptorCount, Monitor spec) {
-    super(seed, spec);
+    super(seed, spec, new RegistrationConformance());
     List<RobotId> names = new ArrayList<>();
     for (int i = 0; i < size; i++) {
       names.add(new RobotId("bot" + i));

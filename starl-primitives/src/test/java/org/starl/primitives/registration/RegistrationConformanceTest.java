@@ -1,0 +1,232 @@
+package org.starl.primitives.registration;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.primitives.registration.RegistrationAutomaton.States;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.automaton.Steps;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+class RegistrationConformanceTest {
+
+  private static final String HERE = "registration/here";
+
+  private final List<String> steps = new ArrayList<>();
+  private final Monitors monitors =
+      new Monitors(
+          List.of(
+              new RegistrationConformance(
+                  new Steps<States, RegistrationAction>() {
+                    @Override
+                    public void stepped(
+                        String instance,
+                        TraceEvent event,
+                        RegistrationAction action,
+                        States after) {
+                      steps.add(action.text());
+                    }
+
+                    @Override
+                    public void resulted(
+                        String instance, String component, Object argument, Object value) {
+                      steps.add(component + "(" + argument + ") = " + value);
+                    }
+                  })));
+
+  private void acts(String robot, String verb, String... args) {
+    monitors.observe(new Action(0, new RobotId(robot), HERE, verb, List.of(args)));
+  }
+
+  private void sees(String robot, String view) {
+    monitors.observe(new Variable(0, new RobotId(robot), HERE, "view", view));
+  }
+
+  private void shows(String robot, String list) {
+    monitors.observe(new Variable(0, new RobotId(robot), HERE, "rList", list));
+  }
+
+  private List<String> details() {
+    monitors.finish(1);
+    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+  }
+
+  private void aAndBAreIn() {
+    acts("a", "do_register", "a#1");
+    acts("b", "do_register", "b#1");
+    sees("a", "1:a#1@1,b#1@1");
+    sees("b", "1:a#1@1,b#1@1");
+    steps.clear();
+  }
+
+  @Test
+  void eachEventIsTheActionOfTheTable() {
+    sees("a", "0:");
+    acts("a", "do_register", "a#1");
+    sees("a", "1:a#1@1");
+    shows("a", "1:[a]");
+    sees("b", "1:a#1@1");
+    acts("b", "do_register", "b#1");
+    sees("b", "2:a#1@1,b#1@2");
+    acts("b", "confine", "a#1", "A B", "b#1");
+    sees("b", "3:b#1@2|a#1@1[A B]");
+    acts("b", "unregister", "b#1");
+    acts("a", "give_up", "a#1");
+    acts("a", "give_up", "a#2"); // has not asked
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "do_register(a#1)",
+            "decide([a#1])",
+            "learn(a#1, 1)",
+            "rList(a#1) = [a#1]",
+            "ts(a#1) = 1",
+            "rList(a#1) = 1:[a]",
+            "list(1) = [a#1]",
+            "do_register(b#1)",
+            "learn(b#1, 1)",
+            "decide([a#1, b#1])",
+            "learn(b#1, 2)",
+            "rList(b#1) = [a#1, b#1]",
+            "confine(a#1)",
+            "decide([b#1])",
+            "learn(b#1, 3)",
+            "rList(b#1) = [b#1]",
+            "unregister(b#1)",
+            "give_up(a#1)");
+  }
+
+  @Test
+  void whatTheDeploymentGivesHasBeenAskedForAndIsWhoItsRobotsAreAtTheirFirstStart() {
+    sees("a", "0:");
+    acts("a", "first_view", "1:a#1@1,b#1@1");
+    sees("a", "1:a#1@1,b#1@1");
+    sees("b", "0:");
+    sees("b", "0:");
+    acts("b", "first_view", "1:a#1@1,b#1@1");
+    sees("b", "1:a#1@1,b#1@1");
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "do_register(a#1)",
+            "do_register(b#1)",
+            "decide([a#1, b#1])",
+            "learn(a#1, 1)",
+            "rList(a#1) = [a#1, b#1]",
+            "list(1) = [a#1, b#1]");
+  }
+
+  @Test
+  void aListThatIsKnownTooEarlyWaitsForThoseBelowIt() {
+    acts("a", "do_register", "a#1");
+    acts("b", "do_register", "b#1");
+    sees("a", "2:a#1@1,b#1@2");
+    shows("a", "2:[a, b]");
+    assertThat(steps).containsExactly("do_register(a#1)", "do_register(b#1)");
+    sees("b", "1:a#1@1");
+    sees("b", "2:a#1@1,b#1@2");
+    assertThat(details()).isEmpty();
+    assertThat(steps.subList(2, steps.size()))
+        .containsExactly(
+            "decide([a#1])",
+            "decide([a#1, b#1])",
+            "learn(a#1, 2)",
+            "rList(a#1) = [a#1, b#1]",
+            "ts(a#1) = 2",
+            "rList(a#1) = 2:[a, b]",
+            "learn(b#1, 1)",
+            "rList(b#1) = [a#1]",
+            "learn(b#1, 2)",
+            "rList(b#1) = [a#1, b#1]");
+  }
+
+  @Test
+  void aNumberThatNobodyKnowsIsAsTheOneBefore() {
+    aAndBAreIn();
+    acts("a", "unregister", "a#1");
+    sees("b", "4:b#1@1");
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "unregister(a#1)",
+            "decide([a#1, b#1])",
+            "decide([a#1, b#1])",
+            "decide([b#1])",
+            "learn(b#1, 4)",
+            "rList(b#1) = [b#1]");
+  }
+
+  @Test
+  void aListThatForgetsAMemberDeviatesAlsoWhereNumbersAreMissing() {
+    aAndBAreIn();
+    sees("a", "3:a#1@1");
+    assertThat(details())
+        .containsExactly(
+            HERE
+                + ": decide([a#1]) is not enabled: subset?(difference(list(number), gone), L) is"
+                + " false: list(2) has [b#1] as well");
+  }
+
+  @Test
+  void anotherRobotsWordDoesNotLetAMemberGo() {
+    aAndBAreIn();
+    acts("b", "unregister", "a#1");
+    acts("b", "give_up", "a#1");
+    acts("b", "confine", "a#1", "", "");
+    sees("b", "2:b#1@1");
+    assertThat(details()).hasSize(1);
+  }
+
+  @Test
+  void whoNeverAskedOrComesBackOnAListDeviates() {
+    aAndBAreIn();
+    sees("a", "2:a#1@1,b#1@1,c#1@2");
+    assertThat(details().get(0)).endsWith("[c#1] never asked");
+  }
+
+  @Test
+  void whoComesBackOnAListDeviates() {
+    aAndBAreIn();
+    acts("a", "unregister", "a#1");
+    sees("b", "2:b#1@1");
+    sees("b", "3:a#1@3,b#1@1");
+    assertThat(details().get(0)).endsWith("[a#1] had entered and left");
+  }
+
+  @Test
+  void aListThatIsAnotherThanTheDecidedOneDeviates() {
+    aAndBAreIn();
+    sees("b", "2:a#1@1,b#1@1");
+    sees("c", "2:a#1@1");
+    assertThat(details())
+        .containsExactly(HERE + ": list(2) is [a#1, b#1], but the trace has [a#1]");
+  }
+
+  @Test
+  void aListThatIsShownUnderAnotherNumberDeviates() {
+    aAndBAreIn();
+    shows("b", "0:[a, b]");
+    assertThat(details()).containsExactly(HERE + ": ts(b#1) is 1, but the trace has 0");
+  }
+
+  @Test
+  void inALongRunOldListsAreForgottenAndLatestOnesLookedAt() {
+    acts("a", "do_register", "a#1");
+    for (int number = 1; number <= 2_000; number++) {
+      if (number % 3 > 0) {
+        sees("a", number + ":a#1@1");
+      }
+    }
+    sees("b", "3:"); // of so long ago that nobody knows any more
+    assertThat(monitors.report().holds()).isTrue();
+    sees("b", "1990:");
+    assertThat(details()).hasSize(1);
+  }
+}
