@@ -34,6 +34,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       SchemaCommand.class,
       NewCommand.class,
       BenchCommand.class,
+      DeployCommand.class,
+      KeygenCommand.class,
       RobotCommand.class
     },
     footer = {

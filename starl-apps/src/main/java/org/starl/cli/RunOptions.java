@@ -157,7 +157,8 @@ final class RunOptions {
                     + " (a scenario file's name ends in .yaml)"));
   }
 
-  private Chosen chosen(Demos demos, ScenarioFile file) {
+  /** The same of what {@code file} says. */
+  Chosen chosen(Demos demos, ScenarioFile file) {
     Demo demo = demo(demos, file);
     SortedMap<String, String> parameters = demo.defaults();
     Map<String, String> settings = new LinkedHashMap<>();

@@ -1,0 +1,164 @@
+package org.starl.deployment;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.Socket;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.HostPort;
+import org.starl.deploy.file.Positions;
+import org.starl.deploy.file.RobotEntry;
+import org.starl.deploy.file.Wheels;
+import org.starl.deploy.file.Wheels.Create;
+
+/**
+ * What can be told of a deployment without running it: whether hosts have addresses; on the machine of
+ * one robot, whether its device, its address and its port are there; and, where asked, whether who
+ * listens on TCP answers. Each problem is one line.
+ */
+public final class DeploymentCheck {
+
+  private static final int PROBE_MS = 2000;
+
+  private final Deployment deployment;
+  private final List<String> problems = new ArrayList<>();
+
+  private DeploymentCheck(Deployment deployment) {
+    this.deployment = deployment;
+  }
+
+  /**
+   * Looks.
+   *
+   * @param here the robot whose machine this is; null for none of them
+   * @param probes whether what listens on TCP is called
+   * @return a line for each problem, none if all is well
+   */
+  public static List<String> of(Deployment deployment, @Nullable RobotEntry here, boolean probes) {
+    DeploymentCheck check = new DeploymentCheck(deployment);
+    check.hosts();
+    if (here != null) {
+      check.machine(here);
+    }
+    if (probes) {
+      check.probe();
+    }
+    return List.copyOf(check.problems);
+  }
+
+  private void hosts() {
+    for (RobotEntry robot : deployment.robots().values()) {
+      if (robot.address() != null) {
+        resolve(where(robot) + "address", robot.address());
+      }
+      if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Tcp tcp) {
+        resolve(where(robot) + "chassis.port", tcp.address());
+      }
+    }
+    if (deployment.positions() instanceof Positions.NatNet natNet) {
+      resolve(deployment.where("positions") + "positions.server", natNet.server());
+      group(natNet.multicast());
+    }
+    if (deployment.world() != null) {
+      resolve(deployment.where("world") + "world", deployment.world());
+    }
+  }
+
+  private void group(@Nullable String multicast) {
+    if (multicast == null) {
+      return;
+    }
+    try {
+      if (InetAddress.getByName(multicast).isMulticastAddress()) {
+        return;
+      }
+    } catch (UnknownHostException e) {
+      problems.add(
+          deployment.where("positions")
+              + "positions.multicast: '"
+              + multicast
+              + "': expected a group's address");
+      return;
+    }
+    problems.add(
+        deployment.where("positions")
+            + "positions.multicast: '"
+            + multicast
+            + "': expected 224.0.0.0 to 239.255.255.255");
+  }
+
+  private @Nullable InetSocketAddress resolve(String where, HostPort address) {
+    try {
+      return address.resolve();
+    } catch (UnknownHostException e) {
+      problems.add(where + ": '" + address + "': expected a host that has an address");
+      return null;
+    }
+  }
+
+  private void machine(RobotEntry robot) {
+    if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Device device) {
+      Path path = Path.of(device.path());
+      if (!Files.exists(path)) {
+        problems.add(
+            where(robot) + "chassis.port: '" + path + "': no such device; expected the Create's");
+      } else if (!Files.isReadable(path) || !Files.isWritable(path)) {
+        problems.add(
+            where(robot)
+                + "chassis.port: '"
+                + path
+                + "': expected a device that this user may read and write (group dialout?)");
+      }
+    }
+    if (robot.address() == null) {
+      return;
+    }
+    InetSocketAddress address = resolve(where(robot) + "address", robot.address());
+    if (address == null) {
+      return;
+    }
+    try {
+      if (NetworkInterface.getByInetAddress(address.getAddress()) == null
+          && !address.getAddress().isAnyLocalAddress()) {
+        problems.add(
+            where(robot) + "address: '" + address.getHostString() + "': no interface here has it");
+        return;
+      }
+      new DatagramSocket(address).close();
+    } catch (SocketException e) {
+      problems.add(where(robot) + "address: '" + robot.address() + "': " + e.getMessage());
+    }
+  }
+
+  private void probe() {
+    if (deployment.world() != null) {
+      call(deployment.where("world") + "world", deployment.world(), "'starl deploy world' there");
+    }
+    for (RobotEntry robot : deployment.robots().values()) {
+      if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Tcp tcp) {
+        call(where(robot) + "chassis.port", tcp.address(), "a Create's serial server there");
+      }
+    }
+  }
+
+  private void call(String where, HostPort address, String expected) {
+    try (Socket socket = new Socket()) {
+      socket.connect(address.resolve(), PROBE_MS);
+    } catch (IOException e) {
+      problems.add(where + ": '" + address + "': " + e.getMessage() + "; expected " + expected);
+    }
+  }
+
+  private String where(RobotEntry robot) {
+    return deployment.file() + ":" + robot.line() + ": robots." + robot.id() + ".";
+  }
+}

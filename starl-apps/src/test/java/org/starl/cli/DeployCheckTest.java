@@ -1,0 +1,148 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.stream.Stream;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/** {@code starl deploy check} and {@code starl keygen}: one line for every error, and no key shown. */
+class DeployCheckTest {
+
+  private static final String GOOD =
+      """
+      app: intersection
+      parameters: {scenario: figure7}
+      key: my.key
+      positions: {source: natnet, server: 127.0.0.1}
+      robots:
+        bot0:
+          address: 127.0.0.1:4701
+          chassis: {kind: create, port: "tcp:127.0.0.1:4801"}
+        bot1: {chassis: {kind: create, port: /dev/ttyUSB1}}
+        bot2: {chassis: {kind: create, port: /dev/ttyUSB1}}
+        bot3: {chassis: {kind: create, port: /dev/ttyUSB1}}
+      """;
+
+  /** What replaces what in {@link #GOOD}, and what is said of it. */
+  private static final String BAD =
+      """
+      app: intersection | app: crossroads | :1: | 'crossroads' | expected one of
+      app: intersection | seed: 4 | has no 'app:' | starl list
+      scenario: figure7 | scenario: figure8 | :1: | 'figure8' | expected drawn, figure7
+      scenario: figure7 | scenaro: figure7 | :2: | 'scenaro' | did you mean scenario?
+      scenario: figure7 | scenario: [] | :2: | scenario | a list
+      my.key | other.key | :3: key: | other.key: no such file | starl keygen
+      source: natnet | source: gps | :4: positions.source: 'gps' | natnet, json, simulated
+      , server: 127.0.0.1 | , up: y | :4: positions: has no 'server:'
+      server: 127.0.0.1 | server: 127.0.0.1:0 | :4: positions.server | HOST or HOST:PORT
+      server: 127.0.0.1 | server: no.such.host.invalid | positions.server | host that has an address
+      server: 127.0.0.1 | server: h, version: 9 | positions.version: '9' | expected one of 3.0
+      server: 127.0.0.1 | server: h, errorMm: -1 | positions.errorMm: '-1' | from 0.0 to 1000.0
+      server: 127.0.0.1 | server: 127.0.0.1, multicast: 10.0.0.1 | :4: | multicast: '10.0.0.1' | 224.0.0.0
+      server: 127.0.0.1 | server: h, colour: red | :4: positions: 'colour' | expected one of
+      kind: create, port: "tcp | kind: tank, port: "tcp | :8: robots.bot0.chassis.kind | create
+      kind: create, port: "tcp | kind: create, baud: 9, port: "tcp | chassis.baud: '9' | 300
+      tcp:127.0.0.1:4801 | tcp:127.0.0.1 | :8: robots.bot0.chassis.port | HOST:PORT
+      bot1: | 2bot: | :9: | '2bot' | a letter
+      bot1: | bot7: | :9: robots.bot7 | expected the app's robots
+      bot3: {chassis: {kind: create, port: /dev/ttyUSB1}} | bot3: wheels | :11: | 'wheels' | lines
+      bot3: {chassis: {kind: create, port: /dev/ttyUSB1}} | bot3: {} | robots.bot3: has no 'chassis:'
+      bot1: {chassis | bot1: {address: "127.0.0.1:4701", chassis | :9: | which bot0 has not
+      bot1: {chassis: {kind: create | bot1: {chassis: {kind: simulated | 'port' | expected one of
+      key: my.key | key: my.key\\nnetwork: {suspectAfterMs: 1500} | at least twice beaconEveryMs
+      key: my.key | key: my.key\\nnetwork: {broadcasts: no} | bot1: has no address
+      key: my.key | key: my.key\\nkey: my.key | :4: key: | again
+      key: my.key | world: 127.0.0.1:4000 | has no 'key:' | broadcasts: no
+      app: intersection | app: "intersection | is no YAML
+      """;
+
+  @TempDir private Path folder;
+
+  static Stream<String> bad() {
+    return BAD.lines();
+  }
+
+  private Path deployment(String text) throws IOException {
+    Path file = folder.resolve("my.yaml");
+    Files.writeString(file, text);
+    return file;
+  }
+
+  private Cli check(String text, String... more) throws IOException {
+    Path key = folder.resolve("my.key");
+    if (!Files.exists(key)) {
+      assertThat(Cli.run("keygen", key.toString()).status()).isZero();
+    }
+    String[] words = {"deploy", "check", deployment(text).toString()};
+    return Cli.run(Stream.of(words, more).flatMap(Arrays::stream).toArray(String[]::new));
+  }
+
+  private static void assertRefused(Cli cli, String... saying) {
+    assertThat(cli.err()).as("%s", cli).hasSize(1);
+    assertThat(cli.err().get(0)).startsWith("starl: ").contains(saying);
+    assertThat(cli.status()).isEqualTo(2);
+  }
+
+  @Test
+  void aDeploymentWithoutFaultIsTold() throws IOException {
+    Cli cli = check(GOOD);
+
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(cli.text()).contains("4 robots, sealed", "bot1: radio found by beacons, create2");
+  }
+
+  @ParameterizedTest
+  @MethodSource("bad")
+  void eachErrorIsOneLine(String line) throws IOException {
+    String[] parts = line.split(" [|] ");
+    assertThat(GOOD).contains(parts[0]);
+    String text = GOOD.replace(parts[0], parts[1].replace("\\n", "\n"));
+
+    assertRefused(check(text), Arrays.copyOfRange(parts, 2, parts.length));
+  }
+
+  @Test
+  void onARobotsMachineItsDeviceIsLookedFor() throws IOException {
+    assertRefused(check(GOOD, "--robot", "bot1"), "robots.bot1.chassis.port", "no such device");
+    assertRefused(check(GOOD, "--robot", "bot9"), "has no robot 'bot9'", "bot0, bot1");
+  }
+
+  @Test
+  void whatDoesNotAnswerIsTold() throws IOException {
+    assertRefused(check(GOOD.replace("4801", "1"), "--probe"), "bot0.chassis.port", "127.0.0.1:1");
+  }
+
+  @Test
+  void aKeyIsNotReplacedAndNotReadWhereOthersMayReadIt() throws IOException {
+    check(GOOD);
+    Path key = folder.resolve("my.key");
+    byte[] before = Files.readAllBytes(key);
+
+    assertRefused(Cli.run("keygen", key.toString()), "is there already");
+    assertThat(Files.readAllBytes(key)).isEqualTo(before);
+
+    Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-r-----"));
+    assertRefused(check(GOOD), ":3: key:", "rw-r-----", "its owner alone");
+  }
+
+  @Test
+  void whatIsNoKeyIsNotShown() throws IOException {
+    check(GOOD);
+    Path key = folder.resolve("my.key");
+    String secret = "secret".repeat(11).substring(0, 64);
+    Files.writeString(key, secret);
+
+    Cli cli = check(GOOD);
+
+    assertRefused(cli, "is no key", "64 hexadecimal digits");
+    assertThat(cli.toString()).doesNotContain("secretsecret");
+  }
+}
