@@ -194,8 +194,9 @@ public final class MotionControl {
     if (!command.equals(commanded)) {
       commanded = command;
       gps.commanded(command, bumped);
-      chassis.drive(command);
     }
+    // Said again at each step: it also tells the chassis that the program lives.
+    chassis.drive(command);
   }
 
   private void bumpsChanged() {

@@ -9,7 +9,10 @@ import org.starl.motion.WheelCommand;
  */
 public interface Chassis {
 
-  /** Drives so from now on, until the next call. */
+  /**
+   * Drives so from now on, until the next call. Who moves repeats it at each step of the motion
+   * automaton: a chassis on hardware takes a program that falls silent for dead, and stops.
+   */
   void drive(WheelCommand command);
 
   /** What the bump sensors say now. */
