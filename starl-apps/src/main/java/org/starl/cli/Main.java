@@ -42,7 +42,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       "",
       "Example: starl run intersection",
       "Every test: starl test",
-      "Every proof: starl prove"
+      "Every proof: starl prove",
+      "The app for phones: starl apk"
     })
 public final class Main implements Runnable {
 

@@ -74,6 +74,14 @@ record Allowance(String rule, String path, String reason) {
             "starl-apps" + MAIN + "cli/Main.java",
             "where the command line's two writers are made"),
         new Allowance(
+            "writing to the console",
+            "starl-android/apk" + MAIN + "android/apk/Main.java",
+            "where that command's two writers are made"),
+        new Allowance(
+            "randomness without the run's seed",
+            "starl-android/app" + MAIN + "android/app/Robot.java",
+            "draws the seed of a real robot's program, anew at each start"),
+        new Allowance(
             "randomness without the run's seed",
             "starl-apps" + MAIN + "cli/Seeds.java",
             "draws a run's seed when none is given; it is printed"),

@@ -19,6 +19,8 @@ final class GradleBuild {
   static final String GRADLE_ALONE = "org.junit.platform:junit-platform-launcher";
 
   private static final Pattern INCLUDE = Pattern.compile("include\\(\":([\\w-]+)\"\\)");
+  private static final Pattern FOLDER =
+      Pattern.compile("project\\(\":([\\w-]+)\"\\)\\.projectDir = file\\(\"([^\"]+)\"\\)");
   private static final Pattern ASSIGNED = Pattern.compile("\\s*(group|version) = \"([^\"]+)\"");
   private static final Pattern RELEASE = Pattern.compile("options\\.release\\.set\\((\\d+)\\)");
   private static final Pattern VERSION = Pattern.compile("([\\w-]+) = \"([^\"]+)\"");
@@ -83,10 +85,17 @@ final class GradleBuild {
     }
     TreeSet<String> modules = new TreeSet<>();
     List<Dependency> dependencies = new ArrayList<>();
-    Matcher include = INCLUDE.matcher(files.apply("settings.gradle.kts"));
+    String settings = files.apply("settings.gradle.kts");
+    SortedMap<String, String> folders = new TreeMap<>();
+    Matcher folder = FOLDER.matcher(settings);
+    while (folder.find()) {
+      folders.put(folder.group(1), folder.group(2));
+    }
+    Matcher include = INCLUDE.matcher(settings);
     while (include.find()) {
-      modules.add(include.group(1));
-      addDependencies(dependencies, include.group(1), own, files);
+      String module = folders.getOrDefault(include.group(1), include.group(1));
+      modules.add(module);
+      addDependencies(dependencies, module, own, files);
     }
     for (String module : BESIDE) {
       modules.add(module);

@@ -1,0 +1,33 @@
+package org.starl.android.apk;
+
+/** There is no APK; the message is one line for people. */
+final class ApkException extends Exception {
+
+  private static final long serialVersionUID = 1L;
+
+  private final int exitStatus;
+
+  private ApkException(int exitStatus, String message) {
+    super(message);
+    this.exitStatus = exitStatus;
+  }
+
+  /** Something made it fail that is neither input nor machine. */
+  static ApkException failed(String message) {
+    return new ApkException(1, message);
+  }
+
+  /** What the user gave cannot be used. */
+  static ApkException badInput(String message) {
+    return new ApkException(2, message);
+  }
+
+  /** The machine lacks something. */
+  static ApkException missing(String message) {
+    return new ApkException(3, message);
+  }
+
+  int exitStatus() {
+    return exitStatus;
+  }
+}

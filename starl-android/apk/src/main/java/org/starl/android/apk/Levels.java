@@ -1,0 +1,13 @@
+package org.starl.android.apk;
+
+/**
+ * Which phones the APK is for.
+ *
+ * @param minSdk the oldest API level that it runs on: Android 8
+ * @param targetSdk the API level whose rules it keeps: Android 16
+ */
+record Levels(int minSdk, int targetSdk, int versionCode, String versionName) {
+
+  static final int MIN_SDK = 26;
+  static final int TARGET_SDK = 36;
+}

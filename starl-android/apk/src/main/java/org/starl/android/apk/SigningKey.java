@@ -1,0 +1,93 @@
+package org.starl.android.apk;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.GeneralSecurityException;
+import java.security.KeyStore;
+import java.security.PrivateKey;
+import java.security.cert.Certificate;
+import java.security.cert.X509Certificate;
+import java.util.ArrayList;
+import java.util.List;
+
+/**
+ * What an APK is signed with. Immutable.
+ *
+ * @param chain the key's certificate first
+ */
+record SigningKey(PrivateKey key, List<X509Certificate> chain) {
+
+  private static final String ALIAS = "debug";
+
+  /** As with Android's own debug key: it keeps nobody out, and keeps nothing secret. */
+  private static final String PASSWORD = "android";
+
+  /**
+   * The key in a PKCS12 file.
+   *
+   * @throws ApkException if there is none, or the password does not open it
+   */
+  static SigningKey read(Path file, String password, String alias) throws ApkException {
+    try (InputStream bytes = Files.newInputStream(file)) {
+      KeyStore keys = KeyStore.getInstance("PKCS12");
+      keys.load(bytes, password.toCharArray());
+      if (!(keys.getKey(alias, password.toCharArray()) instanceof PrivateKey key)) {
+        throw ApkException.badInput(file + " has no private key '" + alias + "'");
+      }
+      List<X509Certificate> chain = new ArrayList<>();
+      for (Certificate certificate : keys.getCertificateChain(alias)) {
+        chain.add((X509Certificate) certificate);
+      }
+      return new SigningKey(key, List.copyOf(chain));
+    } catch (IOException | GeneralSecurityException e) {
+      throw ApkException.badInput(
+          file + ": cannot be opened with that password as a PKCS12 file: " + e.getMessage());
+    }
+  }
+
+  /** The one for tries, which is made in {@code folder} when it is first asked for. */
+  static SigningKey debug(Path folder) throws ApkException, IOException {
+    Path file = folder.resolve("android-debug.p12");
+    if (!Files.exists(file)) {
+      Files.createDirectories(folder);
+      Path keytool = Path.of(System.getProperty("java.home"), "bin", "keytool");
+      Tool.run(
+          List.of(
+              keytool.toString(),
+              "-genkeypair",
+              "-keystore",
+              file.toString(),
+              "-storetype",
+              "PKCS12",
+              "-storepass",
+              PASSWORD,
+              "-alias",
+              ALIAS,
+              "-keyalg",
+              "RSA",
+              "-keysize",
+              "3072",
+              "-validity",
+              "10000",
+              "-dname",
+              "CN=StarL debug"));
+      if (Files.getFileStore(file).supportsFileAttributeView("posix")) {
+        Files.setPosixFilePermissions(file, PosixFilePermissions.fromString("rw-------"));
+      }
+    }
+    return read(file, PASSWORD, ALIAS);
+  }
+
+  /** A password is the first line of a file, so that it stands in no command line. */
+  static String password(Path file) throws ApkException {
+    try {
+      return Files.readString(file, StandardCharsets.UTF_8).lines().findFirst().orElse("");
+    } catch (IOException e) {
+      throw ApkException.badInput("--key-password-file " + file + ": cannot be read");
+    }
+  }
+}

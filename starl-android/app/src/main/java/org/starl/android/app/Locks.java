@@ -1,0 +1,67 @@
+package org.starl.android.app;
+
+import android.annotation.SuppressLint;
+import android.content.Context;
+import android.net.wifi.WifiManager;
+import android.os.Build;
+import android.os.PowerManager;
+
+/**
+ * What keeps a phone from dozing while it drives a robot: its processor, its Wi-Fi at full
+ * readiness, and the multicast that Wi-Fi drivers drop otherwise. Main thread only.
+ */
+final class Locks {
+
+  private static final String TAG = "starl:robot";
+
+  private final PowerManager.WakeLock wake;
+  private final WifiManager.WifiLock wifi;
+  private final WifiManager.MulticastLock multicast;
+
+  Locks(Context context) {
+    // The application's: a Wi-Fi manager made for another context leaks it.
+    Context application = context.getApplicationContext();
+    PowerManager power = application.getSystemService(PowerManager.class);
+    WifiManager wifiManager = application.getSystemService(WifiManager.class);
+    wake = power.newWakeLock(PowerManager.PARTIAL_WAKE_LOCK, TAG);
+    wifi = wifiManager.createWifiLock(wifiMode(Build.VERSION.SDK_INT), TAG);
+    multicast = wifiManager.createMulticastLock(TAG);
+    wake.setReferenceCounted(false);
+    wifi.setReferenceCounted(false);
+    multicast.setReferenceCounted(false);
+  }
+
+  /** Low latency where there is that mode; Android deprecates the older one. */
+  // The older mode is all that Android 8 and 9 have.
+  @SuppressWarnings("deprecation")
+  static int wifiMode(int sdk) {
+    return sdk >= Build.VERSION_CODES.Q
+        ? WifiManager.WIFI_MODE_FULL_LOW_LATENCY
+        : WifiManager.WIFI_MODE_FULL_HIGH_PERF;
+  }
+
+  /** Takes all; again, changes nothing. They are held until {@link #release}, however long that is. */
+  @SuppressLint("WakelockTimeout")
+  void acquire() {
+    wake.acquire();
+    wifi.acquire();
+    multicast.acquire();
+  }
+
+  /** Gives all back that are held. */
+  void release() {
+    if (multicast.isHeld()) {
+      multicast.release();
+    }
+    if (wifi.isHeld()) {
+      wifi.release();
+    }
+    if (wake.isHeld()) {
+      wake.release();
+    }
+  }
+
+  boolean areHeld() {
+    return wake.isHeld() && wifi.isHeld() && multicast.isHeld();
+  }
+}

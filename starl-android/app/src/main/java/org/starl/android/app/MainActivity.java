@@ -1,0 +1,235 @@
+package org.starl.android.app;
+
+import android.app.Activity;
+import android.app.AlertDialog;
+import android.content.ComponentName;
+import android.content.Context;
+import android.content.Intent;
+import android.content.IntentFilter;
+import android.content.ServiceConnection;
+import android.net.Uri;
+import android.os.BatteryManager;
+import android.os.Bundle;
+import android.os.Handler;
+import android.os.IBinder;
+import android.os.Looper;
+import java.io.IOException;
+import java.io.InputStream;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.android.app.Store.Item;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.DeploymentException;
+
+/** Shows the robot that the service holds, and passes on what a person wants of it. */
+public final class MainActivity extends Activity {
+
+  private static final int ASK_PERMISSIONS = 1;
+  private static final int LOAD_DEPLOYMENT = 2;
+  private static final int LOAD_KEY = 3;
+  private static final long REFRESH_MS = 250;
+
+  private final Handler handler = new Handler(Looper.getMainLooper());
+  private final Runnable refresh = this::refresh;
+  private final Connection connection = new Connection();
+  private @Nullable MainScreen screen;
+  private @Nullable Store store;
+  private @Nullable RobotService service;
+  private boolean startsWhenAllowed;
+
+  @Override
+  protected void onCreate(@Nullable Bundle saved) {
+    super.onCreate(saved);
+    store = new Store(this);
+    screen = new MainScreen(this, new Orders());
+    setContentView(screen.view());
+    showIdentity();
+  }
+
+  @Override
+  protected void onStart() {
+    super.onStart();
+    bindService(new Intent(this, RobotService.class), connection, Context.BIND_AUTO_CREATE);
+    handler.post(refresh);
+  }
+
+  @Override
+  protected void onStop() {
+    handler.removeCallbacks(refresh);
+    unbindService(connection);
+    service = null;
+    super.onStop();
+  }
+
+  @Override
+  public void onRequestPermissionsResult(int request, String[] permissions, int[] results) {
+    if (request == ASK_PERMISSIONS && startsWhenAllowed) {
+      startsWhenAllowed = false;
+      List<String> missing = Permissions.missing(this);
+      if (missing.isEmpty()) {
+        startRobot();
+      } else {
+        tell("not allowed, so no robot is driven: " + missing);
+      }
+    }
+  }
+
+  @Override
+  protected void onActivityResult(int request, int result, @Nullable Intent data) {
+    Uri chosen = data == null ? null : data.getData();
+    if (result == RESULT_OK && chosen != null) {
+      load(request == LOAD_KEY ? Item.KEY : Item.DEPLOYMENT, chosen);
+    }
+  }
+
+  private void refresh() {
+    RobotService here = service;
+    if (screen != null && here != null) {
+      screen.showStatus(
+          StatusText.lines(
+              here.phase(),
+              here.problem(),
+              here.status(),
+              here.networkState(),
+              phoneBatteryPercent()));
+      screen.showButtons(here.phase(), here.isEmergency());
+    }
+    handler.postDelayed(refresh, REFRESH_MS);
+  }
+
+  private void showIdentity() {
+    if (screen != null && store != null) {
+      screen.showIdentity(StatusText.identity(deploymentOrNull(store), store.robotName()));
+    }
+  }
+
+  private @Nullable Deployment deploymentOrNull(Store from) {
+    try {
+      return from.deployment();
+    } catch (IOException | DeploymentException e) {
+      tell(String.valueOf(e.getMessage()));
+      return null;
+    }
+  }
+
+  /** Below 0 if nobody knows. */
+  private int phoneBatteryPercent() {
+    Intent battery = registerReceiver(null, new IntentFilter(Intent.ACTION_BATTERY_CHANGED));
+    if (battery == null) {
+      return -1;
+    }
+    int level = battery.getIntExtra(BatteryManager.EXTRA_LEVEL, -1);
+    int scale = battery.getIntExtra(BatteryManager.EXTRA_SCALE, 0);
+    return scale <= 0 ? -1 : 100 * level / scale;
+  }
+
+  private void load(Item item, Uri chosen) {
+    try (InputStream from = getContentResolver().openInputStream(chosen)) {
+      if (from != null && store != null) {
+        store.load(item, from);
+        tell("loaded");
+        showIdentity();
+      }
+    } catch (IOException | DeploymentException e) {
+      tell(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private void chooseRobot() {
+    Deployment deployment = store == null ? null : deploymentOrNull(store);
+    if (deployment == null) {
+      tell("load a deployment first");
+      return;
+    }
+    String[] names =
+        deployment.robots().keySet().stream().map(RobotId::name).toArray(String[]::new);
+    new AlertDialog.Builder(this)
+        .setTitle("This phone is")
+        .setItems(
+            names,
+            (dialog, which) -> {
+              if (store != null) {
+                store.setRobotName(names[which]);
+                showIdentity();
+              }
+            })
+        .show();
+  }
+
+  private void startRobot() {
+    startForegroundService(RobotService.intent(this, RobotService.START));
+  }
+
+  private void tell(String line) {
+    if (screen != null) {
+      screen.showNotice(line);
+    }
+  }
+
+  /** What the screen's buttons do. */
+  final class Orders {
+
+    void loadDeployment() {
+      open(LOAD_DEPLOYMENT);
+    }
+
+    void loadKey() {
+      open(LOAD_KEY);
+    }
+
+    void choose() {
+      chooseRobot();
+    }
+
+    void start() {
+      tell("");
+      List<String> toAsk = Permissions.toAsk(MainActivity.this);
+      if (Permissions.missing(MainActivity.this).isEmpty()) {
+        startRobot();
+      } else {
+        startsWhenAllowed = true;
+      }
+      if (!toAsk.isEmpty()) {
+        requestPermissions(toAsk.toArray(new String[0]), ASK_PERMISSIONS);
+      }
+    }
+
+    void stop() {
+      startService(RobotService.intent(MainActivity.this, RobotService.STOP));
+    }
+
+    /** Not by an intent, which may wait: the wheels stop before this returns. */
+    void emergencyStop() {
+      if (service != null) {
+        service.emergencyStop();
+      }
+    }
+
+    void release() {
+      if (service != null) {
+        service.release();
+      }
+    }
+
+    private void open(int request) {
+      Intent intent = new Intent(Intent.ACTION_OPEN_DOCUMENT);
+      intent.addCategory(Intent.CATEGORY_OPENABLE);
+      intent.setType("*/*");
+      startActivityForResult(intent, request);
+    }
+  }
+
+  private final class Connection implements ServiceConnection {
+
+    @Override
+    public void onServiceConnected(ComponentName name, IBinder binder) {
+      service = ((RobotService.Access) binder).service();
+    }
+
+    @Override
+    public void onServiceDisconnected(ComponentName name) {
+      service = null;
+    }
+  }
+}

@@ -1,0 +1,115 @@
+package org.starl.android.app;
+
+import android.content.Context;
+import android.graphics.Color;
+import android.view.View;
+import android.view.ViewGroup;
+import android.widget.Button;
+import android.widget.LinearLayout;
+import android.widget.ScrollView;
+import android.widget.TextView;
+import java.util.List;
+import org.starl.android.app.RobotService.Phase;
+
+/** The activity's one screen: lines of text, buttons, and the emergency stop, which is always there. */
+final class MainScreen {
+
+  private static final int PADDING_DP = 12;
+  private static final int TEXT_SP = 16;
+  private static final int STOP_HEIGHT_DP = 120;
+  private static final int RED = Color.rgb(0xC6, 0x28, 0x28);
+
+  private final Context context;
+  private final LinearLayout root;
+  private final TextView identity;
+  private final TextView notice;
+  private final TextView status;
+  private final Button start;
+  private final Button stop;
+  private final Button release;
+  private final Button emergencyStop;
+
+  MainScreen(Context context, MainActivity.Orders orders) {
+    this.context = context;
+    identity = text();
+    notice = text();
+    status = text();
+    start = button("Start", orders::start);
+    stop = button("End", orders::stop);
+    release = button("Release the emergency stop", orders::release);
+    emergencyStop = button("EMERGENCY STOP", orders::emergencyStop);
+    emergencyStop.setBackgroundColor(RED);
+    emergencyStop.setTextColor(Color.WHITE);
+    LinearLayout column = column();
+    column.addView(identity);
+    column.addView(button("Load deployment", orders::loadDeployment));
+    column.addView(button("Load key", orders::loadKey));
+    column.addView(button("Choose robot", orders::choose));
+    column.addView(notice);
+    column.addView(status);
+    column.addView(start);
+    column.addView(stop);
+    column.addView(release);
+    ScrollView scroll = new ScrollView(context);
+    scroll.addView(column);
+    root = column();
+    root.addView(scroll, new LinearLayout.LayoutParams(ViewGroup.LayoutParams.MATCH_PARENT, 0, 1));
+    root.addView(
+        emergencyStop,
+        new LinearLayout.LayoutParams(ViewGroup.LayoutParams.MATCH_PARENT, pixels(STOP_HEIGHT_DP)));
+    // Behind the system's bars, where newer versions of Android let apps draw, there is nothing to
+    // see.
+    root.setFitsSystemWindows(true);
+    showButtons(Phase.IDLE, false);
+  }
+
+  View view() {
+    return root;
+  }
+
+  void showIdentity(String line) {
+    identity.setText(line);
+  }
+
+  /** A line about what a person did last. */
+  void showNotice(String line) {
+    notice.setText(line);
+  }
+
+  void showStatus(List<String> lines) {
+    status.setText(String.join("\n", lines));
+  }
+
+  /** Those that mean something now. The emergency stop always does. */
+  void showButtons(Phase phase, boolean isEmergency) {
+    boolean isDriving = phase == Phase.STARTING || phase == Phase.RUNNING;
+    start.setEnabled(!isDriving);
+    stop.setEnabled(phase != Phase.IDLE);
+    release.setEnabled(isEmergency);
+  }
+
+  private LinearLayout column() {
+    LinearLayout column = new LinearLayout(context);
+    column.setOrientation(LinearLayout.VERTICAL);
+    int padding = pixels(PADDING_DP);
+    column.setPadding(padding, padding, padding, padding);
+    return column;
+  }
+
+  private TextView text() {
+    TextView text = new TextView(context);
+    text.setTextSize(TEXT_SP);
+    return text;
+  }
+
+  private Button button(String words, Runnable order) {
+    Button button = new Button(context);
+    button.setText(words);
+    button.setOnClickListener(view -> order.run());
+    return button;
+  }
+
+  private int pixels(int dp) {
+    return Math.round(dp * context.getResources().getDisplayMetrics().density);
+  }
+}

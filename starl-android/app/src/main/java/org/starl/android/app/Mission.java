@@ -1,0 +1,89 @@
+package org.starl.android.app;
+
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.DeploymentException;
+import org.starl.deploy.file.Positions;
+import org.starl.deploy.file.RobotEntry;
+import org.starl.deploy.file.Wheels;
+import org.starl.platform.DeploymentKey;
+
+/**
+ * What this phone is to do: one robot of a deployment, checked as far as that goes without asking
+ * anybody. Immutable.
+ *
+ * @param app makes the robot's app
+ * @param key what the deployment's datagrams are sealed with; null for none
+ */
+record Mission(
+    Deployment deployment,
+    RobotEntry robot,
+    Function<GlobalVarHolder, LogicThread> app,
+    @Nullable DeploymentKey key) {
+
+  /** Begins the port of a chassis that is reached over Bluetooth; the adapter's name or address follows. */
+  static final String BLUETOOTH = "bluetooth:";
+
+  /**
+   * @throws DeploymentException if this deployment, or this robot of it, is none for a phone; one line
+   *     for people
+   */
+  static Mission of(Deployment deployment, String robotName, @Nullable DeploymentKey key) {
+    RobotEntry robot = deployment.robot(robotName);
+    if (deployment.key() != null && key == null) {
+      throw new DeploymentException(
+          deployment.where("key") + "key: load '" + deployment.key() + "' onto this phone too");
+    }
+    if (!(deployment.positions() instanceof Positions.NatNet)
+        && !(deployment.positions() instanceof Positions.JsonFeed)) {
+      throw new DeploymentException(
+          deployment.file() + ": positions: a phone expects natnet or json");
+    }
+    for (RobotEntry each : deployment.robots().values()) {
+      if (each.address() == null) {
+        throw new DeploymentException(
+            deployment.file()
+                + ":"
+                + each.line()
+                + ": robots."
+                + each.id()
+                + ": has no address; a phone expects one of each robot");
+      }
+    }
+    Mission mission =
+        new Mission(deployment, robot, PhoneApps.factory(deployment, robot.id()), key);
+    if (mission.bluetooth() == null && mission.tcp() == null) {
+      throw new DeploymentException(
+          deployment.file()
+              + ":"
+              + robot.line()
+              + ": robots."
+              + robot.id()
+              + ": chassis: a phone expects kind create, and port "
+              + BLUETOOTH
+              + "NAME or tcp:HOST:PORT");
+    }
+    return mission;
+  }
+
+  /** Name or address of the Create's Bluetooth adapter; null if it has none. */
+  @Nullable String bluetooth() {
+    if (!(robot.wheels() instanceof Wheels.Create create)
+        || !(create.port() instanceof Wheels.Device device)) {
+      return null;
+    }
+    String path = device.path();
+    boolean hasName = path.startsWith(BLUETOOTH) && path.length() > BLUETOOTH.length();
+    return hasName ? path.substring(BLUETOOTH.length()) : null;
+  }
+
+  /** Where the Create's serial line is served over TCP; null if it is not. */
+  Wheels.@Nullable Tcp tcp() {
+    return robot.wheels() instanceof Wheels.Create create && create.port() instanceof Wheels.Tcp tcp
+        ? tcp
+        : null;
+  }
+}

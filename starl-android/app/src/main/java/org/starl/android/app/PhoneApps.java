@@ -1,0 +1,126 @@
+package org.starl.android.app;
+
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.RobotId;
+import org.starl.apps.hello.logic.Hello;
+import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.logic.IntersectionApp;
+import org.starl.apps.intersection.logic.Route;
+import org.starl.apps.intersection.logic.Turn;
+import org.starl.apps.intersection.logic.Zone;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.DeploymentException;
+
+/**
+ * The apps that a phone can run, by name: the classes that run in the simulator, unchanged. What an
+ * app's plan draws from the seed is made with the simulator's tools, which a phone does not have; so
+ * a phone takes those scenarios that are the same for every seed.
+ */
+final class PhoneApps {
+
+  private static final String XID = "crossing";
+  private static final String SCENARIO = "scenario";
+  private static final String FIGURE7 = "figure7";
+
+  /** Things that lie in a robot's way are the floor's business, where there is a floor. */
+  private static final String DEBRIS = "debris";
+
+  /** The paper's Figure 7, in the order of the robots' names. */
+  private static final List<Route> FIGURE7_ROUTES =
+      Collections.unmodifiableList(
+          Arrays.asList(
+              new Route(Zone.C, Turn.RIGHT),
+              new Route(Zone.D, Turn.STRAIGHT),
+              new Route(Zone.B, Turn.LEFT),
+              new Route(Zone.A, Turn.RIGHT)));
+
+  /** Makes the app of one robot of a deployment. */
+  private interface Maker {
+    Function<GlobalVarHolder, LogicThread> make(Deployment deployment, RobotId robot);
+  }
+
+  private static final SortedMap<String, Maker> ALL = all();
+
+  private PhoneApps() {}
+
+  /** Their names. */
+  static List<String> names() {
+    return new ArrayList<>(ALL.keySet());
+  }
+
+  /**
+   * What {@code robot} runs.
+   *
+   * @throws DeploymentException if a phone has no such app, or not with these parameters
+   */
+  static Function<GlobalVarHolder, LogicThread> factory(Deployment deployment, RobotId robot) {
+    Maker maker = ALL.get(deployment.app());
+    if (maker == null) {
+      throw new DeploymentException(
+          deployment.where("app") + "app: '" + deployment.app() + "': phones have " + names());
+    }
+    return maker.make(deployment, robot);
+  }
+
+  private static SortedMap<String, Maker> all() {
+    SortedMap<String, Maker> all = new TreeMap<>();
+    all.put("hello", PhoneApps::hello);
+    all.put("intersection", PhoneApps::intersection);
+    return Collections.unmodifiableSortedMap(all);
+  }
+
+  private static Function<GlobalVarHolder, LogicThread> hello(
+      Deployment deployment, RobotId robot) {
+    refuseAllBut(deployment);
+    return Hello::new;
+  }
+
+  /** Paper, section 3, with the cars of Figure 7: the first robot by name takes the first route. */
+  private static Function<GlobalVarHolder, LogicThread> intersection(
+      Deployment deployment, RobotId robot) {
+    refuseAllBut(deployment, SCENARIO, DEBRIS);
+    String scenario = deployment.parameters().get(SCENARIO);
+    if (!FIGURE7.equals(scenario)) {
+      throw new DeploymentException(
+          deployment.where(SCENARIO) + "scenario: '" + scenario + "': phones have " + FIGURE7);
+    }
+    int number = deployment.participants().asList().indexOf(robot);
+    if (number < 0 || number >= FIGURE7_ROUTES.size()) {
+      throw new DeploymentException(
+          deployment.where(SCENARIO)
+              + "scenario: figure7 has "
+              + FIGURE7_ROUTES.size()
+              + " cars, and "
+              + robot
+              + " is another");
+    }
+    Crossing crossing = Crossing.STANDARD;
+    Route route = FIGURE7_ROUTES.get(number);
+    return gvh -> new IntersectionApp(gvh, XID, crossing, crossing.trip(route));
+  }
+
+  private static void refuseAllBut(Deployment deployment, String... known) {
+    for (Map.Entry<String, String> parameter : deployment.parameters().entrySet()) {
+      if (!Arrays.asList(known).contains(parameter.getKey())) {
+        throw new DeploymentException(
+            deployment.where(parameter.getKey())
+                + parameter.getKey()
+                + ": '"
+                + parameter.getValue()
+                + "': on a phone, "
+                + deployment.app()
+                + " knows "
+                + Arrays.toString(known));
+      }
+    }
+  }
+}

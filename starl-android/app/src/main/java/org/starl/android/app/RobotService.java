@@ -1,0 +1,287 @@
+package org.starl.android.app;
+
+import android.app.Service;
+import android.content.Context;
+import android.content.Intent;
+import android.content.pm.ServiceInfo;
+import android.os.Binder;
+import android.os.Build;
+import android.os.Handler;
+import android.os.IBinder;
+import android.os.Looper;
+import android.util.Log;
+import java.io.IOException;
+import java.util.Objects;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import org.jspecify.annotations.Nullable;
+import org.starl.deploy.create.ByteLink;
+import org.starl.deploy.file.DeploymentException;
+import org.starl.platform.LogSink;
+
+/**
+ * Holds the robot while it is driven, in the foreground, so that Android neither ends the process nor
+ * lets the phone sleep. It is told by intents what to do, and asked by those that bind it.
+ *
+ * <p>Android may end it all the same, and starts it again then: the robot's program begins anew, as
+ * another incarnation, and the wheels are stopped when the link to them is open again.
+ */
+public final class RobotService extends Service {
+
+  /** Drives the robot that was loaded. */
+  static final String START = "org.starl.android.app.START";
+
+  /** Ends the robot and the service. */
+  static final String STOP = "org.starl.android.app.STOP";
+
+  static final String EMERGENCY_STOP = "org.starl.android.app.EMERGENCY_STOP";
+  static final String RELEASE = "org.starl.android.app.RELEASE";
+
+  private static final String TAG = "StarL";
+
+  /** What the service is about. */
+  enum Phase {
+    /** There is no robot. */
+    IDLE,
+    STARTING,
+    RUNNING,
+    /** There is none any more, or there could be none: the problem says why. */
+    FAILED
+  }
+
+  /** Gives those in this process that bind the service the service itself. */
+  final class Access extends Binder {
+    RobotService service() {
+      return RobotService.this;
+    }
+  }
+
+  private final Access access = new Access();
+
+  /** Opens and closes robots, in the order in which it was asked to. */
+  private final ExecutorService worker =
+      Executors.newSingleThreadExecutor(work -> new Thread(work, "robot service"));
+
+  private @Nullable Locks locks;
+  private @Nullable RobotNotification notification;
+  private @Nullable NetworkWatch network;
+
+  // The main thread sets a phase before it asks the worker, the worker when it has done it.
+  private volatile Phase phase = Phase.IDLE;
+  private volatile @Nullable Robot robot;
+  private volatile String problem = "";
+  private volatile boolean isEmergency;
+
+  /** What starts or tells the service from anywhere in this app. */
+  static Intent intent(Context context, String action) {
+    return new Intent(context, RobotService.class).setAction(action);
+  }
+
+  @Override
+  public void onCreate() {
+    super.onCreate();
+    locks = new Locks(this);
+    notification = new RobotNotification(this);
+    network = new NetworkWatch(this);
+    network.begin();
+  }
+
+  @Override
+  public IBinder onBind(Intent intent) {
+    return access;
+  }
+
+  @Override
+  public int onStartCommand(@Nullable Intent intent, int flags, int startId) {
+    String action = intent == null ? START : String.valueOf(intent.getAction());
+    switch (action) {
+      case START -> begin();
+      case STOP -> end();
+      case EMERGENCY_STOP -> emergencyStop();
+      case RELEASE -> release();
+      default -> throw new IllegalArgumentException("unknown action " + action);
+    }
+    boolean isDriving = phase == Phase.STARTING || phase == Phase.RUNNING;
+    return isDriving ? START_STICKY : START_NOT_STICKY;
+  }
+
+  @Override
+  public void onDestroy() {
+    if (network != null) {
+      network.end();
+    }
+    closeRobotSoon();
+    worker.shutdown();
+    if (locks != null) {
+      locks.release();
+    }
+    super.onDestroy();
+  }
+
+  Phase phase() {
+    RobotStatus status = status();
+    return status != null && status.bug() != null ? Phase.FAILED : phase;
+  }
+
+  /** Why there is no robot, or none that goes on; empty if nothing is wrong. */
+  String problem() {
+    RobotStatus status = status();
+    return status != null && status.bug() != null ? "cannot go on: " + status.bug() : problem;
+  }
+
+  /** How the robot fares, or null where there is none. */
+  @Nullable RobotStatus status() {
+    Robot here = robot;
+    return here == null ? null : here.status();
+  }
+
+  NetworkWatch.State networkState() {
+    return network == null ? NetworkWatch.State.NONE : network.state();
+  }
+
+  boolean isEmergency() {
+    return isEmergency;
+  }
+
+  boolean holdsLocks() {
+    return locks != null && locks.areHeld();
+  }
+
+  /** Stops the wheels at once, on the caller's thread; also those of a robot that is being opened. */
+  void emergencyStop() {
+    isEmergency = true;
+    Robot here = robot;
+    if (here != null) {
+      here.emergencyStop();
+      show("emergency stop");
+    }
+  }
+
+  void release() {
+    isEmergency = false;
+    Robot here = robot;
+    if (here != null) {
+      here.release();
+      show(here.mission().robot().id() + " drives");
+    }
+  }
+
+  private void begin() {
+    if (phase() == Phase.STARTING || phase() == Phase.RUNNING) {
+      return;
+    }
+    closeRobotSoon();
+    phase = Phase.STARTING;
+    problem = "";
+    goToForeground();
+    if (!Permissions.missing(this).isEmpty()) {
+      giveUp("not allowed: " + Permissions.missing(this));
+      return;
+    }
+    if (locks != null) {
+      locks.acquire();
+    }
+    worker.execute(this::open);
+  }
+
+  /** Ends the robot, and the service when nobody has it bound. */
+  private void end() {
+    phase = Phase.IDLE;
+    isEmergency = false;
+    closeRobotSoon();
+    leaveForeground();
+    stopSelf();
+  }
+
+  // On the worker.
+  private void open() {
+    try {
+      Store store = new Store(this);
+      Mission mission = store.mission();
+      Robot opened =
+          Robot.open(
+              mission,
+              links(mission),
+              store.robotFolder(mission.robot().id().name()),
+              RobotService::log,
+              this::robotFailed);
+      robot = opened;
+      if (isEmergency) {
+        opened.emergencyStop();
+      }
+      phase = Phase.RUNNING;
+      show(mission.robot().id() + " runs " + mission.deployment().app());
+    } catch (IOException | DeploymentException e) {
+      new Handler(Looper.getMainLooper()).post(() -> giveUp(String.valueOf(e.getMessage())));
+    }
+  }
+
+  private ByteLink.Source links(Mission mission) {
+    String bluetooth = mission.bluetooth();
+    return bluetooth == null
+        ? Ports.tcp(Objects.requireNonNull(mission.tcp()))
+        : new BluetoothLinks(getApplicationContext(), bluetooth);
+  }
+
+  // From any thread: its wheels stand already.
+  private void robotFailed(Throwable bug) {
+    Log.e(TAG, "the robot cannot go on", bug);
+    show("cannot go on: " + bug);
+  }
+
+  // On the main thread: there will be no robot.
+  private void giveUp(String why) {
+    phase = Phase.FAILED;
+    problem = why;
+    leaveForeground();
+    stopSelf();
+  }
+
+  private void goToForeground() {
+    if (notification == null) {
+      throw new IllegalStateException("a command before the service was made");
+    }
+    if (Build.VERSION.SDK_INT >= Build.VERSION_CODES.Q) {
+      startForeground(
+          RobotNotification.ID,
+          notification.of("starts"),
+          ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE);
+    } else {
+      startForeground(RobotNotification.ID, notification.of("starts"));
+    }
+  }
+
+  private void leaveForeground() {
+    stopForeground(STOP_FOREGROUND_REMOVE);
+    if (locks != null) {
+      locks.release();
+    }
+  }
+
+  private void closeRobotSoon() {
+    worker.execute(() -> {
+      Robot here = robot;
+      robot = null;
+      if (here != null) {
+        here.close();
+      }
+    });
+  }
+
+  private void show(String line) {
+    if (notification != null) {
+      notification.show(line);
+    }
+  }
+
+  private static void log(long timeNs, LogSink.Level level, String tag, String line) {
+    int priority =
+        switch (level) {
+          case DEBUG -> Log.DEBUG;
+          case INFO -> Log.INFO;
+          case WARN -> Log.WARN;
+          case ERROR -> Log.ERROR;
+        };
+    Log.println(priority, TAG, tag + ": " + line);
+  }
+}

@@ -1,0 +1,98 @@
+package org.starl.android.app;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.starl.deploy.create.CreateHold;
+import org.starl.deploy.create.CreateSensors;
+import org.starl.deploy.create.CreateStatus;
+import org.starl.deploy.file.Deployment;
+import org.starl.motion.Location;
+
+/** What the activity shows of a robot and its phone, line by line. */
+final class StatusText {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  private StatusText() {}
+
+  /** Who this phone is. */
+  static String identity(@Nullable Deployment deployment, String robot) {
+    if (deployment == null) {
+      return "no deployment: load one";
+    }
+    String others = deployment.robots().size() + " robots, app " + deployment.app();
+    return robot.isEmpty()
+        ? others + "; this phone is none of them yet: choose"
+        : robot + " of " + others;
+  }
+
+  /**
+   * How a robot fares.
+   *
+   * @param status null where there is none
+   * @param phoneBatteryPercent below 0 if nobody knows
+   */
+  static List<String> lines(
+      RobotService.Phase phase,
+      String problem,
+      @Nullable RobotStatus status,
+      NetworkWatch.State network,
+      int phoneBatteryPercent) {
+    List<String> lines = new ArrayList<>();
+    lines.add("Robot: " + phase.name().toLowerCase(Locale.ROOT) + after(problem));
+    if (status != null) {
+      lines.add("App: " + status.app() + " " + status.appState());
+      lines.add("Position: " + position(status.location()));
+      lines.add("Create: " + wheels(status));
+      lines.add("Robot's battery: " + battery(status.wheels().sensors()));
+      lines.add(
+          "Radio: "
+              + status.radio().sent()
+              + " datagrams sent, "
+              + status.radio().received()
+              + " received, "
+              + status.radio().foreign()
+              + " from strangers");
+      lines.add(
+          "Program: held its strand for "
+              + status.strand().longestPieceNs() / NS_PER_MS
+              + " ms at most");
+    }
+    lines.add("Network: " + network);
+    lines.add(
+        "Phone's battery: " + (phoneBatteryPercent < 0 ? "unknown" : phoneBatteryPercent + " %"));
+    return lines;
+  }
+
+  static String position(@Nullable Location location) {
+    if (!(location instanceof Location.Known known)) {
+      return "unknown: no fix yet";
+    }
+    return known + ", fix " + known.fixAgeNs() / NS_PER_MS + " ms old";
+  }
+
+  private static String wheels(RobotStatus status) {
+    CreateStatus wheels = status.wheels();
+    if (wheels.holds().contains(CreateHold.NO_LINK)) {
+      return "no link" + (status.linkProblem() == null ? "" : after(cause(status)));
+    }
+    String holds = wheels.holds().isEmpty() ? "may drive" : "held by " + wheels.holds();
+    return holds + (wheels.linksLost() == 0 ? "" : "; link lost " + wheels.linksLost() + " times");
+  }
+
+  private static String cause(RobotStatus status) {
+    return status.linkProblem() == null ? "" : String.valueOf(status.linkProblem().getMessage());
+  }
+
+  private static String battery(CreateSensors sensors) {
+    return sensors.capacityMah() == 0
+        ? "unknown"
+        : 100 * sensors.chargeMah() / sensors.capacityMah() + " %, " + sensors.batteryMv() + " mV";
+  }
+
+  private static String after(String words) {
+    return words.isEmpty() ? "" : ": " + words;
+  }
+}

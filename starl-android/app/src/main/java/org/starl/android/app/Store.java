@@ -1,0 +1,153 @@
+package org.starl.android.app;
+
+import android.content.Context;
+import android.content.SharedPreferences;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.Locale;
+import org.jspecify.annotations.Nullable;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.DeploymentException;
+import org.starl.deploy.file.DeploymentReader;
+import org.starl.deploy.udp.KeyFile;
+import org.starl.platform.DeploymentKey;
+
+/** What a person has loaded onto this phone, in the app's own folder, which no other app can read. */
+final class Store {
+
+  /** What can be loaded. */
+  enum Item {
+    DEPLOYMENT("deployment.yaml", 1 << 20),
+    KEY("deployment.key", 1 << 10);
+
+    final String file;
+    final int maxBytes;
+
+    Item(String file, int maxBytes) {
+      this.file = file;
+      this.maxBytes = maxBytes;
+    }
+  }
+
+  private static final String PREFERENCES = "robot";
+  private static final String NAME = "name";
+
+  private final Path folder;
+  private final SharedPreferences preferences;
+
+  Store(Context context) {
+    folder = context.getFilesDir().toPath();
+    preferences = context.getSharedPreferences(PREFERENCES, Context.MODE_PRIVATE);
+  }
+
+  /** Which robot of the deployment this phone is, empty if nobody has said. */
+  String robotName() {
+    return String.valueOf(preferences.getString(NAME, ""));
+  }
+
+  void setRobotName(String name) {
+    preferences.edit().putString(NAME, name).apply();
+  }
+
+  /** Where the stable storage of a robot is. */
+  Path robotFolder(String robot) {
+    return folder.resolve("stable").resolve(robot);
+  }
+
+  /**
+   * Takes a file that a person chose, in place of the one before.
+   *
+   * @throws DeploymentException if it is too long, or not what it should be: the one before stays
+   */
+  void load(Item item, InputStream from) throws IOException {
+    byte[] bytes = read(item, from);
+    Path fresh = folder.resolve(item.file + ".fresh");
+    Files.deleteIfExists(fresh);
+    // The key's file is its owner's alone: KeyFile takes no other.
+    try (SeekableByteChannel channel =
+        Files.newByteChannel(
+            fresh,
+            EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+            PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString("rw-------")))) {
+      ByteBuffer rest = ByteBuffer.wrap(bytes);
+      while (rest.hasRemaining()) {
+        channel.write(rest);
+      }
+    }
+    try {
+      check(item, fresh);
+    } catch (IOException e) {
+      Files.delete(fresh);
+      throw new DeploymentException("this is no " + item.name().toLowerCase(Locale.ROOT));
+    } catch (DeploymentException e) {
+      Files.delete(fresh);
+      throw e;
+    }
+    Files.move(fresh, folder.resolve(item.file), StandardCopyOption.REPLACE_EXISTING);
+  }
+
+  /** The deployment that was loaded, or null. */
+  @Nullable Deployment deployment() throws IOException {
+    Path file = folder.resolve(Item.DEPLOYMENT.file);
+    return Files.exists(file) ? parse(file) : null;
+  }
+
+  /**
+   * What this phone is to do.
+   *
+   * @throws DeploymentException if it cannot do it; one line for people
+   */
+  Mission mission() throws IOException {
+    Deployment deployment = deployment();
+    if (deployment == null) {
+      throw new DeploymentException("no deployment: load one first");
+    }
+    if (robotName().isEmpty()) {
+      throw new DeploymentException(
+          "this phone is no robot yet: choose one of " + deployment.robots().keySet());
+    }
+    Path keyFile = folder.resolve(Item.KEY.file);
+    boolean isSealed = deployment.key() != null && Files.exists(keyFile);
+    DeploymentKey key = isSealed ? KeyFile.read(keyFile) : null;
+    return Mission.of(deployment, robotName(), key);
+  }
+
+  private static void check(Item item, Path file) throws IOException {
+    switch (item) {
+      case DEPLOYMENT -> parse(file);
+      case KEY -> KeyFile.read(file);
+    }
+  }
+
+  private static Deployment parse(Path file) throws IOException {
+    String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
+    String name = Item.DEPLOYMENT.file;
+    return DeploymentReader.read(name, YamlTree.read(name, text));
+  }
+
+  private static byte[] read(Item item, InputStream from) throws IOException {
+    byte[] bytes = new byte[item.maxBytes];
+    int length = 0;
+    while (true) {
+      if (length == bytes.length) {
+        throw new DeploymentException(
+            "a file of over " + item.maxBytes + " bytes: expected a shorter one");
+      }
+      int count = from.read(bytes, length, bytes.length - length);
+      if (count < 0) {
+        return Arrays.copyOf(bytes, length);
+      }
+      length += count;
+    }
+  }
+}
