@@ -30,10 +30,10 @@ final class FrameParser {
     int number = in.i32();
     List<RigidBodyState> bodies = new ArrayList<>();
     if (version.tellsSizes()) {
-      skipSized(in, 2);
-      readSizedBodies(in, bodies);
-      skipSized(in, SIZED_SECTIONS_AFTER_BODIES);
       boolean mayHaveMore = version.compareTo(NatNetVersion.V4_2) > 0;
+      skipSized(in, 2);
+      readSizedBodies(in, mayHaveMore, bodies);
+      skipSized(in, SIZED_SECTIONS_AFTER_BODIES);
       while (mayHaveMore
           && !in.failed()
           && in.remaining() >= SIZED_SUFFIX_BYTES + SIZED_SECTION_BYTES) {
@@ -77,16 +77,18 @@ final class FrameParser {
   }
 
   // A later version may append to a body: the size tells how much.
-  private static void readSizedBodies(LittleEndianReader in, List<RigidBodyState> bodies) {
+  private static void readSizedBodies(
+      LittleEndianReader in, boolean mayHaveMore, List<RigidBodyState> bodies) {
     int count = in.i32();
     int size = in.i32();
     LittleEndianReader section = in.section(size);
-    if (count == 0 || in.failed()) {
-      return;
-    }
-    int stride = count < 0 ? 0 : size / count;
-    if (stride < RigidBodyState.BYTES || (long) stride * count != size) {
-      in.skip(-1);
+    int stride = mayHaveMore && count > 0 ? size / count : RigidBodyState.BYTES;
+    if (in.failed()
+        || count < 0
+        || stride < RigidBodyState.BYTES
+        || (long) stride * count > size
+        || (mayHaveMore && count > 0 && stride * count != size)) {
+      in.fail();
       return;
     }
     for (int i = 0; i < count; i++) {

@@ -131,7 +131,8 @@ final class LittleEndianReader {
     return true;
   }
 
-  private void fail() {
+  /** What was read cannot be; nothing more is there. */
+  void fail() {
     failed = true;
     at = end;
   }

@@ -78,7 +78,9 @@ final class Models {
         if (type == Description.RIGID_BODY) {
           String name = description.name();
           int id = description.i32();
-          in.skip(description.failed() ? -1 : 0);
+          if (description.failed()) {
+            in.fail();
+          }
           names.put(id, name);
         }
       } else if (type == Description.RIGID_BODY) {
