@@ -144,8 +144,7 @@ class MalformedDatagramsTest {
 
   /** Each parser by itself, for each sees more than the client lets through. */
   private void parse(byte[] datagram, NatNetVersion version) {
-    MocapFrame frame =
-        FrameParser.parse(Message.payload(datagram, datagram.length), version);
+    MocapFrame frame = FrameParser.parse(Message.payload(datagram, datagram.length), version);
     count(frame == null ? "frames refused" : "frames read");
     if (frame != null) {
       assertThat(frame.bodies().size() * RigidBodyState.BYTES).isLessThan(datagram.length);

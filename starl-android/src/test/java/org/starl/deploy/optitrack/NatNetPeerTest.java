@@ -35,8 +35,8 @@ class NatNetPeerTest {
 
   @ParameterizedTest
   @CsvSource({"3,1,false", "4,1,false", "4,2,false", "3,1,true", "4,1,true", "4,2,true"})
-  void anotherDecoderReadsTheSame(
-      int major, int minor, boolean isMulticast, @TempDir Path folder) throws Exception {
+  void anotherDecoderReadsTheSame(int major, int minor, boolean isMulticast, @TempDir Path folder)
+      throws Exception {
     assumeTrue(PACKAGE != null, "STARL_NATNET names no folder with PyPI's natnet");
     InetSocketAddress group = isMulticast ? Loopback.freeGroup() : null;
     if (isMulticast) {
@@ -93,8 +93,7 @@ class NatNetPeerTest {
     ProcessBuilder builder = new ProcessBuilder(command);
     builder.environment().put("PYTHONPATH", PACKAGE);
     builder.environment().put("PYTHONIOENCODING", "utf-8");
-    Process process =
-        builder.redirectErrorStream(true).redirectOutput(printed.toFile()).start();
+    Process process = builder.redirectErrorStream(true).redirectOutput(printed.toFile()).start();
     boolean hasEnded = process.waitFor(60, TimeUnit.SECONDS);
     process.destroyForcibly();
     assertThat(hasEnded).isTrue();

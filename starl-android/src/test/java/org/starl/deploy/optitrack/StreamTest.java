@@ -12,8 +12,7 @@ import org.starl.geometry.Pose;
 /** What is read from frames and descriptions, byte by byte. */
 class StreamTest {
 
-  private static final RigidBodyState ONE =
-      new RigidBodyState(11, 1, 2, 3, 0, 0, 0, 1, 0.5, true);
+  private static final RigidBodyState ONE = new RigidBodyState(11, 1, 2, 3, 0, 0, 0, 1, 0.5, true);
   private static final RigidBodyState OTHER =
       new RigidBodyState(-12, -1, 0.25, 1e-3f, 0.5, 0.5, -0.5, 0.5, 0, false);
 
