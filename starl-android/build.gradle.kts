@@ -7,6 +7,7 @@ description = "Platform layer, real: clock, UDP, robots; plain JVM"
 
 dependencies {
     api(project(":starl-core"))
+    implementation(libs.jserialcomm)
     testImplementation(project(":starl-primitives"))
     testImplementation(project(":starl-sim"))
     api(libs.jspecify)

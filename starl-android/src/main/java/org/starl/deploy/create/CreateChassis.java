@@ -41,6 +41,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   private static final int OUTBOX_BYTES = 256;
 
   private static final long CLOSE_MS = 1000;
+  private static final long END_MS = 500;
 
   private final String name;
   private final CreateSettings settings;
@@ -52,6 +53,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
 
   // Guarded by the lock.
   private final Condition closing = lock.newCondition();
+  private final Condition ending = lock.newCondition();
   private final CreateProtocol protocol;
   private Outbox outbox = new Outbox(OUTBOX_BYTES);
   private @Nullable ByteLink link;
@@ -186,15 +188,21 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     return send(Commands.play(number));
   }
 
-  /** Stops the wheels, leaves the robot in passive mode, and ends the link. */
+  /**
+   * Stops the wheels, leaves the robot in passive mode, and ends the link; it waits until the robot
+   * has said that it is so, or {@value #END_MS} ms.
+   */
   @Override
   public void close() {
+    locked(() -> protocol.end(clock.nowNs()));
+    awaitEnd();
     Thread lastWriter;
     ByteLink lastLink;
     lock.lock();
     try {
       isClosed = true;
-      protocol.end();
+      byte[] pause = Commands.pauseStream();
+      outbox.offer(pause, pause.length);
       outbox.close();
       closing.signalAll();
       lastWriter = writer;
@@ -242,6 +250,9 @@ public final class CreateChassis implements Chassis, AutoCloseable {
       protocol.advance(clock.nowNs());
       mustTell = protocol.hasNews() && !isTellPosted;
       isTellPosted |= mustTell;
+      if (protocol.hasEnded()) {
+        ending.signalAll();
+      }
     } finally {
       lock.unlock();
     }
@@ -279,6 +290,20 @@ public final class CreateChassis implements Chassis, AutoCloseable {
         told = status[0].holds();
         listener.changed(status[0]);
       }
+    }
+  }
+
+  private void awaitEnd() {
+    lock.lock();
+    try {
+      long leftNs = END_MS * CreateProtocol.NS_PER_MS;
+      while (!isClosed && !protocol.hasEnded() && leftNs > 0) {
+        leftNs = ending.awaitNanos(leftNs);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    } finally {
+      lock.unlock();
     }
   }
 

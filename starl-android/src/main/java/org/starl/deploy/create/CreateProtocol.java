@@ -42,7 +42,8 @@ final class CreateProtocol {
     START,
     MODE,
     STREAM,
-    RUNNING
+    RUNNING,
+    ENDING
   }
 
   private final CreateSettings settings;
@@ -54,6 +55,7 @@ final class CreateProtocol {
   private Step step = Step.NO_LINK;
   private long dueNs;
   private long openedNs;
+  private long endingNs;
   private long startedNs;
   private long lastFrameNs = Long.MIN_VALUE;
   private long lastFixNs = Long.MIN_VALUE;
@@ -162,7 +164,7 @@ final class CreateProtocol {
       dueNs = atNs;
     }
     if (step != Step.RUNNING) {
-      start();
+      nextStep();
     } else {
       turnWheels();
     }
@@ -173,13 +175,20 @@ final class CreateProtocol {
     return step == Step.RUNNING && line.send(command);
   }
 
-  /** What the robot is left with: wheels stopped, passive, quiet. */
-  void end() {
+  /** From now on the robot is told to stand and to be passive, until it says that it is. */
+  void end(long atNs) {
+    nowNs = atNs;
     if (step != Step.NO_LINK) {
-      line.send(Commands.driveDirect(0, 0));
-      line.send(Commands.pauseStream());
-      line.send(Commands.start());
+      step = Step.ENDING;
+      dueNs = atNs;
+      endingNs = atNs;
     }
+  }
+
+  /** Whether the robot has said so, or there is none to say it. */
+  boolean hasEnded() {
+    return step == Step.NO_LINK
+        || (step == Step.ENDING && lastFrameNs > endingNs && sensors.mode() == OiMode.PASSIVE);
   }
 
   CreateStatus status() {
@@ -256,7 +265,7 @@ final class CreateProtocol {
     return one == other || other == Bumps.NONE ? one : one == Bumps.NONE ? other : Bumps.BOTH;
   }
 
-  private void start() {
+  private void nextStep() {
     if (nowNs < dueNs) {
       return;
     }
@@ -279,9 +288,13 @@ final class CreateProtocol {
         line.send(Commands.stream(packets));
         step = Step.RUNNING;
       }
-      case NO_LINK, RUNNING -> throw new IllegalStateException("nothing to start: " + step);
+      case ENDING -> {
+        sendWheels(0, 0);
+        line.send(Commands.start());
+      }
+      case NO_LINK, RUNNING -> throw new IllegalStateException("nothing to send: " + step);
     }
-    dueNs = nowNs + MODE_GAP_NS;
+    dueNs = nowNs + (step == Step.ENDING ? HEARTBEAT_NS : MODE_GAP_NS);
   }
 
   /** Brings the robot back into its mode when what put it out of it has gone for long enough. */

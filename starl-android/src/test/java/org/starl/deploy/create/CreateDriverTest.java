@@ -261,13 +261,19 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void itLeavesTheRobotStandingPassiveAndQuiet(CreateModel model) {
+  void atItsEndItGoesOnTellingTheRobotToStandUntilThatSaysSo(CreateModel model) {
     Bench bench = Bench.driving(model);
-    bench.isProgramAlive = false;
-    bench.driver.end();
-    bench.runMs(5);
+    bench.driver.end(bench.nowNs);
+    assertThat(bench.driver.hasEnded()).isFalse();
+    bench.isRobotHearing = false;
+    bench.runMs(100);
+    assertThat(bench.body.stands()).as("it heard nothing of it").isFalse();
+    assertThat(bench.driver.hasEnded()).isFalse();
+    bench.isRobotHearing = true;
+    bench.runMs(100);
     assertThat(bench.robot.mode()).isEqualTo(OiMode.PASSIVE);
     assertThat(bench.body.stands()).isTrue();
+    assertThat(bench.driver.hasEnded()).isTrue();
   }
 
   @Test
