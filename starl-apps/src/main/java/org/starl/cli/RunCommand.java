@@ -12,6 +12,7 @@ import org.starl.apps.Measures;
 import org.starl.apps.Plan;
 import org.starl.apps.Product;
 import org.starl.processes.FleetResult;
+import org.starl.proof.RunTheories;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimResult;
 import org.starl.sim.export.MessageTable;
@@ -35,7 +36,8 @@ import picocli.CommandLine.Spec;
     footer = {
       "",
       "Example: starl run intersection --robots 8 --seed 7 --loss 0.1",
-      "         starl run search --seed 7 --view"
+      "         starl run search --seed 7 --view",
+      "         starl run intersection --seed 7 --pvs run.pvs && pvs/check run.pvs"
     })
 final class RunCommand implements Callable<Integer> {
 
@@ -63,6 +65,14 @@ final class RunCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description = "Write every new value of a variable to FILE.")
   private @Nullable String csvVariables;
+
+  @Option(
+      names = "--pvs",
+      paramLabel = "FILE",
+      description =
+          "Write the run to FILE as theories: obligations that pvs/check proves, unless a primitive"
+              + " did what its theory in pvs/ does not allow.")
+  private @Nullable String pvs;
 
   @Option(
       names = "--png",
@@ -222,12 +232,14 @@ final class RunCommand implements Callable<Integer> {
         ObserverFile messages = ObserverFile.of("--csv-messages", csvMessages, MessageTable::new);
         ObserverFile variables =
             ObserverFile.of("--csv-variables", csvVariables, VariableTable::new);
+        ObserverFile theories = ObserverFile.of("--pvs", pvs, RunTheories::new);
         Picture picture = new Picture(plan, new Moment.Best(), "--png", pictureName)) {
       plan.simulation()
           .observer(traceFile.observer())
           .observer(csvFile.observer())
           .observer(messages.observer())
           .observer(variables.observer())
+          .observer(theories.observer())
           .observer(picture.recorder());
       if (areProcesses) {
         Blueprint blueprint = plan.simulation().build().blueprint();

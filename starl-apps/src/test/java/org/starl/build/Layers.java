@@ -30,6 +30,7 @@ final class Layers {
     "org.starl.bench..",
     "org.starl.cli..",
     "org.starl.workload..",
+    "org.starl.proof..",
     "org.starl.processes..",
     "org.starl.deployment..",
     "org.starl.android..",

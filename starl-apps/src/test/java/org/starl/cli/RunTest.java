@@ -53,6 +53,19 @@ class RunTest {
   }
 
   @Test
+  void aRunIsWrittenAsTheories() throws IOException {
+    Path pvs = folder.resolve("run.pvs");
+    Cli cli =
+        Cli.run(
+            "run", "intersection", "--seed", "7", "--png", file("a.png"), "--pvs", pvs.toString());
+    assertThat(cli.status()).as("%s", cli).isZero();
+    assertThat(Files.readString(pvs))
+        .contains("run_mutex_crossing: THEORY")
+        .contains("IMPORTING Registration_decls[PIDS]")
+        .contains("reached_20: LEMMA reachable(s_20)");
+  }
+
+  @Test
   void figure7IsToldTracedTabulatedAndDrawn() throws IOException {
     Path trace = folder.resolve("a.trace");
     Path csv = folder.resolve("a.csv");

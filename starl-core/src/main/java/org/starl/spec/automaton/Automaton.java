@@ -19,6 +19,6 @@ public interface Automaton<S, A extends Action> {
   /** Whether {@code action} may happen in {@code state}, and if not, why. */
   Enabled enabled(A action, S state);
 
-  /** The state that {@code action}, enabled in {@code state}, leads to. */
+  /** The state that {@code action} leads to from {@code state}, as if it were enabled if it is not. */
   S trans(A action, S state);
 }

@@ -51,6 +51,11 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return new Fun<>(elsewhere, put(arguments, before, argument), put(values, before, value));
   }
 
+  /** What it is almost everywhere. */
+  public V elsewhere() {
+    return elsewhere;
+  }
+
   /** At how many arguments it differs from what it is elsewhere. */
   public int size() {
     return arguments.length;

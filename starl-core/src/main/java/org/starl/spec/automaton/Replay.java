@@ -50,31 +50,29 @@ public final class Replay<S, A extends Action> {
     }
     report.checked(automaton.theory());
     Enabled enabled = automaton.enabled(action, state);
-    if (!enabled.isTrue()) {
-      deviates(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
-      return;
-    }
     state = automaton.trans(action, state);
     steps.stepped(instance, event, action, state);
+    if (!enabled.isTrue()) {
+      deviates(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
+    }
   }
 
   /**
    * The trace has a result of the latest step, in {@code event}.
    *
-   * @param component of the theory's states, a function: {@code crit_set}
-   * @param recorded what the trace has at {@code argument}
-   * @param expected what the {@link #state} has there
+   * @param function of the theory, of an argument and a state: {@code crit_set}
+   * @param recorded what it is at {@code argument}, by the trace
+   * @param expected what it is there in the {@link #state}
    */
   public <V> void result(
-      TraceEvent event, String component, Object argument, V recorded, V expected, Report report) {
+      TraceEvent event, String function, Object argument, V recorded, V expected, Report report) {
     if (isOver) {
       return;
     }
     report.checked(automaton.theory());
-    if (recorded.equals(expected)) {
-      steps.resulted(instance, component, argument, recorded);
-    } else {
-      String of = component + "(" + argument + ")";
+    steps.resulted(instance, function, argument, recorded);
+    if (!recorded.equals(expected)) {
+      String of = function + "(" + argument + ")";
       deviates(event, of + " is " + expected + ", but the trace has " + recorded, report);
     }
   }

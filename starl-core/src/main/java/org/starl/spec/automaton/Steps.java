@@ -2,11 +2,14 @@ package org.starl.spec.automaton;
 
 import org.starl.trace.TraceEvent;
 
-/** Takes the steps of runs, one by one, after each was found to be one of the automaton. */
+/**
+ * Takes the steps of runs, one by one, as they are claimed: the last one of a run, and its last
+ * result, may turn out to be none of the automaton's.
+ */
 public interface Steps<S, A extends Action> {
 
   /**
-   * A run did {@code action}, which led to {@code after}.
+   * A run did {@code action}, which leads to {@code after}.
    *
    * @param instance the run: {@code mutex/crossing}
    * @param event which was taken for the action
@@ -14,12 +17,12 @@ public interface Steps<S, A extends Action> {
   void stepped(String instance, TraceEvent event, A action, S after);
 
   /**
-   * The trace has a result of the latest step, which is what the state has as well.
+   * The trace has a result of the latest step.
    *
-   * @param component of the theory's states, a function: {@code crit_set}
-   * @param argument at which it has the {@code value}
+   * @param function of the theory, of an argument and a state: {@code crit_set}
+   * @param value which it has at {@code argument} in the latest state, by the trace
    */
-  void resulted(String instance, String component, Object argument, Object value);
+  void resulted(String instance, String function, Object argument, Object value);
 
   /** Takes nothing. */
   static <S, A extends Action> Steps<S, A> ignored() {
@@ -28,7 +31,7 @@ public interface Steps<S, A extends Action> {
       public void stepped(String instance, TraceEvent event, A action, S after) {}
 
       @Override
-      public void resulted(String instance, String component, Object argument, Object value) {}
+      public void resulted(String instance, String function, Object argument, Object value) {}
     };
   }
 }

@@ -1,0 +1,125 @@
+package org.starl.proof;
+
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.StringJoiner;
+import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Term;
+
+/** Values of an automaton as expressions of PVS. */
+final class Expressions {
+
+  private final List<Formal> formals;
+  private final Identifiers identifiers;
+
+  /** The values that stand for a type that is a parameter of the theory, {@code PIDS}. */
+  record Formal(String type, Class<?> values) {}
+
+  Expressions(List<Formal> formals, Identifiers identifiers) {
+    this.formals = formals;
+    this.identifiers = identifiers;
+  }
+
+  /** Whether it is a constant of a type that is a parameter. */
+  boolean isConstant(Object value) {
+    return formals.stream().anyMatch(formal -> formal.values().isInstance(value));
+  }
+
+  /** The value as an expression, of a type that is plain from it. */
+  String of(Object value) {
+    return of(value, value.getClass());
+  }
+
+  private String of(Object value, Type type) {
+    if (isConstant(value)) {
+      return identifiers.of(value);
+    }
+    return switch (value) {
+      case Long number -> number.toString();
+      case Boolean truth -> truth ? "TRUE" : "FALSE";
+      case SortedSet<?> set -> set(set.isEmpty() ? "" : type(set.first().getClass()), set);
+      case Fun<?, ?> fun when type instanceof ParameterizedType known ->
+          fun(fun, known.getActualTypeArguments());
+      case Term term -> term(term);
+      case Record state -> state(state);
+      default ->
+          throw new IllegalArgumentException(value.getClass() + ": no value of a theory: " + value);
+    };
+  }
+
+  private String set(String type, Iterable<?> members) {
+    StringJoiner equals = new StringJoiner(" OR ", "{x: " + type + " | ", "}");
+    equals.setEmptyValue("emptyset");
+    members.forEach(member -> equals.add("x = " + of(member)));
+    return equals.toString();
+  }
+
+  private String fun(Fun<?, ?> fun, Type[] types) {
+    String domain = type(types[0]);
+    if (Boolean.FALSE.equals(fun.elsewhere())) {
+      List<Object> members = new ArrayList<>();
+      fun.forEach((argument, isIn) -> members.add(argument));
+      return set(domain, members);
+    }
+    StringBuilder text = new StringBuilder("LAMBDA (i: ").append(domain).append("):");
+    String elsewhere = of(fun.elsewhere(), types[1]);
+    List<String> cases = new ArrayList<>();
+    fun.forEach(
+        (argument, value) -> cases.add("IF i = " + of(argument) + " THEN " + of(value, types[1])));
+    if (cases.isEmpty()) {
+      return text.append(" ").append(elsewhere).toString();
+    }
+    String indent = "\n          ";
+    text.append(indent).append(String.join(indent + "ELS", cases));
+    return text.append(indent).append("ELSE ").append(elsewhere).append(" ENDIF").toString();
+  }
+
+  private String term(Term term) {
+    List<Object> args = term.args();
+    StringJoiner text = new StringJoiner(", ", term.name() + "(", ")");
+    text.setEmptyValue(term.name());
+    args.forEach(arg -> text.add(of(arg)));
+    return text.toString();
+  }
+
+  private String state(Record state) {
+    StringJoiner text = new StringJoiner(",\n       ", "(# ", " #)");
+    for (RecordComponent component : state.getClass().getRecordComponents()) {
+      Object value = valueOf(component, state);
+      text.add(component.getName() + " := " + of(value, component.getGenericType()));
+    }
+    return text.toString();
+  }
+
+  /** What it is made of, in order. */
+  static List<Object> components(Record of) {
+    List<Object> values = new ArrayList<>();
+    for (RecordComponent component : of.getClass().getRecordComponents()) {
+      values.add(valueOf(component, of));
+    }
+    return values;
+  }
+
+  private static Object valueOf(RecordComponent component, Record of) {
+    try {
+      return component.getAccessor().invoke(of);
+    } catch (ReflectiveOperationException e) {
+      throw new IllegalStateException(component + " cannot be read", e);
+    }
+  }
+
+  private String type(Type type) {
+    if (type.equals(Long.class)) {
+      return "nat";
+    }
+    return formals.stream()
+        .filter(formal -> type.equals(formal.values()))
+        .map(Formal::type)
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException(type + ": no type of a theory"));
+  }
+}
