@@ -8,8 +8,13 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
+import org.starl.deploy.realtime.RealClock;
 import org.starl.geometry.Pose;
+import org.starl.platform.Clock;
 import org.starl.random.Rng;
 
 /**
@@ -185,6 +190,54 @@ class MalformedDatagramsTest {
     report("feed");
     assertThat(outcomes.get("lines read")).isPositive();
     assertThat(outcomes.get("lines refused")).isGreaterThan(TRIES / 10);
+  }
+
+  @Test
+  void noDatagramHurtsTheServer() throws InterruptedException {
+    Clock clock = new RealClock();
+    Loopback loopback = new Loopback();
+    PoseSource source =
+        () ->
+            new PoseSource.Snapshot(
+                clock.nowNs(), List.of(new PoseSource.Body("bot0", new Pose(1, 2, 3), true, 0)));
+    List<byte[]> seeds = seeds(NatNetVersion.V4_1);
+    seeds.add(new LittleEndianWriter().begin(Message.ECHO_REQUEST).i64(7).end());
+    seeds.add(new LittleEndianWriter().begin(Message.REQUEST_MODELS).end());
+    try (NatNetServer server =
+        loopback.serve(NatNetServerSettings.unicast(Loopback.HOST), source, clock)) {
+      for (int i = 0; i < 500; i++) {
+        Loopback.send(mangled(seeds), server.address());
+      }
+      Loopback.send(new byte[Message.MAX_BYTES], server.address());
+      BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
+      try (NatNetClient after =
+          loopback.connect(server, NatNetSettings.unicast(Loopback.HOST), clock)) {
+        after.onBodies(heard::add);
+        assertThat(heard.poll(60, TimeUnit.SECONDS)).isNotNull();
+      }
+      assertThat(server.ignored()).isPositive();
+    }
+    assertThat(loopback.failures).isEmpty();
+  }
+
+  @Test
+  void theLongestDatagramsAreOnlyCounted() throws InterruptedException {
+    Loopback loopback = new Loopback();
+    try (JsonFeed feed = loopback.listen(JsonFeedSettings.at(Loopback.HOST), new RealClock())) {
+      BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
+      feed.onBodies(heard::add);
+      List<TrackedBody> body = null;
+      for (long atNs = 0; body == null; atNs += 50_000_000) {
+        Loopback.send(new byte[Message.MAX_BYTES], feed.address());
+        String line =
+            "{\"robot\":\"bot0\",\"xMm\":1,\"yMm\":2,\"headingRad\":0,\"errorMm\":4,\"atNs\":";
+        Loopback.send((line + atNs + "}").getBytes(StandardCharsets.US_ASCII), feed.address());
+        body = heard.poll(50, TimeUnit.MILLISECONDS);
+        assertThat(atNs).isLessThan(60_000_000_000L);
+      }
+      assertThat(feed.statistics().dropped(FeedDrop.MALFORMED)).isPositive();
+    }
+    assertThat(loopback.lines).hasSize(1).allMatch(line -> line.contains("65507 bytes"));
   }
 
   private void report(String what) {
