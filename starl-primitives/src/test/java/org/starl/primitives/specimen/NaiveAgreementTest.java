@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.time.Duration;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.primitives.agreement.AgreementConformance;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
@@ -21,6 +22,8 @@ class NaiveAgreementTest {
     "FIRST_HEARD, Agreement",
     "SUM_OF_ALL, Validity",
     "LEAST_OF_ALL, Decided",
+    "FIRST_HEARD, SetAgreement_decls",
+    "SUM_OF_ALL, SetAgreement_decls",
   })
   void whatIsNoAgreementIsCaught(NaiveAgreement.Way way, String lemma) {
     long seed = 0;
@@ -34,6 +37,7 @@ class NaiveAgreementTest {
                   SimSettings.builder().duration(BOUND.multipliedBy(2)).messageLoss(0.2).build())
               .robots(4, gvh -> new NaiveAgreement(gvh, way))
               .monitor(() -> new AgreementSpec(BOUND.toNanos()))
+              .monitor(AgreementConformance::new)
               .build()
               .run();
     } while (result.spec().violations(lemma) == 0 && seed < SEEDS);
