@@ -8,7 +8,7 @@ description = "Makes, signs and verifies the APK of the app for phones"
 dependencies {
     implementation(project(":starl-android-app"))
     // Android's resources and classes: what the APK is linked against.
-    runtimeOnly(libs.android.all)
+    runtimeOnly(libs.android.resources)
     implementation(libs.r8)
     implementation(libs.apksig)
     implementation(libs.picocli)

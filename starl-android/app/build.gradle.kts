@@ -24,3 +24,23 @@ dependencies {
     testImplementation(libs.jqwik)
     testRuntimeOnly(libs.junit.platform.launcher)
 }
+
+// What is compiled with is tested on.
+configurations.named("testImplementation") {
+    extendsFrom(configurations.compileOnly.get())
+}
+
+configurations.configureEach {
+    // Draws as a phone does, in 160 MB; no test looks at pixels.
+    exclude(mapOf("group" to "org.robolectric", "module" to "nativeruntime-dist-compat"))
+}
+
+tasks.withType<Test>().configureEach {
+    // Robolectric makes an Android of the one on the class path, and reaches into the JDK for that.
+    systemProperty("robolectric.usePreinstrumentedJars", "false")
+    jvmArgs("--add-exports", "java.base/jdk.internal.access=ALL-UNNAMED", "--enable-native-access=ALL-UNNAMED")
+    // It needs classes of androidx that come as aars: zips around a jar.
+    classpath += files(configurations.testRuntimeClasspath.map { path ->
+        path.filter { it.name.endsWith(".aar") }.map { aar -> zipTree(aar).matching { include("classes.jar") } }
+    })
+}

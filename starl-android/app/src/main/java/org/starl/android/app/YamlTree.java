@@ -56,6 +56,7 @@ final class YamlTree {
     Node.Mapping mapping = mapping(line(root));
     expect(Event.ID.DocumentEnd);
     if (!events.checkEvent(Event.ID.StreamEnd)) {
+      expect(Event.ID.DocumentStart);
       throw wrong(events.getEvent(), "expected one document");
     }
     return mapping;

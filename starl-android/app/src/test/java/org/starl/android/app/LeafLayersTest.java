@@ -1,0 +1,66 @@
+package org.starl.android.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.importer.ClassFileImporter;
+import com.tngtech.archunit.core.importer.ImportOption;
+import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
+import org.junit.jupiter.api.Test;
+import org.starl.deployment.DeploymentFile;
+
+/** What the app for phones takes: all that is not in the APK would be missed on the phone alone. */
+class LeafLayersTest {
+
+  private static final ArchRule LAW =
+      ArchRuleDefinition.classes()
+          .should()
+          .onlyDependOnClassesThat(
+              JavaClass.Predicates.resideInAnyPackage(
+                      "java..",
+                      "android..",
+                      "org.jspecify..",
+                      "org.starl",
+                      "org.starl.comms..",
+                      "org.starl.geometry..",
+                      "org.starl.motion..",
+                      "org.starl.platform..",
+                      "org.starl.random..",
+                      "org.starl.spec..",
+                      "org.starl.trace..",
+                      "org.starl.primitives..",
+                      "org.starl.deploy..",
+                      "org.starl.apps..logic..",
+                      "org.starl.android.app..",
+                      "org.yaml.snakeyaml",
+                      "org.yaml.snakeyaml.error..",
+                      "org.yaml.snakeyaml.events..",
+                      "org.yaml.snakeyaml.parser..",
+                      "org.yaml.snakeyaml.reader..")
+                  .or(DescribedPredicate.describe("primitive types", JavaClass::isPrimitive)));
+
+  /** Stands in the leaf and breaks its law. */
+  private static final class TakesTheCommandLinesReader {
+    Object read() {
+      return DeploymentFile.read("my.yaml");
+    }
+  }
+
+  @Test
+  void theLeafTakesWhatThePhoneHas() {
+    var leaf =
+        new ClassFileImporter()
+            .withImportOption(new ImportOption.DoNotIncludeTests())
+            .importPackages("org.starl.android.app");
+    assertThat(leaf).hasSizeGreaterThan(10);
+    assertThat(LAW.evaluate(leaf).getFailureReport().getDetails()).isEmpty();
+  }
+
+  @Test
+  void aClassThatTakesMoreIsFound() {
+    var wrong = new ClassFileImporter().importClasses(TakesTheCommandLinesReader.class);
+    assertThat(LAW.evaluate(wrong).hasViolation()).isTrue();
+  }
+}

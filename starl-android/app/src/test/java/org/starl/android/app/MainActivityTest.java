@@ -1,0 +1,136 @@
+package org.starl.android.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.robolectric.Shadows.shadowOf;
+
+import android.Manifest;
+import android.content.ComponentName;
+import android.content.Intent;
+import android.os.Looper;
+import android.view.View;
+import android.view.ViewGroup;
+import android.widget.Button;
+import android.widget.TextView;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.robolectric.Robolectric;
+import org.robolectric.RobolectricTestRunner;
+import org.robolectric.RuntimeEnvironment;
+import org.robolectric.android.controller.ActivityController;
+import org.robolectric.android.controller.ServiceController;
+import org.robolectric.annotation.Config;
+
+/** The one screen, bound to a service that has no robot. */
+@RunWith(RobolectricTestRunner.class)
+@Config(sdk = 37)
+public final class MainActivityTest {
+
+  private ServiceController<RobotService> service;
+  private ActivityController<MainActivity> activity;
+
+  @Before
+  public void open() {
+    var application = RuntimeEnvironment.getApplication();
+    service = Robolectric.buildService(RobotService.class).create();
+    shadowOf(application)
+        .setComponentNameAndServiceForBindService(
+            new ComponentName(application, RobotService.class),
+            service.get().onBind(new Intent()));
+    activity = Robolectric.buildActivity(MainActivity.class).setup();
+    shadowOf(Looper.getMainLooper()).idleFor(Duration.ofSeconds(1));
+  }
+
+  @After
+  public void close() {
+    activity.pause().stop().destroy();
+    service.destroy();
+  }
+
+  private List<TextView> texts() {
+    List<TextView> found = new ArrayList<>();
+    collect(activity.get().findViewById(android.R.id.content), found);
+    return found;
+  }
+
+  private static void collect(View view, List<TextView> found) {
+    if (view instanceof TextView text) {
+      found.add(text);
+    }
+    if (view instanceof ViewGroup group) {
+      for (int i = 0; i < group.getChildCount(); i++) {
+        collect(group.getChildAt(i), found);
+      }
+    }
+  }
+
+  private String screen() {
+    StringBuilder all = new StringBuilder();
+    texts().forEach(text -> all.append(text.getText()).append('\n'));
+    return all.toString();
+  }
+
+  /** What the service was told since the last call; to bind it is no order. */
+  private List<String> orders() {
+    List<String> found = new ArrayList<>();
+    var shadow = shadowOf(activity.get());
+    for (Intent next = shadow.getNextStartedService();
+        next != null;
+        next = shadow.getNextStartedService()) {
+      if (next.getAction() != null) {
+        found.add(next.getAction());
+      }
+    }
+    return found;
+  }
+
+  private Button button(String words) {
+    return texts().stream()
+        .filter(text -> text instanceof Button && words.contentEquals(text.getText()))
+        .map(Button.class::cast)
+        .findFirst()
+        .orElseThrow();
+  }
+
+  @Test
+  public void itSaysWhatIsThereAndWhatIsMissing() {
+    assertThat(screen())
+        .contains("no deployment: load one", "Robot: idle", "Network: ", "Phone's battery: ");
+    assertThat(button("EMERGENCY STOP").isEnabled()).isTrue();
+    assertThat(button("End").isEnabled()).isFalse();
+  }
+
+  @Test
+  public void startAsksForWhatIsNotAllowedYetAndStartsWhenItIs() {
+    button("Start").performClick();
+    assertThat(orders()).isEmpty();
+    var asked = shadowOf(activity.get()).getLastRequestedPermission();
+    assertThat(asked.requestedPermissions)
+        .contains(Manifest.permission.BLUETOOTH_CONNECT, Manifest.permission.POST_NOTIFICATIONS);
+    shadowOf(RuntimeEnvironment.getApplication()).grantPermissions(asked.requestedPermissions);
+    activity.get().onRequestPermissionsResult(asked.requestCode, asked.requestedPermissions, null);
+    assertThat(orders()).containsExactly(RobotService.START);
+  }
+
+  @Test
+  public void whoSaysNoIsToldAndNothingStarts() {
+    button("Start").performClick();
+    var asked = shadowOf(activity.get()).getLastRequestedPermission();
+    activity.get().onRequestPermissionsResult(asked.requestCode, asked.requestedPermissions, null);
+    assertThat(orders()).isEmpty();
+    assertThat(screen()).contains("not allowed, so no robot is driven");
+  }
+
+  @Test
+  public void theEmergencyStopGoesToTheServiceAndIsReleasedByAPerson() {
+    button("EMERGENCY STOP").performClick();
+    assertThat(service.get().isEmergency()).isTrue();
+    shadowOf(Looper.getMainLooper()).idleFor(Duration.ofSeconds(1));
+    button("Release the emergency stop").performClick();
+    assertThat(service.get().isEmergency()).isFalse();
+  }
+}

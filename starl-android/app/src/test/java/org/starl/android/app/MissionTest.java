@@ -1,0 +1,91 @@
+package org.starl.android.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.Arrays;
+import org.junit.jupiter.api.Test;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.DeploymentException;
+import org.starl.deploy.file.DeploymentReader;
+import org.starl.platform.DeploymentKey;
+
+class MissionTest {
+
+  private static final String SEALED =
+      """
+      app: intersection
+      parameters: {scenario: figure7}
+      key: my.key
+      network: {broadcasts: no}
+      positions: {source: natnet, server: 10.0.0.1}
+      robots:
+        bot0:
+          address: 10.0.0.10
+          chassis: {kind: create, port: "bluetooth:RooTooth"}
+        bot1:
+          address: 10.0.0.11
+          chassis: {kind: create, port: "tcp:10.0.0.21:23"}
+        bot2:
+          address: 10.0.0.12
+          chassis: {kind: create, port: /dev/ttyUSB0}
+      """;
+
+  private static Mission mission(String text, String robot, DeploymentKey key) {
+    Deployment deployment = DeploymentReader.read("my.yaml", YamlTree.read("my.yaml", text));
+    return Mission.of(deployment, robot, key);
+  }
+
+  private static DeploymentKey key() {
+    byte[] secret = new byte[DeploymentKey.BYTES];
+    Arrays.fill(secret, (byte) 0x5a);
+    return new DeploymentKey(secret);
+  }
+
+  private static void isRefused(String text, String robot, DeploymentKey key, String why) {
+    assertThatThrownBy(() -> mission(text, robot, key))
+        .isInstanceOf(DeploymentException.class)
+        .hasMessage(why);
+  }
+
+  @Test
+  void aCreateIsReachedOverBluetoothOrTcp() {
+    assertThat(mission(SEALED, "bot0", key()).bluetooth()).isEqualTo("RooTooth");
+    assertThat(mission(SEALED, "bot1", key()).bluetooth()).isNull();
+    assertThat(mission(SEALED, "bot1", key()).tcp()).hasToString("tcp:10.0.0.21:23");
+  }
+
+  @Test
+  void aSerialDeviceIsNothingThatAPhoneHas() {
+    isRefused(
+        SEALED,
+        "bot2",
+        key(),
+        "my.yaml:13: robots.bot2: chassis: a phone expects kind create, and port bluetooth:NAME or"
+            + " tcp:HOST:PORT");
+  }
+
+  @Test
+  void aSealedDeploymentNeedsItsKey() {
+    isRefused(SEALED, "bot0", null, "my.yaml:3: key: load 'my.key' onto this phone too");
+  }
+
+  @Test
+  void whatIsDrawnFromTheSeedCannotBeHad() {
+    isRefused(
+        SEALED.replace("figure7", "drawn"),
+        "bot0",
+        key(),
+        "my.yaml:2: scenario: 'drawn': phones have figure7");
+    isRefused(
+        SEALED.replace("figure7}", "figure7, arrivals: 20/min}"),
+        "bot0",
+        key(),
+        "my.yaml:2: arrivals: '20/min': on a phone, intersection knows [scenario, debris]");
+  }
+
+  @Test
+  void theKeyIsInNoText() {
+    assertThat(mission(SEALED, "bot0", key()).toString()).doesNotContain("5a5a").doesNotContain("90, 90");
+  }
+}

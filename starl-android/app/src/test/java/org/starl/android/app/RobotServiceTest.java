@@ -1,0 +1,203 @@
+package org.starl.android.app;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.robolectric.Shadows.shadowOf;
+
+import android.Manifest;
+import android.app.Application;
+import android.app.Notification;
+import android.bluetooth.BluetoothAdapter;
+import android.bluetooth.BluetoothDevice;
+import android.content.pm.ServiceInfo;
+import android.os.Looper;
+import java.io.ByteArrayInputStream;
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import java.util.UUID;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.BooleanSupplier;
+import org.junit.After;
+import org.junit.Before;
+import org.junit.Test;
+import org.junit.runner.RunWith;
+import org.robolectric.Robolectric;
+import org.robolectric.RobolectricTestRunner;
+import org.robolectric.RuntimeEnvironment;
+import org.robolectric.android.controller.ServiceController;
+import org.robolectric.annotation.Config;
+import org.robolectric.shadows.ShadowPowerManager;
+import org.starl.android.app.RobotService.Phase;
+import org.starl.deploy.create.CreateHold;
+import org.starl.deploy.optitrack.NatNetServer;
+import org.starl.deploy.optitrack.NatNetServerSettings;
+import org.starl.deploy.optitrack.PoseSource;
+import org.starl.deploy.realtime.RealClock;
+import org.starl.geometry.Pose;
+
+/** The service: what it asks of Android, and whole runs of a robot behind the Bluetooth socket. */
+@RunWith(RobolectricTestRunner.class)
+@Config(
+    sdk = 37,
+    shadows = {AdapterShadow.class, SocketShadow.class})
+public final class RobotServiceTest {
+
+  private final RealClock clock = new RealClock();
+  private final SimulatedCar car = new SimulatedCar("bot0", new Pose(0, 0, 0), clock);
+  private final List<SocketShadow> sockets = new CopyOnWriteArrayList<>();
+  private final List<UUID> services = new CopyOnWriteArrayList<>();
+  private final AtomicInteger refusals = new AtomicInteger();
+  private final Application application = RuntimeEnvironment.getApplication();
+  private NatNetServer cameras;
+  private ServiceController<RobotService> controller;
+  private RobotService service;
+
+  @Before
+  public void pairAndLoad() throws IOException {
+    shadowOf(application)
+        .grantPermissions(
+            Manifest.permission.BLUETOOTH_CONNECT, Permissions.ACCESS_LOCAL_NETWORK);
+    BluetoothAdapter adapter = BluetoothLinks.adapter(application);
+    shadowOf(adapter).setEnabled(true);
+    BluetoothDevice device = adapter.getRemoteDevice("00:06:66:12:34:56");
+    shadowOf(adapter).setBondedDevices(Set.of(device));
+    AdapterShadow.serve(this::connected, services::add);
+    cameras =
+        NatNetServer.open(
+            NatNetServerSettings.unicast(InetAddress.getLoopbackAddress()).withPort(0),
+            () -> new PoseSource.Snapshot(clock.nowNs(), List.of(car.asSeen())),
+            clock,
+            failure -> {});
+    load(deployment("hello"));
+    controller = Robolectric.buildService(RobotService.class).create();
+    service = controller.get();
+  }
+
+  @After
+  public void endAll() {
+    controller.destroy();
+    cameras.close();
+    car.close();
+  }
+
+  private void connected(SocketShadow socket) throws IOException {
+    if (refusals.getAndDecrement() > 0) {
+      throw new IOException("read failed, socket might closed or timeout");
+    }
+    sockets.add(socket);
+    car.serve(socket.getOutputStreamSink(), socket.getInputStreamFeeder());
+  }
+
+  private String deployment(String app) throws IOException {
+    try (DatagramSocket free = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      return String.join(
+          "\n",
+          "app: " + app,
+          "network: {broadcasts: no}",
+          "positions: {source: natnet, server: \"127.0.0.1:" + cameras.address().getPort() + "\"}",
+          "robots:",
+          "  bot0:",
+          "    address: \"127.0.0.1:" + free.getLocalPort() + "\"",
+          "    chassis: {kind: create, model: create1, port: \"bluetooth:" + AdapterShadow.NAME + "\"}",
+          "");
+    }
+  }
+
+  private void load(String deployment) throws IOException {
+    Store store = new Store(application);
+    store.load(
+        Store.Item.DEPLOYMENT,
+        new ByteArrayInputStream(deployment.getBytes(StandardCharsets.UTF_8)));
+    store.setRobotName("bot0");
+  }
+
+  private void tell(String action) {
+    service.onStartCommand(RobotService.intent(application, action), 0, 1);
+  }
+
+  private void until(BooleanSupplier isSo) throws InterruptedException {
+    car.until(() -> {
+      shadowOf(Looper.getMainLooper()).idle();
+      return isSo.getAsBoolean();
+    });
+  }
+
+  private boolean isHeldBy(CreateHold hold) {
+    RobotStatus status = service.status();
+    return status != null && status.wheels().holds().contains(hold);
+  }
+
+  @Test
+  public void theServiceIsInTheForegroundAsAConnectedDevicesAndKeepsThePhoneAwake()
+      throws InterruptedException {
+    tell(RobotService.START);
+    Notification notification = shadowOf(service).getLastForegroundNotification();
+    assertThat(notification.getChannelId()).isEqualTo(RobotNotification.CHANNEL);
+    assertThat(notification.actions)
+        .extracting(action -> action.title.toString())
+        .contains("Emergency stop");
+    assertThat(service.getForegroundServiceType())
+        .isEqualTo(ServiceInfo.FOREGROUND_SERVICE_TYPE_CONNECTED_DEVICE);
+    assertThat(ShadowPowerManager.getLatestWakeLock().isHeld()).isTrue();
+    assertThat(service.holdsLocks()).isTrue();
+    until(() -> service.phase() == Phase.RUNNING);
+    tell(RobotService.STOP);
+    assertThat(service.holdsLocks()).isFalse();
+    assertThat(ShadowPowerManager.getLatestWakeLock().isHeld()).isFalse();
+    assertThat(shadowOf(service).isForegroundStopped()).isTrue();
+    assertThat(shadowOf(service).isStoppedBySelf()).isTrue();
+    until(() -> service.status() == null);
+  }
+
+  @Test
+  public void withoutThePermissionNothingIsDriven() {
+    shadowOf(application).denyPermissions(Manifest.permission.BLUETOOTH_CONNECT);
+    tell(RobotService.START);
+    assertThat(service.phase()).isEqualTo(Phase.FAILED);
+    assertThat(service.problem()).contains(Manifest.permission.BLUETOOTH_CONNECT);
+    assertThat(service.holdsLocks()).isFalse();
+    assertThat(shadowOf(service).isForegroundStopped()).isTrue();
+    assertThat(sockets).isEmpty();
+  }
+
+  @Test
+  public void aDeploymentThatNoPhoneCanRunIsToldInOneLine()
+      throws IOException, InterruptedException {
+    load(deployment("maze"));
+    tell(RobotService.START);
+    until(() -> service.phase() == Phase.FAILED);
+    assertThat(service.problem())
+        .isEqualTo("deployment.yaml:1: app: 'maze': phones have [hello, intersection]");
+    assertThat(service.holdsLocks()).isFalse();
+  }
+
+  @Test
+  public void theAppDrivesItsRobotThroughEmergencyStopAndLossOfTheLink()
+      throws InterruptedException, IOException {
+    refusals.set(1);
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    assertThat(services).contains(BluetoothLinks.SERIAL_PORT);
+
+    service.emergencyStop();
+    until(() -> !car.turnsItsWheels());
+    assertThat(isHeldBy(CreateHold.EMERGENCY_STOP)).isTrue();
+    service.release();
+    until(car::turnsItsWheels);
+
+    int before = sockets.size();
+    sockets.get(before - 1).cut();
+    until(() -> sockets.size() > before && car.turnsItsWheels());
+
+    until(() -> service.status().appState().contains("ended"));
+    assertThat(service.status().appState()).isEqualTo("has ended: [DONE]");
+    assertThat(car.pose().xMm()).isBetween(900.0, 1100.0);
+    assertThat(service.status().wheels().linksLost()).isEqualTo(1);
+    tell(RobotService.STOP);
+    until(() -> service.status() == null && !car.turnsItsWheels());
+  }
+}

@@ -1,0 +1,143 @@
+package org.starl.android.app;
+
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
+import org.starl.deploy.create.ByteLink;
+import org.starl.deploy.create.CreateBody;
+import org.starl.deploy.create.CreateHost;
+import org.starl.deploy.create.CreateModel;
+import org.starl.deploy.optitrack.PoseSource;
+import org.starl.geometry.Kinematics;
+import org.starl.geometry.Pose;
+import org.starl.platform.Clock;
+
+/** A simulated Create on an open floor, and where it is. From any thread. */
+final class SimulatedCar implements CreateBody, AutoCloseable {
+
+  private static final CreateModel MODEL = CreateModel.CREATE_1;
+  private static final long LIMIT_S = 120;
+
+  private final String name;
+  private final Clock clock;
+  private final CreateHost host;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Condition ticked = lock.newCondition();
+
+  // Guarded by the lock.
+  private Pose pose;
+  private long atNs;
+  private double leftMmPerS;
+  private double rightMmPerS;
+
+  SimulatedCar(String name, Pose start, Clock clock) {
+    this.name = name;
+    this.clock = clock;
+    pose = start;
+    atNs = clock.nowNs();
+    host = CreateHost.start(name, MODEL, this, clock, ended -> {});
+  }
+
+  /** From now on the robot speaks over these; one link at a time. */
+  void serve(InputStream fromDriver, OutputStream toDriver) {
+    host.serve(
+        new ByteLink() {
+          @Override
+          public InputStream input() {
+            return fromDriver;
+          }
+
+          @Override
+          public OutputStream output() {
+            return toDriver;
+          }
+
+          @Override
+          public void close() throws IOException {
+            fromDriver.close();
+            toDriver.close();
+          }
+        });
+  }
+
+  Pose pose() {
+    lock.lock();
+    try {
+      advance(clock.nowNs());
+      return pose;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  PoseSource.Body asSeen() {
+    return new PoseSource.Body(name, pose(), true, 0.5);
+  }
+
+  boolean turnsItsWheels() {
+    lock.lock();
+    try {
+      return leftMmPerS != 0 || rightMmPerS != 0;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Waits until it is so, looking at each tick of the robot, which come 15 ms apart. */
+  void until(BooleanSupplier isSo) throws InterruptedException {
+    long leftNs = TimeUnit.SECONDS.toNanos(LIMIT_S);
+    lock.lock();
+    try {
+      while (!isSo.getAsBoolean()) {
+        leftNs = ticked.awaitNanos(leftNs);
+        if (leftNs <= 0) {
+          throw new AssertionError("not within " + LIMIT_S + " s; " + name + " is at " + pose());
+        }
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void drive(double newLeftMmPerS, double newRightMmPerS, long nowNs) {
+    lock.lock();
+    try {
+      advance(nowNs);
+      leftMmPerS = newLeftMmPerS;
+      rightMmPerS = newRightMmPerS;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public Senses senses(long nowNs) {
+    lock.lock();
+    try {
+      advance(nowNs);
+      ticked.signalAll();
+      return Senses.NOTHING;
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  @Override
+  public void close() {
+    host.close();
+  }
+
+  private void advance(long nowNs) {
+    if (nowNs > atNs) {
+      double linear = (leftMmPerS + rightMmPerS) / 2;
+      double angular = (rightMmPerS - leftMmPerS) / MODEL.axleMm();
+      pose = Kinematics.after(pose, linear, angular, (nowNs - atNs) / 1e9);
+      atNs = nowNs;
+    }
+  }
+}

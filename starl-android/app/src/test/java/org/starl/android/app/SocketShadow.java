@@ -1,0 +1,25 @@
+package org.starl.android.app;
+
+import android.bluetooth.BluetoothSocket;
+import java.io.IOException;
+import org.robolectric.annotation.Implementation;
+import org.robolectric.annotation.Implements;
+import org.robolectric.shadows.ShadowBluetoothSocket;
+
+/** A socket whose closing ends a read that waits, at both ends, as on a phone. */
+@Implements(BluetoothSocket.class)
+public class SocketShadow extends ShadowBluetoothSocket {
+
+  @Implementation
+  @Override
+  protected void close() throws IOException {
+    super.close();
+    getInputStreamFeeder().close();
+    getOutputStreamSink().close();
+  }
+
+  /** The link breaks. */
+  void cut() throws IOException {
+    close();
+  }
+}
