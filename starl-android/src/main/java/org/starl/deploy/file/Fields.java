@@ -59,7 +59,7 @@ final class Fields {
 
   @Nullable String textOrNull(String key, String expected) {
     return switch (part(key)) {
-      case Node.Text text when !text.value().isBlank() -> text.value().strip();
+      case Node.Text text when !text.value().trim().isEmpty() -> text.value().trim();
       case null -> null;
       default -> throw wrong(key, "", expected);
     };

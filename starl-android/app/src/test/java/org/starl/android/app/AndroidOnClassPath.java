@@ -26,7 +26,8 @@ public final class AndroidOnClassPath implements DependencyResolver {
       }
     }
     throw new IllegalStateException(
-        name + " is not on the class path: does the test ask for another level than that of Android"
+        name
+            + " is not on the class path: does the test ask for another level than that of Android"
             + " 17, or lack -Drobolectric.usePreinstrumentedJars=false?");
   }
 }

@@ -39,8 +39,7 @@ public final class MainActivityTest {
     service = Robolectric.buildService(RobotService.class).create();
     shadowOf(application)
         .setComponentNameAndServiceForBindService(
-            new ComponentName(application, RobotService.class),
-            service.get().onBind(new Intent()));
+            new ComponentName(application, RobotService.class), service.get().onBind(new Intent()));
     activity = Robolectric.buildActivity(MainActivity.class).setup();
     shadowOf(Looper.getMainLooper()).idleFor(Duration.ofSeconds(1));
   }

@@ -86,6 +86,8 @@ class MissionTest {
 
   @Test
   void theKeyIsInNoText() {
-    assertThat(mission(SEALED, "bot0", key()).toString()).doesNotContain("5a5a").doesNotContain("90, 90");
+    assertThat(mission(SEALED, "bot0", key()).toString())
+        .doesNotContain("5a5a")
+        .doesNotContain("90, 90");
   }
 }

@@ -59,8 +59,7 @@ public final class RobotServiceTest {
   @Before
   public void pairAndLoad() throws IOException {
     shadowOf(application)
-        .grantPermissions(
-            Manifest.permission.BLUETOOTH_CONNECT, Permissions.ACCESS_LOCAL_NETWORK);
+        .grantPermissions(Manifest.permission.BLUETOOTH_CONNECT, Permissions.ACCESS_LOCAL_NETWORK);
     BluetoothAdapter adapter = BluetoothLinks.adapter(application);
     shadowOf(adapter).setEnabled(true);
     BluetoothDevice device = adapter.getRemoteDevice("00:06:66:12:34:56");
@@ -102,7 +101,9 @@ public final class RobotServiceTest {
           "robots:",
           "  bot0:",
           "    address: \"127.0.0.1:" + free.getLocalPort() + "\"",
-          "    chassis: {kind: create, model: create1, port: \"bluetooth:" + AdapterShadow.NAME + "\"}",
+          "    chassis: {kind: create, model: create1, port: \"bluetooth:"
+              + AdapterShadow.NAME
+              + "\"}",
           "");
     }
   }
