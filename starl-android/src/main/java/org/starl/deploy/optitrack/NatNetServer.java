@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.net.MulticastSocket;
 import java.net.NetworkInterface;
 import java.net.SocketAddress;
+import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
@@ -24,7 +25,7 @@ public final class NatNetServer implements AutoCloseable {
   /** A unicast client that has said nothing for so long is forgotten. */
   static final long CLIENT_SILENCE_NS = 10_000_000_000L;
 
-  /** So many unicast clients are served at a time. */
+  /** So many unicast clients are served at a time: those last heard of. */
   static final int MAX_CLIENTS = 64;
 
   private static final String NAME = "StarL";
@@ -187,10 +188,13 @@ public final class NatNetServer implements AutoCloseable {
     }
   }
 
+  // Who is there speaks each second: a full list has room for whoever comes, in place of the
+  // silent.
   private void remember(SocketAddress client, long nowNs) {
-    if (clients.containsKey(client) || clients.size() < MAX_CLIENTS) {
-      clients.put(client, nowNs);
+    if (!clients.containsKey(client) && clients.size() == MAX_CLIENTS) {
+      clients.remove(Collections.min(clients.entrySet(), Map.Entry.comparingByValue()).getKey());
     }
+    clients.put(client, nowNs);
   }
 
   private byte[] info() {

@@ -222,12 +222,14 @@ class MalformedDatagramsTest {
 
   @Test
   void theLongestDatagramsAreOnlyCounted() throws InterruptedException {
+    Clock clock = new RealClock();
     Loopback loopback = new Loopback();
-    try (JsonFeed feed = loopback.listen(JsonFeedSettings.at(Loopback.HOST), new RealClock())) {
+    try (JsonFeed feed = loopback.listen(JsonFeedSettings.at(Loopback.HOST), clock)) {
       BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
       feed.onBodies(heard::add);
       List<TrackedBody> body = null;
-      for (long atNs = 0; body == null; atNs += 50_000_000) {
+      while (body == null) {
+        long atNs = clock.nowNs();
         Loopback.send(new byte[Message.MAX_BYTES], feed.address());
         String line =
             "{\"robot\":\"bot0\",\"xMm\":1,\"yMm\":2,\"headingRad\":0,\"errorMm\":4,\"atNs\":";
