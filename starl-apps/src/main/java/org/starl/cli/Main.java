@@ -36,7 +36,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       BenchCommand.class,
       DeployCommand.class,
       KeygenCommand.class,
-      RobotCommand.class
+      RobotCommand.class,
+      SimulatedCreateCommand.class
     },
     footer = {
       "",

@@ -66,7 +66,7 @@ final class Packets {
 
   /** Bytes of packets 7 to 58, a digit each. */
   private static final String BYTES =
-      "111111111111" + "221221222222221211112222" + "22122222211" + "22221";
+      "111111111111" + "221221222222212111112222" + "22122222211" + "22221";
 
   private static final int[] SIGNED = {
     DISTANCE, ANGLE, CURRENT, TEMPERATURE, VELOCITY, RADIUS, RIGHT_VELOCITY, LEFT_VELOCITY
