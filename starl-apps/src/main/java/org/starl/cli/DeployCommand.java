@@ -13,7 +13,12 @@ import picocli.CommandLine.Spec;
     description =
         "Runs an app on real robots, as a deployment file says; docs/deployment.md tells how.",
     mixinStandardHelpOptions = true,
-    subcommands = {DeployCheckCommand.class},
+    subcommands = {
+      DeployCheckCommand.class,
+      DeployMergeCommand.class,
+      DeployRunCommand.class,
+      DeployWorldCommand.class
+    },
     footer = {"", "Example: starl deploy check scenarios/deployment/crossing.yaml"})
 final class DeployCommand implements Runnable {
 

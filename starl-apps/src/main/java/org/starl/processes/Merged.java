@@ -15,17 +15,18 @@ import org.starl.trace.TraceEvent.Fault;
  * All robots' traces as one, in the order of their times. What one robot does in one action has one
  * time, and stays together.
  */
-final class Merged {
+public final class Merged {
 
   private final List<TraceEvent> events = new ArrayList<>();
   private long datagrams;
   private long bytes;
 
-  Merged() {
+  /** Nothing yet, but that it was in real time: no progress is owed. */
+  public Merged() {
     events.add(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
   }
 
-  void add(TraceEvent event) {
+  public void add(TraceEvent event) {
     events.add(event);
     if (event instanceof TraceEvent.Sent sent) {
       datagrams++;
@@ -33,30 +34,36 @@ final class Merged {
     }
   }
 
-  long size() {
+  /** How many events there are. */
+  public long size() {
     return events.size();
   }
 
   /** Datagrams that were handed to radios. */
-  long datagrams() {
+  public long datagrams() {
     return datagrams;
   }
 
   /** Their lengths added up. */
-  long bytes() {
+  public long bytes() {
     return bytes;
   }
 
   /** Shows all of it to the monitors and the observers of {@code blueprint}. */
   SpecReport show(Blueprint blueprint, long endNs) {
+    return show(blueprint, blueprint.observers(), endNs);
+  }
+
+  /** Shows all of it to fresh monitors of {@code blueprint}, and to these observers. */
+  public SpecReport show(Blueprint blueprint, List<SimObserver> observers, long endNs) {
     events.sort(Comparator.comparingLong(TraceEvent::timeNs).thenComparing(TraceEvent::robot));
     List<Monitor> made = new ArrayList<>();
     blueprint.monitors().forEach(maker -> made.add(maker.get()));
     Monitors monitors = new Monitors(made);
-    blueprint.observers().forEach(observer -> observer.started(blueprint.header()));
+    observers.forEach(observer -> observer.started(blueprint.header()));
     for (TraceEvent event : events) {
       monitors.observe(event);
-      for (SimObserver observer : blueprint.observers()) {
+      for (SimObserver observer : observers) {
         observer.observed(event);
       }
     }

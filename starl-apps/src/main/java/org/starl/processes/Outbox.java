@@ -13,16 +13,18 @@ import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceWriter;
 
 /**
- * A child's trace on its way to the parent. Each event is out when {@link #record} returns. A parent
- * that is gone is no concern of it: the child's orders end as well. From any thread.
+ * A robot's trace on its way out of its process, to its parent or into a file. Each event is out when
+ * {@link #record} returns. A parent that is gone is no concern of it: the child's orders end as well.
+ * From any thread.
  */
-final class Outbox implements TraceSink {
+public final class Outbox implements TraceSink {
 
   private final RobotId self;
   private final TraceWriter writer;
   private final ReentrantLock lock = new ReentrantLock();
 
-  Outbox(RobotId self, TraceHeader header, OutputStream out) {
+  /** @param out takes the trace */
+  public Outbox(RobotId self, TraceHeader header, OutputStream out) {
     this.self = self;
     writer = new TraceWriter(out, header);
   }
@@ -43,8 +45,8 @@ final class Outbox implements TraceSink {
     }
   }
 
-  /** Tells the parent. */
-  void say(Clock clock, Word word, Object... args) {
+  /** Tells what stays out of merged traces. */
+  public void say(Clock clock, Word word, Object... args) {
     List<String> texts = new ArrayList<>();
     for (Object arg : args) {
       texts.add(String.valueOf(arg));
@@ -53,7 +55,7 @@ final class Outbox implements TraceSink {
   }
 
   /** The trace is whole. */
-  void end(long timeNs) throws IOException {
+  public void end(long timeNs) throws IOException {
     lock.lock();
     try {
       writer.end(timeNs);

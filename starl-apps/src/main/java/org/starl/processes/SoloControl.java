@@ -16,12 +16,12 @@ import org.starl.sim.world.Unsynced;
  * the others nothing but that they are somewhere else. Whether there is room on the floor is the
  * parent's to say. Strand only.
  */
-final class SoloControl implements SimControl {
+public final class SoloControl implements SimControl {
 
   private static final Pose ELSEWHERE = Pose.of(new Point(1e9, 1e9), 0);
 
   /** The one robot that is here. */
-  interface Robot {
+  public interface Robot {
     RobotId id();
 
     long nowNs();
@@ -47,7 +47,11 @@ final class SoloControl implements SimControl {
   private final List<RobotId> robots;
   private final Rng scenarioRng;
 
-  SoloControl(Robot robot, List<RobotId> robots, Rng scenarioRng) {
+  /**
+   * @param robots all of the deployment
+   * @param scenarioRng forked for each name that the director asks for
+   */
+  public SoloControl(Robot robot, List<RobotId> robots, Rng scenarioRng) {
     this.robot = robot;
     this.robots = List.copyOf(robots);
     this.scenarioRng = scenarioRng;

@@ -5,8 +5,11 @@ import org.starl.RobotId;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** What a child tells its parent, as actions of the source {@code process}. */
-enum Word {
+/**
+ * What a robot's process tells of itself, as actions of the source {@code process}: a child its parent,
+ * a deployed robot whoever merges its trace.
+ */
+public enum Word {
   /** It is there: its process's number. */
   HELLO,
   /** Its radio listens at this port. */
@@ -20,15 +23,21 @@ enum Word {
   /** A line for people: level, tag, line. */
   LOG,
   /** It ends by a bug: the stack trace. */
-  ERROR;
+  ERROR,
+  /**
+   * Its clock: what the trace's time 0 is on the clock of a machine that it names, in ns, and in ns
+   * since 2020 by that machine's date. First in a deployed robot's trace.
+   */
+  CLOCK;
 
   private static final String SOURCE = "process";
 
-  TraceEvent event(long timeNs, RobotId robot, List<String> args) {
+  public TraceEvent event(long timeNs, RobotId robot, List<String> args) {
     return new Action(timeNs, robot, SOURCE, name(), args);
   }
 
-  static boolean isOne(TraceEvent event) {
+  /** Whether an event is one of these, whose name {@link #valueOf} knows. */
+  public static boolean isOne(TraceEvent event) {
     return event instanceof Action action && action.source().equals(SOURCE);
   }
 }

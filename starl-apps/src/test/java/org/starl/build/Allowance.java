@@ -70,6 +70,18 @@ record Allowance(String rule, String path, String reason) {
             "starl-apps" + MAIN + "processes/",
             "pipes to real processes, whose robots have strands in real time"),
         new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-apps" + MAIN + "deployment/",
+            "sockets and robots in real time"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-apps" + MAIN + "cli/UntilStopped.java",
+            "the process is stopped from outside, and its wheels first"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-apps" + MAIN + "cli/DeployWorldCommand.java",
+            "robots that run beside their world"),
+        new Allowance(
             "writing to the console",
             "starl-apps" + MAIN + "cli/Main.java",
             "where the command line's two writers are made"),

@@ -40,7 +40,7 @@ class DeployCheckTest {
       scenario: figure7 | scenaro: figure7 | :2: | 'scenaro' | did you mean scenario?
       scenario: figure7 | scenario: [] | :2: | scenario | a list
       my.key | other.key | :3: key: | other.key: no such file | starl keygen
-      source: natnet | source: gps | :4: positions.source: 'gps' | natnet, json, simulated
+      source: natnet | source: gps | :4: positions.source: 'gps' | natnet, json
       , server: 127.0.0.1 | , up: y | :4: positions: has no 'server:'
       server: 127.0.0.1 | server: 127.0.0.1:0 | :4: positions.server | HOST or HOST:PORT
       server: 127.0.0.1 | server: no.such.host.invalid | positions.server | host that has an address

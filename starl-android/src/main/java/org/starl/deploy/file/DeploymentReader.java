@@ -15,7 +15,7 @@ public final class DeploymentReader {
   private static final int USUAL_PORT = 4747;
   private static final int USUAL_COMMAND_PORT = 1510;
   private static final int USUAL_DATA_PORT = 1511;
-  private static final int USUAL_JSON_PORT = 4749;
+  private static final int USUAL_JSON_PORT = 1520;
   private static final int CREATE1_BAUD = 57_600;
   private static final int CREATE2_BAUD = 115_200;
   private static final double USUAL_ERROR_MM = 5;
@@ -102,17 +102,15 @@ public final class DeploymentReader {
 
   private static Positions positions(Fields fields) {
     Fields given = fields.mapping("positions", "lines such as 'source: natnet'");
-    String source = given.choice("source", null, "natnet", "json", SIMULATED);
+    String source = given.choice("source", null, "natnet", "json");
     Positions positions =
-        switch (source) {
-          case "natnet" -> natNet(given);
-          case "json" ->
-              new Positions.JsonFeed(
-                  given.whole("port", USUAL_JSON_PORT, 1, HostPort.MAX_PORT),
-                  errorMm(given),
-                  errorRad(given));
-          default -> new Positions.Simulated();
-        };
+        source.equals("natnet")
+            ? natNet(given)
+            : new Positions.JsonFeed(
+                given.whole("port", USUAL_JSON_PORT, 1, HostPort.MAX_PORT),
+                given.textOrNull("sender", "a host whose lines are taken"),
+                errorMm(given),
+                errorRad(given));
     given.end();
     return positions;
   }
@@ -239,9 +237,6 @@ public final class DeploymentReader {
     boolean isSimulated = deployment.simulated().contains(robot);
     if (isSimulated && deployment.world() == null) {
       throw at(robot, "is simulated; expected 'world: HOST:PORT', where its body is");
-    }
-    if (!isSimulated && deployment.positions() instanceof Positions.Simulated) {
-      throw at(robot, "is real, and positions are simulated; expected natnet or json");
     }
   }
 

@@ -30,11 +30,10 @@ public sealed interface Positions {
    * Lines of JSON over UDP.
    *
    * @param port at which each robot listens
+   * @param sender whose lines are taken; null for anybody's
    * @param errorMm a position is off by so much at most
    * @param errorRad a heading is off by so much at most
    */
-  record JsonFeed(int port, double errorMm, double errorRad) implements Positions {}
-
-  /** The deployment's world itself: every robot is simulated. */
-  record Simulated() implements Positions {}
+  record JsonFeed(int port, @Nullable String sender, double errorMm, double errorRad)
+      implements Positions {}
 }

@@ -7,10 +7,12 @@ import java.net.InetSocketAddress;
 import java.net.SocketAddress;
 import java.net.SocketException;
 import java.util.Arrays;
+import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
@@ -36,9 +38,10 @@ public final class UdpRadio implements Radio, AutoCloseable {
   private final AtomicLong sent = new AtomicLong();
   private final AtomicLong unsent = new AtomicLong();
   private final AtomicLong received = new AtomicLong();
-  private final AtomicLong foreign = new AtomicLong();
-  private final AtomicLong oversize = new AtomicLong();
-  private final AtomicLong overflow = new AtomicLong();
+  private final AtomicLongArray dropped = new AtomicLongArray(UdpDrop.values().length);
+  private volatile Consumer<String> log = line -> {};
+  private volatile Consumer<DatagramPacket> beacons =
+      packet -> dropped(UdpDrop.UNEXPECTED_BEACON, packet.getSocketAddress());
 
   // Strand only.
   private @Nullable Receiver receiver;
@@ -80,6 +83,20 @@ public final class UdpRadio implements Radio, AutoCloseable {
     }
   }
 
+  /** From now on takes a line for people when a datagram is dropped for a reason the first time. */
+  public void onDrop(Consumer<String> newLog) {
+    log = newLog;
+  }
+
+  /** From now on takes what means to be a beacon, on the radio's thread. */
+  void onBeacon(Consumer<DatagramPacket> taker) {
+    beacons = taker;
+  }
+
+  boolean isClosed() {
+    return socket.isClosed();
+  }
+
   @Override
   public void send(RobotId to, byte[] buffer, int length) {
     checkLength(buffer, length);
@@ -108,8 +125,13 @@ public final class UdpRadio implements Radio, AutoCloseable {
   }
 
   public UdpStatistics statistics() {
-    return new UdpStatistics(
-        sent.get(), unsent.get(), received.get(), foreign.get(), oversize.get(), overflow.get());
+    Map<UdpDrop, Long> drops = new EnumMap<>(UdpDrop.class);
+    for (UdpDrop reason : UdpDrop.values()) {
+      if (dropped.get(reason.ordinal()) > 0) {
+        drops.put(reason, dropped.get(reason.ordinal()));
+      }
+    }
+    return new UdpStatistics(sent.get(), unsent.get(), received.get(), drops);
   }
 
   /** Sends and hears nothing more. */
@@ -127,7 +149,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
   }
 
   // A network that refuses a datagram has lost it, which the layers above expect of a radio.
-  private void transmit(InetSocketAddress address, byte[] buffer, int length) {
+  void transmit(InetSocketAddress address, byte[] buffer, int length) {
     try {
       socket.send(new DatagramPacket(buffer, length, address));
       sent.incrementAndGet();
@@ -154,17 +176,32 @@ public final class UdpRadio implements Radio, AutoCloseable {
   }
 
   private void judge(DatagramPacket packet) {
+    SocketAddress source = packet.getSocketAddress();
     if (packet.getLength() > MAX_BYTES) {
-      oversize.incrementAndGet();
-    } else if (!isFromPeer(packet.getSocketAddress())) {
-      foreign.incrementAndGet();
+      dropped(UdpDrop.OVERSIZE, source);
+    } else if (Beacon.isOne(packet.getData(), packet.getLength())) {
+      beacons.accept(packet);
+    } else if (!isFromPeer(source)) {
+      dropped(UdpDrop.FOREIGN, source);
     } else if (waiting.get() >= MAX_WAITING) {
-      overflow.incrementAndGet();
+      dropped(UdpDrop.OVERFLOW, source);
     } else {
       received.incrementAndGet();
       waiting.incrementAndGet();
       byte[] datagram = Arrays.copyOf(packet.getData(), packet.getLength());
       strand.post(() -> hand(datagram));
+    }
+  }
+
+  /** Counts a datagram that came to nothing; the first of its kind is told to people. */
+  void dropped(UdpDrop reason, SocketAddress source) {
+    if (dropped.incrementAndGet(reason.ordinal()) == 1 && reason.isSuspicious()) {
+      log.accept(
+          "dropped a datagram from "
+              + source
+              + ": "
+              + reason.what()
+              + "; more of these are only counted");
     }
   }
 

@@ -10,6 +10,7 @@ import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
@@ -32,6 +33,8 @@ class UdpRadioTest extends RadioContract {
         DatagramSocket stranger = new DatagramSocket(0, InetAddress.getLoopbackAddress());
         DatagramSocket peer = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       UdpRadio radio = air.radio(0);
+      List<String> told = new CopyOnWriteArrayList<>();
+      radio.onDrop(told::add);
       List<Integer> lengths = new CopyOnWriteArrayList<>();
       CountDownLatch heard = new CountDownLatch(1);
       air.ground(0)
@@ -44,11 +47,14 @@ class UdpRadioTest extends RadioContract {
       radio.setPeer(
           new RobotId("peer"), new InetSocketAddress(peer.getLocalAddress(), peer.getLocalPort()));
       stranger.send(new DatagramPacket(new byte[5], 5, radio.address()));
+      stranger.send(new DatagramPacket(new byte[5], 5, radio.address()));
       peer.send(new DatagramPacket(new byte[9000], 9000, radio.address()));
       peer.send(new DatagramPacket(new byte[7], 7, radio.address()));
       assertThat(heard.await(60, TimeUnit.SECONDS)).isTrue();
       assertThat(lengths).containsExactly(7);
-      assertThat(radio.statistics()).isEqualTo(new UdpStatistics(0, 0, 1, 1, 1, 0));
+      assertThat(radio.statistics())
+          .isEqualTo(new UdpStatistics(0, 0, 1, Map.of(UdpDrop.FOREIGN, 2L, UdpDrop.OVERSIZE, 1L)));
+      assertThat(told).hasSize(2).allMatch(line -> line.contains("more of these are only counted"));
     }
   }
 
@@ -59,7 +65,7 @@ class UdpRadioTest extends RadioContract {
       CountDownLatch release = new CountDownLatch(1);
       air.ground(0).strand().post(() -> waitFor(release));
       byte[] datagram = new byte[1];
-      for (int i = 0; radio.statistics().overflow() == 0; i++) {
+      for (int i = 0; radio.statistics().dropped(UdpDrop.OVERFLOW) == 0; i++) {
         assertThat(i).isLessThan(1_000_000);
         air.radio(1).send(new RobotId("robot0"), datagram, 1);
       }

@@ -1,0 +1,96 @@
+package org.starl.deployment;
+
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.io.InputStreamReader;
+import java.net.InetSocketAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.Locale;
+import java.util.function.Consumer;
+import org.starl.RobotId;
+
+/**
+ * The hands that put one robot's body on the floor and take it off, in a deployment whose bodies are in
+ * a {@link WorldProcess}: a line each way over TCP. Where robots are real, people have hands.
+ */
+final class Hands implements AutoCloseable {
+
+  /** What is said, in small letters, one word a line; a robot begins with its name. */
+  enum Word {
+    /** Robot to world: put me on the floor where I start, once there is room. */
+    PLACE,
+    /** World to robot: it stands there. */
+    PLACED,
+    /** Robot to world: take me off the floor. */
+    LIFT,
+    /** World to robot: it is off. */
+    LIFTED;
+
+    String line() {
+      return name().toLowerCase(Locale.ROOT) + "\n";
+    }
+
+    /** @throws IllegalArgumentException if it is none */
+    static Word of(String line) {
+      return valueOf(line.toUpperCase(Locale.ROOT));
+    }
+  }
+
+  private static final int CONNECT_MS = 5000;
+
+  private final Socket socket;
+
+  private Hands(Socket socket) {
+    this.socket = socket;
+  }
+
+  /**
+   * Connects.
+   *
+   * @param heard takes what the world says, on a thread of its own
+   * @param lost is told that the world is gone
+   */
+  static Hands open(
+      InetSocketAddress world, RobotId robot, Consumer<Word> heard, Consumer<IOException> lost)
+      throws IOException {
+    Socket socket = new Socket();
+    try {
+      socket.connect(world, CONNECT_MS);
+      socket.setTcpNoDelay(true);
+      socket.getOutputStream().write((robot + "\n").getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      socket.close();
+      throw new IOException("world at " + world + ": " + e.getMessage(), e);
+    }
+    Hands hands = new Hands(socket);
+    Thread reader = new Thread(() -> hands.read(heard, lost), robot + " hands");
+    reader.setDaemon(true);
+    reader.start();
+    return hands;
+  }
+
+  void say(Word word) throws IOException {
+    socket.getOutputStream().write(word.line().getBytes(StandardCharsets.UTF_8));
+  }
+
+  @Override
+  public void close() throws IOException {
+    socket.close();
+  }
+
+  private void read(Consumer<Word> heard, Consumer<IOException> lost) {
+    try (BufferedReader lines =
+        new BufferedReader(
+            new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
+      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+        heard.accept(Word.of(line));
+      }
+      lost.accept(new IOException("the world is gone"));
+    } catch (IOException e) {
+      if (!socket.isClosed()) {
+        lost.accept(e);
+      }
+    }
+  }
+}

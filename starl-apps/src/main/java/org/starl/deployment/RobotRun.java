@@ -1,0 +1,251 @@
+package org.starl.deployment;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.deploy.file.Deployment;
+import org.starl.deploy.file.HostPort;
+import org.starl.deploy.file.RobotEntry;
+import org.starl.deploy.realtime.RealClock;
+import org.starl.deploy.realtime.StrandUse;
+import org.starl.deploy.robot.DeployedRobot;
+import org.starl.deploy.robot.Wheelbase;
+import org.starl.deploy.udp.UdpStatistics;
+import org.starl.platform.DeploymentKey;
+import org.starl.platform.LogSink.Level;
+import org.starl.processes.Outbox;
+import org.starl.processes.Word;
+import org.starl.sim.Blueprint;
+import org.starl.sim.RobotSpec;
+
+/**
+ * One robot of a deployment in this process, in real time, until it is stopped: so many rounds of its
+ * app, each another start of the program over the same storage; then it goes on answering the others.
+ */
+public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
+
+  /**
+   * What is run.
+   *
+   * @param key null for none
+   * @param blueprints make equal ones, one for each round: a director serves once
+   * @param storage a folder, this robot's alone
+   * @param rounds how often the app runs, from 1
+   */
+  public record Settings(
+      Deployment deployment,
+      RobotEntry entry,
+      @Nullable DeploymentKey key,
+      Supplier<Blueprint> blueprints,
+      Wheelbase.Source wheels,
+      Path storage,
+      int rounds) {}
+
+  private static final long CLOSE_LIMIT_S = 15;
+  private static final double NS_PER_S = 1e9;
+  private static final double NS_PER_MS = 1e6;
+
+  private enum News {
+    FINISHED,
+    STOP
+  }
+
+  private final Settings settings;
+  private final RobotId id;
+  private final RealClock clock = RealClock.ofDate();
+  private final long startNs = clock.nowNs();
+  private final Outbox outbox;
+  private final Consumer<String> teller;
+  private final BlockingQueue<News> news = new LinkedBlockingQueue<>();
+  private final CountDownLatch over = new CountDownLatch(1);
+  private final AtomicBoolean isStopped = new AtomicBoolean();
+  private volatile @Nullable Throwable failure;
+  private volatile @Nullable DeployedRobot robot;
+  private volatile @Nullable Hands hands;
+
+  /**
+   * Opens nothing yet.
+   *
+   * @param trace takes the robot's trace, each event as it happens
+   * @param teller takes lines for people, from any thread
+   */
+  public RobotRun(Settings settings, OutputStream trace, Consumer<String> teller) {
+    this.settings = settings;
+    this.id = settings.entry().id();
+    this.teller = line -> teller.accept(id + ": " + line);
+    outbox = new Outbox(id, settings.blueprints().get().header(), trace);
+  }
+
+  /**
+   * Runs until {@link #stop}.
+   *
+   * @return the bug that ended it before, or null
+   * @throws IOException if it cannot begin: one line for people
+   */
+  public @Nullable Throwable run() throws IOException {
+    MachineClock.tell(outbox, clock, startNs);
+    try {
+      runRounds();
+    } finally {
+      bringDown(false);
+      outbox.end(clock.nowNs() - startNs);
+      over.countDown();
+    }
+    return failure;
+  }
+
+  private void runRounds() throws IOException {
+    int round = 1;
+    bringUp();
+    for (News next = await(); next != News.STOP; next = await()) {
+      teller.accept("came to the end of round " + round + " of " + settings.rounds());
+      if (round < settings.rounds()) {
+        round++;
+        bringDown(true);
+        bringUp();
+      }
+    }
+  }
+
+  /** Ends it from any thread: the wheels stop before this returns, and then {@link #run} does. */
+  public void stop() {
+    DeployedRobot running = robot;
+    if (running != null) {
+      running.emergencyStop();
+    }
+    news.add(News.STOP);
+  }
+
+  /** Stops it, and waits until {@link #run}, which has begun, is over. */
+  @Override
+  public void close() {
+    stop();
+    try {
+      if (!over.await(CLOSE_LIMIT_S, TimeUnit.SECONDS)) {
+        teller.accept("did not end in time");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void finished(List<Object> results) {
+    news.add(News.FINISHED);
+  }
+
+  @Override
+  public void failed(Throwable error) {
+    if (isStopped.compareAndSet(false, true)) {
+      failure = error;
+      teller.accept("wheels stopped: " + error);
+      stop();
+    }
+  }
+
+  private News await() {
+    try {
+      return news.take();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return News.STOP;
+    }
+  }
+
+  private void bringUp() throws IOException {
+    Blueprint blueprint = settings.blueprints().get();
+    RobotSpec spec =
+        blueprint.robots().stream()
+            .filter(each -> each.id().equals(id))
+            .findFirst()
+            .orElseThrow(() -> new IllegalArgumentException("there is no robot " + id));
+    DeployedRobot.Program program =
+        new DeployedRobot.Program(
+            spec.app(),
+            blueprint.obstacles().known(),
+            blueprint.settings().motionParameters(blueprint.robots().indexOf(spec)));
+    blueprint.observers().forEach(observer -> observer.started(blueprint.header()));
+    DeployedRobot opened =
+        DeployedRobot.open(
+            settings.deployment(),
+            settings.entry(),
+            settings.key(),
+            program,
+            new DeployedRobot.Surroundings(
+                settings.storage(),
+                settings.wheels(),
+                clock,
+                this::log,
+                new LateTrace(outbox, startNs, blueprint.observers())),
+            this);
+    robot = opened;
+    HostPort world = settings.deployment().world();
+    if (world != null && settings.deployment().simulated().contains(settings.entry())) {
+      place(world, spec, opened, blueprint);
+    }
+    opened.start();
+  }
+
+  private void place(HostPort world, RobotSpec spec, DeployedRobot opened, Blueprint blueprint)
+      throws IOException {
+    Placing[] placing = new Placing[1];
+    Hands connected =
+        Hands.open(
+            world.resolve(),
+            id,
+            word -> placing[0].heard(word),
+            lost -> teller.accept(String.valueOf(lost.getMessage())));
+    hands = connected;
+    placing[0] = new Placing(spec, opened, connected, opened.strand().pieceClock());
+    placing[0].begin(blueprint, settings.deployment().participants().asList());
+  }
+
+  private void bringDown(boolean isLifted) throws IOException {
+    DeployedRobot running = robot;
+    robot = null;
+    if (running != null) {
+      running.close();
+      tell(running.strandUse(), running.network());
+    }
+    Hands held = hands;
+    hands = null;
+    if (held != null) {
+      if (isLifted) {
+        held.say(Hands.Word.LIFT);
+      }
+      held.close();
+    }
+  }
+
+  private void tell(StrandUse use, UdpStatistics network) {
+    teller.accept(
+        String.format(
+            Locale.ROOT,
+            "strand: %d pieces held it %.1f s, the longest %.1f ms; %d datagrams sent, %d received,"
+                + " dropped %s",
+            use.pieces(),
+            use.heldNs() / NS_PER_S,
+            use.longestPieceNs() / NS_PER_MS,
+            network.sent(),
+            network.received(),
+            network.dropped()));
+  }
+
+  private void log(long timeNs, Level level, String tag, String line) {
+    if (level.compareTo(Level.INFO) >= 0) {
+      outbox.say(() -> Math.max(0, timeNs - startNs), Word.LOG, level, tag, line);
+      teller.accept(tag + ": " + line);
+    }
+  }
+}
