@@ -35,10 +35,16 @@ final class DeployMergeCommand implements Callable<Integer> {
 
   private static final int SHOWN = 20;
 
-  @Parameters(arity = "1..*", paramLabel = "TRACE", description = "Traces of 'deploy run', 'world'.")
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "TRACE",
+      description = "Traces of 'deploy run', 'world'.")
   private List<String> files = new ArrayList<>();
 
-  @Option(names = "--out", paramLabel = "FILE", description = "The merged trace, for 'starl replay'.")
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      description = "The merged trace, for 'starl replay'.")
   private @Nullable String out;
 
   @Option(
@@ -62,11 +68,7 @@ final class DeployMergeCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     CommandSpec command = Objects.requireNonNull(spec);
-    Merge merge =
-        Merge.of(
-            files,
-            durationNs(),
-            Numbers.whole("--drift", drift, 0, 1_000_000));
+    Merge merge = Merge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
     Plan plan = TraceFile.open(files.get(0), Main.demos(command)).plan();
     Blueprint blueprint = plan.simulation().build().blueprint();
     Merge.Result result;

@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.starl.sim.input.BadInput;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
-import org.starl.trace.TraceEvent;
 
 /**
  * How the machines' clocks may stand to each other: a system of difference constraints. Dates are right
@@ -147,8 +147,7 @@ final class ClockBounds {
           String machine = sent.keySet().iterator().next();
           RobotTrace sender = senders.get(Causes.key((Delivered) event) + machine);
           if (sender != null && !machine.equals(trace.machine())) {
-            atMost(
-                sender, trace, trace.machineNs() + event.timeNs() - sent.get(machine) + driftNs);
+            atMost(sender, trace, trace.machineNs() + event.timeNs() - sent.get(machine) + driftNs);
           }
         }
       }

@@ -239,13 +239,14 @@ public final class WorldProcess implements AutoCloseable {
             clock,
             ended -> teller.accept(robot + "'s Create: " + ended.getMessage()));
     parts.push(host);
-    if (create.simulatedAt() instanceof Wheels.Tcp tcp) {
-      ServerSocket server = new ServerSocket();
-      server.setReuseAddress(true);
-      server.bind(here(tcp.address()));
-      host.listen(server);
-    } else {
-      host.serve(ByteLinks.of(create.simulatedAt(), create.baud()).open());
+    switch (create.simulatedAt()) {
+      case Wheels.Tcp tcp -> {
+        ServerSocket server = new ServerSocket();
+        server.setReuseAddress(true);
+        server.bind(here(tcp.address()));
+        host.listen(server);
+      }
+      case Wheels.Device device -> host.serve(ByteLinks.farEnd(device));
     }
   }
 
