@@ -27,7 +27,7 @@ final class ClockBounds {
    * @param driftPpm two clocks drift apart by so many parts in a million at most
    * @throws BadInput if the clocks cannot stand so
    */
-  ClockBounds(List<RobotTrace> traces, long dateErrorNs, double driftPpm) {
+  ClockBounds(List<RobotTrace> traces, long dateErrorNs, long driftPpm) {
     for (RobotTrace trace : traces) {
       if (!machines.contains(trace.machine())) {
         machines.add(trace.machine());

@@ -64,7 +64,7 @@ public final class Merge {
    * @param driftPpm clocks drift apart by so many parts in a million at most
    * @throws BadInput if one cannot be read, they are not of one deployment, or clocks contradict
    */
-  public static Merge of(List<String> files, long dateErrorNs, double driftPpm) {
+  public static Merge of(List<String> files, long dateErrorNs, long driftPpm) {
     List<RobotTrace> traces = new ArrayList<>();
     for (String file : files) {
       RobotTrace trace = RobotTrace.read(file);
