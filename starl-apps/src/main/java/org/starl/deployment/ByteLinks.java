@@ -5,25 +5,37 @@ import org.starl.deploy.create.ByteLink;
 import org.starl.deploy.create.SocketLink;
 import org.starl.deploy.file.Wheels.Device;
 import org.starl.deploy.file.Wheels.Port;
-import org.starl.deploy.file.Wheels.Tcp;
 import org.starl.deploy.serial.PseudoTerminal;
 import org.starl.deploy.serial.SerialLink;
 
 /** How bytes get to a Create from a Linux board. */
 public final class ByteLinks {
 
+  private static final String TCP = "tcp:";
+
   private ByteLinks() {}
 
   /**
-   * The driver's end.
+   * The driver's end, with a process between that makes the Create stand when the driver's is gone.
    *
    * @param baud of a device
    */
   public static ByteLink.Source of(Port port, int baud) {
-    return switch (port) {
-      case Tcp tcp -> SocketLink.to(tcp.address().host(), tcp.address().port());
-      case Device device -> SerialLink.at(device.path(), baud);
-    };
+    return WheelGuard.source(port, baud);
+  }
+
+  /**
+   * The same without anything between.
+   *
+   * @param port as {@link Port} writes it
+   */
+  static ByteLink.Source direct(String port, int baud) {
+    if (!port.startsWith(TCP)) {
+      return SerialLink.at(port, baud);
+    }
+    int colon = port.lastIndexOf(':');
+    String host = port.substring(TCP.length(), colon).replace("[", "").replace("]", "");
+    return SocketLink.to(host, Integer.parseInt(port.substring(colon + 1)));
   }
 
   /**

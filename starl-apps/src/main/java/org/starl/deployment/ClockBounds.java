@@ -144,10 +144,11 @@ final class ClockBounds {
             event instanceof Delivered delivered ? firstSent.get(Causes.key(delivered)) : null;
         // A robot that has moved to another machine leaves open from which it was sent.
         if (sent != null && sent.size() == 1) {
-          String machine = sent.keySet().iterator().next();
-          RobotTrace sender = senders.get(Causes.key((Delivered) event) + machine);
-          if (sender != null && !machine.equals(trace.machine())) {
-            atMost(sender, trace, trace.machineNs() + event.timeNs() - sent.get(machine) + driftNs);
+          Map.Entry<String, Long> only = sent.entrySet().iterator().next();
+          RobotTrace sender = senders.get(Causes.key((Delivered) event) + only.getKey());
+          if (sender != null && !only.getKey().equals(trace.machine())) {
+            long latestNs = trace.machineNs() + event.timeNs();
+            atMost(sender, trace, latestNs - only.getValue() + driftNs);
           }
         }
       }
