@@ -238,9 +238,13 @@ public final class Discovery implements AutoCloseable {
         radio.dropped(UdpDrop.FORGED_BEACON, source);
         return;
       }
+      if (beacon.robot().equals(self)) {
+        // A broadcast comes back to who sent it.
+        radio.dropped(UdpDrop.OWN_BEACON, source);
+        return;
+      }
       if (!comesFromWhereItSays(beacon, source)) {
-        boolean isOwn = beacon.robot().equals(self);
-        radio.dropped(isOwn ? UdpDrop.OWN_BEACON : UdpDrop.PASSED_ON_BEACON, source);
+        radio.dropped(UdpDrop.PASSED_ON_BEACON, source);
         return;
       }
       verdict = neighbours.hear(beacon, clock.nowNs());

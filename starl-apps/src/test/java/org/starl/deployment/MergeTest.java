@@ -1,0 +1,235 @@
+package org.starl.deployment;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.RobotId;
+import org.starl.processes.Outbox;
+import org.starl.processes.Word;
+import org.starl.sim.Blueprint;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.input.BadInput;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceHeader;
+
+/** Several processes' traces as one. */
+class MergeTest {
+
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final long MS = 1_000_000;
+  private static final long SECOND = 1000 * MS;
+  private static final TraceHeader HEADER =
+      new TraceHeader("test", "section", 1, 1, Map.of(), List.of(A, B));
+
+  @TempDir private Path folder;
+
+  /** Nobody is in the section that another one is in. */
+  private static final class Exclusion implements Monitor {
+    private final Map<RobotId, Boolean> inside = new TreeMap<>();
+
+    @Override
+    public List<String> lemmas() {
+      return List.of("Exclusion");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof Action action) {
+        report.checked("Exclusion");
+        if (action.name().equals("leave")) {
+          inside.remove(action.robot());
+        } else if (action.name().equals("enter")) {
+          inside.put(action.robot(), true);
+          if (inside.size() > 1) {
+            report.violated(
+                "Exclusion", action.timeNs(), List.copyOf(inside.keySet()), "two inside");
+          }
+        }
+      }
+    }
+  }
+
+  private static Blueprint blueprint() {
+    return Simulation.builder()
+        .name("section")
+        .settings(SimSettings.defaults())
+        .monitor(Exclusion::new)
+        .build()
+        .blueprint();
+  }
+
+  private static Action action(long atMs, RobotId robot, String name) {
+    return new Action(atMs * MS, robot, "app", name, List.of());
+  }
+
+  private static Sent sent(long atMs, RobotId robot, long number) {
+    return new Sent(atMs * MS, robot, "*", "p/i", number, 10, "hello");
+  }
+
+  private static Delivered delivered(long atMs, RobotId robot, RobotId from, long number) {
+    return new Delivered(atMs * MS, robot, from, "p/i", number, "hello");
+  }
+
+  private String trace(
+      RobotId robot, String machine, long machineNs, long dateNs, TraceEvent... events)
+      throws IOException {
+    return trace(robot, robot + ".trace", machine, machineNs, dateNs, true, events);
+  }
+
+  private String trace(
+      RobotId robot,
+      String name,
+      String machine,
+      long machineNs,
+      long dateNs,
+      boolean isWhole,
+      TraceEvent... events)
+      throws IOException {
+    Path file = folder.resolve(name);
+    try (OutputStream out = Files.newOutputStream(file)) {
+      Outbox outbox = new Outbox(robot, HEADER, out);
+      outbox.say(() -> 0, Word.CLOCK, machine, machineNs, dateNs);
+      Arrays.asList(events).forEach(outbox::record);
+      if (isWhole) {
+        outbox.end(events.length == 0 ? 0 : events[events.length - 1].timeNs());
+      }
+    }
+    return file.toString();
+  }
+
+  private static Merge.Result judge(long dateErrorNs, String... files) {
+    return Merge.of(List.of(files), dateErrorNs, 0).judge(blueprint(), List.of());
+  }
+
+  private static List<String> order(long dateErrorNs, String... files) {
+    List<String> seen = new ArrayList<>();
+    Merge.of(List.of(files), dateErrorNs, 0)
+        .judge(
+            blueprint(),
+            List.of(
+                new SimObserver() {
+                  @Override
+                  public void observed(TraceEvent event) {
+                    if (event instanceof Action action) {
+                      seen.add(action.robot() + " " + action.name());
+                    }
+                  }
+                }));
+    return seen;
+  }
+
+  @Test
+  void onOneMachineTheOrderIsThatOfItsClock() throws IOException {
+    String a = trace(A, "m", 5 * SECOND, 0, action(10, A, "enter"), action(20, A, "leave"));
+    String b = trace(B, "m", 5 * SECOND, 9 * SECOND, action(15, B, "enter"));
+
+    Merge.Result result = judge(SECOND, a, b);
+
+    assertThat(result.orders()).isEqualTo(1);
+    assertThat(result.violations()).hasSize(1);
+    assertThat(result.possible()).isEmpty();
+    assertThat(order(SECOND, a, b)).containsExactly("a enter", "b enter", "a leave");
+  }
+
+  @Test
+  void whatUncertainClocksLeaveOpenIsPossibleAndNoViolation() throws IOException {
+    String a = trace(A, "m", 0, 0, action(10, A, "enter"), action(20, A, "leave"));
+    String b = trace(B, "n", 70 * SECOND, 0, action(25, B, "enter"));
+
+    Merge.Result result = judge(100 * MS, a, b);
+
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).hasSize(1);
+    assertThat(result.uncertaintyNs()).isEqualTo(200 * MS);
+  }
+
+  @Test
+  void whatEveryOrderHasIsAViolation() throws IOException {
+    String a = trace(A, "m", 0, 0, action(1000, A, "enter"), action(9000, A, "leave"));
+    String b = trace(B, "n", 0, 0, action(5000, B, "enter"));
+
+    assertThat(judge(100 * MS, a, b).violations()).hasSize(1);
+  }
+
+  @Test
+  void messagesOrderWhatClocksDoNot() throws IOException {
+    // By their dates b would enter first; a has left before it has sent what b waits for.
+    String a =
+        trace(A, "m", 0, 0, action(100, A, "enter"), action(200, A, "leave"), sent(210, A, 1));
+    String b = trace(B, "n", 0, 0, delivered(150, B, A, 1), action(160, B, "enter"));
+
+    Merge.Result result = judge(100 * MS, a, b);
+
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).isEmpty();
+    assertThat(order(100 * MS, a, b)).containsExactly("a enter", "a leave", "b enter");
+  }
+
+  @Test
+  void clocksThatContradictAreRefused() throws IOException {
+    String a = trace(A, "m", 0, 0, sent(5000, A, 1));
+    String b = trace(B, "n", 0, 0, delivered(100, B, A, 1));
+
+    assertThatThrownBy(() -> judge(100 * MS, a, b))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("contradicts");
+  }
+
+  @Test
+  void aKilledProcessIsACrash() throws IOException {
+    String a = trace(A, "m", 0, 0, action(10, A, "enter"));
+    String b = trace(B, "b.trace", "m", 0, 0, false, action(15, B, "look"));
+    List<TraceEvent> faults = new ArrayList<>();
+
+    Merge.Result result =
+        Merge.of(List.of(a, b), SECOND, 0)
+            .judge(
+                blueprint(),
+                List.of(
+                    new SimObserver() {
+                      @Override
+                      public void observed(TraceEvent event) {
+                        if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+                          faults.add(fault);
+                        }
+                      }
+                    }));
+
+    assertThat(result.dead()).containsExactly(B);
+    assertThat(faults).containsExactly(new Fault(15 * MS, B, Fault.CRASH, ""));
+  }
+
+  @Test
+  void whatIsNoTraceOfADeploymentIsRefused() throws IOException {
+    Path file = folder.resolve("other.trace");
+    try (OutputStream out = Files.newOutputStream(file)) {
+      new Outbox(A, HEADER, out).end(0);
+    }
+
+    assertThatThrownBy(() -> judge(SECOND, file.toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("on which clock");
+    assertThatThrownBy(() -> judge(SECOND, folder.resolve("none.trace").toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("no such file");
+  }
+}
