@@ -190,7 +190,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
 
   /**
    * Stops the wheels, leaves the robot in passive mode, and ends the link; it waits until the robot
-   * has said that it is so, or {@value #END_MS} ms.
+   * has said that it is so, or half a second.
    */
   @Override
   public void close() {
