@@ -27,7 +27,9 @@ final class Convoy {
     this.settings = settings;
     world =
         new LiveWorld<>(
-            seed, new ElectionSpec(BOUND_MS * NS_PER_MS, settings.deadlineMs() * NS_PER_MS));
+            seed,
+            new ElectionSpec(BOUND_MS * NS_PER_MS, settings.deadlineMs() * NS_PER_MS),
+            new ElectionConformance());
     world.add(size, name -> new Voter(this, name));
   }
 

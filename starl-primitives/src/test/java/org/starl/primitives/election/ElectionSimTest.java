@@ -71,7 +71,8 @@ class ElectionSimTest {
                 .set("messageDelay", "uniform(10ms,100ms)")
                 .set("duration", "120s")
                 .build())
-        .monitor(() -> new ElectionSpec(12 * S, 10 * S));
+        .monitor(() -> new ElectionSpec(12 * S, 10 * S))
+        .monitor(ElectionConformance::new);
   }
 
   @Property(tries = 15)

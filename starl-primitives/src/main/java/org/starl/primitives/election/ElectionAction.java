@@ -1,0 +1,49 @@
+package org.starl.primitives.election;
+
+import java.util.List;
+import org.starl.ProcessId;
+import org.starl.spec.automaton.Action;
+
+/** The actions of the theory {@code Election_decls}, under their names there. */
+public sealed interface ElectionAction extends Action {
+
+  /** Takes part from now on. */
+  record do_election(ProcessId i) implements ElectionAction {
+    @Override
+    public List<Object> args() {
+      return List.of(i);
+    }
+  }
+
+  /** Stands in term {@code n}. */
+  record candidate(ProcessId i, long n) implements ElectionAction {
+    @Override
+    public List<Object> args() {
+      return List.of(i, n);
+    }
+  }
+
+  /** Is elected in term {@code n}, which nobody need know of. */
+  record elect(long n, ProcessId i) implements ElectionAction {
+    @Override
+    public List<Object> args() {
+      return List.of(n, i);
+    }
+  }
+
+  /** Learns who is elected in term {@code n}. */
+  record learn(ProcessId i, long n) implements ElectionAction {
+    @Override
+    public List<Object> args() {
+      return List.of(i, n);
+    }
+  }
+
+  /** Knows no leader any more, or is told that there is none. */
+  record fail(ProcessId i) implements ElectionAction {
+    @Override
+    public List<Object> args() {
+      return List.of(i);
+    }
+  }
+}

@@ -1,0 +1,114 @@
+package org.starl.primitives.election;
+
+import java.util.Collections;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import org.starl.ProcessId;
+import org.starl.spec.automaton.Automaton;
+import org.starl.spec.automaton.Enabled;
+import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Lift;
+
+/**
+ * The theory {@code Election_decls}, executable: at most one leader for each term. {@code PIDS} are
+ * ids, one for each start of a robot's program. {@link ElectionConformance} takes runs through it.
+ */
+public final class ElectionAutomaton
+    implements Automaton<ElectionAutomaton.States, ElectionAction> {
+
+  /** The theory's name. */
+  public static final String ELECTION_DECLS = "Election_decls";
+
+  private static final SortedSet<ProcessId> NOBODY =
+      Collections.unmodifiableSortedSet(new TreeSet<>());
+
+  /**
+   * What an id knows.
+   *
+   * @param who bottom: null or fail
+   */
+  public record Known(long term, Lift<ProcessId> who) {
+
+    /** {@code (# term := 1, who := up(bot0#1) #)}. */
+    @Override
+    public String toString() {
+      return "(# term := " + term + ", who := " + who + " #)";
+    }
+  }
+
+  /**
+   * The theory's states.
+   *
+   * @param part called {@code do_election}
+   * @param stood in a term
+   * @param elected in a term
+   * @param Leader what an id shows
+   */
+  public record States(
+      Fun<ProcessId, Boolean> part,
+      Fun<Long, SortedSet<ProcessId>> stood,
+      Fun<Long, Lift<ProcessId>> elected,
+      Fun<ProcessId, Known> Leader) {
+
+    private States withLeader(ProcessId i, Known known) {
+      return new States(part, stood, elected, Leader.with(i, known));
+    }
+  }
+
+  @Override
+  public String theory() {
+    return ELECTION_DECLS;
+  }
+
+  @Override
+  public States start() {
+    return new States(
+        Fun.always(false),
+        Fun.always(NOBODY),
+        Fun.always(new Lift.bottom<>()),
+        Fun.always(new Known(0, new Lift.bottom<>())));
+  }
+
+  @Override
+  public Enabled enabled(ElectionAction action, States s) {
+    return switch (action) {
+      case ElectionAction.do_election a -> Enabled.TRUE;
+      case ElectionAction.candidate a ->
+          Enabled.when("part(i)", s.part.at(a.i()), () -> "NOT part(" + a.i() + ")");
+      case ElectionAction.elect a ->
+          Enabled.when(
+                  "bottom?(elected(n))",
+                  !s.elected.at(a.n()).isUp(),
+                  () -> "elected(" + a.n() + ") = " + s.elected.at(a.n()))
+              .and(
+                  "stood(n)(i)",
+                  s.stood.at(a.n()).contains(a.i()),
+                  () -> "stood(" + a.n() + ") = " + s.stood.at(a.n()));
+      case ElectionAction.learn a ->
+          Enabled.when(
+              "up?(elected(n))",
+              s.elected.at(a.n()).isUp(),
+              () -> "elected(" + a.n() + ") = " + s.elected.at(a.n()));
+      case ElectionAction.fail a -> Enabled.TRUE;
+    };
+  }
+
+  @Override
+  public States trans(ElectionAction action, States s) {
+    return switch (action) {
+      case ElectionAction.do_election a ->
+          new States(s.part.with(a.i(), true), s.stood, s.elected, s.Leader);
+      case ElectionAction.candidate a -> {
+        SortedSet<ProcessId> stood = new TreeSet<>(s.stood.at(a.n()));
+        stood.add(a.i());
+        SortedSet<ProcessId> all = Collections.unmodifiableSortedSet(stood);
+        yield new States(s.part, s.stood.with(a.n(), all), s.elected, s.Leader);
+      }
+      case ElectionAction.elect a ->
+          new States(s.part, s.stood, s.elected.with(a.n(), new Lift.up<>(a.i())), s.Leader);
+      case ElectionAction.learn a -> s.withLeader(a.i(), new Known(a.n(), s.elected.at(a.n())));
+      case ElectionAction.fail a ->
+          s.withLeader(a.i(), new Known(s.Leader.at(a.i()).term(), new Lift.bottom<>()));
+    };
+  }
+}

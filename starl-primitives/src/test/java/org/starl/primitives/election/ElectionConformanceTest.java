@@ -1,0 +1,143 @@
+package org.starl.primitives.election;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.primitives.election.ElectionAutomaton.States;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.automaton.Steps;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+class ElectionConformanceTest {
+
+  private static final String SOURCE = "election/x";
+
+  private final List<String> steps = new ArrayList<>();
+  private final Monitors monitors =
+      new Monitors(
+          List.of(
+              new ElectionConformance(
+                  new Steps<States, ElectionAction>() {
+                    @Override
+                    public void stepped(
+                        String instance, TraceEvent event, ElectionAction action, States after) {
+                      steps.add(action.text());
+                    }
+
+                    @Override
+                    public void resulted(
+                        String instance, String function, Object argument, Object value) {
+                      steps.add(function + "(" + argument + ") = " + value);
+                    }
+                  })));
+
+  private void acts(String robot, String name, String... args) {
+    monitors.observe(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
+  }
+
+  private void shows(String robot, String leader) {
+    monitors.observe(new Variable(0, new RobotId(robot), SOURCE, "Leader", leader));
+  }
+
+  private void stands(String robot, String term) {
+    acts(robot, "Election", "2", robot + "#1");
+    acts(robot, "do_election", robot + "#1");
+    acts(robot, "candidate", term, robot + "#1");
+  }
+
+  private List<String> details() {
+    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+  }
+
+  @Test
+  void eachEventIsTheActionOfTheTable() {
+    shows("a", "null");
+    acts("a", "Election", "2", "a#1");
+    acts("b", "Election", "2", "b#1");
+    acts("a", "do_election", "a#1");
+    acts("a", "candidate", "1", "a#1");
+    shows("a", "1:a#1");
+    shows("b", "1:a#1");
+    shows("b", "fail");
+    shows("a", "null");
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "do_election(a#1)",
+            "candidate(a#1, 1)",
+            "elect(1, a#1)",
+            "learn(a#1, 1)",
+            "Leader(a#1) = (# term := 1, who := up(a#1) #)",
+            "learn(b#1, 1)",
+            "Leader(b#1) = (# term := 1, who := up(a#1) #)",
+            "fail(b#1)",
+            "fail(a#1)");
+  }
+
+  @Test
+  void whoRestartsIsAnother() {
+    stands("a", "1");
+    shows("a", "1:a#1");
+    steps.clear();
+    shows("a", "null");
+    acts("a", "Election", "2", "a#2");
+    shows("a", "1:a#1");
+    assertThat(steps)
+        .containsExactly(
+            "fail(a#1)", "learn(a#2, 1)", "Leader(a#2) = (# term := 1, who := up(a#1) #)");
+    acts("a", "candidate", "2", "a#2");
+    assertThat(details())
+        .containsExactly(
+            "election/x: candidate(a#2, 2) is not enabled: part(i) is false: NOT part(a#2)");
+  }
+
+  @Test
+  void theRestAreStutters() {
+    acts("a", "Election", "2", "a#1");
+    acts("b", "do_election", "a#1");
+    acts("b", "candidate", "1", "a#1");
+    shows("a", "null");
+    monitors.observe(new Variable(0, new RobotId("a"), SOURCE, "failed", "true"));
+    monitors.observe(new Action(0, new RobotId("a"), "app", "do_election", List.of("a#1")));
+    assertThat(steps).isEmpty();
+    assertThat(details()).isEmpty();
+  }
+
+  @Test
+  void anotherLeaderOfTheTermDeviates() {
+    stands("a", "1");
+    stands("b", "1");
+    shows("a", "1:a#1");
+    shows("b", "1:b#1");
+    assertThat(details())
+        .containsExactly(
+            "election/x: Leader(b#1) is (# term := 1, who := up(a#1) #),"
+                + " but the trace has (# term := 1, who := up(b#1) #)");
+  }
+
+  @Test
+  void whoHasNotSaidWhoItIsShowsTheElectedOneAsWell() {
+    stands("a", "1");
+    shows("c", "1:a#1");
+    assertThat(details()).isEmpty();
+    shows("d", "1:b#1");
+    assertThat(details())
+        .containsExactly("election/x: elected(1) is up(a#1), but the trace has up(b#1)");
+  }
+
+  @Test
+  void whoDidNotStandInTheTermDeviates() {
+    stands("a", "1");
+    shows("a", "2:a#1");
+    assertThat(details())
+        .containsExactly(
+            "election/x: elect(2, a#1) is not enabled: stood(n)(i) is false: stood(2) = []");
+  }
+}
