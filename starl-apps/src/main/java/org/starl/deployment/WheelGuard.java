@@ -26,6 +26,10 @@ public final class WheelGuard {
   private static final byte[] STAND = {(byte) 145, 0, 0, 0, 0, (byte) 128};
 
   private static final int STANDS = 3;
+
+  /** A port that is closed forgets what it has not sent: at 300 baud these bytes take 600 ms. */
+  private static final long DRAIN_MS = 700;
+
   private static final int BUFFER_BYTES = 256;
   private static final long CLOSE_MS = 2000;
   private static final List<String> JAVA_OPTIONS =
@@ -120,7 +124,12 @@ public final class WheelGuard {
         link.output().write(STAND);
         link.output().flush();
       }
-      hasStood = true;
+      if (!hasStood) {
+        hasStood = true;
+        TimeUnit.MILLISECONDS.sleep(DRAIN_MS);
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     } catch (IOException e) {
       // There is no link left to say it over.
       hasStood = true;
