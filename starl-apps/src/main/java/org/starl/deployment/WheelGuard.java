@@ -37,10 +37,12 @@ public final class WheelGuard {
 
   private final ByteLink link;
   private final ReentrantLock lock = new ReentrantLock();
+  private final Thread voice = new Thread(this::listen, "voice");
   private boolean hasStood;
 
   private WheelGuard(ByteLink link) {
     this.link = link;
+    voice.setDaemon(true);
   }
 
   /** Links to a Create with a guard between, another one for each link. */
@@ -67,9 +69,7 @@ public final class WheelGuard {
     try (ByteLink link = ByteLinks.direct(args[0], Integer.parseInt(args[1])).open()) {
       WheelGuard guard = new WheelGuard(link);
       Runtime.getRuntime().addShutdownHook(new Thread(guard::stand, "guard's end"));
-      Thread voice = new Thread(guard::listen, "voice");
-      voice.setDaemon(true);
-      voice.start();
+      guard.voice.start();
       guard.pass();
     } catch (IOException e) {
       // Who has started it finds its end closed, and starts another.
@@ -126,7 +126,8 @@ public final class WheelGuard {
       }
       if (!hasStood) {
         hasStood = true;
-        TimeUnit.MILLISECONDS.sleep(DRAIN_MS);
+        // The port stays open for as long as the Create may still be told.
+        voice.join(DRAIN_MS);
       }
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
