@@ -22,6 +22,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.motion.MotionParameters;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.primitives.motion.MotionConformance;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
@@ -125,6 +126,7 @@ public final class RaceDemo implements Demo {
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
     MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);
     simulation.monitor(() -> new MotionSpec(motion));
+    simulation.monitor(() -> new MotionConformance(motion));
     simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS));
   }
 

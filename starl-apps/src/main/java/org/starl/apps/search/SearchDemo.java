@@ -26,6 +26,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionParameters;
+import org.starl.primitives.motion.MotionConformance;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.random.Rng;
@@ -147,6 +148,7 @@ public final class SearchDemo implements Demo {
     SearchSpec.of(house, things).forEach(simulation::monitor);
     MotionParameters motion = Driving.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
+    simulation.monitor(() -> new MotionConformance(motion));
     simulation.monitor(() -> new TubesSpec(SearchSpec.toldNs(house)));
   }
 

@@ -4,8 +4,11 @@ import org.starl.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 
-/** One command to move, as {@link MotionSpec} follows it. */
+/** One command to move, as {@link MotionBodies} follows it. */
 final class MotionRecord {
+
+  /** From 1 on, of all commands of a run. */
+  final long number;
 
   final RobotId robot;
   final Point target;
@@ -32,7 +35,9 @@ final class MotionRecord {
 
   double saidErrorMm;
 
-  MotionRecord(RobotId robot, Point target, Region avoid, boolean turnsOnly, long startNs) {
+  MotionRecord(
+      long number, RobotId robot, Point target, Region avoid, boolean turnsOnly, long startNs) {
+    this.number = number;
     this.robot = robot;
     this.target = target;
     this.avoid = avoid;

@@ -1,23 +1,19 @@
 package org.starl.primitives.motion;
 
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
-import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
 import org.starl.motion.CollisionPolicy;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionParameters;
-import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
-import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -42,12 +38,7 @@ public final class MotionSpec implements Monitor {
 
   private final MotionParameters p;
   private final double marginMm;
-  private final double rollMm;
-  private final Bodies bodies = new Bodies();
-  private final Map<RobotId, Double> speeds = new TreeMap<>();
-
-  /** Each robot's last command. */
-  private final Map<RobotId, MotionRecord> motions = new TreeMap<>();
+  private final MotionBodies bodies;
 
   // How many faults are at work, and how many of them on robots' time.
   private int faults;
@@ -66,8 +57,9 @@ public final class MotionSpec implements Monitor {
    */
   public MotionSpec(MotionParameters parameters, double positionErrorMm) {
     p = parameters;
+    bodies = new MotionBodies(parameters);
     double mostMmPerS = (1 + p.speedError()) * p.linSpeedMaxMmPerS();
-    rollMm = mostMmPerS * p.reactionMs() / 1e3;
+    double rollMm = mostMmPerS * p.reactionMs() / 1e3;
     double stepMm = mostMmPerS * p.automatonPeriodMs() / 1e3;
     marginMm = SWERVE_MM + 2 * (positionErrorMm + rollMm + stepMm);
   }
@@ -91,30 +83,12 @@ public final class MotionSpec implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     judgeWhatIsLate(event.timeNs(), report);
+    bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
     switch (event) {
       case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
-      case Variable variable
-          when variable.source().equals(MotionTrace.SOURCE)
-              && variable.name().equals(MotionTrace.MOTIONFLAG) ->
-          flagged(variable, report);
-      case Moved moved -> {
-        follow(moved.robot(), moved.timeNs(), report);
-        bodies.observe(moved);
-        speeds.put(moved.robot(), Math.abs(moved.linearMmPerS()));
-      }
-      case Joined joined -> {
-        bodies.observe(joined);
-        speeds.put(joined.robot(), 0.0);
-        MotionRecord motion = motions.get(joined.robot());
-        if (motion != null) {
-          startOf(motion, joined.timeNs());
-        }
-      }
-      case Left left -> {
-        follow(left.robot(), left.timeNs(), report);
-        bodies.observe(left);
-      }
-      case Fault fault -> failing(fault, report);
+      case Variable variable when MotionTrace.isFlag(variable) -> flagged(variable, report);
+      case Joined joined -> startOf(joined.robot(), joined.timeNs());
+      case Fault fault -> failing(fault);
       default -> {
         // Of no concern here.
       }
@@ -124,26 +98,16 @@ public final class MotionSpec implements Monitor {
   @Override
   public void finish(long endNs, Report report) {
     judgeWhatIsLate(endNs, report);
-    motions.keySet().forEach(robot -> follow(robot, endNs, report));
+    bodies.finish(endNs, (motion, moved) -> followed(motion, moved, report));
   }
 
   private void acted(Action action, Report report) {
-    MotionRecord motion = motions.get(action.robot());
-    List<String> args = action.args();
     switch (action.name()) {
-      case MotionTrace.MOAT_MOVE -> begin(action, args.get(1), false, report);
-      case MotionTrace.TURN_TO -> begin(action, RegionText.format(new Nowhere()), true, report);
-      case MotionTrace.MOTION_STOP -> end(action.robot(), action.timeNs(), report);
-      case MotionTrace.ARRIVED -> {
-        if (motion != null) {
-          motion.saidAt =
-              new Point(Double.parseDouble(args.get(0)), Double.parseDouble(args.get(1)));
-          motion.saidErrorMm = Double.parseDouble(args.get(2));
-        }
-      }
+      case MotionTrace.MOAT_MOVE, MotionTrace.TURN_TO -> startOf(action.robot(), action.timeNs());
       case MotionTrace.FAILED -> {
+        MotionRecord motion = bodies.of(action.robot());
         if (motion != null) {
-          failed(motion, args.get(0), action.timeNs(), report);
+          failed(motion, action.args().get(0), action.timeNs(), report);
         }
       }
       default -> {
@@ -152,29 +116,20 @@ public final class MotionSpec implements Monitor {
     }
   }
 
-  private void begin(Action action, String avoid, boolean turnsOnly, Report report) {
-    RobotId robot = action.robot();
-    end(robot, action.timeNs(), report);
-    Point target = MotionTrace.place(action.args().get(0));
-    MotionRecord motion =
-        new MotionRecord(robot, target, RegionText.parse(avoid), turnsOnly, action.timeNs());
-    motions.put(robot, motion);
-    startOf(motion, action.timeNs());
-  }
-
   /** What it owes depends on where the body is at the call, or when it comes to the floor. */
-  private void startOf(MotionRecord motion, long nowNs) {
+  private void startOf(RobotId robot, long nowNs) {
+    MotionRecord motion = bodies.of(robot);
+    if (motion == null) {
+      return;
+    }
     double distanceMm = 0;
-    motion.followedNs = nowNs;
-    if (bodies.isOnFloor(motion.robot)) {
-      Point start = bodies.poseAt(motion.robot, nowNs).at();
-      double radiusMm = bodies.radiusMm(motion.robot);
+    if (bodies.isOnFloor(robot)) {
+      Point start = bodies.poseAt(robot, nowNs).at();
       distanceMm = start.distanceMm(motion.target);
-      motion.owesAvoids = motion.avoid.distanceMm(start) > radiusMm + rollMm;
       motion.owesArrives =
           faults == 0
               && !motion.turnsOnly
-              && isClear(start, motion, radiusMm + p.goalRadiusMm() + marginMm);
+              && isClear(start, motion, bodies.radiusMm(robot) + p.goalRadiusMm() + marginMm);
     }
     long longestMs = p.longestMs(distanceMm + p.maxErrorMm());
     long stepMs = 2 * p.automatonPeriodMs() + p.reactionMs();
@@ -201,20 +156,19 @@ public final class MotionSpec implements Monitor {
   }
 
   private void flagged(Variable variable, Report report) {
-    MotionRecord motion = motions.get(variable.robot());
+    MotionRecord motion = bodies.of(variable.robot());
     if (motion == null) {
       return;
     }
     switch (MotionFlag.valueOf(variable.value())) {
-      case MOVING -> {
-        // Said when it began.
+      case MOVING, IDLE -> {
+        // Said when it began, or is over.
       }
       case DONE -> done(motion, variable.timeNs(), report);
       case FAIL -> {
         report.checked(TOLD);
         motion.isOpen = false;
       }
-      case IDLE -> end(variable.robot(), variable.timeNs(), report);
     }
   }
 
@@ -226,8 +180,7 @@ public final class MotionSpec implements Monitor {
       return;
     }
     Pose truth = bodies.poseAt(motion.robot, nowNs);
-    double nearMm = p.goalRadiusMm() + motion.saidErrorMm;
-    if (!motion.turnsOnly && !(truth.distanceMm(motion.target) <= nearMm + BodyPath.ROUNDING_MM)) {
+    if (!bodies.isNear(motion, nowNs)) {
       String detail = "DONE " + truth.distanceMm(motion.target) + " mm from " + motion.target;
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);
     }
@@ -260,21 +213,20 @@ public final class MotionSpec implements Monitor {
         || (isHeldUp && p.collisionPolicy() != CollisionPolicy.STOP_ON_COLLISION);
   }
 
-  private void failing(Fault fault, Report report) {
+  private void failing(Fault fault) {
     switch (fault.name()) {
       case Fault.BEGIN -> {
         faults++;
         faultsOfTime += isOfTime(fault) ? 1 : 0;
-        motions.values().forEach(motion -> motion.owesArrives = false);
+        bodies.motions().values().forEach(motion -> motion.owesArrives = false);
       }
       case Fault.END -> {
         faults--;
         if (isOfTime(fault)) {
           faultsOfTime--;
-          motions.values().forEach(motion -> oweAnew(motion, fault.timeNs()));
+          bodies.motions().values().forEach(motion -> oweAnew(motion, fault.timeNs()));
         }
       }
-      case Fault.CRASH -> end(fault.robot(), fault.timeNs(), report);
       default -> {
         // Of no concern here.
       }
@@ -292,26 +244,11 @@ public final class MotionSpec implements Monitor {
     firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
   }
 
-  /** The last command is replaced, taken back, or forgotten with its program. */
-  private void end(RobotId robot, long nowNs, Report report) {
-    follow(robot, nowNs, report);
-    motions.remove(robot);
-  }
-
-  private void follow(RobotId robot, long nowNs, Report report) {
-    MotionRecord motion = motions.get(robot);
-    if (motion == null || !motion.owesAvoids || !bodies.isOnFloor(robot)) {
-      return;
-    }
+  private static void followed(MotionRecord motion, @Nullable Moved moved, Report report) {
     report.checked(AVOIDS);
-    double mmPerS = speeds.getOrDefault(robot, 0.0);
-    long entersNs =
-        BodyPath.entersNs(bodies, robot, mmPerS, motion.avoid, motion.followedNs, nowNs);
-    motion.followedNs = nowNs;
-    if (entersNs >= 0) {
-      motion.owesAvoids = false;
+    if (moved != null) {
       String detail = "enters " + RegionText.format(motion.avoid);
-      report.violated(AVOIDS, entersNs, List.of(robot), detail);
+      report.violated(AVOIDS, moved.timeNs(), List.of(motion.robot), detail);
     }
   }
 
@@ -320,7 +257,7 @@ public final class MotionSpec implements Monitor {
       return;
     }
     firstDeadlineNs = Long.MAX_VALUE;
-    for (MotionRecord motion : motions.values()) {
+    for (MotionRecord motion : bodies.motions().values()) {
       if (motion.isOpen && nowNs > motion.deadlineNs) {
         motion.isOpen = false;
         report.checked(TOLD);

@@ -1,6 +1,7 @@
 package org.starl.primitives.motion;
 
 import org.starl.geometry.Point;
+import org.starl.trace.TraceEvent.Variable;
 
 /** The names under which motions appear in a trace; {@link MotionSpec} decides from these. */
 final class MotionTrace {
@@ -30,6 +31,11 @@ final class MotionTrace {
   static final String MOTIONFLAG = "motionflag";
 
   private MotionTrace() {}
+
+  /** Whether it is some robot's {@code motionflag}. */
+  static boolean isFlag(Variable variable) {
+    return variable.source().equals(SOURCE) && variable.name().equals(MOTIONFLAG);
+  }
 
   /** The place in a target's text {@code name@x,y}. */
   static Point place(String target) {

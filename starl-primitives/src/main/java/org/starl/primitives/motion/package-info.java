@@ -16,6 +16,9 @@
  * <p>Progress: {@code arrives}: it is DONE, not FAIL, if nothing is in the way: A is not near the
  * straight line to t, nothing is bumped into, positions come, and no fault is at work on the run.
  *
+ * <p>{@link org.starl.primitives.motion.MotionConformance} takes each run through the automaton of
+ * which {@code avoids} and {@code told} are proved.
+ *
  * <p>Envelope. The robot is told the truth of itself by its {@link
  * org.starl.motion.MotionParameters}: the radius of its body; {@code speedError}, by which it drives
  * or turns too fast (too slowly, or not at all, it may whenever it likes), its clock's drift

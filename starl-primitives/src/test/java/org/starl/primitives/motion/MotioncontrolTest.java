@@ -35,6 +35,7 @@ import org.starl.sim.Simulation;
 class MotioncontrolTest {
 
   private static final int SEEDS = 15;
+  private static final String THEORY = MotionControlAutomaton.MOTION_CONTROL_DECLS;
 
   /** A world drawn by seed. */
   private static SimSettings drawn(long seed, CollisionPolicy policy) {
@@ -58,7 +59,8 @@ class MotioncontrolTest {
     return Simulation.builder()
         .seed(seed)
         .settings(settings)
-        .monitor(() -> new MotionSpec(parameters, 200));
+        .monitor(() -> new MotionSpec(parameters, 200))
+        .monitor(() -> new MotionConformance(parameters));
   }
 
   @ParameterizedTest
@@ -208,6 +210,7 @@ class MotioncontrolTest {
           robot.await();
         });
     assertThat(result.spec().violations(MotionSpec.AVOIDS)).isEqualTo(1);
+    assertThat(result.spec().violations(THEORY)).isEqualTo(1);
   }
 
   @Test
@@ -219,6 +222,7 @@ class MotioncontrolTest {
           robot.await();
         });
     assertThat(result.spec().violations(MotionSpec.TOLD)).isEqualTo(1);
+    assertThat(result.spec().violations(THEORY)).isEqualTo(1);
   }
 
   @Test

@@ -1,0 +1,197 @@
+package org.starl.primitives.motion;
+
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.RobotId;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
+import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionParameters;
+import org.starl.spec.Bodies;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * Follows the true bodies of a run, and each robot's last command to move. What is in an area to
+ * avoid, and what is near a target, is decided here, for {@link MotionSpec} and {@link
+ * MotionConformance} alike.
+ */
+final class MotionBodies {
+
+  /** Is shown the path of a body whose command says what to avoid, piece by piece. */
+  interface Path {
+
+    /**
+     * @param moved how the body moves since it entered, at the time at which it did; null if it stays
+     *     outside
+     */
+    void followed(MotionRecord motion, @Nullable Moved moved);
+  }
+
+  private final double goalRadiusMm;
+  private final double rollMm;
+  private final Bodies bodies = new Bodies();
+  private final Map<RobotId, Moved> drives = new TreeMap<>();
+  private final Map<RobotId, MotionRecord> motions = new TreeMap<>();
+  private long commands;
+
+  MotionBodies(MotionParameters p) {
+    goalRadiusMm = p.goalRadiusMm();
+    rollMm = (1 + p.speedError()) * p.linSpeedMaxMmPerS() * p.reactionMs() / 1e3;
+  }
+
+  /** Each robot's last command, unless it was taken back. */
+  Map<RobotId, MotionRecord> motions() {
+    return motions;
+  }
+
+  /** The last command of {@code robot}; null if there is none, or it was taken back. */
+  @Nullable MotionRecord of(RobotId robot) {
+    return motions.get(robot);
+  }
+
+  boolean isOnFloor(RobotId robot) {
+    return bodies.isOnFloor(robot);
+  }
+
+  /** The true pose of a body on the floor. */
+  Pose poseAt(RobotId robot, long nowNs) {
+    return bodies.poseAt(robot, nowNs);
+  }
+
+  double radiusMm(RobotId robot) {
+    return bodies.radiusMm(robot);
+  }
+
+  /**
+   * Whether the body is where its robot may say DONE: within goal radius and the error bound that it
+   * knew of.
+   */
+  boolean isNear(MotionRecord motion, long nowNs) {
+    if (!bodies.isOnFloor(motion.robot)) {
+      return false;
+    }
+    double nearMm = goalRadiusMm + motion.saidErrorMm + BodyPath.ROUNDING_MM;
+    return motion.turnsOnly
+        || bodies.poseAt(motion.robot, nowNs).distanceMm(motion.target) <= nearMm;
+  }
+
+  /**
+   * Sees the next event.
+   *
+   * @param path is shown where bodies went until then, before what else the event says counts
+   */
+  void observe(TraceEvent event, Path path) {
+    switch (event) {
+      case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, path);
+      // A program that begins anew says so before anything else.
+      case Variable variable
+          when MotionTrace.isFlag(variable) && variable.value().equals(MotionFlag.IDLE.name()) ->
+          end(variable.robot(), variable.timeNs(), path);
+      case Moved moved -> {
+        follow(moved.robot(), moved.timeNs(), path);
+        bodies.observe(moved);
+        drives.put(moved.robot(), moved);
+      }
+      case Joined joined -> {
+        bodies.observe(joined);
+        drives.remove(joined.robot());
+        MotionRecord motion = motions.get(joined.robot());
+        if (motion != null) {
+          startOf(motion, joined.timeNs());
+        }
+      }
+      case Left left -> {
+        follow(left.robot(), left.timeNs(), path);
+        bodies.observe(left);
+      }
+      case Fault fault when fault.name().equals(Fault.CRASH) ->
+          end(fault.robot(), fault.timeNs(), path);
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  /** Follows all bodies until the end of the run. */
+  void finish(long endNs, Path path) {
+    motions.keySet().forEach(robot -> follow(robot, endNs, path));
+  }
+
+  private void acted(Action action, Path path) {
+    List<String> args = action.args();
+    switch (action.name()) {
+      case MotionTrace.MOAT_MOVE -> begin(action, RegionText.parse(args.get(1)), false, path);
+      case MotionTrace.TURN_TO -> begin(action, new Nowhere(), true, path);
+      case MotionTrace.MOTION_STOP -> end(action.robot(), action.timeNs(), path);
+      case MotionTrace.ARRIVED -> {
+        MotionRecord motion = motions.get(action.robot());
+        if (motion != null) {
+          motion.saidAt =
+              new Point(Double.parseDouble(args.get(0)), Double.parseDouble(args.get(1)));
+          motion.saidErrorMm = Double.parseDouble(args.get(2));
+        }
+      }
+      default -> {
+        // Of no concern here.
+      }
+    }
+  }
+
+  private void begin(Action action, Region avoid, boolean turnsOnly, Path path) {
+    RobotId robot = action.robot();
+    end(robot, action.timeNs(), path);
+    Point target = MotionTrace.place(action.args().get(0));
+    commands++;
+    MotionRecord motion =
+        new MotionRecord(commands, robot, target, avoid, turnsOnly, action.timeNs());
+    motions.put(robot, motion);
+    startOf(motion, action.timeNs());
+  }
+
+  /** What it owes depends on where the body is at the call, or when it comes to the floor. */
+  private void startOf(MotionRecord motion, long nowNs) {
+    motion.followedNs = nowNs;
+    if (bodies.isOnFloor(motion.robot)) {
+      Point start = bodies.poseAt(motion.robot, nowNs).at();
+      motion.owesAvoids = motion.avoid.distanceMm(start) > bodies.radiusMm(motion.robot) + rollMm;
+    }
+  }
+
+  /** The last command is replaced, taken back, or forgotten with its program. */
+  private void end(RobotId robot, long nowNs, Path path) {
+    follow(robot, nowNs, path);
+    motions.remove(robot);
+  }
+
+  private void follow(RobotId robot, long nowNs, Path path) {
+    MotionRecord motion = motions.get(robot);
+    if (motion == null || !motion.owesAvoids || !bodies.isOnFloor(robot)) {
+      return;
+    }
+    Moved drive = drives.get(robot);
+    double mmPerS = drive == null ? 0 : Math.abs(drive.linearMmPerS());
+    long entersNs =
+        BodyPath.entersNs(bodies, robot, mmPerS, motion.avoid, motion.followedNs, nowNs);
+    motion.followedNs = nowNs;
+    if (entersNs < 0) {
+      path.followed(motion, null);
+      return;
+    }
+    motion.owesAvoids = false;
+    double linearMmPerS = drive == null ? 0 : drive.linearMmPerS();
+    double angularRadPerS = drive == null ? 0 : drive.angularRadPerS();
+    Pose pose = bodies.poseAt(robot, entersNs);
+    path.followed(motion, new Moved(entersNs, robot, pose, linearMmPerS, angularRadPerS));
+  }
+}

@@ -1,0 +1,212 @@
+package org.starl.primitives.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.RegionText;
+import org.starl.motion.MotionParameters;
+import org.starl.primitives.motion.MotionControlAutomaton.States;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.automaton.Steps;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+class MotionConformanceTest {
+
+  private static final RobotId BOT = new RobotId("bot0");
+  private static final long S = 1_000_000_000L;
+  private static final String AHEAD = "ahead@2000.0,0.0";
+  private static final String BESIDE = RegionText.format(new Circle(new Point(1000, 900), 200));
+  private static final String IN_THE_WAY = RegionText.format(new Circle(new Point(1000, 0), 200));
+
+  private final List<String> steps = new ArrayList<>();
+  private final Monitors monitors =
+      new Monitors(
+          List.of(
+              new MotionConformance(
+                  MotionParameters.DEFAULT,
+                  new Steps<States, MotionControlAction>() {
+                    @Override
+                    public void stepped(
+                        String instance,
+                        TraceEvent event,
+                        MotionControlAction action,
+                        States after) {
+                      steps.add(action.text());
+                    }
+
+                    @Override
+                    public void resulted(
+                        String instance, String function, Object argument, Object value) {
+                      steps.add(function + "(" + argument + ") = " + value);
+                    }
+                  })));
+
+  private void isAt(double xMm) {
+    monitors.observe(new Joined(0, BOT, new Pose(xMm, 0, 0), 165));
+  }
+
+  private void acts(long timeNs, String name, String... args) {
+    monitors.observe(new Action(timeNs, BOT, "motion", name, List.of(args)));
+  }
+
+  private void says(long timeNs, String flag) {
+    monitors.observe(new Variable(timeNs, BOT, "motion", "motionflag", flag));
+  }
+
+  private void drives(long timeNs, double xMm, double mmPerS) {
+    monitors.observe(new Moved(timeNs, BOT, new Pose(xMm, 0, 0), mmPerS, 0));
+  }
+
+  private List<String> details() {
+    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+  }
+
+  @Test
+  void eachEventIsTheActionOfTheTable() {
+    isAt(0);
+    says(0, "IDLE");
+    acts(0, "do_move", AHEAD, BESIDE);
+    acts(0, "doMove", AHEAD, BESIDE);
+    says(0, "MOVING");
+    drives(0, 0, 500);
+    drives(4 * S, 2000, 0);
+    acts(4 * S, "arrived", "2000.0", "0.0", "10.0");
+    says(4 * S, "DONE");
+    acts(5 * S, "turnTo", "back@0.0,0.0");
+    says(5 * S, "MOVING");
+    acts(6 * S, "failed", "bumped into something");
+    says(6 * S, "FAIL");
+    acts(7 * S, "motion_stop");
+    says(7 * S, "IDLE");
+    acts(8 * S, "doMove", AHEAD, "nowhere");
+    says(8 * S, "MOVING");
+    monitors.observe(new Fault(9 * S, BOT, Fault.CRASH, ""));
+    says(10 * S, "IDLE");
+    acts(11 * S, "doMove", AHEAD, "nowhere");
+    says(12 * S, "IDLE");
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "motionflag(bot0) = IDLE",
+            "do_move(bot0, 1, 1)",
+            "motionflag(bot0) = MOVING",
+            "move(bot0, in [], near [1])",
+            "arrived(bot0)",
+            "motionflag(bot0) = DONE",
+            "do_move(bot0, 2, 2)",
+            "motionflag(bot0) = MOVING",
+            "failed(bot0)",
+            "motionflag(bot0) = FAIL",
+            "motion_stop(bot0)",
+            "motionflag(bot0) = IDLE",
+            "do_move(bot0, 3, 3)",
+            "motionflag(bot0) = MOVING",
+            "motion_stop(bot0)",
+            "motionflag(bot0) = IDLE",
+            "do_move(bot0, 4, 4)",
+            "motion_stop(bot0)",
+            "motionflag(bot0) = IDLE");
+  }
+
+  @Test
+  void whoStandsInTheAreaAtTheCommandIsGivenNothingToAvoid() {
+    isAt(900);
+    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    drives(0, 900, 500);
+    monitors.finish(S);
+    assertThat(details()).isEmpty();
+    assertThat(steps).containsExactly("do_move(bot0, 1, 0)");
+  }
+
+  @Test
+  void whereABodyIsPutDownIsNoMatterOfItsMotion() {
+    isAt(0);
+    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    monitors.observe(new Left(S, BOT));
+    monitors.observe(new Joined(2 * S, BOT, new Pose(1000, 0, 0), 165));
+    monitors.finish(3 * S);
+    assertThat(details()).isEmpty();
+    assertThat(steps).containsExactly("do_move(bot0, 1, 1)");
+  }
+
+  @Test
+  void whoEntersItsAreaDeviatesWhenItDoes() {
+    isAt(0);
+    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    says(0, "MOVING");
+    drives(0, 0, 500);
+    monitors.finish(2 * S);
+    assertThat(details())
+        .containsExactly(
+            "motion: move(bot0, in [1], near []) is not enabled: NOT motionflag(i) = IDLE IMPLIES"
+                + " NOT avoid(i)(p) is false: motionflag(bot0) = MOVING, avoid(bot0) = 1");
+    // Its border comes to the area's after 635 mm.
+    assertThat(monitors.report().violations().get(0).timeNs())
+        .isBetween(1_270_000_000L, 1_272_000_000L);
+  }
+
+  @Test
+  void whoEntersItAfterItHasFailedDeviatesAsWell() {
+    isAt(0);
+    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    says(0, "MOVING");
+    says(0, "FAIL");
+    drives(S, 0, 500);
+    drives(3 * S, 1000, 0);
+    assertThat(details()).hasSize(1);
+  }
+
+  @Test
+  void whoIsStoppedMayGoAnywhere() {
+    isAt(0);
+    acts(0, "doMove", AHEAD, IN_THE_WAY);
+    acts(0, "motion_stop");
+    drives(0, 0, 500);
+    monitors.finish(2 * S);
+    assertThat(details()).isEmpty();
+  }
+
+  @Test
+  void whoSaysDoneElsewhereDeviates() {
+    isAt(0);
+    acts(0, "doMove", AHEAD, "nowhere");
+    acts(S, "arrived", "2000.0", "0.0", "10.0");
+    says(S, "DONE");
+    assertThat(details())
+        .containsExactly(
+            "motion: arrived(bot0) is not enabled: near(pos(i), target(i)) is false: pos(bot0) = in"
+                + " [], near [], target(bot0) = 1");
+  }
+
+  @Test
+  void whoSaysDoneOrFailsWithoutACommandDeviates() {
+    isAt(0);
+    says(0, "FAIL");
+    assertThat(details())
+        .containsExactly(
+            "motion: failed(bot0) is not enabled: motionflag(i) = MOVING is false: motionflag(bot0)"
+                + " = IDLE");
+  }
+
+  @Test
+  void aFlagThatIsAnotherDeviates() {
+    isAt(0);
+    says(0, "MOVING");
+    assertThat(details())
+        .containsExactly("motion: motionflag(bot0) is IDLE, but the trace has MOVING");
+  }
+}

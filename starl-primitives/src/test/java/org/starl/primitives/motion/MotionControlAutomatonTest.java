@@ -1,0 +1,82 @@
+package org.starl.primitives.motion;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.starl.RobotId;
+import org.starl.motion.MotionFlag;
+import org.starl.primitives.motion.MotionControlAutomaton.Place;
+import org.starl.primitives.motion.MotionControlAutomaton.States;
+import org.starl.random.Rng;
+
+/** The executable form of {@code MotionControl_decls} by itself. */
+class MotionControlAutomatonTest {
+
+  private static final List<RobotId> PIDS = List.of(new RobotId("i"), new RobotId("j"));
+  private static final int COMMANDS = 4;
+
+  private final MotionControlAutomaton automaton = new MotionControlAutomaton();
+
+  @Property(tries = 100)
+  void randomRunsKeepWhatIsProved(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    States s = automaton.start();
+    int arrivals = 0;
+    for (int step = 0; step < 400; step++) {
+      MotionControlAction action = any(rng);
+      if (automaton.enabled(action, s).isTrue()) {
+        s = automaton.trans(action, s);
+        arrivals += action instanceof MotionControlAction.arrived ? 1 : 0;
+        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
+      }
+    }
+    assertThat(arrivals).as("seed %d", seed).isPositive();
+  }
+
+  /** Avoids, Told. */
+  private static String broken(States s) {
+    for (RobotId i : PIDS) {
+      MotionFlag flag = s.motionflag().at(i);
+      if (flag != MotionFlag.IDLE && s.pos().at(i).avoided().contains(s.avoid().at(i))) {
+        return "Avoids";
+      }
+      if (flag == MotionFlag.DONE && !s.at().at(i).near().contains(s.target().at(i))) {
+        return "Told";
+      }
+    }
+    return "";
+  }
+
+  private static MotionControlAction any(Rng rng) {
+    RobotId i = PIDS.get(rng.nextInt(PIDS.size()));
+    return switch (rng.nextInt(10)) {
+      case 0, 1 -> {
+        long command = rng.nextLong(1, COMMANDS);
+        boolean isGotopoint = rng.nextBoolean(0.2);
+        yield new MotionControlAction.do_move(
+            i, command, isGotopoint ? MotionControlAutomaton.EMPTYSET : command);
+      }
+      case 2, 3 -> new MotionControlAction.arrived(i);
+      case 4 ->
+          rng.nextBoolean(0.5)
+              ? new MotionControlAction.failed(i)
+              : new MotionControlAction.motion_stop(i);
+      default -> new MotionControlAction.move(i, new Place(some(rng), some(rng)));
+    };
+  }
+
+  private static SortedSet<Long> some(Rng rng) {
+    SortedSet<Long> some = new TreeSet<>();
+    for (long command = 1; command <= COMMANDS; command++) {
+      if (rng.nextBoolean(0.4)) {
+        some.add(command);
+      }
+    }
+    return Collections.unmodifiableSortedSet(some);
+  }
+}
