@@ -91,10 +91,6 @@ record Allowance(String rule, String path, String reason) {
             "where that command's two writers are made"),
         new Allowance(
             "randomness without the run's seed",
-            "starl-android/app" + MAIN + "android/app/Robot.java",
-            "draws the seed of a real robot's program, anew at each start"),
-        new Allowance(
-            "randomness without the run's seed",
             "starl-apps" + MAIN + "cli/Seeds.java",
             "draws a run's seed when none is given; it is printed"),
         new Allowance(

@@ -141,6 +141,7 @@ class NatNetUdpTest {
                   newClock.nowNs(), List.of(new PoseSource.Body("bot9", POSE, true, 4)));
       try (NatNetServer second =
           NatNetServer.open(serving.withPort(port), anew, newClock, loopback.failures::add)) {
+        assertThat(second.address().getPort()).isEqualTo(port);
         List<TrackedBody> bodies = next(heard);
         while (!bodies.get(0).name().equals("bot9")) {
           bodies = next(heard);

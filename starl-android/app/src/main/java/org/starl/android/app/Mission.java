@@ -6,7 +6,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.deploy.file.Deployment;
 import org.starl.deploy.file.DeploymentException;
-import org.starl.deploy.file.Positions;
 import org.starl.deploy.file.RobotEntry;
 import org.starl.deploy.file.Wheels;
 import org.starl.platform.DeploymentKey;
@@ -36,22 +35,6 @@ record Mission(
     if (deployment.key() != null && key == null) {
       throw new DeploymentException(
           deployment.where("key") + "key: load '" + deployment.key() + "' onto this phone too");
-    }
-    if (!(deployment.positions() instanceof Positions.NatNet)
-        && !(deployment.positions() instanceof Positions.JsonFeed)) {
-      throw new DeploymentException(
-          deployment.file() + ": positions: a phone expects natnet or json");
-    }
-    for (RobotEntry each : deployment.robots().values()) {
-      if (each.address() == null) {
-        throw new DeploymentException(
-            deployment.file()
-                + ":"
-                + each.line()
-                + ": robots."
-                + each.id()
-                + ": has no address; a phone expects one of each robot");
-      }
     }
     Mission mission =
         new Mission(deployment, robot, PhoneApps.factory(deployment, robot.id()), key);

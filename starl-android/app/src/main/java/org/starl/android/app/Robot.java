@@ -2,42 +2,45 @@ package org.starl.android.app;
 
 import java.io.IOException;
 import java.nio.file.Path;
-import java.security.SecureRandom;
 import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhVariable;
-import org.starl.RobotRunner;
 import org.starl.deploy.create.ByteLink;
 import org.starl.deploy.create.CreateChassis;
 import org.starl.deploy.create.CreateHold;
 import org.starl.deploy.create.CreateStatus;
-import org.starl.deploy.optitrack.PoseFeed;
-import org.starl.deploy.realtime.RealBackground;
+import org.starl.deploy.file.Limits;
+import org.starl.deploy.file.Wheels;
 import org.starl.deploy.realtime.RealClock;
-import org.starl.deploy.realtime.RealStrand;
-import org.starl.deploy.udp.FileStable;
-import org.starl.deploy.udp.UdpRadio;
-import org.starl.geometry.Fix;
+import org.starl.deploy.robot.CreateWheelbase;
+import org.starl.deploy.robot.DeployedRobot;
+import org.starl.deploy.robot.Wheelbase;
 import org.starl.geometry.Obstacles;
 import org.starl.motion.Location;
+import org.starl.motion.MotionParameters;
+import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
-import org.starl.platform.Platform;
-import org.starl.platform.Positioning;
+import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.platform.TraceSink;
-import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
 
 /**
- * One robot on real ports, from {@link #open} to {@link #close}. Nothing here is Android's. All may
- * be called from any thread; opening and closing may take their time.
+ * The deployment's robot that this phone is, and what the phone shows of it. Nothing here is Android's.
+ * All may be called from any thread; opening and closing may take their time.
  */
-final class Robot implements AutoCloseable {
+final class Robot implements DeployedRobot.Host, AutoCloseable {
 
   private static final long LOOK_EVERY_NS = 200_000_000;
   private static final String LOCATION = "location";
+
+  /** Wheels on a floor turn a body a little more than commanded. */
+  private static final double SPEED_ERROR = 0.1;
+
+  /** A step of the automaton that is late, Bluetooth, the chassis' own period, and braking. */
+  private static final long REACTION_MS = 200;
 
   /** Nobody listens: on a phone there is no place yet for traces. */
   private static final TraceSink NO_TRACE =
@@ -54,64 +57,36 @@ final class Robot implements AutoCloseable {
       };
 
   private final Mission mission;
+  private final RememberingLinks links;
   private final Consumer<Throwable> onBug;
-  private final RealStrand strand;
-  private final UdpRadio radio;
-  private final FileStable stable;
-  private final RealBackground background;
-  private final PoseFeed feed;
-  private final CreateChassis chassis;
-  private final RobotRunner runner;
+  private final RealClock clock = RealClock.ofDate();
+  private final DeployedRobot deployed;
   private final Timer look;
 
-  // What status() tells; written on the strand or a driver's thread, each by one alone.
+  // Set once, while the robot is opened.
+  private @Nullable CreateChassis chassis;
+
+  // What status() tells; each is written by one thread alone.
   private volatile String appState = "starts";
   private volatile @Nullable Location location;
-  private volatile @Nullable IOException linkProblem;
   private volatile @Nullable Throwable bug;
 
   private Robot(
-      Mission mission,
-      ByteLink.Source links,
-      Path folder,
-      LogSink log,
-      Consumer<Throwable> onBug,
-      Closer opened)
+      Mission mission, ByteLink.Source source, Path folder, LogSink log, Consumer<Throwable> onBug)
       throws IOException {
     this.mission = mission;
     this.onBug = onBug;
-    String name = mission.robot().id().name();
-    RealClock clock = new RealClock();
-    strand = opened.add(new RealStrand(name, clock, this::failed));
-    radio = opened.add(Ports.radio(mission, strand, this::failed));
-    stable = opened.add(FileStable.open(folder, strand, this::failed));
-    background = opened.add(new RealBackground(name, strand));
-    feed = opened.add(Ports.feed(mission, clock, log));
-    chassis =
-        opened.add(
-            CreateChassis.open(
-                name, Ports.create(mission), links, strand, clock, new ChassisListener()));
-    Rng rng = new Rng(new SecureRandom().nextLong());
-    Platform platform =
-        new Platform(
-            mission.robot().id(),
-            mission.deployment().participants(),
-            clock,
-            strand,
-            strand,
-            radio,
-            seenByChassis(feed.positioning(strand, mission.robot().rigidBody())),
-            chassis,
-            stable,
-            rng::fork,
-            background,
-            log,
-            NO_TRACE,
-            Obstacles.NONE,
-            Ports.motion(mission.deployment().limits()),
-            mission.key());
-    runner = new RobotRunner(platform, mission.app(), this::appEnded);
-    look = strand.timer(this::look);
+    links = new RememberingLinks(source);
+    Limits limits = mission.deployment().limits();
+    deployed =
+        DeployedRobot.open(
+            mission.deployment(),
+            mission.robot(),
+            mission.key(),
+            new DeployedRobot.Program(mission.app(), Obstacles.NONE, motion(limits)),
+            new DeployedRobot.Surroundings(folder, this::openWheels, clock, log, NO_TRACE),
+            this);
+    look = deployed.strand().timer(this::look);
   }
 
   /**
@@ -120,21 +95,15 @@ final class Robot implements AutoCloseable {
    * @param links to the robot's wheels
    * @param folder of its stable storage, its alone
    * @param onBug is told what the robot cannot go on after; its wheels are stopped then
-   * @throws IOException if a port of it is not to be had; nothing is left open
+   * @throws IOException if a part of it is not to be had; nothing is left open
    */
   static Robot open(
       Mission mission, ByteLink.Source links, Path folder, LogSink log, Consumer<Throwable> onBug)
       throws IOException {
-    Closer opened = new Closer();
-    try {
-      Robot robot = new Robot(mission, links, folder, log, onBug, opened);
-      robot.strand.post(robot::look);
-      robot.runner.start();
-      return robot;
-    } catch (IOException | RuntimeException e) {
-      opened.close();
-      throw e;
-    }
+    Robot robot = new Robot(mission, links, folder, log, onBug);
+    robot.deployed.strand().post(robot::look);
+    robot.deployed.start();
+    return robot;
   }
 
   Mission mission() {
@@ -143,64 +112,88 @@ final class Robot implements AutoCloseable {
 
   /** Stops the wheels, and until {@link #release}, whatever the app wants. */
   void emergencyStop() {
-    chassis.emergencyStop();
+    deployed.emergencyStop();
   }
 
   /** Takes the emergency stop back: the app drives on. */
   void release() {
-    chassis.release();
+    deployed.release();
   }
 
   RobotStatus status() {
-    CreateStatus wheels = chassis.status();
+    CreateStatus wheels = wheels().status();
+    boolean isLinked = !wheels.holds().contains(CreateHold.NO_LINK);
     return new RobotStatus(
         mission.robot().id(),
         mission.deployment().app(),
         appState,
         location,
         wheels,
-        linkProblem,
-        radio.statistics(),
-        strand.use(),
+        isLinked ? null : links.problem(),
+        deployed.network(),
+        deployed.strandUse(),
         bug);
   }
 
-  /** Stops the wheels and ends the robot; again, it does nothing. */
+  /** Stops the wheels and ends the robot. */
   @Override
   public void close() {
-    chassis.emergencyStop();
-    // What the program still says goes nowhere; the chassis waits until the wheels were told.
-    chassis.close();
-    radio.close();
-    feed.close();
-    strand.close();
-    background.close();
-    stable.close();
+    deployed.close();
   }
 
-  /** The chassis must know of fixes: without them it stops the wheels. */
-  private Positioning seenByChassis(Positioning positioning) {
-    return receiver ->
-        positioning.onFix(fix -> {
-          passOn(fix);
-          receiver.fixed(fix);
-        });
+  // On the strand.
+  @Override
+  public void finished(List<Object> results) {
+    appState = "has ended: " + results;
   }
 
-  private void passOn(Fix fix) {
-    chassis.fixed(fix);
+  // From any thread; the wheels are stopped already.
+  @Override
+  public void failed(Throwable error) {
+    bug = error;
+    onBug.accept(error);
+  }
+
+  private Wheelbase openWheels(Strand strand, Clock clock, LogSink log) throws IOException {
+    Wheels.Create create = (Wheels.Create) mission.robot().wheels();
+    Limits limits = mission.deployment().limits();
+    String name = mission.robot().id().name();
+    Wheelbase opened = CreateWheelbase.of(name, create, limits, links).open(strand, clock, log);
+    chassis = (CreateChassis) opened.chassis();
+    return opened;
+  }
+
+  private CreateChassis wheels() {
+    CreateChassis here = chassis;
+    if (here == null) {
+      throw new IllegalStateException("a robot without wheels");
+    }
+    return here;
+  }
+
+  private static MotionParameters motion(Limits limits) {
+    MotionParameters usual = MotionParameters.DEFAULT;
+    double most = limits.speedMmPerS();
+    return usual.toBuilder()
+        .linSpeedMaxMmPerS(Math.min(usual.linSpeedMaxMmPerS(), most))
+        .linSpeedMinMmPerS(Math.min(usual.linSpeedMinMmPerS(), most))
+        .arcSpeedMaxMmPerS(Math.min(usual.arcSpeedMaxMmPerS(), most))
+        .speedError(SPEED_ERROR)
+        .reactionMs(REACTION_MS)
+        .build();
   }
 
   // On the strand.
   private void look() {
-    GlobalVarHolder gvh = runner.gvh();
+    // Null while its boot number is not yet on the disk.
+    GlobalVarHolder gvh = deployed.gvh();
     if (gvh != null) {
       location = gvh.gps.location();
-      if (!runner.isFinished()) {
+      if (!deployed.isFinished()) {
         appState = "runs" + appLocation(gvh);
       }
     }
-    look.set(gvh == null ? 0 : gvh.plat.clock.nowNs() + LOOK_EVERY_NS);
+    look.set(clock.nowNs() + LOOK_EVERY_NS);
   }
 
   /** Where in its state machine the app is, as the paper's figures name it. */
@@ -213,38 +206,29 @@ final class Robot implements AutoCloseable {
     return "";
   }
 
-  private void appEnded() {
-    List<Object> results = runner.results();
-    appState = "has ended: " + results;
-  }
+  /** Links that remember why the last one could not be opened. */
+  private static final class RememberingLinks implements ByteLink.Source {
+    private final ByteLink.Source source;
+    private volatile @Nullable IOException problem;
 
-  // From any thread.
-  private void failed(Throwable error) {
-    bug = error;
-    // A port may fail before there are wheels.
-    if (chassis != null) {
-      chassis.emergencyStop();
+    RememberingLinks(ByteLink.Source source) {
+      this.source = source;
     }
-    onBug.accept(error);
-  }
 
-  private final class ChassisListener implements CreateChassis.Listener {
+    @Nullable IOException problem() {
+      return problem;
+    }
 
     @Override
-    public void changed(CreateStatus status) {
-      if (!status.holds().contains(CreateHold.NO_LINK)) {
-        linkProblem = null;
+    public ByteLink open() throws IOException {
+      try {
+        ByteLink link = source.open();
+        problem = null;
+        return link;
+      } catch (IOException e) {
+        problem = e;
+        throw e;
       }
-    }
-
-    @Override
-    public void linkFailed(IOException cause) {
-      linkProblem = cause;
-    }
-
-    @Override
-    public void failed(Throwable error) {
-      Robot.this.failed(error);
     }
   }
 }

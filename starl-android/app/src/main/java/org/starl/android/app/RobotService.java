@@ -16,7 +16,9 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
 import org.starl.deploy.create.ByteLink;
+import org.starl.deploy.create.SocketLink;
 import org.starl.deploy.file.DeploymentException;
+import org.starl.deploy.file.Wheels;
 import org.starl.platform.LogSink;
 
 /**
@@ -219,8 +221,12 @@ public final class RobotService extends Service {
   private ByteLink.Source links(Mission mission) {
     String bluetooth = mission.bluetooth();
     return bluetooth == null
-        ? Ports.tcp(Objects.requireNonNull(mission.tcp()))
+        ? tcp(Objects.requireNonNull(mission.tcp()))
         : new BluetoothLinks(getApplicationContext(), bluetooth);
+  }
+
+  private static ByteLink.Source tcp(Wheels.Tcp tcp) {
+    return SocketLink.to(tcp.address().host(), tcp.address().port());
   }
 
   // From any thread: its wheels stand already.

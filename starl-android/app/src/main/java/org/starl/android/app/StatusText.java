@@ -53,8 +53,8 @@ final class StatusText {
               + " datagrams sent, "
               + status.radio().received()
               + " received, "
-              + status.radio().foreign()
-              + " from strangers");
+              + status.radio().dropped().values().stream().mapToLong(Long::longValue).sum()
+              + " dropped");
       lines.add(
           "Program: held its strand for "
               + status.strand().longestPieceNs() / NS_PER_MS
