@@ -35,6 +35,11 @@ configurations.configureEach {
     exclude(mapOf("group" to "org.robolectric", "module" to "nativeruntime-dist-compat"))
 }
 
+// Android's own classes bear annotations that no jar has.
+tasks.withType<JavaCompile>().configureEach {
+    options.compilerArgs.add("-Xlint:-classfile,-path")
+}
+
 tasks.withType<Test>().configureEach {
     // Robolectric makes an Android of the one on the class path, and reaches into the JDK for that.
     systemProperty("robolectric.usePreinstrumentedJars", "false")
