@@ -12,7 +12,7 @@ import org.starl.RobotId;
 import org.starl.geometry.Region;
 import org.starl.spec.Bodies;
 
-/** What {@link GeocastSpec} knows of one geocast whose interval is not over. */
+/** What {@link Casts} and {@link GeocastSpec} know of one geocast whose interval is not over. */
 final class CastRecord {
 
   /** A datagram, by its sender and its number. */
@@ -73,13 +73,25 @@ final class CastRecord {
     presences.put(robot, presence);
   }
 
-  /** Follows one body until {@code nowNs} or the deadline. */
-  void follow(RobotId robot, Bodies bodies, Map<RobotId, Double> speeds, long nowNs) {
+  /**
+   * Follows one body until {@code nowNs} or the deadline.
+   *
+   * @return whether it is found to have been in the area, and was not before
+   */
+  boolean follow(RobotId robot, Bodies bodies, Map<RobotId, Double> speeds, long nowNs) {
     Presence presence = presences.get(robot);
-    if (presence != null && bodies.isOnFloor(robot)) {
-      double speedMmPerS = speeds.getOrDefault(robot, 0.0);
-      presence.follow(bodies, speedMmPerS, Math.min(nowNs, deadlineNs));
+    if (presence == null || !bodies.isOnFloor(robot)) {
+      return false;
     }
+    boolean wasIn = presence.everIn();
+    double speedMmPerS = speeds.getOrDefault(robot, 0.0);
+    presence.follow(bodies, speedMmPerS, Math.min(nowNs, deadlineNs));
+    return presence.everIn() && !wasIn;
+  }
+
+  /** Whether the body has been on the floor. */
+  boolean hasSeen(RobotId robot) {
+    return presences.containsKey(robot);
   }
 
   /** The body leaves the floor. */

@@ -1,23 +1,16 @@
 package org.starl.primitives.geocast;
 
-import java.util.Iterator;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.geometry.RegionText;
 import org.starl.primitives.geocast.CastRecord.Copy;
-import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
-import org.starl.trace.TraceEvent.Joined;
-import org.starl.trace.TraceEvent.Left;
-import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
@@ -39,21 +32,11 @@ public final class GeocastSpec implements Monitor {
   private static final String EVERYONE = "*";
 
   private final double positionErrorMm;
-  private final double deepMm;
   private final long clockSkewNs;
-  private final Bodies bodies = new Bodies();
-  private final Map<RobotId, Double> speeds = new TreeMap<>();
-
-  /** For each instance, those who take part. */
-  private final Map<String, TreeSet<RobotId>> members = new TreeMap<>();
-
-  /** Geocasts whose interval is not over, by source and id, in the order of their starts. */
-  private final Map<String, CastRecord> active = new LinkedHashMap<>();
+  private final Casts casts;
 
   /** What each robot's next datagram to everyone is a copy of. */
   private final Map<RobotId, CastRecord> announced = new TreeMap<>();
-
-  private long firstDeadlineNs = Long.MAX_VALUE;
 
   /** For a world without clock skew, and with position errors below 50 mm. */
   public GeocastSpec() {
@@ -68,8 +51,8 @@ public final class GeocastSpec implements Monitor {
    */
   public GeocastSpec(double positionErrorMm, long clockSkewNs) {
     this.positionErrorMm = positionErrorMm;
-    this.deepMm = 2 * positionErrorMm;
     this.clockSkewNs = clockSkewNs;
+    casts = new Casts(2 * positionErrorMm);
   }
 
   @Override
@@ -92,27 +75,12 @@ public final class GeocastSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    judgeWhatIsOver(event.timeNs(), report);
+    casts.observe(event, judging(report));
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
       case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
       case Delivered delivered when GeocastTrace.isGeocast(delivered.channel()) ->
           reached(delivered);
-      case Moved moved -> {
-        follow(moved.robot(), moved.timeNs());
-        speeds.put(moved.robot(), Math.abs(moved.linearMmPerS()));
-        bodies.observe(moved);
-      }
-      case Joined joined -> {
-        speeds.remove(joined.robot());
-        bodies.observe(joined);
-        active.values().forEach(cast -> cast.watch(joined.robot(), deepMm, joined.timeNs()));
-      }
-      case Left left -> {
-        follow(left.robot(), left.timeNs());
-        active.values().forEach(cast -> cast.left(left.robot()));
-        bodies.observe(left);
-      }
       default -> {
         // Of no concern here.
       }
@@ -121,15 +89,26 @@ public final class GeocastSpec implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    // An interval that ends with the run is over as well.
-    judgeWhatIsOver(endNs + 1, report);
+    casts.finish(endNs, judging(report));
+  }
+
+  private static Casts.Listener judging(Report report) {
+    return new Casts.Listener() {
+      @Override
+      public void entered(CastRecord cast, RobotId robot) {
+        // Looked at when the interval is over.
+      }
+
+      @Override
+      public void over(CastRecord cast) {
+        judge(cast, report);
+      }
+    };
   }
 
   private void acted(Action action, Report report) {
-    CastRecord cast = action.args().isEmpty() ? null : active.get(key(action));
+    CastRecord cast = casts.of(action);
     switch (action.name()) {
-      case GeocastTrace.OPEN -> opened(action);
-      case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> started(action);
       case GeocastTrace.DELIVER -> delivered(action, cast, report);
       case GeocastTrace.COPY -> {
         if (cast == null) {
@@ -147,37 +126,6 @@ public final class GeocastSpec implements Monitor {
         // Of no concern here.
       }
     }
-  }
-
-  /** A robot that takes part anew has restarted: it knows nothing of what it delivered before. */
-  private void opened(Action action) {
-    if (!membersOf(action.source()).add(action.robot())) {
-      for (CastRecord cast : active.values()) {
-        if (cast.source.equals(action.source())) {
-          cast.restarted(action.robot());
-        }
-      }
-    }
-  }
-
-  private void started(Action action) {
-    long startNs = action.timeNs();
-    long deadlineNs = startNs + Long.parseLong(action.args().get(2));
-    CastRecord cast =
-        new CastRecord(
-            action.source(),
-            action.robot(),
-            action.args().get(0),
-            RegionText.parse(action.args().get(1)),
-            startNs,
-            deadlineNs);
-    cast.owed.addAll(membersOf(action.source()));
-    cast.owed.remove(action.robot());
-    for (RobotId robot : bodies.robots()) {
-      cast.watch(robot, deepMm, startNs);
-    }
-    active.put(key(action), cast);
-    firstDeadlineNs = Math.min(firstDeadlineNs, deadlineNs);
   }
 
   private void delivered(Action action, @Nullable CastRecord cast, Report report) {
@@ -206,34 +154,10 @@ public final class GeocastSpec implements Monitor {
 
   private void reached(Delivered delivered) {
     Copy copy = new Copy(delivered.from(), delivered.seq());
-    for (CastRecord cast : active.values()) {
+    for (CastRecord cast : casts.active()) {
       boolean inTime = delivered.timeNs() <= cast.deadlineNs - 2 * clockSkewNs;
       if (inTime && cast.source.equals(delivered.channel()) && cast.isCopy(copy)) {
         cast.reached.add(delivered.robot());
-      }
-    }
-  }
-
-  private void follow(RobotId robot, long nowNs) {
-    for (CastRecord cast : active.values()) {
-      cast.follow(robot, bodies, speeds, nowNs);
-    }
-  }
-
-  private void judgeWhatIsOver(long nowNs, Report report) {
-    if (nowNs <= firstDeadlineNs) {
-      return;
-    }
-    firstDeadlineNs = Long.MAX_VALUE;
-    Iterator<CastRecord> oldestFirst = active.values().iterator();
-    while (oldestFirst.hasNext()) {
-      CastRecord cast = oldestFirst.next();
-      if (nowNs > cast.deadlineNs) {
-        bodies.robots().forEach(robot -> cast.follow(robot, bodies, speeds, nowNs));
-        judge(cast, report);
-        oldestFirst.remove();
-      } else {
-        firstDeadlineNs = Math.min(firstDeadlineNs, cast.deadlineNs);
       }
     }
   }
@@ -256,13 +180,5 @@ public final class GeocastSpec implements Monitor {
   private boolean isBeyondAssumptions(List<String> dismissal) {
     return dismissal.get(1).equals(GeocastTrace.EARLY)
         || Double.parseDouble(dismissal.get(2)) > positionErrorMm;
-  }
-
-  private TreeSet<RobotId> membersOf(String source) {
-    return members.computeIfAbsent(source, name -> new TreeSet<>());
-  }
-
-  private static String key(Action action) {
-    return action.source() + " " + action.args().get(0);
   }
 }

@@ -28,6 +28,9 @@
  * org.starl.primitives.geocast.GeocastSettings}). Who has delivered for certain is in {@link
  * org.starl.primitives.geocast.GeocastReceipt#acknowledgedBy}; of others nothing is known.
  *
+ * <p>{@link org.starl.primitives.geocast.GeocastConformance} takes each run through the automaton of
+ * which safety is proved.
+ *
  * <p>(c) <b>Envelope and assumptions.</b> Any loss, delay, duplication, reordering, partition, crash
  * and restart. Space and time cannot be kept blindly, so two bounds must hold, and shrink A and d:
  *

@@ -59,7 +59,10 @@ class GeocastAdversaryTest {
     "IGNORES_AREA, exclusion",
     "IGNORES_DEADLINE, deadline",
     "DELIVERS_TWICE, once",
-    "NEVER_DELIVERS, inclusion"
+    "NEVER_DELIVERS, inclusion",
+    "IGNORES_AREA, Geocast_decls",
+    "IGNORES_DEADLINE, Geocast_decls",
+    "DELIVERS_TWICE, Geocast_decls"
   })
   void aWrongImplementationIsFound(Mutant mutant, String lemma) {
     long found = 0;

@@ -23,7 +23,7 @@ import org.starl.trace.TraceEvent;
 /**
  * Robots on a floor that geocast to each other through a network that loses, delays, doubles and
  * reorders, with positions and clocks that are wrong within their bounds. What they do is a trace
- * that a {@link GeocastSpec} watches.
+ * that a {@link GeocastSpec} and a {@link GeocastConformance} watch.
  */
 final class GeocastWorld {
 
@@ -59,7 +59,8 @@ final class GeocastWorld {
     this.mutant = mutant;
     this.errorMm = errorMm;
     this.skewNs = skewNs;
-    this.monitors = new Monitors(List.of(new GeocastSpec(errorMm, skewNs)));
+    this.monitors =
+        new Monitors(List.of(new GeocastSpec(errorMm, skewNs), new GeocastConformance()));
     List<RobotId> ids = new ArrayList<>();
     for (int i = 0; i < robotCount; i++) {
       ids.add(new RobotId("bot" + i));

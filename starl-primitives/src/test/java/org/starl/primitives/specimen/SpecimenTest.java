@@ -12,6 +12,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.primitives.barrier.BarrierSpec;
+import org.starl.primitives.geocast.GeocastConformance;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.mutex.MutexSpec;
@@ -66,7 +67,9 @@ class SpecimenTest {
         "Mutex_decls", setMutex(false, Bug.ENTERS_EARLY), MutexConformance::new),
     BARRIER_THAT_LOSES_EARLY_ARRIVALS(
         "NotHung", ForgetfulBarrier::new, () -> new BarrierSpec(BOUND_NS, 2 * END_NS)),
-    GEOCAST_RECTANGLE_WITH_SWAPPED_EDGE("exclusion", CrookedGeocast::new, GeocastSpec::new);
+    GEOCAST_RECTANGLE_WITH_SWAPPED_EDGE("exclusion", CrookedGeocast::new, GeocastSpec::new),
+    GEOCAST_THAT_IS_NO_RUN_OF_THE_THEORY(
+        "Geocast_decls", CrookedGeocast::new, GeocastConformance::new);
 
     private final String lemma;
     private final Maker maker;

@@ -1,0 +1,83 @@
+package org.starl.primitives.geocast;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.Collections;
+import java.util.List;
+import java.util.SortedSet;
+import java.util.TreeSet;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.starl.RobotId;
+import org.starl.primitives.geocast.GeocastAutomaton.States;
+import org.starl.random.Rng;
+
+/** The executable form of {@code Geocast_decls} by itself. */
+class GeocastAutomatonTest {
+
+  private static final List<RobotId> PIDS =
+      List.of(new RobotId("i"), new RobotId("j"), new RobotId("k"));
+  private static final List<String> MSGS = List.of("1", "2", "3", "4");
+
+  private final GeocastAutomaton automaton = new GeocastAutomaton();
+
+  @Property(tries = 100)
+  void randomRunsKeepWhatIsProved(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    States s = automaton.start();
+    int delivered = 0;
+    for (int step = 0; step < 300; step++) {
+      GeocastAction action = any(rng);
+      if (automaton.enabled(action, s).isTrue()) {
+        States before = s;
+        s = automaton.trans(action, s);
+        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
+        if (action instanceof GeocastAction.deliver deliver) {
+          delivered++;
+          String m = deliver.m();
+          assertThat(before.now()).isBetween(s.t0().at(m), s.t0().at(m) + s.d().at(m));
+          assertThat(automaton.enabled(deliver, s).isTrue()).as("once").isFalse();
+        }
+      }
+    }
+    assertThat(delivered).as("seed %d", seed).isPositive();
+  }
+
+  /** Inv_geo, Exclusion. */
+  private static String broken(States s) {
+    for (String m : MSGS) {
+      for (RobotId i : PIDS) {
+        boolean in = s.was_in().at(m).at(i);
+        boolean out = s.was_out().at(m).at(i);
+        boolean isInside = s.pos().at(i).contains(s.area().at(m));
+        if (s.sent().at(m) && s.got().at(m).at(i) && !in) {
+          return "Exclusion of " + m + " and " + i;
+        }
+        boolean isRight =
+            s.t0().at(m) <= s.now() && (in || out) && (!s.isOpen(m) || (isInside ? in : out));
+        if (s.sent().at(m) && !isRight) {
+          return "Inv_geo of " + m + " and " + i;
+        }
+      }
+    }
+    return "";
+  }
+
+  private static GeocastAction any(Rng rng) {
+    RobotId i = PIDS.get(rng.nextInt(PIDS.size()));
+    String m = MSGS.get(rng.nextInt(MSGS.size()));
+    return switch (rng.nextInt(20)) {
+      case 0 -> new GeocastAction.dt(rng.nextInt(3));
+      case 1 -> new GeocastAction.do_geocast(m, m, 5 + rng.nextInt(20));
+      case 2 -> new GeocastAction.restart(i);
+      case 3, 4, 5, 6 -> new GeocastAction.move(i, some(rng));
+      default -> new GeocastAction.deliver(m, i);
+    };
+  }
+
+  private static SortedSet<String> some(Rng rng) {
+    SortedSet<String> some = new TreeSet<>(MSGS);
+    some.removeIf(m -> rng.nextBoolean(0.6));
+    return Collections.unmodifiableSortedSet(some);
+  }
+}

@@ -1,0 +1,189 @@
+package org.starl.primitives.geocast;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.RegionText;
+import org.starl.primitives.geocast.GeocastAutomaton.States;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Steps;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
+
+/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+class GeocastConformanceTest {
+
+  private static final String SOURCE = "geocast/news";
+  private static final String AREA = RegionText.format(new Circle(new Point(0, 0), 1000));
+  private static final long S = 1_000_000_000L;
+
+  private final List<String> steps = new ArrayList<>();
+  private final List<States> states = new ArrayList<>();
+  private final Monitors monitors =
+      new Monitors(
+          List.of(
+              new GeocastConformance(
+                  new Steps<States, GeocastAction>() {
+                    @Override
+                    public void stepped(
+                        String instance, TraceEvent event, GeocastAction action, States after) {
+                      steps.add(action.text());
+                      states.add(after);
+                    }
+
+                    @Override
+                    public void resulted(
+                        String instance, String function, Object argument, Object value) {}
+                  })));
+
+  private void isAt(String robot, double xMm) {
+    monitors.observe(new Joined(0, new RobotId(robot), new Pose(xMm, 0, 0), 165));
+  }
+
+  private void acts(long timeNs, String robot, String name, String... args) {
+    monitors.observe(new Action(timeNs, new RobotId(robot), SOURCE, name, List.of(args)));
+  }
+
+  private void drives(long timeNs, String robot, double xMm, double mmPerS) {
+    monitors.observe(new Moved(timeNs, new RobotId(robot), new Pose(xMm, 0, 0), mmPerS, 0));
+  }
+
+  private void casts(long timeNs, String id, long dNs) {
+    acts(timeNs, "a", "do_geocast", id, AREA, String.valueOf(dNs));
+  }
+
+  private List<String> details() {
+    monitors.finish(1_000_000 * S);
+    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+  }
+
+  @Test
+  void eachEventIsTheActionOfTheTable() {
+    isAt("a", 5000);
+    isAt("b", 0);
+    isAt("c", -2000);
+    acts(0, "b", "open", "b#1");
+    casts(S, "a#1/1", 10 * S);
+    acts(S, "a", "copy", "a#1/1");
+    drives(2 * S, "c", -2000, 500);
+    acts(3 * S, "b", "deliver", "a#1/1");
+    acts(4 * S, "b", "open", "b#2");
+    acts(5 * S, "b", "deliver", "a#1/1");
+    acts(6 * S, "c", "deliver", "a#1/1");
+    drives(8 * S, "c", 1000, 500); // leaves
+    acts(9 * S, "d", "deliver", "a#1/1"); // of which no body is known
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "restart(b)",
+            "dt(1000000000)",
+            "move(b, [a#1/1])",
+            "do_geocast(a#1/1, a#1/1, 10000000000)",
+            "dt(2000000000)",
+            "deliver(a#1/1, b)",
+            "dt(1000000000)",
+            "restart(b)",
+            "dt(1000000000)",
+            "deliver(a#1/1, b)",
+            "dt(1000000000)",
+            "move(c, [a#1/1])",
+            "deliver(a#1/1, c)",
+            "dt(3000000000)",
+            "move(d, [a#1/1])",
+            "deliver(a#1/1, d)");
+  }
+
+  @Test
+  void whoIsOutsideWhenItDeliversAndWasSoDeviatesThoughItEntersLater() {
+    isAt("b", -2000);
+    drives(0, "b", -2000, 500);
+    casts(0, "a#1/1", 10 * S);
+    acts(S, "b", "deliver", "a#1/1");
+    drives(5 * S, "b", 500, 0);
+    assertThat(details())
+        .containsExactly(
+            SOURCE
+                + ": deliver(a#1/1, b) is not enabled: was_in(m)(i) is false: was_in(a#1/1) = ()");
+  }
+
+  @Test
+  void whoHasLeftMayDeliver() {
+    isAt("b", 0);
+    drives(0, "b", 0, 500);
+    casts(S, "a#1/1", 10 * S);
+    acts(9 * S, "b", "deliver", "a#1/1");
+    assertThat(details()).isEmpty();
+  }
+
+  @Test
+  void whoDeliversTwiceDeviates() {
+    isAt("b", 0);
+    casts(0, "a#1/1", 10 * S);
+    acts(S, "b", "deliver", "a#1/1");
+    acts(2 * S, "b", "deliver", "a#1/1");
+    assertThat(details())
+        .containsExactly(
+            SOURCE
+                + ": deliver(a#1/1, b) is not enabled: NOT got(m)(i) is false: got(a#1/1) = (b:"
+                + " true)");
+  }
+
+  @Test
+  void atTheEndOfItsIntervalAMessageMayBeDeliveredAndAfterItNot() {
+    isAt("b", 0);
+    isAt("c", 0);
+    casts(S, "a#1/1", 10 * S);
+    acts(11 * S, "b", "deliver", "a#1/1");
+    acts(11 * S + 1, "c", "deliver", "a#1/1");
+    assertThat(details())
+        .containsExactly(
+            SOURCE
+                + ": deliver(a#1/1, c) is not enabled: open?(m, s) is false: a#1/1 was never sent, or"
+                + " is over and forgotten");
+  }
+
+  @Test
+  void anIdThatIsTakenAgainDeviates() {
+    isAt("b", 0);
+    casts(0, "a#1/1", 10 * S);
+    casts(S, "a#1/1", 10 * S);
+    assertThat(details())
+        .containsExactly(
+            SOURCE
+                + ": do_geocast(a#1/1, a#1/1, 10000000000) is not enabled: NOT sent(m) is false:"
+                + " sent(a#1/1)");
+  }
+
+  @Test
+  void ofWhatIsOverNothingIsKept() {
+    isAt("b", 0);
+    for (int n = 1; n <= 100; n++) {
+      casts(n * S, "a#1/" + n, S / 2);
+      acts(n * S + 1, "b", "deliver", "a#1/" + n);
+    }
+    assertThat(details()).isEmpty();
+    States last = states.get(states.size() - 1);
+    for (Fun<?, ?> ofMessages :
+        List.of(
+            last.sent(),
+            last.t0(),
+            last.d(),
+            last.area(),
+            last.got(),
+            last.was_in(),
+            last.was_out())) {
+      assertThat(ofMessages.size()).isEqualTo(1);
+    }
+    assertThat(last.pos().at(new RobotId("b"))).containsExactly("a#1/100");
+  }
+}
