@@ -185,6 +185,20 @@ class MergeTest {
   }
 
   @Test
+  void whereClocksDriftNothingComesBeforeItsCause() throws IOException {
+    String a =
+        trace(A, "m", 0, 0, action(100, A, "enter"), action(200, A, "leave"), sent(210, A, 1));
+    String b = trace(B, "n", 0, 0, delivered(150, B, A, 1), action(160, B, "enter"));
+
+    Merge.Result result =
+        Merge.of(List.of(a, b), 100 * MS, 1_000_000).judge(blueprint(), List.of());
+
+    assertThat(result.orders()).isEqualTo(5);
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).isEmpty();
+  }
+
+  @Test
   void clocksThatContradictAreRefused() throws IOException {
     String a = trace(A, "m", 0, 0, sent(5000, A, 1));
     String b = trace(B, "n", 0, 0, delivered(100, B, A, 1));
