@@ -7,6 +7,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.primitives.barrier.Barrier;
+import org.starl.primitives.barrier.BarrierConformance;
 import org.starl.primitives.barrier.BarrierOutcome;
 import org.starl.primitives.barrier.BarrierSettings;
 import org.starl.primitives.barrier.BarrierSpec;
@@ -50,7 +51,7 @@ final class BarrierWorkload extends PrimitiveDemo {
     simulation.monitor(RegistrationConformance::new);
     // By a clock that is slow by a tenth and was put back by a second, the deadlines are later.
     long toldNs = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * NS_PER_MS;
-    simulation.monitor(() -> new BarrierSpec(withinNs, toldNs));
+    simulation.monitor(() -> new BarrierSpec(withinNs, toldNs)).monitor(BarrierConformance::new);
   }
 
   private static final class Guest extends Client {

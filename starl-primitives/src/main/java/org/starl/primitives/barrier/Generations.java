@@ -15,9 +15,9 @@ import org.starl.trace.TraceEvent.Variable;
 /** What {@link BarrierSpec} knows of one barrier. */
 final class Generations {
 
-  private static final String PASSED = "passed";
-  private static final String FAILED = "failed";
-  private static final String EXCLUDED = "excluded";
+  static final String PASSED = "passed";
+  static final String FAILED = "failed";
+  static final String EXCLUDED = "excluded";
 
   private final String source;
   private final Circumstances circumstances;
@@ -131,7 +131,8 @@ final class Generations {
     }
   }
 
-  private static SortedSet<ProcessId> missing(String failed) {
+  /** Who is named in {@code failed[bot1#1, bot2#1]}. */
+  static SortedSet<ProcessId> missing(String failed) {
     SortedSet<ProcessId> ids = new TreeSet<>();
     String list = failed.substring(FAILED.length() + 1, failed.length() - 1);
     for (String id : list.split(", ", -1)) {

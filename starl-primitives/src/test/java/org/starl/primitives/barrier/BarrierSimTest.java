@@ -89,7 +89,8 @@ class BarrierSimTest {
                 .set("messageDelay", "uniform(10ms,100ms)")
                 .set("duration", "300s")
                 .build())
-        .monitor(() -> new BarrierSpec(15 * S, 40 * S));
+        .monitor(() -> new BarrierSpec(15 * S, 40 * S))
+        .monitor(BarrierConformance::new);
   }
 
   private static Simulation.Builder workers(long seed) {

@@ -33,7 +33,9 @@ final class Gathering {
     this.settings = settings;
     world =
         new LiveWorld<>(
-            seed, new BarrierSpec(BOUND_MS * NS_PER_MS, 2 * settings.deadlineMs() * NS_PER_MS));
+            seed,
+            new BarrierSpec(BOUND_MS * NS_PER_MS, 2 * settings.deadlineMs() * NS_PER_MS),
+            new BarrierConformance());
     world.add(size, name -> new Member(this, name));
     world.robots.forEach(robot -> first.add(new ProcessId(robot.name, FIRST_INC)));
   }

@@ -1,0 +1,203 @@
+package org.starl.primitives.barrier;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.RobotId;
+import org.starl.primitives.barrier.BarrierAutomaton.States;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.automaton.Steps;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+class BarrierConformanceTest {
+
+  private static final String SOURCE = "barrier/x";
+
+  private final List<String> steps = new ArrayList<>();
+  private final Monitors monitors =
+      new Monitors(
+          List.of(
+              new BarrierConformance(
+                  new Steps<States, BarrierAction>() {
+                    @Override
+                    public void stepped(
+                        String instance, TraceEvent event, BarrierAction action, States after) {
+                      steps.add(action.text());
+                    }
+
+                    @Override
+                    public void resulted(
+                        String instance, String function, Object argument, Object value) {
+                      steps.add(function + "(" + argument + ") = " + value);
+                    }
+                  })));
+
+  private void acts(String robot, String name, String... args) {
+    monitors.observe(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
+  }
+
+  private void arrives(String robot, int generation) {
+    acts(robot, "arrive", "" + generation, robot + "#1");
+  }
+
+  private void shows(String robot, String outcome) {
+    monitors.observe(new Variable(0, new RobotId(robot), SOURCE, "outcome", outcome));
+  }
+
+  private void made() {
+    for (String robot : List.of("a", "b", "c")) {
+      acts(robot, "Barrier", robot + "#1", "a#1", "b#1", "c#1");
+    }
+    steps.clear();
+  }
+
+  private List<String> details() {
+    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+  }
+
+  @Test
+  void eachEventIsTheActionOfTheTable() {
+    made();
+    arrives("a", 1);
+    arrives("b", 1);
+    arrives("c", 1);
+    shows("b", "1:passed");
+    shows("a", "1:passed");
+    shows("a", "null");
+    arrives("a", 2);
+    shows("a", "2:failed[b#1, c#1]");
+    shows("b", "2:excluded");
+    assertThat(details()).isEmpty();
+    assertThat(steps)
+        .containsExactly(
+            "arrive(a#1, 1)",
+            "arrive(b#1, 1)",
+            "arrive(c#1, 1)",
+            "decide(1, passed)",
+            "tell(b#1, 1)",
+            "told(b#1) = 1:passed",
+            "tell(a#1, 1)",
+            "told(a#1) = 1:passed",
+            "arrive(a#1, 2)",
+            "decide(2, failed([b#1, c#1]))",
+            "tell(a#1, 2)",
+            "told(a#1) = 2:failed[b#1, c#1]",
+            "tell(b#1, 2)",
+            "told(b#1) = 2:excluded");
+  }
+
+  @Test
+  void whoIsToldExcludedFirstIsToldOnceAnotherTellsTheOutcome() {
+    made();
+    shows("b", "1:excluded");
+    assertThat(steps).isEmpty();
+    shows("a", "1:failed[b#1]");
+    assertThat(steps)
+        .containsExactly(
+            "decide(1, failed([b#1]))",
+            "tell(b#1, 1)",
+            "told(b#1) = 1:excluded",
+            "tell(a#1, 1)",
+            "told(a#1) = 1:failed[b#1]");
+    assertThat(details()).isEmpty();
+  }
+
+  @Test
+  void whomNobodyElseToldOfAreAllWhoWereLeftOut() {
+    made();
+    shows("b", "1:excluded");
+    shows("c", "1:excluded");
+    monitors.finish(1);
+    assertThat(steps)
+        .containsExactly(
+            "decide(1, failed([b#1, c#1]))",
+            "tell(b#1, 1)",
+            "told(b#1) = 1:excluded",
+            "tell(c#1, 1)",
+            "told(c#1) = 1:excluded");
+    assertThat(details()).isEmpty();
+  }
+
+  @Test
+  void theRestAreStutters() {
+    shows("a", "null");
+    arrives("a", 1);
+    shows("a", "1:passed");
+    made();
+    acts("a", "Barrier", "a#2", "a#1", "b#1", "c#1");
+    steps.clear();
+    shows("a", "null");
+    shows("a", "0:excluded");
+    shows("b", "1:unknown");
+    acts("b", "arrive", "1", "c#1");
+    monitors.observe(new Action(0, new RobotId("b"), "app", "arrive", List.of("1", "b#1")));
+    monitors.finish(1);
+    assertThat(steps).isEmpty();
+    assertThat(details()).isEmpty();
+  }
+
+  @Test
+  void toPassBeforeAllHaveArrivedDeviates() {
+    made();
+    arrives("a", 1);
+    shows("a", "1:passed");
+    assertThat(details())
+        .containsExactly(
+            "barrier/x: decide(1, passed) is not enabled: subset?(members(g, s), arrived(g)) is"
+                + " false: [b#1, c#1] have not arrived in 1");
+  }
+
+  @Test
+  void anotherOutcomeDeviates() {
+    made();
+    shows("a", "1:failed[c#1]");
+    shows("b", "1:failed[a#1, c#1]");
+    assertThat(details())
+        .containsExactly(
+            "barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:failed[a#1, c#1]");
+  }
+
+  @Test
+  void whoIsExcludedThoughNobodyLeftItOutDeviates() {
+    made();
+    shows("b", "1:excluded");
+    shows("a", "1:failed[c#1]");
+    assertThat(details())
+        .containsExactly("barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:excluded");
+  }
+
+  @Test
+  void aGenerationThatIsOverBeforeTheOneBeforeItDeviates() {
+    made();
+    shows("a", "2:failed[c#1]");
+    assertThat(details())
+        .containsExactly(
+            "barrier/x: decide(2, failed([c#1])) is not enabled:"
+                + " g = 1 OR NOT open?(outcome(g - 1)) is false: outcome(1) = open");
+  }
+
+  @Test
+  void otherMembersThanTheFirstOnesDeviate() {
+    made();
+    acts("d", "Barrier", "d#1", "a#1", "d#1");
+    assertThat(details())
+        .containsExactly("barrier/x: first(d#1) is [a#1, b#1, c#1], but the trace has [a#1, d#1]");
+  }
+
+  @Test
+  void whoHasNotSaidWhoItIsIsToldTheSameOutcome() {
+    made();
+    shows("a", "1:failed[c#1]");
+    shows("d", "1:failed[c#1]");
+    assertThat(details()).isEmpty();
+    shows("d", "1:passed");
+    assertThat(details())
+        .containsExactly("barrier/x: outcome(1) is failed([c#1]), but the trace has passed");
+  }
+}
