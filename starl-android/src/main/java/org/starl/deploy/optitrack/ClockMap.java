@@ -59,15 +59,18 @@ final class ClockMap {
 
   /** They had {@code theirNs} when they got what we sent at {@code sentNs}. */
   void answered(long sentNs, long theirNs, long receivedNs) {
-    long leastOffNs = sentNs - theirNs;
-    long mostOffNs = receivedNs - theirNs;
+    // It was at least that when they got the question; it may have come quickly, the answer late.
+    long leastSaidNs = sentNs - theirNs - driftNs(receivedNs - sentNs);
+    long mostSaidNs = receivedNs - theirNs;
+    long leastOffNs = leastSaidNs;
+    long mostOffNs = mostSaidNs;
     if (isKnown) {
       advanceTo(receivedNs);
       leastOffNs = hasAnswer ? Math.max(leastOffNs, leastNs) : leastOffNs;
       mostOffNs = Math.min(mostOffNs, mostNs);
     }
     if (!isKnown || leastOffNs > mostOffNs) {
-      begin(sentNs - theirNs, receivedNs - theirNs, receivedNs);
+      begin(leastSaidNs, mostSaidNs, receivedNs);
     } else {
       leastNs = leastOffNs;
       mostNs = mostOffNs;
@@ -87,7 +90,10 @@ final class ClockMap {
    */
   TimeSpan span(long fromTheirNs, long toTheirNs, long nowNs) {
     advanceTo(nowNs);
-    return new TimeSpan(fromTheirNs + leastNs, Math.min(nowNs, toTheirNs + mostNs));
+    // The interval is that of now; then, the clocks may have been further apart, or nearer.
+    long sinceThenNs = driftNs(Math.max(0, nowNs - fromTheirNs - leastNs));
+    return new TimeSpan(
+        fromTheirNs + leastNs - sinceThenNs, Math.min(nowNs, toTheirNs + mostNs + sinceThenNs));
   }
 
   private void begin(long newLeastNs, long newMostNs, long nowNs) {
@@ -100,11 +106,15 @@ final class ClockMap {
   }
 
   private void advanceTo(long nowNs) {
-    long driftNs = (nowNs - atNs) * DRIFT_NS_PER_MS / NS_PER_MS;
+    long driftNs = driftNs(nowNs - atNs);
     if (driftNs > 0) {
       leastNs -= driftNs;
       mostNs += driftNs;
       atNs = nowNs;
     }
+  }
+
+  private static long driftNs(long forNs) {
+    return forNs * DRIFT_NS_PER_MS / NS_PER_MS;
   }
 }
