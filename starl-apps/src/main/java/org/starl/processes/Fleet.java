@@ -270,6 +270,9 @@ public final class Fleet implements AutoCloseable {
         }
       }
       case ERROR -> errors.add(robot.spec.id() + ": " + args.get(0).strip());
+      case CLOCK -> {
+        // Here all have the clock of one machine, which they tell with their port.
+      }
     }
   }
 
