@@ -9,6 +9,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
+import net.jqwik.api.statistics.Statistics;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
@@ -39,7 +40,9 @@ class RegistrationAutomatonTest {
         assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
       }
     }
-    assertThat(lists).as("seed %d", seed).isPositive();
+    // That much happens in most runs is what makes the property worth its name.
+    Statistics.collect(lists > 0);
+    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
   }
 
   /** Keeps, Fresh, Soundness; Agreement is plain from the states' form. */
