@@ -64,7 +64,7 @@ class ScenarioSchemaTest {
 
   static List<Path> scenarioFiles() throws IOException {
     try (Stream<Path> files = Files.list(ROOT.resolve("scenarios"))) {
-      return files.sorted().toList();
+      return files.filter(Files::isRegularFile).sorted().toList();
     }
   }
 
