@@ -1,13 +1,14 @@
 package org.starl.deployment;
 
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.deploy.create.CreateBody;
 import org.starl.deploy.optitrack.PoseSource;
-import org.starl.deploy.realtime.RealStrand;
 import org.starl.geometry.Pose;
 import org.starl.motion.Bumps;
 import org.starl.motion.WheelCommand;
+import org.starl.platform.Strand;
 import org.starl.sim.world.Body;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
@@ -24,10 +25,12 @@ final class WorldBody implements CreateBody {
   private final double radiusMm;
   private final double axleMm;
   private final World world;
-  private final RealStrand strand;
+  private final Strand strand;
   private final SimChassis chassis;
-  private volatile Bumps bumps = Bumps.NONE;
 
+  // The world's strand writes what it touches, Creates and programs read it from theirs; who is told of
+  // it is set by the program's thread and read by the world's.
+  private volatile Bumps bumps = Bumps.NONE;
   private volatile Runnable bumped = () -> {};
 
   // The world's strand only.
@@ -41,7 +44,7 @@ final class WorldBody implements CreateBody {
       double radiusMm,
       double axleMm,
       World world,
-      RealStrand strand,
+      Strand strand,
       SimChassis chassis) {
     this.id = id;
     this.rigidBody = rigidBody;
@@ -62,12 +65,12 @@ final class WorldBody implements CreateBody {
   public void drive(double leftMmPerS, double rightMmPerS, long atNs) {
     WheelCommand command =
         new WheelCommand((leftMmPerS + rightMmPerS) / 2, (rightMmPerS - leftMmPerS) / axleMm);
-    drive(command);
+    drive(() -> command);
   }
 
-  /** The same, from any thread. */
-  void drive(WheelCommand command) {
-    strand.post(() -> chassis.drive(command));
+  /** The same, from any thread; what {@code command} is, is asked for on the world's strand. */
+  void drive(Supplier<WheelCommand> command) {
+    strand.post(() -> chassis.drive(command.get()));
   }
 
   /** What it touches now. From any thread. */

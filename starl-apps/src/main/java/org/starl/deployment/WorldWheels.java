@@ -12,6 +12,8 @@ final class WorldWheels implements Wheelbase, Chassis {
 
   private final WorldBody body;
   private final Strand strand;
+
+  // From any thread; read on the world's strand, where a command of before the stop must not undo it.
   private volatile boolean isStopped;
   private Runnable receiver = () -> {};
 
@@ -28,9 +30,7 @@ final class WorldWheels implements Wheelbase, Chassis {
 
   @Override
   public void drive(WheelCommand command) {
-    if (!isStopped) {
-      body.drive(command);
-    }
+    body.drive(() -> isStopped ? WheelCommand.STOP : command);
   }
 
   @Override
@@ -50,7 +50,7 @@ final class WorldWheels implements Wheelbase, Chassis {
   @Override
   public void emergencyStop() {
     isStopped = true;
-    body.drive(WheelCommand.STOP);
+    body.drive(() -> WheelCommand.STOP);
   }
 
   @Override
