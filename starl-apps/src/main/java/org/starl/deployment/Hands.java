@@ -39,21 +39,18 @@ final class Hands implements AutoCloseable {
 
   private static final int CONNECT_MS = 5000;
 
+  private final InetSocketAddress world;
+  private final RobotId robot;
   private final Socket socket;
 
-  private Hands(Socket socket) {
+  private Hands(InetSocketAddress world, RobotId robot, Socket socket) {
+    this.world = world;
+    this.robot = robot;
     this.socket = socket;
   }
 
-  /**
-   * Connects.
-   *
-   * @param heard takes what the world says, on a thread of its own
-   * @param lost is told that the world is gone
-   */
-  static Hands open(
-      InetSocketAddress world, RobotId robot, Consumer<Word> heard, Consumer<IOException> lost)
-      throws IOException {
+  /** Connects. */
+  static Hands open(InetSocketAddress world, RobotId robot) throws IOException {
     Socket socket = new Socket();
     try {
       socket.connect(world, CONNECT_MS);
@@ -61,17 +58,29 @@ final class Hands implements AutoCloseable {
       socket.getOutputStream().write((robot + "\n").getBytes(StandardCharsets.UTF_8));
     } catch (IOException e) {
       socket.close();
-      throw new IOException("world at " + world + ": " + e.getMessage(), e);
+      throw trouble(world, e);
     }
-    Hands hands = new Hands(socket);
-    Thread reader = new Thread(() -> hands.read(heard, lost), robot + " hands");
+    return new Hands(world, robot, socket);
+  }
+
+  /**
+   * From now on hears the world. Once.
+   *
+   * @param heard takes what it says, on a thread of its own
+   * @param lost is told that it is gone, or no world; not after {@link #close}
+   */
+  void listen(Consumer<Word> heard, Consumer<IOException> lost) {
+    Thread reader = new Thread(() -> read(heard, lost), robot + " hands");
     reader.setDaemon(true);
     reader.start();
-    return hands;
   }
 
   void say(Word word) throws IOException {
-    socket.getOutputStream().write(word.line().getBytes(StandardCharsets.UTF_8));
+    try {
+      socket.getOutputStream().write(word.line().getBytes(StandardCharsets.UTF_8));
+    } catch (IOException e) {
+      throw trouble(world, e);
+    }
   }
 
   @Override
@@ -86,11 +95,15 @@ final class Hands implements AutoCloseable {
       for (String line = lines.readLine(); line != null; line = lines.readLine()) {
         heard.accept(Word.of(line));
       }
-      lost.accept(new IOException("the world is gone"));
-    } catch (IOException e) {
+      throw new IOException("is gone");
+    } catch (IOException | IllegalArgumentException e) {
       if (!socket.isClosed()) {
-        lost.accept(e);
+        lost.accept(trouble(world, e));
       }
     }
+  }
+
+  private static IOException trouble(InetSocketAddress world, Exception cause) {
+    return new IOException("world at " + world + ": " + cause.getMessage(), cause);
   }
 }

@@ -9,7 +9,7 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -69,10 +69,14 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
   private final Consumer<String> teller;
   private final BlockingQueue<News> news = new LinkedBlockingQueue<>();
   private final CountDownLatch over = new CountDownLatch(1);
-  private final AtomicBoolean isStopped = new AtomicBoolean();
-  private volatile @Nullable Throwable failure;
+  private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
+
+  // From any thread: who sets the first looks at the second, who sets the second at the first.
+  private volatile boolean isToStop;
   private volatile @Nullable DeployedRobot robot;
-  private volatile @Nullable Hands hands;
+
+  // The thread of run() only.
+  private @Nullable Hands hands;
 
   /**
    * Opens nothing yet.
@@ -102,13 +106,13 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
       outbox.end(clock.nowNs() - startNs);
       over.countDown();
     }
-    return failure;
+    return failure.get();
   }
 
   private void runRounds() throws IOException {
     int round = 1;
     bringUp();
-    for (News next = await(); next != News.STOP; next = await()) {
+    for (News next = await(); next != News.STOP && !isToStop; next = await()) {
       teller.accept("came to the end of round " + round + " of " + settings.rounds());
       if (round < settings.rounds()) {
         round++;
@@ -120,6 +124,7 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
 
   /** Ends it from any thread: the wheels stop before this returns, and then {@link #run} does. */
   public void stop() {
+    isToStop = true;
     DeployedRobot running = robot;
     if (running != null) {
       running.emergencyStop();
@@ -147,8 +152,7 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
 
   @Override
   public void failed(Throwable error) {
-    if (isStopped.compareAndSet(false, true)) {
-      failure = error;
+    if (failure.compareAndSet(null, error)) {
       teller.accept("wheels stopped: " + error);
       stop();
     }
@@ -164,6 +168,9 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
   }
 
   private void bringUp() throws IOException {
+    if (isToStop) {
+      return;
+    }
     Blueprint blueprint = settings.blueprints().get();
     RobotSpec spec =
         blueprint.robots().stream()
@@ -190,6 +197,13 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
                 new LateTrace(outbox, startNs, blueprint.observers())),
             this);
     robot = opened;
+    // From here on stop() finds it; before, it has left word.
+    if (!isToStop) {
+      begin(spec, opened, blueprint);
+    }
+  }
+
+  private void begin(RobotSpec spec, DeployedRobot opened, Blueprint blueprint) throws IOException {
     HostPort world = settings.deployment().world();
     if (world != null && settings.deployment().simulated().contains(settings.entry())) {
       place(world, spec, opened, blueprint);
@@ -199,16 +213,11 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
 
   private void place(HostPort world, RobotSpec spec, DeployedRobot opened, Blueprint blueprint)
       throws IOException {
-    Placing[] placing = new Placing[1];
-    Hands connected =
-        Hands.open(
-            world.resolve(),
-            id,
-            word -> placing[0].heard(word),
-            lost -> teller.accept(String.valueOf(lost.getMessage())));
+    Hands connected = Hands.open(world.resolve(), id);
     hands = connected;
-    placing[0] = new Placing(spec, opened, connected, opened.strand().pieceClock());
-    placing[0].begin(blueprint, settings.deployment().participants().asList());
+    Placing placing = new Placing(spec, opened, connected, opened.strand().pieceClock());
+    connected.listen(placing::heard, lost -> teller.accept(String.valueOf(lost.getMessage())));
+    placing.begin(blueprint, settings.deployment().participants().asList());
   }
 
   private void bringDown(boolean isLifted) throws IOException {
@@ -221,10 +230,11 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
     Hands held = hands;
     hands = null;
     if (held != null) {
-      if (isLifted) {
-        held.say(Hands.Word.LIFT);
+      try (held) {
+        if (isLifted) {
+          held.say(Hands.Word.LIFT);
+        }
       }
-      held.close();
     }
   }
 

@@ -28,7 +28,8 @@ final class WorldBody implements CreateBody {
   private final Strand strand;
   private final SimChassis chassis;
 
-  // The world's strand writes what it touches, Creates and programs read it from theirs; who is told of
+  // The world's strand writes what it touches, Creates and programs read it from theirs; who is
+  // told of
   // it is set by the program's thread and read by the world's.
   private volatile Bumps bumps = Bumps.NONE;
   private volatile Runnable bumped = () -> {};

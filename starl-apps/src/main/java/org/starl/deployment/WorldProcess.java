@@ -75,6 +75,8 @@ public final class WorldProcess implements AutoCloseable {
   private final List<Wish> wishes = new ArrayList<>();
   private final Timer look;
   private boolean isClosed;
+
+  // Made anew on the world's strand at each look; the cameras' thread takes the newest.
   private volatile PoseSource.Snapshot seen = new PoseSource.Snapshot(0, List.of());
 
   /** A body that is to be put on the floor, and who is told. */
@@ -152,7 +154,7 @@ public final class WorldProcess implements AutoCloseable {
     if (body == null) {
       throw new IllegalArgumentException(robot + " is not simulated");
     }
-    return (robotStrand, robotClock, log) -> new WorldWheels(body, robotStrand);
+    return (robotStrand, robotClock, log, onFailure) -> new WorldWheels(body, robotStrand);
   }
 
   /** Ends it, wheels and cameras and all. */

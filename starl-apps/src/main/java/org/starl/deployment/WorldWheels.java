@@ -13,7 +13,8 @@ final class WorldWheels implements Wheelbase, Chassis {
   private final WorldBody body;
   private final Strand strand;
 
-  // From any thread; read on the world's strand, where a command of before the stop must not undo it.
+  // From any thread; read on the world's strand, where a command of before the stop must not undo
+  // it.
   private volatile boolean isStopped;
   private Runnable receiver = () -> {};
 

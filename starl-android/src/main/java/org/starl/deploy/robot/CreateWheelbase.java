@@ -1,6 +1,7 @@
 package org.starl.deploy.robot;
 
 import java.io.IOException;
+import java.util.function.Consumer;
 import org.starl.deploy.create.ByteLink;
 import org.starl.deploy.create.CreateChassis;
 import org.starl.deploy.create.CreateModel;
@@ -32,9 +33,10 @@ public final class CreateWheelbase implements Wheelbase {
    */
   public static Source of(String name, Wheels.Create create, Limits limits, ByteLink.Source links) {
     CreateSettings settings = settings(create, limits);
-    return (strand, clock, log) ->
+    return (strand, clock, log, onFailure) ->
         new CreateWheelbase(
-            CreateChassis.open(name, settings, links, strand, clock, new Teller(clock, log)));
+            CreateChassis.open(
+                name, settings, links, strand, clock, new Teller(clock, log, onFailure)));
   }
 
   /** The model that a deployment file names. */
@@ -93,11 +95,15 @@ public final class CreateWheelbase implements Wheelbase {
 
     private final Clock clock;
     private final LogSink log;
-    private volatile String lastFailure = "";
+    private final Consumer<Throwable> onFailure;
 
-    Teller(Clock clock, LogSink log) {
+    // The thread that opens links only.
+    private String lastFailure = "";
+
+    Teller(Clock clock, LogSink log, Consumer<Throwable> onFailure) {
       this.clock = clock;
       this.log = log;
+      this.onFailure = onFailure;
     }
 
     @Override
@@ -117,6 +123,7 @@ public final class CreateWheelbase implements Wheelbase {
 
     @Override
     public void failed(Throwable bug) {
+      onFailure.accept(bug);
       log.log(clock.nowNs(), Level.ERROR, TAG, "the driver has failed, wheels stopped: " + bug);
     }
   }

@@ -134,7 +134,7 @@ public final class DeployedRobot implements AutoCloseable {
     log = surroundings.log();
     trace = surroundings.trace();
     strand = opened.add(new RealStrand(id.name(), clock, this::fail));
-    wheels = opened.add(surroundings.wheels().open(strand, clock, log));
+    wheels = opened.add(surroundings.wheels().open(strand, clock, log, host::failed));
     InetSocketAddress address = address(entry, deployment.network());
     InetAddress local = address.getAddress().isAnyLocalAddress() ? null : address.getAddress();
     udp = opened.add(UdpRadio.open(id, strand, address, this::fail));
@@ -237,8 +237,9 @@ public final class DeployedRobot implements AutoCloseable {
 
   /** Stops the wheels at once, below the program; {@link #release} takes it back. */
   public void emergencyStop() {
-    log.log(clock.nowNs(), Level.WARN, "wheels", "emergency stop");
+    // A log may wait: for a disk, for a terminal that nobody reads.
     wheels.emergencyStop();
+    log.log(clock.nowNs(), Level.WARN, "wheels", "emergency stop");
   }
 
   /** The program's next command counts again. */

@@ -1,6 +1,7 @@
 package org.starl.deploy.robot;
 
 import java.io.IOException;
+import java.util.function.Consumer;
 import org.starl.geometry.Fix;
 import org.starl.platform.Chassis;
 import org.starl.platform.Clock;
@@ -19,9 +20,11 @@ public interface Wheelbase extends AutoCloseable {
     /**
      * @param strand the robot's; bumps are told there
      * @param clock the one by which fixes bear their times; may be read by any thread
+     * @param onFailure is told, from any thread, of a bug below: the wheels stand already, for good
      * @throws IOException if there are none to be had
      */
-    Wheelbase open(Strand strand, Clock clock, LogSink log) throws IOException;
+    Wheelbase open(Strand strand, Clock clock, LogSink log, Consumer<Throwable> onFailure)
+        throws IOException;
   }
 
   /** What the program drives. */

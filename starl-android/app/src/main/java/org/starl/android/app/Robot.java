@@ -154,11 +154,13 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     onBug.accept(error);
   }
 
-  private Wheelbase openWheels(Strand strand, Clock clock, LogSink log) throws IOException {
+  private Wheelbase openWheels(
+      Strand strand, Clock clock, LogSink log, Consumer<Throwable> onFailure) throws IOException {
     Wheels.Create create = (Wheels.Create) mission.robot().wheels();
     Limits limits = mission.deployment().limits();
     String name = mission.robot().id().name();
-    Wheelbase opened = CreateWheelbase.of(name, create, limits, links).open(strand, clock, log);
+    Wheelbase opened =
+        CreateWheelbase.of(name, create, limits, links).open(strand, clock, log, onFailure);
     chassis = (CreateChassis) opened.chassis();
     return opened;
   }
