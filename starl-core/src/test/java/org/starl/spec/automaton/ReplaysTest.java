@@ -16,18 +16,16 @@ class ReplaysTest {
       new TraceEvent.Action(7_000_000, new RobotId("bot1"), "lamp/x", "switch_on", List.of());
 
   private sealed interface Switch extends Action {
-    record switch_on(int i) implements Switch {
-      @Override
-      public List<Object> args() {
-        return List.of(i);
-      }
-    }
+    record switch_on(int i) implements Switch {}
 
-    record switch_off(int i, int j) implements Switch {
-      @Override
-      public List<Object> args() {
-        return List.of(i, j);
-      }
+    record switch_off(int i, int j) implements Switch {}
+
+    @Override
+    default List<Object> args() {
+      return switch (this) {
+        case switch_on a -> List.of(a.i);
+        case switch_off a -> List.of(a.i, a.j);
+      };
     }
   }
 

@@ -9,26 +9,20 @@ import org.starl.spec.automaton.Action;
 public sealed interface BarrierAction extends Action {
 
   /** Arrives in generation {@code g}. */
-  record arrive(ProcessId i, long g) implements BarrierAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, g);
-    }
-  }
+  record arrive(ProcessId i, long g) implements BarrierAction {}
 
   /** Generation {@code g} has its outcome, which nobody need know of. */
-  record decide(long g, Outcome o) implements BarrierAction {
-    @Override
-    public List<Object> args() {
-      return List.of(g, o);
-    }
-  }
+  record decide(long g, Outcome o) implements BarrierAction {}
 
   /** Is told the outcome of generation {@code g}. */
-  record tell(ProcessId i, long g) implements BarrierAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, g);
-    }
+  record tell(ProcessId i, long g) implements BarrierAction {}
+
+  @Override
+  default List<Object> args() {
+    return switch (this) {
+      case arrive a -> List.of(a.i, a.g);
+      case decide a -> List.of(a.g, a.o);
+      case tell a -> List.of(a.i, a.g);
+    };
   }
 }

@@ -8,42 +8,28 @@ import org.starl.spec.automaton.Action;
 public sealed interface ElectionAction extends Action {
 
   /** Takes part from now on. */
-  record do_election(ProcessId i) implements ElectionAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record do_election(ProcessId i) implements ElectionAction {}
 
   /** Stands in term {@code n}. */
-  record candidate(ProcessId i, long n) implements ElectionAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, n);
-    }
-  }
+  record candidate(ProcessId i, long n) implements ElectionAction {}
 
   /** Is elected in term {@code n}, which nobody need know of. */
-  record elect(long n, ProcessId i) implements ElectionAction {
-    @Override
-    public List<Object> args() {
-      return List.of(n, i);
-    }
-  }
+  record elect(long n, ProcessId i) implements ElectionAction {}
 
   /** Learns who is elected in term {@code n}. */
-  record learn(ProcessId i, long n) implements ElectionAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, n);
-    }
-  }
+  record learn(ProcessId i, long n) implements ElectionAction {}
 
   /** Knows no leader any more, or is told that there is none. */
-  record fail(ProcessId i) implements ElectionAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
+  record fail(ProcessId i) implements ElectionAction {}
+
+  @Override
+  default List<Object> args() {
+    return switch (this) {
+      case do_election a -> List.of(a.i);
+      case candidate a -> List.of(a.i, a.n);
+      case elect a -> List.of(a.n, a.i);
+      case learn a -> List.of(a.i, a.n);
+      case fail a -> List.of(a.i);
+    };
   }
 }

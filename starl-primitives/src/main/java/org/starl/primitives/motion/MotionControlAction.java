@@ -14,42 +14,28 @@ public sealed interface MotionControlAction extends Action {
    * @param t the number of the command, for its target
    * @param A the number of the command, for its area, or {@link MotionControlAutomaton#EMPTYSET}
    */
-  record do_move(RobotId i, long t, long A) implements MotionControlAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, t, A);
-    }
-  }
+  record do_move(RobotId i, long t, long A) implements MotionControlAction {}
 
   /** Its body moves, whatever the cause. */
-  record move(RobotId i, Place p) implements MotionControlAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, p);
-    }
-  }
+  record move(RobotId i, Place p) implements MotionControlAction {}
 
   /** Says DONE. */
-  record arrived(RobotId i) implements MotionControlAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record arrived(RobotId i) implements MotionControlAction {}
 
   /** Says FAIL. */
-  record failed(RobotId i) implements MotionControlAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record failed(RobotId i) implements MotionControlAction {}
 
   /** Takes the last command back. */
-  record motion_stop(RobotId i) implements MotionControlAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
+  record motion_stop(RobotId i) implements MotionControlAction {}
+
+  @Override
+  default List<Object> args() {
+    return switch (this) {
+      case do_move a -> List.of(a.i, a.t, a.A);
+      case move a -> List.of(a.i, a.p);
+      case arrived a -> List.of(a.i);
+      case failed a -> List.of(a.i);
+      case motion_stop a -> List.of(a.i);
+    };
   }
 }

@@ -12,50 +12,32 @@ public sealed interface MutexAction extends Action {
   RobotId i();
 
   /** Asks for access to {@code RS}. */
-  record do_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, RS);
-    }
-  }
+  record do_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   /** Has access to {@code RS}. */
-  record od_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, RS);
-    }
-  }
+  record od_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   /** Gives {@code RS} back. */
-  record release(RobotId i, SortedSet<String> RS) implements MutexAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, RS);
-    }
-  }
+  record release(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   /** Its request ends without access. */
-  record withdraw(RobotId i) implements MutexAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record withdraw(RobotId i) implements MutexAction {}
 
   /** Its program begins anew, after a crash. */
-  record restart(RobotId i) implements MutexAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record restart(RobotId i) implements MutexAction {}
 
   /** Its program says in which sections its body may stand. */
-  record stands_in(RobotId i, SortedSet<String> RS) implements MutexAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, RS);
-    }
+  record stands_in(RobotId i, SortedSet<String> RS) implements MutexAction {}
+
+  @Override
+  default List<Object> args() {
+    return switch (this) {
+      case do_mutex a -> List.of(a.i, a.RS);
+      case od_mutex a -> List.of(a.i, a.RS);
+      case release a -> List.of(a.i, a.RS);
+      case withdraw a -> List.of(a.i);
+      case restart a -> List.of(a.i);
+      case stands_in a -> List.of(a.i, a.RS);
+    };
   }
 }

@@ -9,50 +9,32 @@ import org.starl.spec.automaton.Action;
 public sealed interface RegistrationAction extends Action {
 
   /** An attempt to take part begins. */
-  record do_register(ProcessId i) implements RegistrationAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record do_register(ProcessId i) implements RegistrationAction {}
 
   /** It asks out. */
-  record unregister(ProcessId i) implements RegistrationAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record unregister(ProcessId i) implements RegistrationAction {}
 
   /** Its own robot requests nothing under this id any more. */
-  record give_up(ProcessId i) implements RegistrationAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record give_up(ProcessId i) implements RegistrationAction {}
 
   /** Somebody vouches for what it may still hold. */
-  record confine(ProcessId i) implements RegistrationAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i);
-    }
-  }
+  record confine(ProcessId i) implements RegistrationAction {}
 
   /** The next list. */
-  record decide(SortedSet<ProcessId> L) implements RegistrationAction {
-    @Override
-    public List<Object> args() {
-      return List.of(L);
-    }
-  }
+  record decide(SortedSet<ProcessId> L) implements RegistrationAction {}
 
   /** It learns list {@code n}. */
-  record learn(ProcessId i, long n) implements RegistrationAction {
-    @Override
-    public List<Object> args() {
-      return List.of(i, n);
-    }
+  record learn(ProcessId i, long n) implements RegistrationAction {}
+
+  @Override
+  default List<Object> args() {
+    return switch (this) {
+      case do_register a -> List.of(a.i);
+      case unregister a -> List.of(a.i);
+      case give_up a -> List.of(a.i);
+      case confine a -> List.of(a.i);
+      case decide a -> List.of(a.L);
+      case learn a -> List.of(a.i, a.n);
+    };
   }
 }
