@@ -1,9 +1,8 @@
 package org.starl.primitives.agreement;
 
-import java.util.List;
 import org.starl.RobotId;
 import org.starl.primitives.agreement.AgreementAutomaton.States;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Replays;
@@ -27,7 +26,7 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * What is kept is what was proposed, and who knows the decision.
  */
-public final class AgreementConformance implements Monitor {
+public final class AgreementConformance extends Conformance {
 
   private final Replays<States, AgreementAction> replays;
 
@@ -41,19 +40,8 @@ public final class AgreementConformance implements Monitor {
    * @param steps takes every step of every instance
    */
   public AgreementConformance(Steps<States, AgreementAction> steps) {
+    super(AgreementAutomaton.SET_AGREEMENT_DECLS, "every agreement");
     replays = new Replays<>(new AgreementAutomaton(), steps);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(AgreementAutomaton.SET_AGREEMENT_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(AgreementAutomaton.SET_AGREEMENT_DECLS)
-        ? "The run of every agreement is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override

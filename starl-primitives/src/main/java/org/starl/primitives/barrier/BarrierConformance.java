@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.ProcessId;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -41,7 +41,7 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * <p>What is kept are all ids and outcomes, and who arrived in generations without one.
  */
-public final class BarrierConformance implements Monitor {
+public final class BarrierConformance extends Conformance {
 
   private final Steps<States, BarrierAction> steps;
   private final Map<String, BarrierRun> runs = new TreeMap<>();
@@ -56,19 +56,8 @@ public final class BarrierConformance implements Monitor {
    * @param steps takes every step of every instance
    */
   public BarrierConformance(Steps<States, BarrierAction> steps) {
+    super(BarrierAutomaton.BARRIER_DECLS, "every barrier");
     this.steps = steps;
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(BarrierAutomaton.BARRIER_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(BarrierAutomaton.BARRIER_DECLS)
-        ? "The run of every barrier is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override

@@ -8,7 +8,7 @@ import org.starl.ProcessId;
 import org.starl.primitives.election.ElectionAutomaton.Known;
 import org.starl.primitives.election.ElectionAutomaton.States;
 import org.starl.spec.Dues.Seat;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Replays;
@@ -38,7 +38,7 @@ import org.starl.trace.TraceEvent.Variable;
  * <p>A robot that has not said who it is learns for nobody; whom it shows is the one elected all the
  * same. What is kept are all ids, and who stood and was elected in each term.
  */
-public final class ElectionConformance implements Monitor {
+public final class ElectionConformance extends Conformance {
 
   private final Replays<States, ElectionAction> replays;
   private final Map<Seat, ProcessId> ids = new LinkedHashMap<>();
@@ -53,19 +53,8 @@ public final class ElectionConformance implements Monitor {
    * @param steps takes every step of every instance
    */
   public ElectionConformance(Steps<States, ElectionAction> steps) {
+    super(ElectionAutomaton.ELECTION_DECLS, "every election");
     replays = new Replays<>(new ElectionAutomaton(), steps);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(ElectionAutomaton.ELECTION_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(ElectionAutomaton.ELECTION_DECLS)
-        ? "The run of every election is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override

@@ -1,12 +1,11 @@
 package org.starl.primitives.geocast;
 
 import java.util.Collections;
-import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Steps;
@@ -38,7 +37,7 @@ import org.starl.trace.TraceEvent.Action;
  * <p>A message is forgotten when its interval is over, which whoever is handed it then is told: memory
  * is for what is open.
  */
-public final class GeocastConformance implements Monitor {
+public final class GeocastConformance extends Conformance {
 
   // How deep inside a body is decides nothing here.
   private final Casts casts = new Casts(Double.POSITIVE_INFINITY);
@@ -54,19 +53,8 @@ public final class GeocastConformance implements Monitor {
    * @param steps takes every step of every instance
    */
   public GeocastConformance(Steps<States, GeocastAction> steps) {
+    super(GeocastAutomaton.GEOCAST_DECLS, "every geocast");
     replays = new Replays<>(new GeocastAutomaton(), steps);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(GeocastAutomaton.GEOCAST_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(GeocastAutomaton.GEOCAST_DECLS)
-        ? "The run of every geocast is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override

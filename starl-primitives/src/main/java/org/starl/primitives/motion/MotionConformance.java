@@ -1,7 +1,6 @@
 package org.starl.primitives.motion;
 
 import java.util.Collections;
-import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -10,7 +9,7 @@ import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionParameters;
 import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
@@ -46,7 +45,7 @@ import org.starl.trace.TraceEvent.Variable;
  * where a body is put down in A: that it is there is a stutter. A body enters A between two events,
  * and its step comes at the later one. What is kept is one command for each robot.
  */
-public final class MotionConformance implements Monitor {
+public final class MotionConformance extends Conformance {
 
   private final MotionBodies bodies;
   private final Replay<States, MotionControlAction> replay;
@@ -64,20 +63,9 @@ public final class MotionConformance implements Monitor {
    * @param steps takes every step
    */
   public MotionConformance(MotionParameters parameters, Steps<States, MotionControlAction> steps) {
+    super(MotionControlAutomaton.MOTION_CONTROL_DECLS, "all motions");
     bodies = new MotionBodies(parameters);
     replay = new Replay<>(new MotionControlAutomaton(), MotionTrace.SOURCE, steps);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(MotionControlAutomaton.MOTION_CONTROL_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(MotionControlAutomaton.MOTION_CONTROL_DECLS)
-        ? "The run of all motions is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override

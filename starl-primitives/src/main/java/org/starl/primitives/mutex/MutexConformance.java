@@ -1,11 +1,10 @@
 package org.starl.primitives.mutex;
 
-import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.primitives.mutex.MutexAutomaton.States;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Steps;
@@ -34,7 +33,7 @@ import org.starl.trace.TraceEvent.Fault;
  * because it still holds something, {@code crit_set(i)} goes on, and the robot asks for nothing until
  * that is given back. A step costs time in the number of robots that hold or wait, and so much is kept.
  */
-public final class MutexConformance implements Monitor {
+public final class MutexConformance extends Conformance {
 
   private final Replays<States, MutexAction> replays;
   private final Set<RobotId> gone = new TreeSet<>();
@@ -49,19 +48,8 @@ public final class MutexConformance implements Monitor {
    * @param steps takes every step of every instance
    */
   public MutexConformance(Steps<States, MutexAction> steps) {
+    super(MutexAutomaton.MUTEX_DECLS, "every mutex");
     replays = new Replays<>(new MutexAutomaton(), steps);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(MutexAutomaton.MUTEX_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(MutexAutomaton.MUTEX_DECLS)
-        ? "The run of every mutex is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override

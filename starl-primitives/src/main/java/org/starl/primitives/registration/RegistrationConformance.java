@@ -1,13 +1,12 @@
 package org.starl.primitives.registration;
 
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.starl.ProcessId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
-import org.starl.spec.Monitor;
+import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
@@ -44,7 +43,7 @@ import org.starl.trace.TraceEvent.Variable;
  * <p>A robot whose program has not asked for anything learns for nobody: an acceptor, perhaps. What
  * is kept are the ids of all attempts, and the latest 256 lists.
  */
-public final class RegistrationConformance implements Monitor {
+public final class RegistrationConformance extends Conformance {
 
   private final Replays<States, RegistrationAction> replays;
   private final Map<String, RegistrationRun> runs = new TreeMap<>();
@@ -59,19 +58,8 @@ public final class RegistrationConformance implements Monitor {
    * @param steps takes every step of every instance
    */
   public RegistrationConformance(Steps<States, RegistrationAction> steps) {
+    super(RegistrationAutomaton.REGISTRATION_DECLS, "every registration");
     replays = new Replays<>(new RegistrationAutomaton(), steps);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(RegistrationAutomaton.REGISTRATION_DECLS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return lemma.equals(RegistrationAutomaton.REGISTRATION_DECLS)
-        ? "The run of every registration is one of the theory's automaton, step by step."
-        : "";
   }
 
   @Override
