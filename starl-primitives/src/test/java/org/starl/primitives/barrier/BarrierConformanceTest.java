@@ -2,15 +2,11 @@ package org.starl.primitives.barrier;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
-import org.starl.spec.Monitors;
-import org.starl.spec.SpecReport;
-import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
+import org.starl.primitives.conformance.ShownRun;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -19,27 +15,10 @@ class BarrierConformanceTest {
 
   private static final String SOURCE = "barrier/x";
 
-  private final List<String> steps = new ArrayList<>();
-  private final Monitors monitors =
-      new Monitors(
-          List.of(
-              new BarrierConformance(
-                  new Steps<States, BarrierAction>() {
-                    @Override
-                    public void stepped(
-                        String instance, TraceEvent event, BarrierAction action, States after) {
-                      steps.add(action.text());
-                    }
-
-                    @Override
-                    public void resulted(
-                        String instance, String function, Object argument, Object value) {
-                      steps.add(function + "(" + argument + ") = " + value);
-                    }
-                  })));
+  private final ShownRun<States, BarrierAction> run = new ShownRun<>(BarrierConformance::new);
 
   private void acts(String robot, String name, String... args) {
-    monitors.observe(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
+    run.has(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
   }
 
   private void arrives(String robot, int generation) {
@@ -47,18 +26,14 @@ class BarrierConformanceTest {
   }
 
   private void shows(String robot, String outcome) {
-    monitors.observe(new Variable(0, new RobotId(robot), SOURCE, "outcome", outcome));
+    run.has(new Variable(0, new RobotId(robot), SOURCE, "outcome", outcome));
   }
 
   private void made() {
     for (String robot : List.of("a", "b", "c")) {
       acts(robot, "Barrier", robot + "#1", "a#1", "b#1", "c#1");
     }
-    steps.clear();
-  }
-
-  private List<String> details() {
-    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+    run.forgetSteps();
   }
 
   @Test
@@ -73,8 +48,8 @@ class BarrierConformanceTest {
     arrives("a", 2);
     shows("a", "2:failed[b#1, c#1]");
     shows("b", "2:excluded");
-    assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.details()).isEmpty();
+    assertThat(run.steps())
         .containsExactly(
             "arrive(a#1, 1)",
             "arrive(b#1, 1)",
@@ -96,16 +71,16 @@ class BarrierConformanceTest {
   void whoIsToldExcludedFirstIsToldOnceAnotherTellsTheOutcome() {
     made();
     shows("b", "1:excluded");
-    assertThat(steps).isEmpty();
+    assertThat(run.steps()).isEmpty();
     shows("a", "1:failed[b#1]");
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
             "decide(1, failed([b#1]))",
             "tell(b#1, 1)",
             "told(b#1) = 1:excluded",
             "tell(a#1, 1)",
             "told(a#1) = 1:failed[b#1]");
-    assertThat(details()).isEmpty();
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
@@ -113,15 +88,15 @@ class BarrierConformanceTest {
     made();
     shows("b", "1:excluded");
     shows("c", "1:excluded");
-    monitors.finish(1);
-    assertThat(steps)
+    run.ends(1);
+    assertThat(run.steps())
         .containsExactly(
             "decide(1, failed([b#1, c#1]))",
             "tell(b#1, 1)",
             "told(b#1) = 1:excluded",
             "tell(c#1, 1)",
             "told(c#1) = 1:excluded");
-    assertThat(details()).isEmpty();
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
@@ -131,15 +106,15 @@ class BarrierConformanceTest {
     shows("a", "1:passed");
     made();
     acts("a", "Barrier", "a#2", "a#1", "b#1", "c#1");
-    steps.clear();
+    run.forgetSteps();
     shows("a", "null");
     shows("a", "0:excluded");
     shows("b", "1:unknown");
     acts("b", "arrive", "1", "c#1");
-    monitors.observe(new Action(0, new RobotId("b"), "app", "arrive", List.of("1", "b#1")));
-    monitors.finish(1);
-    assertThat(steps).isEmpty();
-    assertThat(details()).isEmpty();
+    run.has(new Action(0, new RobotId("b"), "app", "arrive", List.of("1", "b#1")));
+    run.ends(1);
+    assertThat(run.steps()).isEmpty();
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
@@ -147,7 +122,7 @@ class BarrierConformanceTest {
     made();
     arrives("a", 1);
     shows("a", "1:passed");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "barrier/x: decide(1, passed) is not enabled: subset?(members(g, s), arrived(g)) is"
                 + " false: [b#1, c#1] have not arrived in 1");
@@ -158,7 +133,7 @@ class BarrierConformanceTest {
     made();
     shows("a", "1:failed[c#1]");
     shows("b", "1:failed[a#1, c#1]");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:failed[a#1, c#1]");
   }
@@ -168,7 +143,7 @@ class BarrierConformanceTest {
     made();
     shows("b", "1:excluded");
     shows("a", "1:failed[c#1]");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly("barrier/x: told(b#1) is 1:failed[c#1], but the trace has 1:excluded");
   }
 
@@ -176,7 +151,7 @@ class BarrierConformanceTest {
   void aGenerationThatIsOverBeforeTheOneBeforeItDeviates() {
     made();
     shows("a", "2:failed[c#1]");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "barrier/x: decide(2, failed([c#1])) is not enabled:"
                 + " g = 1 OR NOT open?(outcome(g - 1)) is false: outcome(1) = open");
@@ -186,7 +161,7 @@ class BarrierConformanceTest {
   void otherMembersThanTheFirstOnesDeviate() {
     made();
     acts("d", "Barrier", "d#1", "a#1", "d#1");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly("barrier/x: first(d#1) is [a#1, b#1, c#1], but the trace has [a#1, d#1]");
   }
 
@@ -195,9 +170,9 @@ class BarrierConformanceTest {
     made();
     shows("a", "1:failed[c#1]");
     shows("d", "1:failed[c#1]");
-    assertThat(details()).isEmpty();
+    assertThat(run.details()).isEmpty();
     shows("d", "1:passed");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly("barrier/x: outcome(1) is failed([c#1]), but the trace has passed");
   }
 }

@@ -2,15 +2,11 @@ package org.starl.primitives.election;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
+import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.election.ElectionAutomaton.States;
-import org.starl.spec.Monitors;
-import org.starl.spec.SpecReport;
-import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -19,41 +15,20 @@ class ElectionConformanceTest {
 
   private static final String SOURCE = "election/x";
 
-  private final List<String> steps = new ArrayList<>();
-  private final Monitors monitors =
-      new Monitors(
-          List.of(
-              new ElectionConformance(
-                  new Steps<States, ElectionAction>() {
-                    @Override
-                    public void stepped(
-                        String instance, TraceEvent event, ElectionAction action, States after) {
-                      steps.add(action.text());
-                    }
-
-                    @Override
-                    public void resulted(
-                        String instance, String function, Object argument, Object value) {
-                      steps.add(function + "(" + argument + ") = " + value);
-                    }
-                  })));
+  private final ShownRun<States, ElectionAction> run = new ShownRun<>(ElectionConformance::new);
 
   private void acts(String robot, String name, String... args) {
-    monitors.observe(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
+    run.has(new Action(0, new RobotId(robot), SOURCE, name, List.of(args)));
   }
 
   private void shows(String robot, String leader) {
-    monitors.observe(new Variable(0, new RobotId(robot), SOURCE, "Leader", leader));
+    run.has(new Variable(0, new RobotId(robot), SOURCE, "Leader", leader));
   }
 
   private void stands(String robot, String term) {
     acts(robot, "Election", "2", robot + "#1");
     acts(robot, "do_election", robot + "#1");
     acts(robot, "candidate", term, robot + "#1");
-  }
-
-  private List<String> details() {
-    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
   }
 
   @Test
@@ -67,8 +42,8 @@ class ElectionConformanceTest {
     shows("b", "1:a#1");
     shows("b", "fail");
     shows("a", "null");
-    assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.details()).isEmpty();
+    assertThat(run.steps())
         .containsExactly(
             "do_election(a#1)",
             "candidate(a#1, 1)",
@@ -85,15 +60,15 @@ class ElectionConformanceTest {
   void whoRestartsIsAnother() {
     stands("a", "1");
     shows("a", "1:a#1");
-    steps.clear();
+    run.forgetSteps();
     shows("a", "null");
     acts("a", "Election", "2", "a#2");
     shows("a", "1:a#1");
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
             "fail(a#1)", "learn(a#2, 1)", "Leader(a#2) = (# term := 1, who := up(a#1) #)");
     acts("a", "candidate", "2", "a#2");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "election/x: candidate(a#2, 2) is not enabled: part(i) is false: NOT part(a#2)");
   }
@@ -104,10 +79,10 @@ class ElectionConformanceTest {
     acts("b", "do_election", "a#1");
     acts("b", "candidate", "1", "a#1");
     shows("a", "null");
-    monitors.observe(new Variable(0, new RobotId("a"), SOURCE, "failed", "true"));
-    monitors.observe(new Action(0, new RobotId("a"), "app", "do_election", List.of("a#1")));
-    assertThat(steps).isEmpty();
-    assertThat(details()).isEmpty();
+    run.has(new Variable(0, new RobotId("a"), SOURCE, "failed", "true"));
+    run.has(new Action(0, new RobotId("a"), "app", "do_election", List.of("a#1")));
+    assertThat(run.steps()).isEmpty();
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
@@ -116,7 +91,7 @@ class ElectionConformanceTest {
     stands("b", "1");
     shows("a", "1:a#1");
     shows("b", "1:b#1");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "election/x: Leader(b#1) is (# term := 1, who := up(a#1) #),"
                 + " but the trace has (# term := 1, who := up(b#1) #)");
@@ -126,9 +101,9 @@ class ElectionConformanceTest {
   void whoHasNotSaidWhoItIsShowsTheElectedOneAsWell() {
     stands("a", "1");
     shows("c", "1:a#1");
-    assertThat(details()).isEmpty();
+    assertThat(run.details()).isEmpty();
     shows("d", "1:b#1");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly("election/x: elected(1) is up(a#1), but the trace has up(b#1)");
   }
 
@@ -136,7 +111,7 @@ class ElectionConformanceTest {
   void whoDidNotStandInTheTermDeviates() {
     stands("a", "1");
     shows("a", "2:a#1");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "election/x: elect(2, a#1) is not enabled: stood(n)(i) is false: stood(2) = []");
   }

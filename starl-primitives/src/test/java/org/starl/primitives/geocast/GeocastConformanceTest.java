@@ -2,7 +2,6 @@ package org.starl.primitives.geocast;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
@@ -10,12 +9,9 @@ import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
+import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
-import org.starl.spec.Monitors;
-import org.starl.spec.SpecReport;
 import org.starl.spec.automaton.Fun;
-import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
@@ -27,35 +23,18 @@ class GeocastConformanceTest {
   private static final String AREA = RegionText.format(new Circle(new Point(0, 0), 1000));
   private static final long S = 1_000_000_000L;
 
-  private final List<String> steps = new ArrayList<>();
-  private final List<States> states = new ArrayList<>();
-  private final Monitors monitors =
-      new Monitors(
-          List.of(
-              new GeocastConformance(
-                  new Steps<States, GeocastAction>() {
-                    @Override
-                    public void stepped(
-                        String instance, TraceEvent event, GeocastAction action, States after) {
-                      steps.add(action.text());
-                      states.add(after);
-                    }
-
-                    @Override
-                    public void resulted(
-                        String instance, String function, Object argument, Object value) {}
-                  })));
+  private final ShownRun<States, GeocastAction> run = new ShownRun<>(GeocastConformance::new);
 
   private void isAt(String robot, double xMm) {
-    monitors.observe(new Joined(0, new RobotId(robot), new Pose(xMm, 0, 0), 165));
+    run.has(new Joined(0, new RobotId(robot), new Pose(xMm, 0, 0), 165));
   }
 
   private void acts(long timeNs, String robot, String name, String... args) {
-    monitors.observe(new Action(timeNs, new RobotId(robot), SOURCE, name, List.of(args)));
+    run.has(new Action(timeNs, new RobotId(robot), SOURCE, name, List.of(args)));
   }
 
   private void drives(long timeNs, String robot, double xMm, double mmPerS) {
-    monitors.observe(new Moved(timeNs, new RobotId(robot), new Pose(xMm, 0, 0), mmPerS, 0));
+    run.has(new Moved(timeNs, new RobotId(robot), new Pose(xMm, 0, 0), mmPerS, 0));
   }
 
   private void casts(long timeNs, String id, long dNs) {
@@ -63,8 +42,8 @@ class GeocastConformanceTest {
   }
 
   private List<String> details() {
-    monitors.finish(1_000_000 * S);
-    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+    run.ends(1_000_000 * S);
+    return run.details();
   }
 
   @Test
@@ -83,7 +62,7 @@ class GeocastConformanceTest {
     drives(8 * S, "c", 1000, 500); // leaves
     acts(9 * S, "d", "deliver", "a#1/1"); // of which no body is known
     assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
             "restart(b)",
             "dt(1000000000)",
@@ -172,7 +151,7 @@ class GeocastConformanceTest {
       acts(n * S + 1, "b", "deliver", "a#1/" + n);
     }
     assertThat(details()).isEmpty();
-    States last = states.get(states.size() - 1);
+    States last = run.state();
     for (Fun<?, ?> ofMessages :
         List.of(
             last.sent(),

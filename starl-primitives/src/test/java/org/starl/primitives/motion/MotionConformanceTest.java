@@ -2,7 +2,6 @@ package org.starl.primitives.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
@@ -11,11 +10,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
 import org.starl.motion.MotionParameters;
+import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
-import org.starl.spec.Monitors;
-import org.starl.spec.SpecReport;
-import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
@@ -32,47 +28,23 @@ class MotionConformanceTest {
   private static final String BESIDE = RegionText.format(new Circle(new Point(1000, 900), 200));
   private static final String IN_THE_WAY = RegionText.format(new Circle(new Point(1000, 0), 200));
 
-  private final List<String> steps = new ArrayList<>();
-  private final Monitors monitors =
-      new Monitors(
-          List.of(
-              new MotionConformance(
-                  MotionParameters.DEFAULT,
-                  new Steps<States, MotionControlAction>() {
-                    @Override
-                    public void stepped(
-                        String instance,
-                        TraceEvent event,
-                        MotionControlAction action,
-                        States after) {
-                      steps.add(action.text());
-                    }
-
-                    @Override
-                    public void resulted(
-                        String instance, String function, Object argument, Object value) {
-                      steps.add(function + "(" + argument + ") = " + value);
-                    }
-                  })));
+  private final ShownRun<States, MotionControlAction> run =
+      new ShownRun<>(steps -> new MotionConformance(MotionParameters.DEFAULT, steps));
 
   private void isAt(double xMm) {
-    monitors.observe(new Joined(0, BOT, new Pose(xMm, 0, 0), 165));
+    run.has(new Joined(0, BOT, new Pose(xMm, 0, 0), 165));
   }
 
   private void acts(long timeNs, String name, String... args) {
-    monitors.observe(new Action(timeNs, BOT, "motion", name, List.of(args)));
+    run.has(new Action(timeNs, BOT, "motion", name, List.of(args)));
   }
 
   private void says(long timeNs, String flag) {
-    monitors.observe(new Variable(timeNs, BOT, "motion", "motionflag", flag));
+    run.has(new Variable(timeNs, BOT, "motion", "motionflag", flag));
   }
 
   private void drives(long timeNs, double xMm, double mmPerS) {
-    monitors.observe(new Moved(timeNs, BOT, new Pose(xMm, 0, 0), mmPerS, 0));
-  }
-
-  private List<String> details() {
-    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+    run.has(new Moved(timeNs, BOT, new Pose(xMm, 0, 0), mmPerS, 0));
   }
 
   @Test
@@ -94,12 +66,12 @@ class MotionConformanceTest {
     says(7 * S, "IDLE");
     acts(8 * S, "doMove", AHEAD, "nowhere");
     says(8 * S, "MOVING");
-    monitors.observe(new Fault(9 * S, BOT, Fault.CRASH, ""));
+    run.has(new Fault(9 * S, BOT, Fault.CRASH, ""));
     says(10 * S, "IDLE");
     acts(11 * S, "doMove", AHEAD, "nowhere");
     says(12 * S, "IDLE");
-    assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.details()).isEmpty();
+    assertThat(run.steps())
         .containsExactly(
             "motionflag(bot0) = IDLE",
             "do_move(bot0, 1, 1)",
@@ -127,20 +99,20 @@ class MotionConformanceTest {
     isAt(900);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     drives(0, 900, 500);
-    monitors.finish(S);
-    assertThat(details()).isEmpty();
-    assertThat(steps).containsExactly("do_move(bot0, 1, 0)");
+    run.ends(S);
+    assertThat(run.details()).isEmpty();
+    assertThat(run.steps()).containsExactly("do_move(bot0, 1, 0)");
   }
 
   @Test
   void whereABodyIsPutDownIsNoMatterOfItsMotion() {
     isAt(0);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
-    monitors.observe(new Left(S, BOT));
-    monitors.observe(new Joined(2 * S, BOT, new Pose(1000, 0, 0), 165));
-    monitors.finish(3 * S);
-    assertThat(details()).isEmpty();
-    assertThat(steps).containsExactly("do_move(bot0, 1, 1)");
+    run.has(new Left(S, BOT));
+    run.has(new Joined(2 * S, BOT, new Pose(1000, 0, 0), 165));
+    run.ends(3 * S);
+    assertThat(run.details()).isEmpty();
+    assertThat(run.steps()).containsExactly("do_move(bot0, 1, 1)");
   }
 
   @Test
@@ -149,14 +121,13 @@ class MotionConformanceTest {
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     says(0, "MOVING");
     drives(0, 0, 500);
-    monitors.finish(2 * S);
-    assertThat(details())
+    run.ends(2 * S);
+    assertThat(run.details())
         .containsExactly(
             "motion: move(bot0, in [1], near []) is not enabled: NOT motionflag(i) = IDLE IMPLIES"
                 + " NOT avoid(i)(p) is false: motionflag(bot0) = MOVING, avoid(bot0) = 1");
     // Its border comes to the area's after 635 mm.
-    assertThat(monitors.report().violations().get(0).timeNs())
-        .isBetween(1_270_000_000L, 1_272_000_000L);
+    assertThat(run.report().violations().get(0).timeNs()).isBetween(1_270_000_000L, 1_272_000_000L);
   }
 
   @Test
@@ -167,7 +138,7 @@ class MotionConformanceTest {
     says(0, "FAIL");
     drives(S, 0, 500);
     drives(3 * S, 1000, 0);
-    assertThat(details()).hasSize(1);
+    assertThat(run.details()).hasSize(1);
   }
 
   @Test
@@ -176,8 +147,8 @@ class MotionConformanceTest {
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     acts(0, "motion_stop");
     drives(0, 0, 500);
-    monitors.finish(2 * S);
-    assertThat(details()).isEmpty();
+    run.ends(2 * S);
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
@@ -186,7 +157,7 @@ class MotionConformanceTest {
     acts(0, "doMove", AHEAD, "nowhere");
     acts(S, "arrived", "2000.0", "0.0", "10.0");
     says(S, "DONE");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "motion: arrived(bot0) is not enabled: near(pos(i), target(i)) is false: pos(bot0) = in"
                 + " [], near [], target(bot0) = 1");
@@ -196,7 +167,7 @@ class MotionConformanceTest {
   void whoSaysDoneOrFailsWithoutACommandDeviates() {
     isAt(0);
     says(0, "FAIL");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly(
             "motion: failed(bot0) is not enabled: motionflag(i) = MOVING is false: motionflag(bot0)"
                 + " = IDLE");
@@ -206,7 +177,7 @@ class MotionConformanceTest {
   void aFlagThatIsAnotherDeviates() {
     isAt(0);
     says(0, "MOVING");
-    assertThat(details())
+    assertThat(run.details())
         .containsExactly("motion: motionflag(bot0) is IDLE, but the trace has MOVING");
   }
 }

@@ -2,7 +2,6 @@ package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
@@ -11,12 +10,11 @@ import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexAutomaton.States;
-import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
@@ -26,31 +24,14 @@ class MutexConformanceTest {
   private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
   private static final ProcessId J = new ProcessId(new RobotId("j"), 1);
 
-  private final List<String> steps = new ArrayList<>();
-  private final Monitors monitors =
-      new Monitors(
-          List.of(
-              new MutexConformance(
-                  new Steps<States, MutexAction>() {
-                    @Override
-                    public void stepped(
-                        String instance, TraceEvent event, MutexAction action, States after) {
-                      steps.add(instance + " " + action.text());
-                    }
-
-                    @Override
-                    public void resulted(
-                        String instance, String component, Object argument, Object value) {
-                      steps.add(component + "(" + argument + ") = " + value);
-                    }
-                  })));
+  private final ShownRun<States, MutexAction> run = new ShownRun<>(MutexConformance::new);
 
   private void event(MutexEvent event) {
     event("mutex/x", event);
   }
 
   private void event(String source, MutexEvent event) {
-    monitors.observe(
+    run.has(
         new TraceEvent.Action(
             0, event.who().robot(), source, MutexTrace.name(event), MutexTrace.args(event)));
   }
@@ -71,10 +52,6 @@ class MutexConformanceTest {
     return Sections.parse(names);
   }
 
-  private List<String> details() {
-    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
-  }
-
   @Test
   void eachEventIsTheActionOfTheTable() {
     ask(I, "A B");
@@ -82,48 +59,50 @@ class MutexConformanceTest {
     release(I, "A", "B");
     ask(J, "A");
     event(new MutexEvent.Withdraw(J, 1, MutexFailure.DEADLINE));
-    monitors.observe(new Fault(1, I.robot(), Fault.CRASH, ""));
-    monitors.observe(new Fault(1, I.robot(), Fault.RESTART, ""));
+    run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
+    run.has(new Fault(1, I.robot(), Fault.RESTART, ""));
     event(new MutexEvent.StandsIn(new ProcessId(I.robot(), 2), set("")));
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
-            "mutex/x do_mutex(i, [A, B])",
-            "mutex/x od_mutex(i, [A, B])",
+            "do_mutex(i, [A, B])",
+            "od_mutex(i, [A, B])",
             "crit_set(i) = [A, B]",
-            "mutex/x release(i, [A])",
+            "release(i, [A])",
             "crit_set(i) = [B]",
-            "mutex/x do_mutex(j, [A])",
-            "mutex/x withdraw(j)",
-            "mutex/x restart(i)",
-            "mutex/x stands_in(i, [])");
-    assertThat(details()).isEmpty();
+            "do_mutex(j, [A])",
+            "withdraw(j)",
+            "restart(i)",
+            "stands_in(i, [])");
+    assertThat(run.instances()).containsOnly("mutex/x");
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
   void theRestAreStutters() {
     ask(I, "A");
-    steps.clear();
+    run.forgetSteps();
     event(new MutexEvent.Grant(J, I, 1));
     event(new MutexEvent.Known(I, 1, new TreeSet<>(Set.of(J))));
     event(new MutexEvent.Learned(I, View.closed(List.of(I, J))));
     event(new MutexEvent.Fence(I, J, set("")));
     event(new MutexEvent.Withdraw(J, 0, MutexFailure.NOT_REGISTERED));
-    monitors.observe(new Fault(1, I.robot(), Fault.CRASH, ""));
-    monitors.observe(new TraceEvent.Joined(1, J.robot(), new Pose(0, 0, 0), 165));
-    monitors.observe(new TraceEvent.Left(1, J.robot()));
-    monitors.observe(new TraceEvent.Action(1, I.robot(), "app", "release", List.of("A")));
-    assertThat(steps).isEmpty();
-    assertThat(details()).isEmpty();
+    run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
+    run.has(new TraceEvent.Joined(1, J.robot(), new Pose(0, 0, 0), 165));
+    run.has(new TraceEvent.Left(1, J.robot()));
+    run.has(new TraceEvent.Action(1, I.robot(), "app", "release", List.of("A")));
+    assertThat(run.steps()).isEmpty();
+    assertThat(run.details()).isEmpty();
   }
 
   @Test
   void whoComesBackToTheFloorHasStartedAnewInEveryInstance() {
     ask(I, "A");
     event("mutex/y", new MutexEvent.StandsIn(J, set("")));
-    monitors.observe(new TraceEvent.Left(1, J.robot()));
-    steps.clear();
-    monitors.observe(new TraceEvent.Joined(2, J.robot(), new Pose(0, 0, 0), 165));
-    assertThat(steps).containsExactly("mutex/x restart(j)", "mutex/y restart(j)");
+    run.has(new TraceEvent.Left(1, J.robot()));
+    run.forgetSteps();
+    run.has(new TraceEvent.Joined(2, J.robot(), new Pose(0, 0, 0), 165));
+    assertThat(run.steps()).containsExactly("restart(j)", "restart(j)");
+    assertThat(run.instances()).containsExactly("mutex/x", "mutex/y");
   }
 
   @Test
@@ -132,7 +111,7 @@ class MutexConformanceTest {
     enter(I, "A B");
     ask(J, "B");
     enter(J, "B");
-    assertThat(monitors.report().violations())
+    assertThat(run.report().violations())
         .extracting(SpecReport.Violation::toString)
         .containsExactly(
             "Mutex_decls violated at 0.000 s by j: mutex/x: od_mutex(j, [B]) is not enabled:"
@@ -143,16 +122,16 @@ class MutexConformanceTest {
   void whatADeadOneHeldIsNotFreeBeforeItsNextStartSaysSo() {
     ask(I, "A B");
     enter(I, "A B");
-    monitors.observe(new Fault(1, I.robot(), Fault.CRASH, ""));
-    monitors.observe(new Fault(1, I.robot(), Fault.RESTART, ""));
+    run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
+    run.has(new Fault(1, I.robot(), Fault.RESTART, ""));
     event(new MutexEvent.StandsIn(new ProcessId(I.robot(), 2), set("B")));
     ask(J, "A");
     enter(J, "A");
     release(J, "A", "");
-    assertThat(details()).isEmpty();
+    assertThat(run.details()).isEmpty();
     ask(J, "B");
     enter(J, "B");
-    assertThat(details()).hasSize(1);
+    assertThat(run.details()).hasSize(1);
   }
 
   @Test
@@ -160,6 +139,6 @@ class MutexConformanceTest {
     ask(I, "A B");
     enter(I, "A B");
     release(I, "A", "");
-    assertThat(details()).containsExactly("mutex/x: crit_set(i) is [B], but the trace has []");
+    assertThat(run.details()).containsExactly("mutex/x: crit_set(i) is [B], but the trace has []");
   }
 }

@@ -2,15 +2,11 @@ package org.starl.primitives.registration;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
+import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
-import org.starl.spec.Monitors;
-import org.starl.spec.SpecReport;
-import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -19,43 +15,24 @@ class RegistrationConformanceTest {
 
   private static final String HERE = "registration/here";
 
-  private final List<String> steps = new ArrayList<>();
-  private final Monitors monitors =
-      new Monitors(
-          List.of(
-              new RegistrationConformance(
-                  new Steps<States, RegistrationAction>() {
-                    @Override
-                    public void stepped(
-                        String instance,
-                        TraceEvent event,
-                        RegistrationAction action,
-                        States after) {
-                      steps.add(action.text());
-                    }
-
-                    @Override
-                    public void resulted(
-                        String instance, String component, Object argument, Object value) {
-                      steps.add(component + "(" + argument + ") = " + value);
-                    }
-                  })));
+  private final ShownRun<States, RegistrationAction> run =
+      new ShownRun<>(RegistrationConformance::new);
 
   private void acts(String robot, String verb, String... args) {
-    monitors.observe(new Action(0, new RobotId(robot), HERE, verb, List.of(args)));
+    run.has(new Action(0, new RobotId(robot), HERE, verb, List.of(args)));
   }
 
   private void sees(String robot, String view) {
-    monitors.observe(new Variable(0, new RobotId(robot), HERE, "view", view));
+    run.has(new Variable(0, new RobotId(robot), HERE, "view", view));
   }
 
   private void shows(String robot, String list) {
-    monitors.observe(new Variable(0, new RobotId(robot), HERE, "rList", list));
+    run.has(new Variable(0, new RobotId(robot), HERE, "rList", list));
   }
 
   private List<String> details() {
-    monitors.finish(1);
-    return monitors.report().violations().stream().map(SpecReport.Violation::detail).toList();
+    run.ends(1);
+    return run.details();
   }
 
   private void aAndBAreIn() {
@@ -63,7 +40,7 @@ class RegistrationConformanceTest {
     acts("b", "do_register", "b#1");
     sees("a", "1:a#1@1,b#1@1");
     sees("b", "1:a#1@1,b#1@1");
-    steps.clear();
+    run.forgetSteps();
   }
 
   @Test
@@ -81,7 +58,7 @@ class RegistrationConformanceTest {
     acts("a", "give_up", "a#1");
     acts("a", "give_up", "a#2"); // has not asked
     assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
             "do_register(a#1)",
             "decide([a#1])",
@@ -113,7 +90,7 @@ class RegistrationConformanceTest {
     acts("b", "first_view", "1:a#1@1,b#1@1");
     sees("b", "1:a#1@1,b#1@1");
     assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
             "do_register(a#1)",
             "do_register(b#1)",
@@ -129,11 +106,11 @@ class RegistrationConformanceTest {
     acts("b", "do_register", "b#1");
     sees("a", "2:a#1@1,b#1@2");
     shows("a", "2:[a, b]");
-    assertThat(steps).containsExactly("do_register(a#1)", "do_register(b#1)");
+    assertThat(run.steps()).containsExactly("do_register(a#1)", "do_register(b#1)");
     sees("b", "1:a#1@1");
     sees("b", "2:a#1@1,b#1@2");
     assertThat(details()).isEmpty();
-    assertThat(steps.subList(2, steps.size()))
+    assertThat(run.steps().subList(2, run.steps().size()))
         .containsExactly(
             "decide([a#1])",
             "decide([a#1, b#1])",
@@ -153,7 +130,7 @@ class RegistrationConformanceTest {
     acts("a", "unregister", "a#1");
     sees("b", "4:b#1@1");
     assertThat(details()).isEmpty();
-    assertThat(steps)
+    assertThat(run.steps())
         .containsExactly(
             "unregister(a#1)",
             "decide([a#1, b#1])",
@@ -225,7 +202,7 @@ class RegistrationConformanceTest {
       }
     }
     sees("b", "3:"); // of so long ago that nobody knows any more
-    assertThat(monitors.report().holds()).isTrue();
+    assertThat(run.report().holds()).isTrue();
     sees("b", "1990:");
     assertThat(details()).hasSize(1);
   }
