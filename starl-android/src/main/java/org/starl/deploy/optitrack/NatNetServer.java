@@ -78,6 +78,15 @@ public final class NatNetServer implements AutoCloseable {
   public static NatNetServer open(
       NatNetServerSettings settings, PoseSource source, Clock clock, Consumer<Exception> onFailure)
       throws IOException {
+    NatNetServer server = bind(settings, source, clock, onFailure);
+    server.thread.start();
+    return server;
+  }
+
+  /** One that does not serve yet. */
+  static NatNetServer bind(
+      NatNetServerSettings settings, PoseSource source, Clock clock, Consumer<Exception> onFailure)
+      throws IOException {
     MulticastSocket socket = new MulticastSocket(null);
     try {
       // A multicast socket would share its port with anybody unless told not to.
@@ -91,9 +100,7 @@ public final class NatNetServer implements AutoCloseable {
       socket.close();
       throw new IOException("NatNet server at " + settings.address() + ": " + e.getMessage(), e);
     }
-    NatNetServer server = new NatNetServer(settings, source, clock, onFailure, socket);
-    server.thread.start();
-    return server;
+    return new NatNetServer(settings, source, clock, onFailure, socket);
   }
 
   /** Where it listens for commands. */
@@ -104,6 +111,11 @@ public final class NatNetServer implements AutoCloseable {
   /** Datagrams that were no message of a client, or that the network would not send. */
   public long ignored() {
     return ignored.get();
+  }
+
+  /** How many unicast clients it serves. On the server's thread. */
+  int clients() {
+    return clients.size();
   }
 
   /** Serves nobody any more. */
@@ -158,7 +170,8 @@ public final class NatNetServer implements AutoCloseable {
     }
   }
 
-  private void answer(DatagramPacket packet, long nowNs) {
+  /** On the server's thread. */
+  void answer(DatagramPacket packet, long nowNs) {
     byte[] bytes = packet.getData();
     SocketAddress client = packet.getSocketAddress();
     LittleEndianReader in = Message.payload(bytes, packet.getLength());

@@ -113,7 +113,9 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
       }
       try {
         InetAddress at = addressLength == 0 ? null : InetAddress.getByAddress(address);
-        return new Beacon(new RobotId(name), start, count, at, port);
+        // Java makes an address of version 4 of one of version 6 that holds it.
+        boolean isSpelledSo = at == null || at.getAddress().length == addressLength;
+        return isSpelledSo ? new Beacon(new RobotId(name), start, count, at, port) : null;
       } catch (UnknownHostException e) {
         return null; // of no length that an address has
       }

@@ -87,27 +87,6 @@ class StreamDecoderTest {
     assertThat(heard).containsExactlyElementsOf(frames.sent());
   }
 
-  @Property(tries = 1000)
-  void theDriverAndTheRobotBearAnyBytes(
-      @ForAll CreateModel model, @ForAll @Size(max = 2000) byte[] bytes) {
-    FloorBody body = new FloorBody();
-    long[] said = new long[1];
-    SimulatedCreate robot = new SimulatedCreate(model, body, b -> said[0] += b.length);
-    byte[] start = {(byte) Opcodes.START, (byte) Opcodes.FULL};
-    robot.receive(start, start.length, 0);
-    robot.receive(bytes, bytes.length, 1);
-    assertThat(Math.abs(robot.leftMmPerS())).isLessThanOrEqualTo(CreateModel.MAX_WHEEL_MM_PER_S);
-    assertThat(Math.abs(robot.rightMmPerS())).isLessThanOrEqualTo(CreateModel.MAX_WHEEL_MM_PER_S);
-
-    CreateProtocol driver = new CreateProtocol(CreateSettings.of(model), sent -> true);
-    driver.linkOpened(0);
-    for (long ns = 0; ns < 1_000_000_000; ns += CreateProtocol.TICK_NS) {
-      driver.received(bytes, bytes.length, ns);
-      driver.advance(ns);
-    }
-    assertThat(driver.status().mayDrive()).isFalse();
-  }
-
   private void accept(StreamDecoder decoder, int... bytes) {
     byte[] line = new byte[bytes.length];
     for (int i = 0; i < bytes.length; i++) {
