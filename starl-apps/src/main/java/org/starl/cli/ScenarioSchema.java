@@ -36,10 +36,8 @@ final class ScenarioSchema {
   /** As JSON objects have it: maps, lists, texts, numbers. */
   Map<String, Object> json() {
     Map<String, Object> properties = new LinkedHashMap<>();
-    properties.put(ScenarioFile.APP, choice(demos.names(), apps()));
-    for (Setting<?> setting : Setting.all()) {
-      properties.put(setting.key(), setting(setting));
-    }
+    properties.put(ScenarioFile.APP, apps());
+    properties.putAll(settings());
     Map<String, Object> schema = new LinkedHashMap<>();
     schema.put("$schema", "http://json-schema.org/draft-07/schema#");
     schema.put("title", "StarL scenario");
@@ -54,10 +52,22 @@ final class ScenarioSchema {
     return schema;
   }
 
-  private String apps() {
-    return demos.all().stream()
-        .map(demo -> demo.name() + ": " + demo.summary())
-        .collect(Collectors.joining("\n"));
+  /** The name of one of them. */
+  Map<String, Object> apps() {
+    return choice(
+        demos.names(),
+        demos.all().stream()
+            .map(demo -> demo.name() + ": " + demo.summary())
+            .collect(Collectors.joining("\n")));
+  }
+
+  /** Every setting by its key. */
+  static Map<String, Object> settings() {
+    Map<String, Object> settings = new LinkedHashMap<>();
+    for (Setting<?> setting : Setting.all()) {
+      settings.put(setting.key(), setting(setting));
+    }
+    return settings;
   }
 
   private static Map<String, Object> setting(Setting<?> setting) {
@@ -122,8 +132,8 @@ final class ScenarioSchema {
     return json;
   }
 
-  /** If it is this app: its parameters, and no others. */
-  private static Map<String, Object> parameters(Demo demo) {
+  /** If it is this app: its parameters, {@code #/definitions/setting}, and nothing else. */
+  static Map<String, Object> parameters(Demo demo) {
     Map<String, Object> properties = new LinkedHashMap<>();
     for (Parameter parameter : demo.parameters()) {
       properties.put(parameter.key(), parameter(demo, parameter));

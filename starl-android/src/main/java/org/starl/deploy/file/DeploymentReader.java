@@ -1,6 +1,7 @@
 package org.starl.deploy.file;
 
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -12,19 +13,9 @@ import org.starl.deploy.file.Wheels.Port;
 /** Makes a {@link Deployment} of a file's tree. */
 public final class DeploymentReader {
 
-  private static final int USUAL_PORT = 4747;
-  private static final int USUAL_COMMAND_PORT = 1510;
-  private static final int USUAL_DATA_PORT = 1511;
-  private static final int USUAL_JSON_PORT = 1520;
+  private static final int COMMAND_PORT = 1510;
   private static final int CREATE1_BAUD = 57_600;
   private static final int CREATE2_BAUD = 115_200;
-  private static final double USUAL_ERROR_MM = 5;
-  private static final double USUAL_ERROR_RAD = 0.02;
-  private static final int HOUR_MS = 3_600_000;
-
-  private static final String APP = "app";
-  private static final String KEY = "key";
-  private static final String SIMULATED = "simulated";
 
   private final String file;
 
@@ -38,25 +29,24 @@ public final class DeploymentReader {
    */
   public static Deployment read(String file, Node root) {
     return new DeploymentReader(file)
-        .deployment(Fields.of(file, "deployment", root, "lines such as 'app: intersection'"));
+        .deployment(Fields.of(file, "deployment", root, Grammar.FILE.expected()));
   }
 
   private Deployment deployment(Fields top) {
     // Errors name parts of the top without a path.
     Fields fields = Fields.of(file, "", new Node.Mapping(top.line(), top.parts()), "");
     Map<String, Integer> lines = new LinkedHashMap<>();
-    String app = fields.text(APP, "an app of 'starl list'");
-    lines.put(APP, fields.line(APP));
-    String key = fields.textOrNull(KEY, "the path of a key, as 'starl keygen' makes it");
-    lines.put(KEY, fields.line(KEY));
-    lines.put("positions", fields.line("positions"));
-    lines.put("world", fields.line("world"));
-    long seed = fields.wholeLong("seed", 0L, Long.MIN_VALUE, Long.MAX_VALUE);
+    for (Field field : List.of(Grammar.APP, Grammar.KEY, Grammar.POSITIONS, Grammar.WORLD)) {
+      lines.put(field.key(), fields.line(field.key()));
+    }
+    String app = fields.text(Grammar.APP);
+    String key = fields.textOrNull(Grammar.KEY);
+    long seed = fields.wholeLong(Grammar.SEED);
     Map<String, String> parameters = parameters(fields, lines);
     Network network = network(fields);
     Positions positions = positions(fields);
     Limits limits = limits(fields);
-    HostPort world = fields.addressOrNull("world", 0);
+    HostPort world = fields.addressOrNull(Grammar.WORLD, 0);
     SortedMap<RobotId, RobotEntry> robots = robots(fields, network);
     fields.end();
     Deployment deployment =
@@ -68,32 +58,27 @@ public final class DeploymentReader {
 
   private static Map<String, String> parameters(Fields fields, Map<String, Integer> lines) {
     Map<String, String> parameters = new LinkedHashMap<>();
-    Fields given = fields.mappingOrNull("parameters", "lines such as 'scenario: figure7'");
-    if (given != null) {
-      for (String name : given.parts().keySet()) {
-        parameters.put(name, given.text(name, "one value"));
-        lines.put(name, given.line(name));
-      }
+    Fields given = fields.linesOrNone(Grammar.PARAMETERS);
+    for (String name : given.parts().keySet()) {
+      parameters.put(name, given.value(name));
+      lines.put(name, given.line(name));
     }
     return parameters;
   }
 
   private static Network network(Fields fields) {
-    Fields given = fields.mappingOrNull("network", "lines such as 'port: 4747'");
-    if (given == null) {
-      return new Network(USUAL_PORT, true, 1000, 3000, 0);
-    }
+    Fields given = fields.linesOrNone(Grammar.NETWORK);
     Network network =
         new Network(
-            given.whole("port", USUAL_PORT, 1, HostPort.MAX_PORT),
-            given.yesNo("broadcasts", true),
-            given.whole("beaconEveryMs", 1000, 50, HOUR_MS),
-            given.whole("suspectAfterMs", 3000, 100, HOUR_MS),
-            given.number("loss", 0, 0, 1));
+            given.whole(Grammar.RADIO_PORT),
+            given.yesNo(Grammar.BROADCASTS),
+            given.whole(Grammar.BEACON_EVERY_MS),
+            given.whole(Grammar.SUSPECT_AFTER_MS),
+            given.amount(Grammar.LOSS));
     given.end();
     if (network.suspectAfterMs() < 2 * network.beaconEveryMs()) {
       throw given.wrong(
-          "suspectAfterMs",
+          Grammar.SUSPECT_AFTER_MS.key(),
           Integer.toString(network.suspectAfterMs()),
           "at least twice beaconEveryMs, which is " + network.beaconEveryMs());
     }
@@ -101,108 +86,95 @@ public final class DeploymentReader {
   }
 
   private static Positions positions(Fields fields) {
-    Fields given = fields.mapping("positions", "lines such as 'source: natnet'");
-    String source = given.choice("source", null, "natnet", "json");
+    Fields given = fields.lines(Grammar.POSITIONS);
     Positions positions =
-        source.equals("natnet")
+        given.choice(Grammar.SOURCE).equals(Grammar.NATNET)
             ? natNet(given)
             : new Positions.JsonFeed(
-                given.whole("port", USUAL_JSON_PORT, 1, HostPort.MAX_PORT),
-                given.textOrNull("sender", "a host whose lines are taken"),
-                errorMm(given),
-                errorRad(given));
+                given.whole(Grammar.JSON_PORT),
+                given.textOrNull(Grammar.SENDER),
+                given.amount(Grammar.ERROR_MM),
+                given.amount(Grammar.ERROR_RAD));
     given.end();
     return positions;
   }
 
   private static Positions natNet(Fields given) {
-    String version = given.choice("version", "4.1", "3.0", "3.1", "4.0", "4.1", "4.2");
-    HostPort server = given.addressOrNull("server", USUAL_COMMAND_PORT);
+    HostPort server = given.addressOrNull(Grammar.SERVER, COMMAND_PORT);
     if (server == null) {
-      throw given.lacking("server", "the address of the NatNet server");
+      throw given.lacking(Grammar.SERVER);
     }
     return new Positions.NatNet(
         server,
-        given.whole("dataPort", USUAL_DATA_PORT, 1, HostPort.MAX_PORT),
-        given.textOrNull("multicast", "a group such as 239.255.42.99"),
-        version,
-        given.choice("up", "y", "y", "z").equals("y"),
-        errorMm(given),
-        errorRad(given));
-  }
-
-  private static double errorMm(Fields given) {
-    return given.number("errorMm", USUAL_ERROR_MM, 0, 1000);
-  }
-
-  private static double errorRad(Fields given) {
-    return given.number("errorRad", USUAL_ERROR_RAD, 0, 3);
+        given.whole(Grammar.DATA_PORT),
+        given.textOrNull(Grammar.MULTICAST),
+        given.choice(Grammar.VERSION),
+        given.choice(Grammar.UP).equals("y"),
+        given.amount(Grammar.ERROR_MM),
+        given.amount(Grammar.ERROR_RAD));
   }
 
   private static Limits limits(Fields fields) {
-    Fields given = fields.mappingOrNull("limits", "lines such as 'watchdogMs: 200'");
-    if (given == null) {
-      return new Limits(500, 200, 500);
-    }
+    Fields given = fields.linesOrNone(Grammar.LIMITS);
     Limits limits =
         new Limits(
-            given.number("speedMmPerS", 500, 1, 500),
-            given.whole("watchdogMs", 200, 20, 10_000),
-            given.whole("positionMs", 500, 20, 60_000));
+            given.amount(Grammar.SPEED_MM_PER_S),
+            given.whole(Grammar.WATCHDOG_MS),
+            given.whole(Grammar.POSITION_MS));
     given.end();
     return limits;
   }
 
   private SortedMap<RobotId, RobotEntry> robots(Fields fields, Network network) {
-    Fields given =
-        fields.mapping("robots", "a robot's name, and beneath it its address and chassis");
+    Fields given = fields.lines(Grammar.ROBOTS);
+    Form.Lines each = ((Form.Named) Grammar.ROBOTS.form()).each();
     SortedMap<RobotId, RobotEntry> robots = new TreeMap<>();
     for (String name : given.parts().keySet()) {
       if (!RobotId.isValid(name)) {
         throw given.wrong(name, name, "a name: a letter, then up to 31 of A-Z a-z 0-9 _ - .");
       }
-      Fields robot = given.mapping(name, "lines such as 'address: 192.168.1.10'");
+      Fields robot = given.lines(name, each);
       RobotId id = new RobotId(name);
-      String rigidBody = robot.textOrNull("rigidBody", "the rigid body's name");
+      String rigidBody = robot.textOrNull(Grammar.RIGID_BODY);
       robots.put(
           id,
           new RobotEntry(
               id,
               given.line(name),
-              robot.addressOrNull("address", network.port()),
+              robot.addressOrNull(Grammar.ADDRESS, network.port()),
               wheels(robot),
               rigidBody == null ? name : rigidBody));
       robot.end();
     }
     if (robots.isEmpty()) {
-      throw fields.wrong("robots", "", "at least one robot");
+      throw fields.wrong(Grammar.ROBOTS.key(), "", "at least one robot");
     }
     return robots;
   }
 
   private static Wheels wheels(Fields robot) {
-    Fields given = robot.mapping("chassis", "lines such as 'kind: create'");
-    String kind = given.choice("kind", null, "create", SIMULATED);
-    Wheels wheels = kind.equals(SIMULATED) ? new Wheels.Simulated() : create(given);
+    Fields given = robot.lines(Grammar.CHASSIS);
+    boolean isSimulated = given.choice(Grammar.KIND).equals(Grammar.SIMULATED);
+    Wheels wheels = isSimulated ? new Wheels.Simulated() : create(given);
     given.end();
     return wheels;
   }
 
   private static Wheels create(Fields given) {
-    String model = given.choice("model", "create2", "create1", "create2");
+    String model = given.choice(Grammar.MODEL);
     int usualBaud = model.equals("create1") ? CREATE1_BAUD : CREATE2_BAUD;
-    Port port = port(given, "port", given.text("port", "a device or tcp:HOST:PORT"));
-    String simulatedAt = given.textOrNull("simulatedAt", "a device or tcp:HOST:PORT");
+    Port port = port(given, Grammar.PORT, given.text(Grammar.PORT));
+    String simulatedAt = given.textOrNull(Grammar.SIMULATED_AT);
     return new Create(
         model,
         port,
-        given.whole("baud", usualBaud, 300, 3_000_000),
-        simulatedAt == null ? null : port(given, "simulatedAt", simulatedAt));
+        given.wholeOr(Grammar.BAUD, usualBaud),
+        simulatedAt == null ? null : port(given, Grammar.SIMULATED_AT, simulatedAt));
   }
 
-  private static Port port(Fields given, String key, String text) {
+  private static Port port(Fields given, Field field, String text) {
     return text.startsWith("tcp:")
-        ? new Wheels.Tcp(given.address(key, text.substring("tcp:".length()), 0))
+        ? new Wheels.Tcp(given.address(field.key(), text.substring("tcp:".length()), 0))
         : new Wheels.Device(text);
   }
 
@@ -229,7 +201,8 @@ public final class DeploymentReader {
     }
     if (deployment.key() == null && deployment.network().broadcasts()) {
       throw fields.lacking(
-          KEY, "the path of a key, or network.broadcasts: no: strangers must not be let in");
+          Grammar.KEY.key(),
+          "the path of a key, or network.broadcasts: no: strangers must not be let in");
     }
   }
 

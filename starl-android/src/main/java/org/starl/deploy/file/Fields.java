@@ -1,14 +1,18 @@
 package org.starl.deploy.file;
 
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /** The parts of a mapping, each of which is to be read; {@link #end} refuses what nobody has read. */
 final class Fields {
+
+  private static final Pattern NUMBER =
+      Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
+  private static final Pattern PORT = Pattern.compile("[1-9]\\d{0,4}");
 
   private final String file;
   private final String path;
@@ -44,101 +48,112 @@ final class Fields {
     return node == null ? line() : node.line();
   }
 
-  @Nullable Fields mappingOrNull(String key, String expected) {
-    Node node = part(key);
-    return node == null ? null : of(file, name(key), node, expected);
+  @Nullable Fields linesOrNull(Field field) {
+    Node node = part(field.key());
+    return node == null ? null : of(file, name(field.key()), node, expected(field.form()));
   }
 
-  Fields mapping(String key, String expected) {
-    Fields fields = mappingOrNull(key, expected);
+  /** What stands beneath; where nothing does, as if nothing did. */
+  Fields linesOrNone(Field field) {
+    Fields fields = linesOrNull(field);
+    return fields == null
+        ? new Fields(file, name(field.key()), new Node.Mapping(line(), Map.of()))
+        : fields;
+  }
+
+  Fields lines(Field field) {
+    Fields fields = linesOrNull(field);
     if (fields == null) {
-      throw lacking(key, expected);
+      throw lacking(field);
     }
     return fields;
   }
 
-  @Nullable String textOrNull(String key, String expected) {
-    return switch (part(key)) {
+  /** The parts beneath the robot of that name. */
+  Fields lines(String name, Form.Lines form) {
+    return lines(Field.needed(name, form, ""));
+  }
+
+  /** The one value that stands at a key that no field is called like. */
+  String value(String key) {
+    return text(Field.needed(key, new Form.Text("one value"), ""));
+  }
+
+  @Nullable String textOrNull(Field field) {
+    return switch (part(field.key())) {
       case Node.Text text when !text.value().trim().isEmpty() -> text.value().trim();
-      case null -> null;
-      default -> throw wrong(key, "", expected);
+      case null -> field.usual();
+      default -> throw wrong(field.key(), "", expected(field.form()));
     };
   }
 
-  String text(String key, String expected) {
-    String text = textOrNull(key, expected);
+  String text(Field field) {
+    String text = textOrNull(field);
     if (text == null) {
-      throw lacking(key, expected);
+      throw lacking(field);
     }
     return text;
   }
 
-  String choice(String key, @Nullable String usual, String... values) {
-    String expected = "expected one of " + String.join(", ", values);
-    String text = textOrNull(key, expected.substring("expected ".length()));
-    if (text == null && usual != null) {
-      return usual;
-    }
-    if (text == null) {
-      throw lacking(key, expected.substring("expected ".length()));
-    }
-    if (!Arrays.asList(values).contains(text)) {
-      throw wrong(key, text, expected.substring("expected ".length()));
+  String choice(Field field) {
+    String text = text(field);
+    if (!((Form.Choice) field.form()).values().contains(text)) {
+      throw wrong(field.key(), text, expected(field.form()));
     }
     return text;
   }
 
-  boolean yesNo(String key, boolean usual) {
-    return switch (choice(key, usual ? "true" : "false", "true", "false", "yes", "no")) {
+  boolean yesNo(Field field) {
+    String text = text(field);
+    return switch (text) {
       case "true", "yes" -> true;
-      default -> false;
+      case "false", "no" -> false;
+      default -> throw wrong(field.key(), text, expected(field.form()));
     };
   }
 
-  int whole(String key, @Nullable Integer usual, int least, int most) {
-    return (int) wholeLong(key, usual == null ? null : (long) usual, least, most);
+  int whole(Field field) {
+    return Math.toIntExact(wholeLong(field));
   }
 
-  long wholeLong(String key, @Nullable Long usual, long least, long most) {
-    String expected = "a whole number from " + least + " to " + most;
-    String text = textOrNull(key, expected);
-    if (text == null) {
-      if (usual == null) {
-        throw lacking(key, expected);
-      }
-      return usual;
-    }
+  /** @param usual where there is no such part */
+  int wholeOr(Field field, int usual) {
+    return part(field.key()) == null ? usual : whole(field);
+  }
+
+  long wholeLong(Field field) {
+    Form.Whole form = (Form.Whole) field.form();
+    String text = text(field);
     try {
       long value = Long.parseLong(text);
-      if (value >= least && value <= most) {
+      if (value >= form.least() && value <= form.most()) {
         return value;
       }
     } catch (NumberFormatException e) {
-      throw wrong(key, text, expected);
+      throw wrong(field.key(), text, expected(form));
     }
-    throw wrong(key, text, expected);
+    throw wrong(field.key(), text, expected(form));
   }
 
-  double number(String key, double usual, double least, double most) {
-    String expected = "a number from " + least + " to " + most;
-    String text = textOrNull(key, expected);
-    if (text == null) {
-      return usual;
-    }
-    try {
+  double amount(Field field) {
+    Form.Amount form = (Form.Amount) field.form();
+    String text = text(field);
+    // Double.parseDouble takes more: 0x1p3, 5d, NaN.
+    if (NUMBER.matcher(text).matches()) {
       double value = Double.parseDouble(text);
-      if (value >= least && value <= most) {
+      if (value >= form.least() && value <= form.most()) {
         return value;
       }
-    } catch (NumberFormatException e) {
-      throw wrong(key, text, expected);
     }
-    throw wrong(key, text, expected);
+    throw wrong(field.key(), text, expected(form));
   }
 
-  @Nullable HostPort addressOrNull(String key, int usualPort) {
-    String text = textOrNull(key, "HOST or HOST:PORT");
-    return text == null ? null : address(key, text, usualPort);
+  /** @param usualPort where the text names none, and need not */
+  @Nullable HostPort addressOrNull(Field field, int usualPort) {
+    String text = textOrNull(field);
+    return text == null
+        ? null
+        : address(field.key(), text, ((Form.Address) field.form()).needsPort() ? 0 : usualPort);
   }
 
   /** @param usualPort where the text names none; 0 where it must */
@@ -153,7 +168,7 @@ final class Fields {
     int port = usualPort;
     if (hasPort) {
       String digits = text.substring(colon + 1);
-      port = digits.matches("\\d{1,5}") ? Integer.parseInt(digits) : 0;
+      port = PORT.matcher(digits).matches() ? Integer.parseInt(digits) : 0;
     }
     if (host.isEmpty() || host.indexOf(' ') >= 0 || port < 1 || port > HostPort.MAX_PORT) {
       throw wrong(key, text, expected);
@@ -184,6 +199,10 @@ final class Fields {
         file + ":" + line(key) + ": " + name(key) + ": '" + value + "': expected " + expected);
   }
 
+  DeploymentException lacking(Field field) {
+    return lacking(field.key(), expected(field.form()));
+  }
+
   DeploymentException lacking(String key, String expected) {
     return new DeploymentException(
         file
@@ -195,6 +214,22 @@ final class Fields {
             + key
             + ":'; expected "
             + expected);
+  }
+
+  private static String expected(Form form) {
+    return switch (form) {
+      case Form.Text text -> text.expected();
+      case Form.Choice choice -> "one of " + String.join(", ", choice.values());
+      case Form.YesNo yesNo -> "one of true, false, yes, no";
+      case Form.Whole whole -> "a whole number from " + whole.least() + " to " + whole.most();
+      case Form.Amount amount -> "a number from " + amount.least() + " to " + amount.most();
+      case Form.Address address -> address.needsPort() ? "HOST:PORT" : "HOST or HOST:PORT";
+      case Form.Port port -> "a device or tcp:HOST:PORT";
+      case Form.Lines lines -> lines.expected();
+      case Form.Kinds kinds -> kinds.expected();
+      case Form.Named named -> named.expected();
+      case Form.Parameters parameters -> parameters.expected();
+    };
   }
 
   private @Nullable Node part(String key) {

@@ -32,10 +32,13 @@ class CommandLineTest {
   }
 
   @Test
-  fun theCommittedSchemaIsThatOfTheCode() {
+  fun theCommittedSchemasAreThoseOfTheCode() {
     assertThat(root.resolve("docs/scenario.schema.json").readText())
       .`as`("renew it: ./starl schema > docs/scenario.schema.json")
       .isEqualTo(starl("schema"))
+    assertThat(root.resolve("docs/deployment.schema.json").readText())
+      .`as`("renew it: ./starl schema deployment > docs/deployment.schema.json")
+      .isEqualTo(starl("schema", "deployment"))
   }
 
   @Test
