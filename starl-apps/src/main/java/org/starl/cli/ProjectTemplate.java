@@ -76,6 +76,8 @@ final class ProjectTemplate {
     put(files, "settings.gradle.kts", "settings.gradle.kts");
     put(files, ".gitignore", "gitignore");
     put(files, "scenario.yaml", "scenario.yaml");
+    put(files, "deployment.yaml", "deployment.yaml");
+    put(files, "dock.pvs", "dock.pvs");
     put(files, "@name@", LAUNCHER);
     put(files, "src/main/resources/META-INF/services/org.starl.apps.Demo", "services");
     for (String part : List.of("App", "Demo", "Main")) {

@@ -102,6 +102,34 @@ class NewCommandTest {
   }
 
   @Test
+  void itsTheoryHasTheLocationsOfItsAppAndTheGuardOfItsTour() throws IOException {
+    String theory = project.text("dock.pvs");
+    assertThat(names(theory, "Location: TYPE = \\{([^}]*)}"))
+        .isNotEmpty()
+        .isEqualTo(names(project.text(APP), "enum Location \\{([^}]*)}"));
+    Matcher guard = Pattern.compile("```\n(AND .*)\n```").matcher(readme);
+    assertThat(guard.find()).isTrue();
+    assertThat(theory).containsOnlyOnce(guard.group(1));
+  }
+
+  private static List<String> names(String text, String pattern) {
+    Matcher list = Pattern.compile(pattern).matcher(text);
+    assertThat(list.find()).isTrue();
+    return List.of(list.group(1).strip().split("\\s*,\\s*"));
+  }
+
+  @Test
+  void itsDeploymentIsRight(@TempDir Path temporary) throws IOException {
+    UserProject copy = copy(temporary).compiled();
+    String file = copy.root().resolve("deployment.yaml").toString();
+    Cli keygen = copy.run("keygen", copy.root().resolve(NAME + ".key").toString());
+    assertThat(keygen.status()).as("%s", keygen).isZero();
+    Cli check = copy.run("deploy", "check", file);
+    assertThat(check.status()).as("%s", check).isZero();
+    assertThat(check.text()).contains("nothing is wrong");
+  }
+
+  @Test
   void theChangeOfTheTourIsRightAndQuicker(@TempDir Path temporary) throws IOException {
     UserProject changed = copy(temporary);
     changed.edit(APP, blocks().get(0), blocks().get(1));
