@@ -327,7 +327,9 @@ public final class CreateChassis implements Chassis, AutoCloseable {
 
   // The reader's thread.
   private void serveLinks() {
+    boolean[] wasHeard = new boolean[1];
     do {
+      wasHeard[0] = false;
       ByteLink opened = null;
       try {
         opened = links.open();
@@ -339,11 +341,12 @@ public final class CreateChassis implements Chassis, AutoCloseable {
       } finally {
         locked(() -> {
           link = null;
-          protocol.linkLost(clock.nowNs());
+          wasHeard[0] = protocol.linkLost(clock.nowNs());
         });
         closeQuietly(opened);
       }
-    } while (pause(settings.retryMs() * CreateProtocol.NS_PER_MS));
+      // Where there was a robot its wheels may turn, and nobody stops them before the next link.
+    } while (pause(wasHeard[0] ? 0 : settings.retryMs() * CreateProtocol.NS_PER_MS));
   }
 
   private void serve(ByteLink opened) throws IOException {

@@ -97,12 +97,15 @@ final class CreateProtocol {
     lastFrameNs = Long.MIN_VALUE;
   }
 
-  void linkLost(long atNs) {
+  /** Whether there was one, and the robot was heard over it. */
+  boolean linkLost(long atNs) {
     nowNs = atNs;
+    boolean wasHeard = step != Step.NO_LINK && lastFrameNs != Long.MIN_VALUE;
     if (step != Step.NO_LINK) {
       linksLost++;
       step = Step.NO_LINK;
     }
+    return wasHeard;
   }
 
   /** Whether there is a link over which nothing has come for too long. */

@@ -10,7 +10,8 @@ package org.starl.deploy.create;
  * @param recoverAfterMs the robot is brought back to its mode when what put it out of it (a wheel
  *     that dropped, a charger) has been gone for so long
  * @param linkTimeoutMs a link over which no sensors came for so long is given up for another
- * @param retryMs from one attempt to open a link to the next
+ * @param retryMs from one attempt to open a link to the next; after a link over which the robot was
+ *     heard the first is made at once
  * @param maxWheelMmPerS no wheel is told to turn faster
  */
 public record CreateSettings(

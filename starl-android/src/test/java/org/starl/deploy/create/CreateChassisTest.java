@@ -93,6 +93,20 @@ class CreateChassisTest {
   }
 
   @Test
+  void afterALinkThatWorkedTheNextIsOpenedAtOnceForTheWheelsMayTurn() {
+    long hourMs = 3_600_000;
+    CreateSettings slow =
+        new CreateSettings(
+            CreateModel.CREATE_2, OiMode.SAFE, 300, 500, 100, 500, 3000, hourMs, 500);
+    try (LiveRobot robot = new LiveRobot(slow, Line.SOCKET)) {
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200);
+      robot.host.serve(MemoryLink.pair()[1]);
+      robot.await("started again", () -> robot.chassis.status().starts() == 2);
+    }
+  }
+
+  @Test
   void whoCannotConnectIsToldAndTriesAgain() {
     ByteLink.Source[] later = new ByteLink.Source[1];
     CountDownLatch refused = new CountDownLatch(2);

@@ -185,7 +185,8 @@ class CreateDriverTest {
     bench.isRobotHeard = false;
     bench.runMs(3100);
     assertThat(bench.driver.isLinkDead(bench.nowNs)).isTrue();
-    bench.driver.linkLost(bench.nowNs);
+    assertThat(bench.driver.linkLost(bench.nowNs)).as("it was heard").isTrue();
+    assertThat(bench.driver.linkLost(bench.nowNs)).as("there was no link").isFalse();
     assertThat(bench.driver.status().holds()).contains(CreateHold.NO_LINK);
     assertThat(bench.driver.send(new byte[1])).isFalse();
     bench.isRobotHearing = true;

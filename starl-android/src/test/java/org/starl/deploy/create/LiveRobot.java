@@ -40,13 +40,18 @@ final class LiveRobot implements AutoCloseable, CreateChassis.Listener {
   private final Timer program;
 
   LiveRobot(CreateModel model, Joint line) {
+    this(CreateSettings.of(model), line);
+  }
+
+  LiveRobot(CreateSettings settings, Joint line) {
     host =
         CreateHost.start(
-            "robot", model, new Watched(), ground.clock(), e -> troubles.add("host: " + e));
+            "robot",
+            settings.model(), new Watched(), ground.clock(), e -> troubles.add("host: " + e));
     chassis =
         CreateChassis.open(
             "robot",
-            CreateSettings.of(model),
+            settings,
             line.join(host),
             ground.strand(),
             ground.clock(),
