@@ -47,15 +47,13 @@ final class LiveRobot implements AutoCloseable, CreateChassis.Listener {
     host =
         CreateHost.start(
             "robot",
-            settings.model(), new Watched(), ground.clock(), e -> troubles.add("host: " + e));
+            settings.model(),
+            new Watched(),
+            ground.clock(),
+            e -> troubles.add("host: " + e));
     chassis =
         CreateChassis.open(
-            "robot",
-            settings,
-            line.join(host),
-            ground.strand(),
-            ground.clock(),
-            this);
+            "robot", settings, line.join(host), ground.strand(), ground.clock(), this);
     chassis.onBump(() -> {
       heard.add(chassis.bumps());
       signal();
