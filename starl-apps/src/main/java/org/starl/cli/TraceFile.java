@@ -26,6 +26,7 @@ import org.starl.sim.replay.SameInterventions;
 import org.starl.sim.replay.TraceReading;
 import org.starl.sim.replay.TraceShow;
 import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceHeader;
@@ -140,9 +141,7 @@ final class TraceFile {
   }
 
   private List<Monitor> monitors() {
-    List<Monitor> monitors = new ArrayList<>();
-    plan().simulation().build().blueprint().monitors().forEach(maker -> monitors.add(maker.get()));
-    return monitors;
+    return Monitors.of(plan().simulation().build().blueprint().monitors()).all();
   }
 
   /** Ready to be read for somebody who watches, and checked by the monitors of its app meanwhile. */

@@ -5,7 +5,6 @@ import java.util.Comparator;
 import java.util.List;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
-import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
@@ -57,9 +56,7 @@ public final class Merged {
   /** Shows all of it to fresh monitors of {@code blueprint}, and to these observers. */
   public SpecReport show(Blueprint blueprint, List<SimObserver> observers, long endNs) {
     events.sort(Comparator.comparingLong(TraceEvent::timeNs).thenComparing(TraceEvent::robot));
-    List<Monitor> made = new ArrayList<>();
-    blueprint.monitors().forEach(maker -> made.add(maker.get()));
-    Monitors monitors = new Monitors(made);
+    Monitors monitors = Monitors.of(blueprint.monitors());
     observers.forEach(observer -> observer.started(blueprint.header()));
     for (TraceEvent event : events) {
       monitors.observe(event);

@@ -5,7 +5,6 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
-import org.starl.primitives.agreement.AgreementConformance;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.agreement.SetAgreement;
 import org.starl.primitives.agreement.SynodTiming;
@@ -33,7 +32,7 @@ final class AgreementWorkload extends PrimitiveDemo {
     long deadlineMs = Bounds.deadlineMs(withinNs);
     place(
         simulation, settings, count(request, 1, 64), gvh -> new Proposer(gvh, course, deadlineMs));
-    simulation.monitor(() -> new AgreementSpec(withinNs)).monitor(AgreementConformance::new);
+    simulation.monitor(() -> new AgreementSpec(withinNs));
   }
 
   private static final class Proposer extends Client {

@@ -7,12 +7,10 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.primitives.barrier.Barrier;
-import org.starl.primitives.barrier.BarrierConformance;
 import org.starl.primitives.barrier.BarrierOutcome;
 import org.starl.primitives.barrier.BarrierSettings;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
@@ -48,10 +46,9 @@ final class BarrierWorkload extends PrimitiveDemo {
         RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
     place(simulation, settings, count(request, 1, 32), gvh -> new Guest(gvh, course, how));
     simulation.monitor(() -> new RegistrationSpec(withinNs));
-    simulation.monitor(RegistrationConformance::new);
     // By a clock that is slow by a tenth and was put back by a second, the deadlines are later.
     long toldNs = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * NS_PER_MS;
-    simulation.monitor(() -> new BarrierSpec(withinNs, toldNs)).monitor(BarrierConformance::new);
+    simulation.monitor(() -> new BarrierSpec(withinNs, toldNs));
   }
 
   private static final class Guest extends Client {

@@ -6,7 +6,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.primitives.election.Election;
-import org.starl.primitives.election.ElectionConformance;
 import org.starl.primitives.election.ElectionSettings;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.election.ElectionStrategy;
@@ -48,9 +47,7 @@ final class ElectionWorkload extends PrimitiveDemo {
     place(simulation, settings, count(request, 1, 64), gvh -> new Voter(gvh, course, how));
     // By a clock that is slow by a tenth and was put back by a second, the deadline is later.
     long toldNs = (DEADLINE_MS + DEADLINE_MS / 5 + 1_000) * NS_PER_MS;
-    simulation
-        .monitor(() -> new ElectionSpec(Bounds.withinNs(settings), toldNs))
-        .monitor(ElectionConformance::new);
+    simulation.monitor(() -> new ElectionSpec(Bounds.withinNs(settings), toldNs));
   }
 
   private static ElectionStrategy strategy(String name) {

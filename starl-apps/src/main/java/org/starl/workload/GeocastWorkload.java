@@ -15,7 +15,6 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
 import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.Geocast;
-import org.starl.primitives.geocast.GeocastConformance;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.primitives.geocast.GeocastSpec;
@@ -62,7 +61,6 @@ final class GeocastWorkload extends PrimitiveDemo {
     double sideMm = SPACING_MM * Math.ceil(Math.sqrt(robots));
     place(simulation, settings, robots, gvh -> new Herald(gvh, course, sideMm));
     simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS));
-    simulation.monitor(GeocastConformance::new);
   }
 
   private static final class Herald extends Client {

@@ -8,7 +8,6 @@ import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.motion.MotionFlag;
-import org.starl.primitives.motion.MotionConformance;
 import org.starl.primitives.motion.MotionPrim;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.motion.Motioncontrol;
@@ -45,7 +44,6 @@ final class MotionWorkload extends PrimitiveDemo {
     Course course = course(request);
     place(simulation, settings, count(request, 1, 64), gvh -> new Driver(gvh, course));
     simulation.monitor(() -> new MotionSpec(settings.motionParameters(0)));
-    simulation.monitor(() -> new MotionConformance(settings.motionParameters(0)));
   }
 
   private static final class Driver extends Client {

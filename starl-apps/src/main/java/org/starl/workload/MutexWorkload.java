@@ -10,12 +10,10 @@ import org.starl.apps.Request;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexBounds;
-import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
@@ -69,7 +67,7 @@ final class MutexWorkload extends PrimitiveDemo {
     MutexBounds bounds = MutexBounds.of(robots, D1_NS, deltaNs);
     // Later than the bounds, so that what does not come by then is seen, and not told before.
     MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / NS_PER_MS);
-    simulation.monitor(() -> new MutexSpec(XID, bounds)).monitor(MutexConformance::new);
+    simulation.monitor(() -> new MutexSpec(XID, bounds));
     long withinNs = Bounds.withinNs(settings);
     RegistrationSettings how =
         RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
@@ -83,7 +81,6 @@ final class MutexWorkload extends PrimitiveDemo {
             return new Car(gvh, course, sections, new M_Mutex(gvh, XID, reg, times), reg);
           });
       simulation.monitor(() -> new RegistrationSpec(withinNs));
-      simulation.monitor(RegistrationConformance::new);
     } else {
       place(
           simulation,

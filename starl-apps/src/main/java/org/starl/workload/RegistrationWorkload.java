@@ -5,7 +5,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
@@ -34,7 +33,6 @@ final class RegistrationWorkload extends PrimitiveDemo {
         RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs));
     place(simulation, settings, count(request, 1, 32), gvh -> new Member(gvh, course, how));
     simulation.monitor(() -> new RegistrationSpec(withinNs));
-    simulation.monitor(RegistrationConformance::new);
   }
 
   private static final class Member extends Client {

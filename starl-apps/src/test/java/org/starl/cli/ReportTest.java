@@ -24,6 +24,7 @@ import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.cli.report.Parsed;
 import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
@@ -268,19 +269,14 @@ class ReportTest {
   void everyLemmaOfEveryAppSaysInWordsWhatItIs() {
     for (Demo demo : Main.ALL.all()) {
       Plan plan = Chosen.of(demo, demo.defaults(), new TreeMap<>()).plan(1);
-      plan.simulation()
-          .build()
-          .blueprint()
-          .monitors()
-          .forEach(supplier -> {
-            Monitor monitor = supplier.get();
-            for (String lemma : monitor.lemmas()) {
-              assertThat(monitor.says(lemma))
-                  .as("%s of %s", lemma, monitor.getClass())
-                  .matches("[A-Z\"].{15,110}[.]");
-            }
-            assertThat(monitor.says("no lemma of it")).isNotNull();
-          });
+      for (Monitor monitor : Monitors.of(plan.simulation().build().blueprint().monitors()).all()) {
+        for (String lemma : monitor.lemmas()) {
+          assertThat(monitor.says(lemma))
+              .as("%s of %s", lemma, monitor.getClass())
+              .matches("[A-Z\"].{15,110}[.]");
+        }
+        assertThat(monitor.says("no lemma of it")).isNotNull();
+      }
     }
   }
 }

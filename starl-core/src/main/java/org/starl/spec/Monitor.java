@@ -19,6 +19,14 @@ public interface Monitor {
     return "";
   }
 
+  /**
+   * Those that are to watch a run that this one watches: with {@code MutexSpec}, {@code
+   * MutexConformance}.
+   */
+  default List<Monitor> companions() {
+    return List.of();
+  }
+
   /** Sees the next event. */
   void observe(TraceEvent event, Report report);
 

@@ -1,7 +1,10 @@
 package org.starl.spec;
 
 import java.util.ArrayList;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Set;
+import java.util.function.Supplier;
 import org.starl.trace.TraceEvent;
 
 /** Several monitors over one run, and what they find. Feed it every event in order, then the end. */
@@ -11,11 +14,33 @@ public final class Monitors {
   private final SpecReport report = new SpecReport();
   private boolean finished;
 
+  /** These alone. */
   public Monitors(List<? extends Monitor> monitors) {
     this.monitors = List.copyOf(monitors);
     for (Monitor monitor : this.monitors) {
       report.expect(monitor.lemmas());
     }
+  }
+
+  /** Those who are made, and then their {@link Monitor#companions}, of each class one at most. */
+  public static Monitors of(List<? extends Supplier<? extends Monitor>> makers) {
+    List<Monitor> monitors = new ArrayList<>();
+    makers.forEach(maker -> monitors.add(maker.get()));
+    Set<Class<?>> classes = new LinkedHashSet<>();
+    monitors.forEach(monitor -> classes.add(monitor.getClass()));
+    for (Monitor monitor : List.copyOf(monitors)) {
+      for (Monitor companion : monitor.companions()) {
+        if (classes.add(companion.getClass())) {
+          monitors.add(companion);
+        }
+      }
+    }
+    return new Monitors(monitors);
+  }
+
+  /** All of them. */
+  public List<Monitor> all() {
+    return monitors;
   }
 
   /** All lemmas, monitor by monitor. */

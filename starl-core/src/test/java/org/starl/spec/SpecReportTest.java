@@ -61,6 +61,45 @@ class SpecReportTest {
         .isInstanceOf(IllegalStateException.class);
   }
 
+  @Test
+  void companionsWatchOnceEachBehindThoseWhoAreMade() {
+    Monitors monitors =
+        Monitors.of(
+            List.of(
+                () -> new Accompanied("left"),
+                () -> new Accompanied("right"),
+                () -> new EveryActionIs("go")));
+    assertThat(monitors.lemmas()).containsExactly("left", "right", "go", "with left");
+    assertThat(new Monitors(List.of(new Accompanied("left"))).lemmas()).containsExactly("left");
+  }
+
+  private record Accompanied(String name) implements Monitor {
+
+    @Override
+    public List<String> lemmas() {
+      return List.of(name);
+    }
+
+    @Override
+    public List<Monitor> companions() {
+      return List.of(new EveryActionIs("go too"), new Companion("with " + name));
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {}
+  }
+
+  private record Companion(String name) implements Monitor {
+
+    @Override
+    public List<String> lemmas() {
+      return List.of(name);
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {}
+  }
+
   private record EveryActionIs(String name) implements Monitor {
 
     @Override

@@ -1,12 +1,9 @@
 package org.starl.sim;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
 import org.starl.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.platform.TraceSink;
-import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
@@ -21,13 +18,9 @@ final class Watchers implements TraceSink {
   private int told;
 
   Watchers(Simulation.Builder plan) {
-    List<Monitor> made = new ArrayList<>();
-    for (Supplier<? extends Monitor> monitor : plan.monitors) {
-      made.add(monitor.get());
-    }
-    monitors = new Monitors(made);
+    monitors = Monitors.of(plan.monitors);
     observers = List.copyOf(plan.observers);
-    isOn = !made.isEmpty() || !observers.isEmpty();
+    isOn = !plan.monitors.isEmpty() || !observers.isEmpty();
   }
 
   @Override

@@ -6,7 +6,6 @@ import org.starl.apps.Request;
 import org.starl.apps.hello.logic.Hello;
 import org.starl.apps.hello.view.HelloLayer;
 import org.starl.geometry.Obstacles;
-import org.starl.primitives.motion.MotionConformance;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -38,7 +37,6 @@ public final class HelloDemo implements Demo {
             .settings(settings)
             .robots(request.robots().orElse(settings.robots()), Hello::new)
             .monitor(() -> new MotionSpec(settings.motionParameters(0)))
-            .monitor(() -> new MotionConformance(settings.motionParameters(0)))
             .observer(story);
     return new Plan(simulation, story, new HelloLayer(), Obstacles.NONE);
   }

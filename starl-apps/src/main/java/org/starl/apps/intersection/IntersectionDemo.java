@@ -21,7 +21,6 @@ import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.motion.MotionParameters;
-import org.starl.primitives.motion.MotionConformance;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
@@ -222,7 +221,6 @@ public final class IntersectionDemo implements Demo {
     IntersectionSpec.of(XID, CROSSING, bounds).forEach(simulation::monitor);
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
-    simulation.monitor(() -> new MotionConformance(motion));
   }
 
   /** Within this time a message arrives that is repeated until it is answered. */

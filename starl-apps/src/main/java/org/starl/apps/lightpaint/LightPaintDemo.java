@@ -25,6 +25,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionParameters;
+import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -151,6 +152,7 @@ public final class LightPaintDemo implements Demo {
     double toleranceMm = toleranceMm(settings, body);
     long boundNs = AFTER_ALL_NS + strokes.size() * STROKE_NS;
     simulation.monitor(() -> new PaintSpec(strokes, toleranceMm, boundNs));
+    simulation.monitor(AgreementSpec::new);
     simulation.monitor(() -> new TubesSpec(boundNs));
     return new Plan(simulation, story, new LightPaintLayer(painting), Obstacles.NONE);
   }

@@ -21,6 +21,7 @@ import org.starl.apps.maze.spec.MazeSpec;
 import org.starl.apps.maze.spec.MazeTruth;
 import org.starl.apps.maze.view.MazeLayer;
 import org.starl.geometry.Rectangle;
+import org.starl.primitives.mutex.MutexSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -207,7 +208,10 @@ public final class MazeDemo implements Demo {
     }
     MazeStory story = new MazeStory(goals);
     MazeTruth truth = new MazeTruth(layout.floor(), layout.obstacles(), errands, bodyMm);
-    simulation.observer(story).monitor(() -> new MazeSpec(truth, errands.size() * TURN_NS));
+    simulation
+        .observer(story)
+        .monitor(() -> new MazeSpec(truth, errands.size() * TURN_NS))
+        .monitor(() -> new MutexSpec(MazeApp.FLOOR));
     return new Plan(simulation, story, new MazeLayer(errands), layout.obstacles());
   }
 

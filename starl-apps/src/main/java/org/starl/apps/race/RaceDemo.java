@@ -21,9 +21,7 @@ import org.starl.apps.race.view.RaceLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.motion.MotionParameters;
-import org.starl.primitives.geocast.GeocastConformance;
 import org.starl.primitives.geocast.GeocastSpec;
-import org.starl.primitives.motion.MotionConformance;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
@@ -127,9 +125,7 @@ public final class RaceDemo implements Demo {
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
     MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);
     simulation.monitor(() -> new MotionSpec(motion));
-    simulation.monitor(() -> new MotionConformance(motion));
     simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS));
-    simulation.monitor(GeocastConformance::new);
   }
 
   /** From any point, or any place on the floor, to any point. */

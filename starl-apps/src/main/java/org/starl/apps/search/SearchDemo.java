@@ -26,7 +26,8 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionParameters;
-import org.starl.primitives.motion.MotionConformance;
+import org.starl.primitives.agreement.AgreementSpec;
+import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.random.Rng;
@@ -148,7 +149,8 @@ public final class SearchDemo implements Demo {
     SearchSpec.of(house, things).forEach(simulation::monitor);
     MotionParameters motion = Driving.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
-    simulation.monitor(() -> new MotionConformance(motion));
+    simulation.monitor(AgreementSpec::new);
+    simulation.monitor(ElectionSpec::new);
     simulation.monitor(() -> new TubesSpec(SearchSpec.toldNs(house)));
   }
 

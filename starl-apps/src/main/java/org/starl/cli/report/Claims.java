@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Supplier;
 import org.starl.apps.Plan;
 import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 
 /** What the lemmas that a run is checked by say, in words. */
 public final class Claims {
@@ -26,8 +26,7 @@ public final class Claims {
   /** Those of the monitors of {@code plan}, which is used up. */
   public static Claims of(Plan plan) {
     Claims claims = new Claims();
-    for (Supplier<? extends Monitor> supplier : plan.simulation().build().blueprint().monitors()) {
-      Monitor monitor = supplier.get();
+    for (Monitor monitor : Monitors.of(plan.simulation().build().blueprint().monitors()).all()) {
       for (String lemma : monitor.lemmas()) {
         List<Claim> known = claims.byLemma.computeIfAbsent(lemma, any -> new ArrayList<>());
         Claim claim = new Claim(monitor.getClass().getSimpleName(), monitor.says(lemma));

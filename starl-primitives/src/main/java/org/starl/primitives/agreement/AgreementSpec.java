@@ -76,6 +76,11 @@ public final class AgreementSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new AgreementConformance());
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     progress.expire(event.timeNs(), report);
     if (circumstances.observe(event)) {

@@ -70,6 +70,11 @@ public final class BarrierSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new BarrierConformance());
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean changed = circumstances.observe(event);

@@ -74,6 +74,11 @@ public final class ElectionSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new ElectionConformance());
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     boolean changed = circumstances.observe(event);

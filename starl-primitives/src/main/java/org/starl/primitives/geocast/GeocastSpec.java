@@ -74,6 +74,11 @@ public final class GeocastSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new GeocastConformance());
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     casts.observe(event, judging(report));
     switch (event) {

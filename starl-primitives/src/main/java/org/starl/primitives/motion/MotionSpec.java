@@ -81,6 +81,11 @@ public final class MotionSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new MotionConformance(p));
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     judgeWhatIsLate(event.timeNs(), report);
     bodies.observe(event, (motion, moved) -> followed(motion, moved, report));

@@ -101,6 +101,11 @@ public final class MutexSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new MutexConformance());
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     boolean changes = lives.observe(event);
     if (changes && progress != null) {

@@ -78,6 +78,11 @@ public final class RegistrationSpec implements Monitor {
   }
 
   @Override
+  public List<Monitor> companions() {
+    return List.of(new RegistrationConformance());
+  }
+
+  @Override
   public void observe(TraceEvent event, Report report) {
     progress.expire(event.timeNs(), report);
     boolean changed = lives.observe(event);

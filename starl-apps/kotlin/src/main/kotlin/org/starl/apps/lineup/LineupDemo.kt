@@ -9,7 +9,6 @@ import org.starl.geometry.Pose
 import org.starl.kotlin.ScenarioScope
 import org.starl.kotlin.scenario
 import org.starl.primitives.agreement.AgreementSpec
-import org.starl.primitives.motion.MotionConformance
 import org.starl.primitives.motion.MotionSpec
 import org.starl.random.Rng
 import org.starl.sim.SimSettings
@@ -55,7 +54,6 @@ class LineupDemo : Demo {
       monitor { InLine(TOLERANCE_MM) }
       monitor { AgreementSpec() }
       monitor { MotionSpec(LineupApp.motion(settings.motionParameters(0))) }
-      monitor { MotionConformance(LineupApp.motion(settings.motionParameters(0))) }
     }
   }
 }

@@ -8,9 +8,7 @@ import java.util.function.Supplier;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Lane;
 import org.starl.geometry.Region;
-import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.mutex.MutexSpec;
-import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.spec.Monitor;
 
@@ -29,8 +27,6 @@ public final class IntersectionSpec {
     monitors.add(() -> new TrafficProgress(bounds.trafficNs()));
     monitors.add(() -> new MutexSpec(xid, bounds.zones()));
     monitors.add(RegistrationSpec::new);
-    monitors.add(MutexConformance::new);
-    monitors.add(RegistrationConformance::new);
     if (bounds.places() > 0) {
       zones.putAll(crossing.heldPlaces());
       for (int rank = 0; rank < bounds.places(); rank++) {

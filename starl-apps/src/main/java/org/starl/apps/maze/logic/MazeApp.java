@@ -20,6 +20,9 @@ import org.starl.primitives.paths.Path;
  */
 public final class MazeApp extends LogicThread {
 
+  /** The mutex's instance. */
+  public static final String FLOOR = "floor";
+
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1_000;
   private static final MutexTimes DAY = MutexTimes.DEFAULT.withDeadlineMs(24L * 3600 * 1000);
@@ -38,7 +41,7 @@ public final class MazeApp extends LogicThread {
   public MazeApp(GlobalVarHolder gvh, Errand errand) {
     super(gvh);
     this.errand = errand;
-    mutex = new M_Mutex(gvh, "floor", M_Mutex.closedGroup(gvh, gvh.id.participants()), DAY);
+    mutex = new M_Mutex(gvh, FLOOR, M_Mutex.closedGroup(gvh, gvh.id.participants()), DAY);
     ride = new Ride(gvh);
     double bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     footprint = new Footprint(errand.blocks(), bodyMm, errand.mode().wanderMm());
