@@ -27,8 +27,8 @@ import picocli.CommandLine.Spec;
     name = "merge",
     description =
         "Merges what the processes of a deployment have left into one trace, in an order of causes, and"
-            + " judges it by the app's specifications. Where clocks leave several orders, what is violated"
-            + " in some and not in all that are tried is called possible.",
+            + " judges it by the app's specifications. Where clocks leave several orders, or measured bodies"
+            + " several places, what is violated in some and not in all that are tried is called possible.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy merge bot*.trace --out merged.trace"})
 final class DeployMergeCommand implements Callable<Integer> {
@@ -110,6 +110,20 @@ final class DeployMergeCommand implements Callable<Integer> {
                 : result.orders()
                     + " orders tried, clocks uncertain by "
                     + Quantities.durationText(result.uncertaintyNs())));
+    if (result.withinMm() > 0) {
+      lines.add(
+          "bodies as their robots measured them, true within "
+              + Math.round(result.withinMm())
+              + " mm: smaller, larger and moved to each side by that, too");
+    }
+    result
+        .lostMs()
+        .forEach((robot, ms) ->
+            lines.add(
+                robot
+                    + " was not measured for up to "
+                    + Math.round(ms)
+                    + " ms at a time: nobody knows where it was then"));
     result
         .dead()
         .forEach(robot -> lines.add(robot + "'s trace is cut off: its process was killed there"));
@@ -118,7 +132,8 @@ final class DeployMergeCommand implements Callable<Integer> {
         .forEach(violation -> lines.add("VIOLATED: " + violation));
     result.possible().stream()
         .limit(SHOWN)
-        .forEach(violation -> lines.add("possible, within what the clocks leave: " + violation));
+        .forEach(violation ->
+            lines.add("possible, within what clocks and measurements leave: " + violation));
     if (result.violations().isEmpty() && result.possible().isEmpty()) {
       lines.add("safe: " + Outcome.held(result.run().spec()));
     }
@@ -133,6 +148,7 @@ final class DeployMergeCommand implements Callable<Integer> {
     json.put("events", result.run().events());
     json.put("orders", result.orders());
     json.put("uncertainty_ns", result.uncertaintyNs());
+    json.put("bodies_within_mm", Math.round(result.withinMm()));
     json.put("violations", result.violations().stream().map(String::valueOf).toList());
     json.put("possible", result.possible().stream().map(String::valueOf).toList());
     return json;

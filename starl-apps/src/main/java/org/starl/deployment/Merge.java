@@ -3,9 +3,11 @@ package org.starl.deployment;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.RobotId;
+import org.starl.deployment.MeasuredBodies.Deviation;
 import org.starl.processes.Merged;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
@@ -17,20 +19,18 @@ import org.starl.spec.SpecReport;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
-import org.starl.trace.TraceEvent.Joined;
-import org.starl.trace.TraceEvent.Left;
-import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceHeader;
 
 /**
  * The traces of a deployment's processes as one, judged by the specifications of its app. Where clocks
- * are uncertain, several orders are possible: what is violated in some of them and not in all that are
- * tried, is possible and no more.
+ * are uncertain, several orders are possible, and where bodies were measured, several places: what is
+ * violated in some of them and not in all that are tried, is possible and no more.
  */
 public final class Merge {
 
   private final List<RobotTrace> traces;
   private final ClockBounds bounds;
+  private final MeasuredBodies bodies;
 
   /**
    * What was found.
@@ -40,8 +40,10 @@ public final class Merge {
    * @param dead robots whose last trace is cut off
    * @param orders how many were tried
    * @param uncertaintyNs how far clocks may be from what the middle order takes them for
-   * @param violations in every order, as the middle one has them
-   * @param possible what is violated in some order, and not in all
+   * @param withinMm how far bodies may be from where they were measured; 0 if none was
+   * @param lostMs the longest time for which each robot was not measured that was lost at all
+   * @param violations whatever clocks and bodies are taken for, as the middle order has them
+   * @param possible what is violated in some way that was tried, and not in all
    */
   public record Result(
       SimResult run,
@@ -49,12 +51,15 @@ public final class Merge {
       Set<RobotId> dead,
       int orders,
       long uncertaintyNs,
+      double withinMm,
+      SortedMap<RobotId, Double> lostMs,
       List<Violation> violations,
       List<Violation> possible) {}
 
   private Merge(List<RobotTrace> traces, ClockBounds bounds) {
     this.traces = traces;
     this.bounds = bounds;
+    bodies = new MeasuredBodies(traces);
   }
 
   /**
@@ -95,9 +100,14 @@ public final class Merge {
     long endNs = 0;
     for (int i = 0; i < ways.size(); i++) {
       Merged merged = i == 0 ? middle : new Merged();
-      long wayEndNs = fill(merged, ways.get(i));
+      long wayEndNs = fill(merged, ways.get(i), Deviation.NONE);
       endNs = i == 0 ? wayEndNs : endNs;
       reports.add(merged.show(blueprint, i == 0 ? observers : List.of(), wayEndNs));
+    }
+    for (Deviation deviation : bodies.deviations()) {
+      Merged merged = new Merged();
+      long deviationEndNs = fill(merged, ways.get(0), deviation);
+      reports.add(merged.show(blueprint, List.of(), deviationEndNs));
     }
     SimResult run = result(middle, endNs, reports.get(0));
     observers.forEach(observer -> observer.finished(run));
@@ -107,6 +117,8 @@ public final class Merge {
         dead(),
         ways.size(),
         bounds.uncertaintyNs(),
+        bodies.withinMm(),
+        bodies.lostMs(),
         certain(reports),
         possible(reports));
   }
@@ -125,19 +137,12 @@ public final class Merge {
   }
 
   /** Puts everything in the order of one way; when it ends. */
-  private long fill(Merged merged, long[] starts) {
-    boolean isWorldThere = traces.stream().anyMatch(RobotTrace::isOfWorld);
+  private long fill(Merged merged, long[] starts, Deviation deviation) {
     Causes causes = new Causes();
     long endNs = 0;
     for (int i = 0; i < starts.length; i++) {
       RobotTrace trace = traces.get(i);
-      List<TraceEvent> events = new ArrayList<>();
-      for (TraceEvent event : trace.events()) {
-        // What a robot says of its body is what it takes for true; the world knows.
-        if (trace.isOfWorld() || !isWorldThere || !isOfBodies(event)) {
-          events.add(event);
-        }
-      }
+      List<TraceEvent> events = bodies.of(trace, deviation);
       if (isDead(trace)) {
         events.add(new Fault(trace.lastNs(), trace.who(), Fault.CRASH, ""));
       }
@@ -149,10 +154,6 @@ public final class Merge {
       endNs = Math.max(endNs, event.timeNs());
     }
     return endNs;
-  }
-
-  private static boolean isOfBodies(TraceEvent event) {
-    return event instanceof Moved || event instanceof Joined || event instanceof Left;
   }
 
   /** Whether its process was killed, and this robot's program did not start again. */

@@ -15,6 +15,7 @@ import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.RobotId;
+import org.starl.geometry.Pose;
 import org.starl.processes.Outbox;
 import org.starl.processes.Word;
 import org.starl.sim.Blueprint;
@@ -22,11 +23,14 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.input.BadInput;
+import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceHeader;
 
@@ -68,11 +72,35 @@ class MergeTest {
     }
   }
 
+  /** No two bodies touch. */
+  private static final class Apart implements Monitor {
+    private final Bodies bodies = new Bodies();
+
+    @Override
+    public List<String> lemmas() {
+      return List.of("Apart");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      bodies.observe(event);
+      if (bodies.robots().size() == 2) {
+        report.checked("Apart");
+        double distanceMm =
+            bodies.poseAt(A, event.timeNs()).at().distanceMm(bodies.poseAt(B, event.timeNs()).at());
+        if (distanceMm < bodies.radiusMm(A) + bodies.radiusMm(B)) {
+          report.violated("Apart", event.timeNs(), List.of(A, B), "touch");
+        }
+      }
+    }
+  }
+
   private static Blueprint blueprint() {
     return Simulation.builder()
         .name("section")
         .settings(SimSettings.defaults())
         .monitor(Exclusion::new)
+        .monitor(Apart::new)
         .build()
         .blueprint();
   }
@@ -230,6 +258,79 @@ class MergeTest {
 
     assertThat(result.dead()).containsExactly(B);
     assertThat(faults).containsExactly(new Fault(15 * MS, B, Fault.CRASH, ""));
+  }
+
+  private static Joined joined(long atMs, RobotId robot, double xMm) {
+    return new Joined(atMs * MS, robot, new Pose(xMm, 0, 0), 100);
+  }
+
+  private static Moved measured(long atMs, RobotId robot, double xMm) {
+    return new Moved(atMs * MS, robot, new Pose(xMm, 0, 0), 0, 0);
+  }
+
+  private static Action within(long atMs, RobotId robot, int mm) {
+    return new Action(atMs * MS, robot, "positions", "within", List.of(String.valueOf(mm)));
+  }
+
+  /** Two discs of 100 mm, the second measured so far from the first, each within 10 mm. */
+  private Merge.Result measuredApart(double mm) throws IOException {
+    String a = trace(A, "m", 0, 0, joined(10, A, 0), within(20, A, 10));
+    String b = trace(B, "m", 0, 0, joined(10, B, 1000), within(20, B, 10), measured(30, B, mm));
+    return judge(SECOND, a, b);
+  }
+
+  @Test
+  void bodiesThatTouchWhereverTheyTrulyWereAreAViolation() throws IOException {
+    Merge.Result result = measuredApart(179);
+
+    assertThat(result.withinMm()).isEqualTo(10);
+    assertThat(result.violations()).hasSize(1);
+    assertThat(result.possible()).isEmpty();
+  }
+
+  @Test
+  void bodiesThatMayHaveTouchedAreAPossibleViolation() throws IOException {
+    for (double mm : new double[] {181, 200, 219}) {
+      Merge.Result result = measuredApart(mm);
+      assertThat(result.violations()).as("%s mm", mm).isEmpty();
+      assertThat(result.possible()).as("%s mm", mm).hasSize(1);
+    }
+    assertThat(measuredApart(221).possible()).isEmpty();
+  }
+
+  @Test
+  void whereTheWorldKnowsABodyItsMeasurementsCountForNothing() throws IOException {
+    String world = trace(Fault.WORLD, "m", 0, 0, joined(5, B, 1000), measured(30, B, 201));
+    String a = trace(A, "m", 0, 0, joined(10, A, 0));
+    String b = trace(B, "m", 0, 0, joined(10, B, 1000), within(20, B, 10), measured(30, B, 50));
+
+    Merge.Result result = judge(SECOND, world, a, b);
+
+    assertThat(result.withinMm()).isZero();
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).isEmpty();
+  }
+
+  @Test
+  void aBodyIsPutOnTheFloorOnceHoweverOftenItsProgramStarts() throws IOException {
+    String a = trace(A, "a.trace", "m", 0, 0, false, joined(10, A, 0));
+    String again = trace(A, "a.2.trace", "m", 0, 100 * MS, true, joined(100, A, 50));
+    List<TraceEvent> seen = new ArrayList<>();
+
+    Merge.of(List.of(again, a), SECOND, 0)
+        .judge(
+            blueprint(),
+            List.of(
+                new SimObserver() {
+                  @Override
+                  public void observed(TraceEvent event) {
+                    if (event instanceof Joined || event instanceof Moved) {
+                      seen.add(event);
+                    }
+                  }
+                }));
+
+    assertThat(seen).containsExactly(joined(10, A, 0), measured(100, A, 50));
   }
 
   @Test

@@ -93,6 +93,7 @@ public final class DeployedRobot implements AutoCloseable {
   private final FileStable stable;
   private final RealBackground background;
   private final PoseFeed poses;
+  private final MeasuredBody body;
   private final Wheelbase wheels;
   private final RobotRunner runner;
 
@@ -169,6 +170,14 @@ public final class DeployedRobot implements AutoCloseable {
             strand,
             rng.fork("radio"),
             draw -> loss > 0 && draw.nextBoolean(loss) ? LossyRadio.LOST : 0);
+    body =
+        new MeasuredBody(
+            id,
+            program.motion().robotRadiusMm(),
+            deployment.limits().speedMmPerS(),
+            poses.positioning(strand, entry.rigidBody()),
+            strand.pieceClock(),
+            trace);
     Platform platform =
         new Platform(
             id,
@@ -177,7 +186,7 @@ public final class DeployedRobot implements AutoCloseable {
             strand,
             strand,
             radio,
-            poses.positioning(strand, entry.rigidBody()),
+            body,
             wheels.chassis(),
             stable,
             rng::fork,
@@ -255,6 +264,7 @@ public final class DeployedRobot implements AutoCloseable {
     discovery.close();
     udp.close();
     strand.close();
+    body.end(clock.nowNs());
     poses.close();
     background.close();
     stable.close();
