@@ -14,6 +14,8 @@ dependencies {
     implementation(libs.snakeyaml)
     // Android itself, for compiling and for Robolectric; a phone has its own.
     compileOnly(libs.android.all)
+    // What says a deployment file is bad to people at a computer.
+    testImplementation(project(":starl-sim"))
     testImplementation(libs.robolectric)
     // Robolectric's tests are JUnit 4's.
     testImplementation(libs.junit.vintage.engine)
@@ -27,7 +29,7 @@ dependencies {
 
 // What is compiled with is tested on.
 configurations.named("testImplementation") {
-    extendsFrom(configurations.compileOnly.get())
+    extendsFrom(configurations.named("compileOnly").get())
 }
 
 configurations.configureEach {
@@ -45,7 +47,7 @@ tasks.withType<Test>().configureEach {
     systemProperty("robolectric.usePreinstrumentedJars", "false")
     jvmArgs("--add-exports", "java.base/jdk.internal.access=ALL-UNNAMED", "--enable-native-access=ALL-UNNAMED")
     // It needs classes of androidx that come as aars: zips around a jar.
-    classpath += files(configurations.testRuntimeClasspath.map { path ->
+    classpath += files(configurations.named("testRuntimeClasspath").map { path ->
         path.filter { it.name.endsWith(".aar") }.map { aar -> zipTree(aar).matching { include("classes.jar") } }
     })
 }

@@ -20,7 +20,8 @@ final class GradleBuild {
 
   private static final Pattern INCLUDE = Pattern.compile("include\\(\":([\\w-]+)\"\\)");
   private static final Pattern FOLDER =
-      Pattern.compile("project\\(\":([\\w-]+)\"\\)\\.projectDir = file\\(\"([^\"]+)\"\\)");
+      Pattern.compile(
+          "project\\(\":([\\w-]+)\"\\)\\.projectDir = rootDir\\.resolve\\(\"([^\"]+)\"\\)");
   private static final Pattern ASSIGNED = Pattern.compile("\\s*(group|version) = \"([^\"]+)\"");
   private static final Pattern RELEASE = Pattern.compile("options\\.release\\.set\\((\\d+)\\)");
   private static final Pattern VERSION = Pattern.compile("([\\w-]+) = \"([^\"]+)\"");
