@@ -64,6 +64,9 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
     int count = in.u16();
     for (int i = 0; i < count; i++) {
       long number = SynodCodec.number(in, 1);
+      if (!slots.isEmpty() && slots.lastKey() >= number) {
+        throw new WireFormatException("decree " + number + " twice, or not in its place");
+      }
       Ballot promised = SynodCodec.ballot(in);
       Vote vote = in.bool() ? new Vote(SynodCodec.ballot(in), SynodCodec.value(in)) : null;
       slots.put(number, new Slot(promised, vote));

@@ -100,16 +100,23 @@ final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
     WireReader in = new WireReader(value.bytes());
     SortedMap<Long, SortedSet<ProcessId>> missing = new TreeMap<>();
     int count = in.u16();
+    SortedSet<ProcessId> leftOut = new TreeSet<>();
     for (int i = 0; i < count; i++) {
       long generation = generation(in);
       SortedSet<ProcessId> ids = new TreeSet<>();
       int absent = in.u16();
       for (int j = 0; j < absent; j++) {
-        ids.add(member(in.u16()));
+        ProcessId id = member(in.u16());
+        boolean isNext = ids.isEmpty() || ids.last().compareTo(id) < 0;
+        if (!isNext || !leftOut.add(id)) {
+          throw new WireFormatException(id + " is left out twice, or not in its place");
+        }
+        ids.add(id);
       }
-      if (ids.isEmpty() || missing.put(generation, ids) != null) {
+      if (ids.isEmpty() || (!missing.isEmpty() && missing.lastKey() >= generation)) {
         throw new WireFormatException("broken generation " + generation);
       }
+      missing.put(generation, ids);
     }
     if (in.remaining() > 0) {
       throw new WireFormatException(in.remaining() + " bytes after outcomes");

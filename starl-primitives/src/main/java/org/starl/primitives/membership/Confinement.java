@@ -58,7 +58,7 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
     }
   }
 
-  /** Reads what {@link #write} wrote. */
+  /** Reads what {@link #write} wrote; fencers in any other order are refused. */
   public static Confinement read(WireReader in) {
     ProcessId who = in.process();
     SortedSet<String> sections = Sections.read(in);
@@ -66,9 +66,11 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
     TreeSet<ProcessId> fencers = new TreeSet<>();
     for (int i = 0; i < count; i++) {
       ProcessId fencer = in.process();
-      if (fencer.equals(who) || !fencers.add(fencer)) {
+      boolean isNext = fencers.isEmpty() || fencers.last().compareTo(fencer) < 0;
+      if (fencer.equals(who) || !isNext) {
         throw new WireFormatException("fencer " + fencer + " of " + who);
       }
+      fencers.add(fencer);
     }
     return new Confinement(who, sections, fencers);
   }

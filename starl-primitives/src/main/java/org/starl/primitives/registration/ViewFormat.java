@@ -80,9 +80,10 @@ final class ViewFormat implements SynodCodec.Format {
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
     for (int i = 0; i < count; i++) {
       ProcessId id = in.process();
-      if (admitted.put(id, admittedBy(in, id, number)) != null) {
-        throw new WireFormatException("view entry " + id + " twice");
+      if (!isNext(admitted, id)) {
+        throw new WireFormatException("view entry " + id + " twice, or not in its place");
       }
+      admitted.put(id, admittedBy(in, id, number));
     }
     count = in.u16();
     SortedMap<ProcessId, View.Ghost> ghosts = new TreeMap<>();
@@ -90,16 +91,20 @@ final class ViewFormat implements SynodCodec.Format {
       ProcessId id = in.process();
       long by = admittedBy(in, id, number);
       SortedSet<String> sections = Sections.read(in);
-      if (sections.isEmpty()
-          || admitted.containsKey(id)
-          || ghosts.put(id, new View.Ghost(by, sections)) != null) {
+      if (sections.isEmpty() || admitted.containsKey(id) || !isNext(ghosts, id)) {
         throw new WireFormatException("ghost " + id + " of " + sections);
       }
+      ghosts.put(id, new View.Ghost(by, sections));
     }
     if (in.remaining() > 0) {
       throw new WireFormatException(in.remaining() + " bytes after a view");
     }
     return new View(number, admitted, ghosts);
+  }
+
+  // In ascending order: a view has one spelling.
+  private static boolean isNext(SortedMap<ProcessId, ?> read, ProcessId id) {
+    return read.isEmpty() || read.lastKey().compareTo(id) < 0;
   }
 
   private static long admittedBy(WireReader in, ProcessId id, long number) {

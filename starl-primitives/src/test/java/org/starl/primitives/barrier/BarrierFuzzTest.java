@@ -1,0 +1,51 @@
+package org.starl.primitives.barrier;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.TreeSet;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.primitives.OneSpelling;
+import org.starl.primitives.agreement.Value;
+import org.starl.sim.check.MalformedBytes;
+
+/** Any bytes as a barrier's message, and as outcomes that a barrier agrees on. */
+public class BarrierFuzzTest {
+
+  private static final ProcessId B1 = new ProcessId(new RobotId("b1"), 5);
+  private static final ProcessId B2 = new ProcessId(new RobotId("b2"), 6);
+  private static final ProcessId B3 = new ProcessId(new RobotId("b3"), 7);
+  private static final BarrierCodec CODEC = new BarrierCodec(new TreeSet<>(List.of(B1, B2, B3)));
+
+  public static void fuzzerTestOneInput(byte[] input) {
+    OneSpelling.require(CODEC, input);
+    OneSpelling.require(BarrierFuzzTest::outcomes, each -> CODEC.toValue(each).bytes(), input);
+  }
+
+  private static Outcomes outcomes(WireReader in) {
+    byte[] all = new byte[in.remaining()];
+    for (int i = 0; i < all.length; i++) {
+      all[i] = (byte) in.u8();
+    }
+    if (all.length > Value.MAX_BYTES) {
+      throw new WireFormatException("too long");
+    }
+    return CODEC.read(Value.of(all));
+  }
+
+  @Test
+  void aMessageHasOneSpelling() {
+    List<byte[]> samples = new ArrayList<>();
+    List.of(new BarrierMessage.Arrival(B1, 7), new BarrierMessage.Here(B2, 7, true, 8))
+        .forEach(message -> samples.add(OneSpelling.bytes(CODEC, message)));
+    Outcomes outcomes =
+        Outcomes.ALL_PASSED.withBroken(4, List.of(B3, B1)).withBroken(9, List.of(B2));
+    samples.add(CODEC.toValue(outcomes).bytes());
+    samples.add(CODEC.toValue(Outcomes.ALL_PASSED).bytes());
+
+    MalformedBytes.feed(samples, BarrierFuzzTest::fuzzerTestOneInput);
+  }
+}

@@ -1,0 +1,31 @@
+package org.starl.primitives.election;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.primitives.OneSpelling;
+import org.starl.sim.check.MalformedBytes;
+
+/** Any bytes as an election message. */
+public class ElectionFuzzTest {
+
+  private static final ElectionCodec CODEC = new ElectionCodec();
+
+  public static void fuzzerTestOneInput(byte[] input) {
+    OneSpelling.require(CODEC, input);
+  }
+
+  @Test
+  void aMessageHasOneSpelling() {
+    ProcessId one = new ProcessId(new RobotId("one"), 1);
+    List<byte[]> samples = new ArrayList<>();
+    List.of(
+            new ElectionMessage.Candidacy(one, 7, -2),
+            new ElectionMessage.Elected(one, 8, new ProcessId(new RobotId("two"), 9)))
+        .forEach(message -> samples.add(OneSpelling.bytes(CODEC, message)));
+
+    MalformedBytes.feed(samples, ElectionFuzzTest::fuzzerTestOneInput);
+  }
+}

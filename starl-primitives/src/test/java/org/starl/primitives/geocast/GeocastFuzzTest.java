@@ -1,0 +1,79 @@
+package org.starl.primitives.geocast;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.ProcessId;
+import org.starl.RobotId;
+import org.starl.comms.Codec;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Everywhere;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
+import org.starl.geometry.Union;
+import org.starl.primitives.OneSpelling;
+import org.starl.sim.check.MalformedBytes;
+
+/**
+ * Any bytes as a geocast's message: a region that is read can be asked and told, and has one spelling on
+ * the wire and in the trace.
+ */
+public class GeocastFuzzTest {
+
+  private static final GeocastCodec<String> CODEC = new GeocastCodec<>(new TextCodec());
+
+  private static final class TextCodec implements Codec<String> {
+    @Override
+    public void write(String message, WireWriter out) {
+      out.string(message);
+    }
+
+    @Override
+    public String read(WireReader in) {
+      return in.string();
+    }
+  }
+
+  public static void fuzzerTestOneInput(byte[] input) {
+    OneSpelling.require(CODEC, input);
+    OneSpelling.require(new RegionCodec(), input);
+    Region region;
+    try {
+      region = new RegionCodec().read(new WireReader(input));
+    } catch (WireFormatException refused) {
+      return;
+    }
+    region.contains(new Point(1, 2));
+    region.contains(new Point(Double.MAX_VALUE, -Double.MAX_VALUE));
+    if (!RegionText.parse(RegionText.format(region)).equals(region)) {
+      throw new AssertionError("told otherwise: " + RegionText.format(region));
+    }
+  }
+
+  @Test
+  void aMessageHasOneSpelling() {
+    GeocastId id = new GeocastId(new ProcessId(new RobotId("one"), 1), 7);
+    Region square = new Polygon(List.of(new Point(0, 0), new Point(9, 0), new Point(9, 9)));
+    Region area =
+        new Union(
+            List.of(
+                new Circle(new Point(1, -2.5), 300),
+                new Union(List.of(new Rectangle(0, 0, 10, 20), new Nowhere())),
+                square));
+    List<byte[]> samples = new ArrayList<>();
+    samples.add(
+        OneSpelling.bytes(CODEC, new GeocastMessage.Copy<>(id, new Everywhere(), 0, 5, "hi")));
+    samples.add(OneSpelling.bytes(CODEC, new GeocastMessage.Copy<>(id, area, 4, 5, "hi")));
+    samples.add(OneSpelling.bytes(CODEC, new GeocastMessage.Ack<>(id)));
+    samples.add(OneSpelling.bytes(new RegionCodec(), area));
+
+    MalformedBytes.feed(samples, GeocastFuzzTest::fuzzerTestOneInput);
+  }
+}
