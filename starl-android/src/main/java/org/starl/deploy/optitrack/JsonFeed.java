@@ -5,6 +5,7 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
+import java.net.SocketException;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
@@ -32,7 +33,7 @@ public final class JsonFeed implements PoseFeed {
   private final JsonFeedSettings settings;
   private final Clock clock;
   private final DatagramSocket socket;
-  private final Thread thread;
+  private final Reception reception;
   private final Map<String, List<StrandPositioning>> followers = new ConcurrentHashMap<>();
   private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
@@ -47,8 +48,7 @@ public final class JsonFeed implements PoseFeed {
     this.socket = socket;
     this.tally = new Tally(log, "json feed");
     this.protocol = new JsonProtocol(settings.bounds(), tally);
-    this.thread = new Thread(this::run, "json feed");
-    thread.setDaemon(true);
+    this.reception = Reception.start("json feed", socket, WAIT_MS, this::take, this::fail);
   }
 
   /**
@@ -60,9 +60,11 @@ public final class JsonFeed implements PoseFeed {
    */
   public static JsonFeed open(JsonFeedSettings settings, Clock clock, LogSink log)
       throws IOException {
-    JsonFeed feed = new JsonFeed(settings, clock, log, new DatagramSocket(settings.address()));
-    feed.thread.start();
-    return feed;
+    try {
+      return new JsonFeed(settings, clock, log, new DatagramSocket(settings.address()));
+    } catch (SocketException e) {
+      throw new IOException("JSON feed at " + settings.address() + ": " + e.getMessage(), e);
+    }
   }
 
   /** Where it listens. */
@@ -94,22 +96,13 @@ public final class JsonFeed implements PoseFeed {
 
   @Override
   public void close() {
-    socket.close();
-    Joining.join(thread);
+    reception.close();
   }
 
-  private void run() {
-    DatagramReceiver receiver = new DatagramReceiver(socket);
-    while (!socket.isClosed()) {
-      try {
-        DatagramPacket packet = receiver.receive(WAIT_MS);
-        TrackedBody body = packet == null ? null : judge(packet, clock.nowNs());
-        if (body != null) {
-          publish(body);
-        }
-      } catch (IOException e) {
-        fail(e);
-      }
+  private void take(@Nullable DatagramPacket packet) {
+    TrackedBody body = packet == null ? null : judge(packet, clock.nowNs());
+    if (body != null) {
+      publish(body);
     }
   }
 
@@ -139,15 +132,12 @@ public final class JsonFeed implements PoseFeed {
     }
   }
 
-  private void fail(IOException e) {
-    if (!socket.isClosed()) {
-      socket.close();
-      lock.lock();
-      try {
-        tally.warnOnce("failed", "no more fixes: " + e, clock.nowNs());
-      } finally {
-        lock.unlock();
-      }
+  private void fail(Exception e) {
+    lock.lock();
+    try {
+      tally.warnOnce("failed", "no more fixes: " + e, clock.nowNs());
+    } finally {
+      lock.unlock();
     }
   }
 }

@@ -44,7 +44,7 @@ public final class NatNetClient implements PoseFeed {
   private final Clock clock;
   private final DatagramSocket command;
   private final @Nullable MulticastSocket data;
-  private final List<Thread> threads = new ArrayList<>();
+  private final List<Reception> receptions = new ArrayList<>();
   private final List<Follower> followers = new CopyOnWriteArrayList<>();
   private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
   private final ReentrantLock lock = new ReentrantLock();
@@ -91,9 +91,9 @@ public final class NatNetClient implements PoseFeed {
           "NatNet group " + settings.group() + " at " + local + ": " + e.getMessage(), e);
     }
     NatNetClient client = new NatNetClient(settings, clock, log, command, data);
-    client.start("natnet command", command);
+    client.receive("natnet command", command);
     if (data != null) {
-      client.start("natnet data", data);
+      client.receive("natnet data", data);
     }
     return client;
   }
@@ -155,10 +155,7 @@ public final class NatNetClient implements PoseFeed {
     if (!command.isClosed()) {
       send(new LittleEndianWriter().begin(Message.DISCONNECT).end());
     }
-    closeSockets();
-    for (Thread thread : threads) {
-      Joining.join(thread);
-    }
+    receptions.forEach(Reception::close);
   }
 
   private Positioning follow(Follower follower) {
@@ -184,23 +181,12 @@ public final class NatNetClient implements PoseFeed {
     }
   }
 
-  private void start(String name, DatagramSocket socket) {
-    Thread thread = new Thread(() -> run(socket), name);
-    thread.setDaemon(true);
-    threads.add(thread);
-    thread.start();
+  private void receive(String name, DatagramSocket socket) {
+    receptions.add(Reception.start(name, socket, TICK_MS, this::take, this::fail));
   }
 
-  private void run(DatagramSocket socket) {
-    DatagramReceiver receiver = new DatagramReceiver(socket);
-    while (!socket.isClosed()) {
-      try {
-        DatagramPacket packet = receiver.receive(TICK_MS);
-        publish(step(packet, clock.nowNs()));
-      } catch (IOException e) {
-        fail(socket, e);
-      }
-    }
+  private void take(@Nullable DatagramPacket packet) {
+    publish(step(packet, clock.nowNs()));
   }
 
   /** The bodies of a frame, if this was one: to be told without the lock, which others wait for. */
@@ -218,10 +204,7 @@ public final class NatNetClient implements PoseFeed {
     }
   }
 
-  private void fail(DatagramSocket socket, IOException e) {
-    if (socket.isClosed()) {
-      return;
-    }
+  private void fail(Exception e) {
     lock.lock();
     try {
       tally.warnOnce("failed", "no more fixes: " + e, clock.nowNs());

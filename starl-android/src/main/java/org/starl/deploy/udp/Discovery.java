@@ -113,7 +113,7 @@ public final class Discovery implements AutoCloseable {
    *     their beacons are taken from nowhere else
    * @param key signs; null: anybody may say that he is one of the robots, so none is looked for
    *     outside {@code known}
-   * @param start larger at each start of this robot's program
+   * @param start larger at each start of this robot's program: {@link StartNumber}
    * @param clock read by several threads
    */
   public static Discovery open(
@@ -132,7 +132,7 @@ public final class Discovery implements AutoCloseable {
     radio.onBeacon(discovery::received);
     discovery.ticks =
         discovery.worker.scheduleAtFixedRate(
-            discovery::tick, 0, settings.everyMs(), TimeUnit.MILLISECONDS);
+            discovery::tickOrFail, 0, settings.everyMs(), TimeUnit.MILLISECONDS);
     return discovery;
   }
 
@@ -153,6 +153,15 @@ public final class Discovery implements AutoCloseable {
       ticks.cancel(false);
     }
     worker.shutdown();
+  }
+
+  // What comes out of a piece of work ends all later ones without a word.
+  private void tickOrFail() {
+    try {
+      tick();
+    } catch (RuntimeException bug) {
+      radio.fail(bug);
+    }
   }
 
   private void tick() {

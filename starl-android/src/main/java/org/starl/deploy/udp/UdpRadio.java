@@ -31,7 +31,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
   private final RobotId self;
   private final Strand strand;
   private final DatagramSocket socket;
-  private final Consumer<IOException> onFailure;
+  private final Consumer<Exception> onFailure;
   private final Thread thread;
   private final Map<RobotId, InetSocketAddress> peers = new ConcurrentSkipListMap<>();
   private final AtomicInteger waiting = new AtomicInteger();
@@ -47,7 +47,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
   private @Nullable Receiver receiver;
 
   private UdpRadio(
-      RobotId self, Strand strand, DatagramSocket socket, Consumer<IOException> onFailure) {
+      RobotId self, Strand strand, DatagramSocket socket, Consumer<Exception> onFailure) {
     this.self = self;
     this.strand = strand;
     this.socket = socket;
@@ -60,13 +60,21 @@ public final class UdpRadio implements Radio, AutoCloseable {
    * Opens {@code self}'s radio.
    *
    * @param address to listen at; port 0 for any free one
-   * @param onFailure is told, on the radio's thread, if it cannot receive any more
+   * @param onFailure is told, on a thread of the radio, why it cannot go on; once
    * @throws SocketException if the address is not to be had
    */
   public static UdpRadio open(
-      RobotId self, Strand strand, InetSocketAddress address, Consumer<IOException> onFailure)
+      RobotId self, Strand strand, InetSocketAddress address, Consumer<Exception> onFailure)
       throws SocketException {
-    UdpRadio radio = new UdpRadio(self, strand, new DatagramSocket(address), onFailure);
+    DatagramSocket socket;
+    try {
+      socket = new DatagramSocket(address);
+    } catch (SocketException e) {
+      SocketException named = new SocketException("radio at " + address + ": " + e.getMessage());
+      named.initCause(e);
+      throw named;
+    }
+    UdpRadio radio = new UdpRadio(self, strand, socket, onFailure);
     radio.thread.start();
     return radio;
   }
@@ -91,6 +99,14 @@ public final class UdpRadio implements Radio, AutoCloseable {
   /** From now on takes what means to be a beacon, on the radio's thread. */
   void onBeacon(Consumer<DatagramPacket> taker) {
     beacons = taker;
+  }
+
+  /** It cannot go on: sends and hears nothing more, and tells why. */
+  void fail(Exception why) {
+    if (!socket.isClosed()) {
+      socket.close();
+      onFailure.accept(why);
+    }
   }
 
   boolean isClosed() {
@@ -166,11 +182,8 @@ public final class UdpRadio implements Radio, AutoCloseable {
         packet.setLength(MAX_BYTES + 1);
         socket.receive(packet);
         judge(packet);
-      } catch (IOException e) {
-        if (!socket.isClosed()) {
-          socket.close();
-          onFailure.accept(e);
-        }
+      } catch (IOException | RuntimeException e) {
+        fail(e);
       }
     }
   }

@@ -44,6 +44,9 @@ class DiscoveryTest {
     private final UdpRadio radio;
     private @Nullable Discovery discovery;
 
+    /** Set before there are beacons. */
+    private boolean isBroken;
+
     Station(RobotId self) throws Exception {
       InetSocketAddress any = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
       radio = UdpRadio.open(self, strand, any, e -> told.add("failed"));
@@ -51,7 +54,11 @@ class DiscoveryTest {
     }
 
     void discover(RobotId self, Map<RobotId, InetSocketAddress> known) {
-      Discovery.Settings settings = new Discovery.Settings(20, 60_000, 0);
+      discover(self, known, 60_000);
+    }
+
+    void discover(RobotId self, Map<RobotId, InetSocketAddress> known, long suspectAfterMs) {
+      Discovery.Settings settings = new Discovery.Settings(20, suspectAfterMs, 0);
       discovery =
           Discovery.open(
               radio, self, BOTH, new TreeMap<>(known), KEY, settings, 1, new RealClock(), this);
@@ -59,12 +66,20 @@ class DiscoveryTest {
 
     @Override
     public void appeared(RobotId robot, InetSocketAddress address) {
+      fail();
       told.add(robot + " at " + address.getPort());
     }
 
     @Override
     public void suspected(RobotId robot, @Nullable Long lastHeardNs) {
+      fail();
       told.add(robot + " suspected");
+    }
+
+    private void fail() {
+      if (isBroken) {
+        throw new IllegalStateException("a bug");
+      }
     }
 
     String next() throws InterruptedException {
@@ -165,6 +180,29 @@ class DiscoveryTest {
           .as("seed %d, round %d", seed, i)
           .isEqualTo(isSame);
       unsigned.readOrNull(changed, changed.length);
+    }
+  }
+
+  @Test
+  void aBugOnTheRadiosThreadIsToldAndNotSwallowedWithTheThread() throws Exception {
+    try (Station me = new Station(ME);
+        Station other = new Station(OTHER)) {
+      me.isBroken = true;
+      me.discover(ME, Map.of(OTHER, other.radio.address()));
+      other.discover(OTHER, Map.of(ME, me.radio.address()));
+
+      assertThat(me.next()).isEqualTo("failed");
+      assertThat(me.radio.isClosed()).isTrue();
+    }
+  }
+
+  @Test
+  void aBugOnTheBeaconsThreadIsToldAndNotSwallowedWithTheBeacons() throws Exception {
+    try (Station me = new Station(ME)) {
+      me.isBroken = true;
+      me.discover(ME, Map.of(), 1);
+
+      assertThat(me.next()).isEqualTo("failed");
     }
   }
 }
