@@ -28,6 +28,7 @@ import org.starl.deploy.realtime.StrandUse;
 import org.starl.deploy.udp.Discovery;
 import org.starl.deploy.udp.FileStable;
 import org.starl.deploy.udp.LossyRadio;
+import org.starl.deploy.udp.StartNumber;
 import org.starl.deploy.udp.UdpRadio;
 import org.starl.deploy.udp.UdpStatistics;
 import org.starl.geometry.Obstacles;
@@ -155,7 +156,7 @@ public final class DeployedRobot implements AutoCloseable {
                 known(deployment),
                 key,
                 settings(deployment.network()),
-                startNs,
+                StartNumber.next(stable, startNs),
                 clock,
                 new Neighbourhood()));
     // Each start draws otherwise.
