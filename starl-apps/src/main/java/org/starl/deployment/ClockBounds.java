@@ -39,7 +39,7 @@ final class ClockBounds {
         most[a][b] = a == b ? 0 : Long.MAX_VALUE / 4;
       }
     }
-    long driftNs = (long) (longestNs(traces) * driftPpm * PARTS);
+    long driftNs = (long) (longestNs(traces) * (driftPpm * PARTS));
     dates(traces, 2 * dateErrorNs + driftNs);
     messages(traces, driftNs);
     close();

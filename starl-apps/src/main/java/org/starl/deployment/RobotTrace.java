@@ -69,13 +69,22 @@ record RobotTrace(
         }
       }
       isWhole = reader.end() != null;
-    } catch (TraceFormatException cutOff) {
-      if (clock == null) {
-        throw cutOff;
+    } catch (TraceFormatException wrong) {
+      if (clock == null || !isLast(reader)) {
+        throw wrong;
       }
       // Killed in the midst of a line: what came before it has happened.
     }
     return of(file, reader.header(), clock, events, isWhole);
+  }
+
+  /** Whether nothing follows the line that was read last, nor was before it the trace's end. */
+  private static boolean isLast(TraceReader reader) throws IOException {
+    try {
+      return reader.end() == null && reader.next() == null;
+    } catch (TraceFormatException another) {
+      return false;
+    }
   }
 
   private static RobotTrace of(
