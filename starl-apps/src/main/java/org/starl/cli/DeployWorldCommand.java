@@ -16,6 +16,7 @@ import org.starl.deploy.file.Wheels;
 import org.starl.deployment.DeploymentFile;
 import org.starl.deployment.RobotRun;
 import org.starl.deployment.WorldProcess;
+import org.starl.sim.input.BadInput;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -59,6 +60,10 @@ final class DeployWorldCommand implements Callable<Integer> {
     CommandSpec command = Objects.requireNonNull(spec);
     Deployment deployment = DeploymentFile.read(file);
     DeployedApp app = DeployedApp.of(deployment, Main.demos(command));
+    if (deployment.simulated().isEmpty()) {
+      throw new BadInput(
+          file + ": no robot is simulated; expected one with 'kind: simulated' or 'simulatedAt:'");
+    }
     DeployFolder here = DeployFolder.of(folder);
     int count = (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
     PrintWriter out = command.commandLine().getOut();
@@ -73,7 +78,7 @@ final class DeployWorldCommand implements Callable<Integer> {
                 line -> out.println(WORLD + ": " + line),
                 error -> end.add(String.valueOf(error)))) {
       out.println(WORLD + ": runs");
-      String why = await(end, deployment, app, here, count, world, out);
+      String why = new Programs(deployment, app, here, count, world, out, end).run();
       if (!why.isEmpty()) {
         command.commandLine().getErr().println(WORLD + ": " + why);
       }
@@ -83,61 +88,60 @@ final class DeployWorldCommand implements Callable<Integer> {
     }
   }
 
-  /** Runs the robots that are simulated, until the end; why it ended, empty if somebody wanted it. */
-  private static String await(
-      BlockingQueue<String> end,
+  /** Of the robots that are simulated without a Create. */
+  private record Programs(
       Deployment deployment,
       DeployedApp app,
       DeployFolder here,
       int rounds,
       WorldProcess world,
-      PrintWriter out)
-      throws IOException, InterruptedException {
-    List<RobotRun> robots = new ArrayList<>();
-    try {
-      for (RobotEntry entry : deployment.robots().values()) {
-        if (entry.wheels() instanceof Wheels.Simulated) {
-          robots.add(start(deployment, entry, app, here, rounds, world, out));
-        }
-      }
-      return end.take();
-    } finally {
-      robots.forEach(RobotRun::close);
-    }
-  }
+      PrintWriter out,
+      BlockingQueue<String> end) {
 
-  private static RobotRun start(
-      Deployment deployment,
-      RobotEntry entry,
-      DeployedApp app,
-      DeployFolder here,
-      int rounds,
-      WorldProcess world,
-      PrintWriter out)
-      throws IOException {
-    String name = entry.id().name();
-    RobotRun.Settings settings =
-        new RobotRun.Settings(
-            deployment,
-            entry,
-            DeploymentFile.key(deployment),
-            app::blueprint,
-            world.wheels(entry.id()),
-            here.storage(name),
-            rounds);
-    RobotRun run = new RobotRun(settings, here.trace(name), out::println);
-    Thread thread =
-        new Thread(
-            () -> {
-              try {
-                run.run();
-              } catch (IOException e) {
-                out.println(name + ": " + e.getMessage());
-              }
-            },
-            name + " run");
-    thread.setDaemon(true);
-    thread.start();
-    return run;
+    /** Runs them until the end; why it ended, empty if somebody wanted it. */
+    String run() throws IOException, InterruptedException {
+      List<RobotRun> robots = new ArrayList<>();
+      try {
+        for (RobotEntry entry : deployment.robots().values()) {
+          if (entry.wheels() instanceof Wheels.Simulated) {
+            robots.add(start(entry));
+          }
+        }
+        return end.take();
+      } finally {
+        robots.forEach(RobotRun::stop);
+        robots.forEach(RobotRun::close);
+      }
+    }
+
+    private RobotRun start(RobotEntry entry) throws IOException {
+      String name = entry.id().name();
+      RobotRun.Settings settings =
+          new RobotRun.Settings(
+              deployment,
+              entry,
+              DeploymentFile.key(deployment),
+              app::blueprint,
+              world.wheels(entry.id()),
+              here.storage(name),
+              rounds);
+      RobotRun run = new RobotRun(settings, here.trace(name), out::println);
+      Thread thread = new Thread(() -> run(run, name), name + " run");
+      thread.setDaemon(true);
+      thread.start();
+      return run;
+    }
+
+    /** What a robot cannot go on after ends all, as in the simulator. */
+    private void run(RobotRun run, String name) {
+      try {
+        Throwable failure = run.run();
+        if (failure != null) {
+          end.add(name + ": " + failure);
+        }
+      } catch (IOException e) {
+        end.add(name + ": " + e.getMessage());
+      }
+    }
   }
 }

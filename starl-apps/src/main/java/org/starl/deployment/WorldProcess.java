@@ -125,7 +125,7 @@ public final class WorldProcess implements AutoCloseable {
           serveCreate(entry.id(), create);
         }
       }
-    } catch (IOException e) {
+    } catch (IOException | RuntimeException e) {
       close();
       throw e;
     }
@@ -209,9 +209,7 @@ public final class WorldProcess implements AutoCloseable {
 
   private void serveCameras() throws IOException {
     if (!(deployment.positions() instanceof Positions.NatNet natNet)) {
-      throw new IOException(
-          deployment.where("positions")
-              + "positions.source: expected natnet where bodies are simulated");
+      throw new IllegalArgumentException("bodies are simulated, and no cameras see them");
     }
     String multicast = natNet.multicast();
     String[] version = natNet.version().split("\\.", -1);
@@ -255,7 +253,7 @@ public final class WorldProcess implements AutoCloseable {
   private void serveHands() throws IOException {
     HostPort address = deployment.world();
     if (address == null) {
-      throw new IOException(deployment.file() + ": has no 'world:'; expected HOST:PORT");
+      throw new IllegalArgumentException("bodies are simulated, and nobody knows where");
     }
     ServerSocket server = new ServerSocket();
     server.setReuseAddress(true);

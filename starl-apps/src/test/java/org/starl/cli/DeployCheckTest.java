@@ -3,6 +3,9 @@ package org.starl.cli;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
@@ -44,7 +47,7 @@ class DeployCheckTest {
       , server: 127.0.0.1 | , up: y | :4: positions: has no 'server:'
       server: 127.0.0.1 | server: 127.0.0.1:0 | :4: positions.server | HOST or HOST:PORT
       server: 127.0.0.1 | server: no.such.host.invalid | positions.server | host that has an address
-      server: 127.0.0.1 | server: h, version: 9 | positions.version: '9' | expected one of 3.0
+      server: 127.0.0.1 | server: h, version: 9 | positions.version: '9' | expected one of 3.1
       server: 127.0.0.1 | server: h, errorMm: -1 | positions.errorMm: '-1' | from 0.0 to 1000.0
       server: 127.0.0.1 | server: 127.0.0.1, multicast: 10.0.0.1 | :4: | multicast: '10.0.0.1' | 224.0.0.0
       server: 127.0.0.1 | server: h, colour: red | :4: positions: 'colour' | expected one of
@@ -107,6 +110,48 @@ class DeployCheckTest {
     String text = GOOD.replace(parts[0], parts[1].replace("\\n", "\n"));
 
     assertRefused(check(text), Arrays.copyOfRange(parts, 2, parts.length));
+  }
+
+  @Test
+  void aSimulatedBodyNeedsCamerasThatItsWorldSpeaksFor() throws IOException {
+    String simulated =
+        GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:4000")
+            .replace("{kind: create, port: /dev/ttyUSB1}", "{kind: simulated}");
+    assertThat(check(simulated).status()).isZero();
+
+    String json = simulated.replace("{source: natnet, server: 127.0.0.1}", "{source: json}");
+    assertRefused(check(json), "robots.bot1: is simulated", "positions.source natnet");
+  }
+
+  @Test
+  void aWorldWithoutBodiesIsRefused() throws IOException {
+    check(GOOD);
+
+    assertRefused(Cli.run("deploy", "world", deployment(GOOD).toString()), "no robot is simulated");
+  }
+
+  @Test
+  void aRobotThatCannotBeginEndsItsWorldAndSaysWhy() throws IOException {
+    try (DatagramSocket taken = new DatagramSocket(0, InetAddress.getLoopbackAddress());
+        DatagramSocket camera = new DatagramSocket(0, InetAddress.getLoopbackAddress());
+        ServerSocket hands = new ServerSocket(0)) {
+      String simulated =
+          GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:" + hands.getLocalPort())
+              .replace("server: 127.0.0.1", "server: 127.0.0.1:" + camera.getLocalPort())
+              .replace("4701", Integer.toString(taken.getLocalPort()))
+              .replace("{kind: create, port: \"tcp:127.0.0.1:4801\"}", "{kind: simulated}");
+      check(simulated);
+      hands.close();
+      camera.close();
+
+      Cli cli =
+          Cli.run(
+              "deploy", "world", deployment(simulated).toString(), "--folder", folder.toString());
+
+      assertThat(cli.status()).as("%s", cli).isEqualTo(1);
+      assertThat(cli.err()).hasSize(1);
+      assertThat(cli.err().get(0)).contains("bot0", "radio at", "" + taken.getLocalPort());
+    }
   }
 
   @Test

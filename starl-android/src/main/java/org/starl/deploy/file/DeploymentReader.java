@@ -211,6 +211,9 @@ public final class DeploymentReader {
     if (isSimulated && deployment.world() == null) {
       throw at(robot, "is simulated; expected 'world: HOST:PORT', where its body is");
     }
+    if (isSimulated && !(deployment.positions() instanceof Positions.NatNet)) {
+      throw at(robot, "is simulated; expected positions.source natnet, which its world speaks");
+    }
   }
 
   private void once(Map<String, RobotEntry> taken, String key, String value, RobotEntry robot) {

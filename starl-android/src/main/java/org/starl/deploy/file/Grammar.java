@@ -110,7 +110,7 @@ public final class Grammar {
       Field.usually(
           "4.1",
           "version",
-          Choice.of("3.0", "3.1", "4.0", "4.1", "4.2"),
+          Choice.of("3.1", "4.0", "4.1", "4.2"),
           "version of NatNet that the simulated server speaks; a client takes the server's");
   static final Field UP =
       Field.usually("y", "up", Choice.of("y", "z"), "the axis that points up in Motive's stream");

@@ -4,6 +4,7 @@ import java.io.IOException;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
 import java.nio.file.FileSystems;
 import java.nio.file.Files;
@@ -91,6 +92,8 @@ public final class KeyFile {
     } catch (FileAlreadyExistsException e) {
       throw new IOException(
           file + ": is there already; expected a new file: a key that is used is not replaced", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException(file + ": expected a folder that this user may write into", e);
     } catch (NoSuchFileException e) {
       throw new IOException(file + ": expected a folder that is there", e);
     }
