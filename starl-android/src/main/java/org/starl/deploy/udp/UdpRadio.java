@@ -188,7 +188,8 @@ public final class UdpRadio implements Radio, AutoCloseable {
     }
   }
 
-  private void judge(DatagramPacket packet) {
+  /** On the radio's thread: decides what becomes of a datagram that has come. */
+  void judge(DatagramPacket packet) {
     SocketAddress source = packet.getSocketAddress();
     if (packet.getLength() > MAX_BYTES) {
       dropped(UdpDrop.OVERSIZE, source);
