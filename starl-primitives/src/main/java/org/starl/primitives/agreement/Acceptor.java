@@ -56,7 +56,7 @@ final class Acceptor {
     return decided;
   }
 
-  /** The model's {@code Prepared}. */
+  /** {@code Synod_decls.Prepared}. */
   void prepare(RobotId from, Prepare m) {
     Decided known = decided;
     if (known != null && known.number() >= m.number()) {
@@ -78,7 +78,7 @@ final class Acceptor {
     answerOnceFlushed(from, new Promise(m.number(), m.ballot(), vote, heard));
   }
 
-  /** The model's {@code Accept}. */
+  /** {@code Synod_decls.Accept}. */
   void accept(RobotId from, Accept m) {
     Decided known = decided;
     if (known != null && known.number() >= m.number()) {

@@ -22,8 +22,11 @@
  * has lost its stable storage must not take part again.
  *
  * <p>The handlers of {@code Acceptor} and {@code Proposer} realise the actions {@code Prepared},
- * {@code Accept}, {@code Propose} and {@code Learn} of the model. Wishes that ride on prepare
- * messages are hints: they let one decree serve several proposers, and no argument rests on them.
+ * {@code Accept}, {@code Propose} and {@code Learn} of the theory {@code Synod_decls}, every run of
+ * which is one of {@code SetAgreement_decls}; {@link
+ * org.starl.primitives.agreement.AgreementConformance} takes each run through the automaton of the
+ * latter, of which safety is proved. Wishes that ride on prepare messages are hints: they let one
+ * decree serve several proposers, and no argument rests on them.
  *
  * <p>May import: core, {@code org.starl.primitives}.
  */

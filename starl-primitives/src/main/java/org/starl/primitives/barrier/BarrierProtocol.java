@@ -205,7 +205,7 @@ class BarrierProtocol implements SynodProtocol {
 
   // The protocol.
 
-  /** The model's {@code Hear}: {@code who} has arrived in {@code itsGeneration}. */
+  /** {@code who} has arrived in {@code itsGeneration}. */
   void count(ProcessId who, long itsGeneration) {
     if (itsGeneration > decided) {
       arrivals(itsGeneration).add(who);
@@ -262,7 +262,7 @@ class BarrierProtocol implements SynodProtocol {
     }
   }
 
-  /** The model's {@code ProposePass} and {@code ProposeBroken}, by what is known at the last moment. */
+  /** What is proposed, {@code Barrier_agreement.propose}, by what is known at the last moment. */
   private Value proposal() {
     return codec.toValue(isAllHere() ? outcomes : outcomes.withBroken(generation, givenUp));
   }
@@ -286,7 +286,7 @@ class BarrierProtocol implements SynodProtocol {
     }
   }
 
-  /** The model's {@code Told}: tells the outcome of the generation in which this robot waits. */
+  /** {@code Barrier_agreement.tell}: the outcome of the generation in which this robot waits. */
   private void tell() {
     if (!outcomes.isBroken(generation)) {
       next(new BarrierOutcome.Passed(generation));

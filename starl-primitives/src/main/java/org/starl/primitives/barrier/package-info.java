@@ -34,9 +34,9 @@
  * robot is another participant, hence no member, and is told excluded; it goes on voting. At most 83
  * members.
  *
- * <p>The handlers realise the actions {@code Arrive}, {@code Hear}, {@code ProposePass}, {@code
- * ProposeBroken} and {@code Told} of a model that was explored exhaustively for 3 processes and 2
- * generations. A decree holds the outcomes of all generations before it as well, so that who was
+ * <p>The handlers realise the actions of the theory {@code Barrier_agreement}, every run of which is
+ * one of {@code Barrier_decls}; {@link org.starl.primitives.barrier.BarrierConformance} takes each run
+ * through the automaton of the latter, of which safety is proved. A decree holds the outcomes of all generations before it as well, so that who was
  * behind misses none.
  *
  * <p>May import: core, {@code org.starl.primitives}, its {@code agreement}, {@code membership} and

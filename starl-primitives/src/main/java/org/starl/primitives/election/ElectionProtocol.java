@@ -173,7 +173,7 @@ class ElectionProtocol implements SynodProtocol {
 
   // The protocol.
 
-  /** The model's {@code Start} and {@code Follow}: stands in {@code next}, with no leader yet. */
+  /** {@code Election_agreement.candidate}: stands in {@code next}, with no leader yet. */
   private void start(long next) {
     if (leader instanceof Leader.Name name) {
       suspicion.releases(name.id());
@@ -241,13 +241,13 @@ class ElectionProtocol implements SynodProtocol {
     }
   }
 
-  /** The model's {@code Propose}. */
+  /** {@code Election_agreement.propose}. */
   void propose(ProcessId candidate) {
     Value value = ElectionCodec.value(candidate);
     synod.propose(term, Value.EMPTY, wishes -> value, nowNs);
   }
 
-  /** The model's {@code Learn}. */
+  /** {@code Election_agreement.learn}. */
   void decided(long itsTerm, ProcessId itsLeader) {
     if (itsTerm < term || (itsTerm == term && leader.isElected())) {
       return;

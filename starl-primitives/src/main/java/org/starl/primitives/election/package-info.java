@@ -42,8 +42,9 @@
  * robot that votes only, or has restarted and not yet called {@code do_election}, learns who leads,
  * suspects nobody, and is never elected.
  *
- * <p>The handlers realise the actions {@code Start}, {@code Follow}, {@code Propose} and {@code Learn}
- * of a model that was explored exhaustively for 3 processes and 2 terms. A call after a fail works for
+ * <p>The handlers realise the actions of the theory {@code Election_agreement}, every run of which is
+ * one of {@code Election_decls}; {@link org.starl.primitives.election.ElectionConformance} takes each
+ * run through the automaton of the latter, of which safety is proved. A call after a fail works for
  * the same term again: were it to begin the next one, short deadlines could end each other's
  * elections for ever.
  *

@@ -21,8 +21,8 @@ import org.starl.random.Rng;
 /**
  * One participant of the mutex: Ricart and Agrawala ("An optimal algorithm for mutual exclusion in
  * computer networks", CACM 1981) on sets of sections, among participants that come and go. Pure and
- * clock-driven: (state, message or timer or call) to messages and outcomes. Its methods are named as
- * the model's actions.
+ * clock-driven: (state, message or timer or call) to messages and outcomes. The actions of
+ * the theory {@code RicartAgrawala_decls} are named for its methods.
  *
  * <p>The rule of membership is the heart of it. A process requests only when it has learned a view
  * that lists it. It needs the answers of everybody in its latest view, and of everybody that it

@@ -3,7 +3,8 @@
  * participants that come and go. {@link org.starl.primitives.mutex.MutexPrim} is what an app uses,
  * {@link org.starl.primitives.mutex.M_Mutex} the algorithm on a robot, {@code MutexProtocol} the
  * algorithm by itself, {@link org.starl.primitives.mutex.MutexSpec} this contract as monitors over
- * the trace.
+ * the trace; {@link org.starl.primitives.mutex.MutexConformance} takes each run through the automaton
+ * of the theory {@code Mutex_decls}, of which safety is proved.
  *
  * <p><b>The contract.</b> Let delta be a time within which a message that is repeated until it is
  * answered arrives, N how many participants a process needs consent of, itself included.
@@ -52,7 +53,7 @@
  * <p>After a crash, a request that waited for the dead one has access after Ts + 9 delta more, if a
  * majority of the registration's acceptors is in reach and no ghost is in its way.
  *
- * <p><b>Beside the model.</b> {@code Noted}: who keeps an answer back says so to one who asks again,
+ * <p><b>Beside the theory.</b> {@code Noted}: who keeps an answer back says so to one who asks again,
  * which takes the place of the link's acknowledgement, and grants nothing. Who sees a ghost smaller
  * than the view has it vows and proposes at once, unasked. Who is a ghost in the latest view is
  * granted nothing, which is as if the grant were lost. An id that has retired keeps its vows.

@@ -23,6 +23,9 @@
  *       it.
  * </ul>
  *
+ * <p>{@link org.starl.primitives.registration.RegistrationConformance} takes each run through the
+ * automaton of the theory {@code Registration_decls}, of which this is proved.
+ *
  * <p>Every attempt has an id of its own, which no other attempt ever uses. An attempt that is given
  * up may still be completed by others: its id then stands in a list, requests nothing, and is taken
  * out again by its own robot.
@@ -45,7 +48,7 @@
  * {@code rList} null, and may call {@code do_register} at once; {@code unregister} is then right too,
  * and ends once no list mentions it. A restarted robot is another id, and registers anew.
  *
- * <p><b>Beside the model.</b> One view may serve several changes: those of its proposer, and wishes
+ * <p><b>Beside the theory.</b> One view may serve several changes: those of its proposer, and wishes
  * that others sent along. It is as if they were made one view each, of which nobody ever learned the
  * ones between; only that who vouches in one of them may not leave or be confined by another, so that
  * it is free before and after. What does not fit is left to the next view. A ghost keeps the number of
