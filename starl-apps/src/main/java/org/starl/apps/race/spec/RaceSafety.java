@@ -1,12 +1,12 @@
 package org.starl.apps.race.spec;
 
 import java.util.ArrayList;
-import java.util.HashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.apps.race.logic.Claim;
@@ -44,7 +44,7 @@ final class RaceSafety implements Monitor {
   private final Records records = new Records();
   private final Map<RobotId, Integer> inVain = new TreeMap<>();
   private final Map<RobotId, Integer> arrivedAt = new TreeMap<>();
-  private final Set<Claim> made = new HashSet<>();
+  private final Set<Claim> made = new TreeSet<>();
 
   RaceSafety(List<RacePoint> points) {
     this.points = List.copyOf(points);
