@@ -45,7 +45,7 @@ final class Expressions {
       case Fun<?, ?> fun when type instanceof ParameterizedType known ->
           fun(fun, known.getActualTypeArguments());
       case Term term -> term(term);
-      case Record state -> state(state);
+      case Record record -> record(record, ", ");
       default ->
           throw new IllegalArgumentException(value.getClass() + ": no value of a theory: " + value);
     };
@@ -86,10 +86,15 @@ final class Expressions {
     return text.toString();
   }
 
-  private String state(Record state) {
-    StringJoiner text = new StringJoiner(",\n       ", "(# ", " #)");
-    for (RecordComponent component : state.getClass().getRecordComponents()) {
-      Object value = valueOf(component, state);
+  /** A state as an expression, on each line a component. */
+  String ofState(Record state) {
+    return record(state, ",\n       ");
+  }
+
+  private String record(Record record, String separator) {
+    StringJoiner text = new StringJoiner(separator, "(# ", " #)");
+    for (RecordComponent component : record.getClass().getRecordComponents()) {
+      Object value = valueOf(component, record);
       text.add(component.getName() + " := " + of(value, component.getGenericType()));
     }
     return text.toString();

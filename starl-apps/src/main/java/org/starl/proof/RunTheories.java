@@ -9,6 +9,10 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.agreement.AgreementAutomaton;
+import org.starl.primitives.agreement.AgreementConformance;
+import org.starl.primitives.election.ElectionAutomaton;
+import org.starl.primitives.election.ElectionConformance;
 import org.starl.primitives.mutex.MutexAutomaton;
 import org.starl.primitives.mutex.MutexConformance;
 import org.starl.primitives.registration.RegistrationAutomaton;
@@ -25,8 +29,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Writes a run as theories for PVS, when it is closed: one for each instance of a primitive, of {@code
- * starl run --pvs FILE}.
+ * Writes a run as theories for PVS, when it is closed: one for each instance of a mutex, a
+ * registration, an agreement or an election. Of {@code starl run --pvs FILE}.
  */
 public final class RunTheories implements SimObserver, Closeable {
 
@@ -41,10 +45,13 @@ public final class RunTheories implements SimObserver, Closeable {
     Formal robots = new Formal("PIDS", RobotId.class);
     Formal ids = new Formal("PIDS", ProcessId.class);
     Formal zones = new Formal("Zones", String.class);
+    Formal values = new Formal("Values", String.class);
     List<Monitor> maps =
         List.of(
             new MutexConformance(steps(new MutexAutomaton(), robots, zones)),
-            new RegistrationConformance(steps(new RegistrationAutomaton(), ids)));
+            new RegistrationConformance(steps(new RegistrationAutomaton(), ids)),
+            new AgreementConformance(steps(new AgreementAutomaton(), robots, values)),
+            new ElectionConformance(steps(new ElectionAutomaton(), ids)));
     monitors = new Monitors(maps);
   }
 
@@ -90,8 +97,8 @@ public final class RunTheories implements SimObserver, Closeable {
     monitors.finish(endNs);
     if (theories.isEmpty()) {
       throw new BadInput(
-          "--pvs: nothing in this run is a run of a theory in pvs/: expected an app that uses a mutex"
-              + " or a registration");
+          "--pvs: nothing in this run is a run of a theory in pvs/: expected an app that uses a mutex,"
+              + " a registration, an agreement or an election");
     }
     StringBuilder text = new StringBuilder();
     for (RunTheory theory : theories.values()) {

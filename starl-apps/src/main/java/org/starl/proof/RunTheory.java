@@ -20,7 +20,7 @@ final class RunTheory {
   private static final double NS_PER_S = 1e9;
 
   /** What was told of one step. */
-  private record Step(TraceEvent event, Action action, Object after, List<Result> results) {}
+  private record Step(TraceEvent event, Action action, Record after, List<Result> results) {}
 
   /** {@code function(argument, after)} is {@code value}. */
   private record Result(String function, Object argument, Object value) {}
@@ -51,7 +51,7 @@ final class RunTheory {
     }
   }
 
-  void stepped(TraceEvent event, Action action, Object after) {
+  void stepped(TraceEvent event, Action action, Record after) {
     identifiers.take(action.name());
     steps.add(new Step(event, action, after, new ArrayList<>()));
   }
@@ -113,9 +113,9 @@ final class RunTheory {
     line(text, "  IMPORTING " + library + "[" + String.join(", ", actuals) + "]");
   }
 
-  private void constant(StringBuilder text, int n, Object state) {
+  private void constant(StringBuilder text, int n, Record state) {
     line(text, "  s_" + n + ": states =");
-    line(text, "    " + expressions.of(state));
+    line(text, "    " + expressions.ofState(state));
   }
 
   private static void begins(StringBuilder text) {
@@ -156,7 +156,8 @@ final class RunTheory {
 
   /**
    * Rewriting does it, unless a function that is the same everywhere is changed to what it is: then
-   * the place where it is changed has to be looked at by itself.
+   * the place where it is changed has to be looked at by itself. It is the action's first argument of
+   * a type that is a parameter; a registration's {@code decide} has none, and adds list {@code number}.
    */
   private String proofOfStep(int n, Action action) {
     String place =

@@ -160,6 +160,54 @@ class RunTheoriesTest {
   }
 
   @Test
+  void aRunOfAnAgreementHasItsValuesAndWhatIsNotKnownYet() throws IOException {
+    acts("b", "agreement/x", "propose", "01ff");
+    theories.observed(new Variable(5, new RobotId("b"), "agreement/x", "decided", "01ff"));
+    theories.observed(new Variable(6, new RobotId("b"), "agreement/x", "decided", "null"));
+    assertThat(text())
+        .contains("  Values: TYPE = {n01ff}\n")
+        .contains("  IMPORTING SetAgreement_decls[PIDS, Values]\n")
+        .contains("  a_2: actions = choose(n01ff)\n")
+        .contains("  a_4: actions = restart(b)\n")
+        .contains(
+            """
+              s_3: states =
+                (# proposed := {x: Values | x = n01ff},
+                   value := up(n01ff),
+                   decided := LAMBDA (i: PIDS):
+                      IF i = b THEN up(n01ff)
+                      ELSE bottom ENDIF #)
+            """)
+        .contains("  result_3: LEMMA s_3`decided(b) = up(n01ff)\n");
+  }
+
+  @Test
+  void aRunOfAnElectionHasItsTermsByNumber() throws IOException {
+    acts("b", "election/x", "Election", "2", "b#1");
+    acts("b", "election/x", "do_election", "b#1");
+    acts("b", "election/x", "candidate", "1", "b#1");
+    theories.observed(new Variable(5, new RobotId("b"), "election/x", "Leader", "1:b#1"));
+    assertThat(text())
+        .contains("  IMPORTING Election_decls[PIDS]\n")
+        .contains("  a_3: actions = elect(1, b_1)\n")
+        .contains(
+            """
+              s_4: states =
+                (# part := {x: PIDS | x = b_1},
+                   stood := LAMBDA (i: nat):
+                      IF i = 1 THEN {x: PIDS | x = b_1}
+                      ELSE emptyset ENDIF,
+                   elected := LAMBDA (i: nat):
+                      IF i = 1 THEN up(b_1)
+                      ELSE bottom ENDIF,
+                   Leader := LAMBDA (i: PIDS):
+                      IF i = b_1 THEN (# term := 1, who := up(b_1) #)
+                      ELSE (# term := 0, who := bottom #) ENDIF #)
+            """)
+        .contains("  result_4: LEMMA s_4`Leader(b_1) = (# term := 1, who := up(b_1) #)\n");
+  }
+
+  @Test
   void aStepThatDeviatesIsTheLastOneSoThatItIsRejected() throws IOException {
     acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
     acts("b", "mutex/x", "od_mutex", "b#1", "1", "B");
