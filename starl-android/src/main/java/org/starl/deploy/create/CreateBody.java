@@ -1,5 +1,11 @@
 package org.starl.deploy.create;
 
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.EnumSet;
+import java.util.LinkedHashSet;
+import java.util.Set;
+
 /**
  * What a {@link SimulatedCreate} moves and feels with: a body in a simulated world, or a test's. It
  * is called by one thread at a time.
@@ -12,104 +18,71 @@ public interface CreateBody {
   /** What there is to feel at {@code atNs}, which never runs backwards. */
   Senses senses(long atNs);
 
+  /** What a sensor may say. */
+  enum Sense {
+    BUMP_LEFT,
+    BUMP_RIGHT,
+    DROP_LEFT,
+    DROP_RIGHT,
+    /** The third wheel's; Create 1 alone has its sensor. */
+    CASTER_DROP,
+    CLIFF_LEFT,
+    CLIFF_FRONT_LEFT,
+    CLIFF_FRONT_RIGHT,
+    CLIFF_RIGHT,
+    WALL,
+    VIRTUAL_WALL,
+    /** A charger with power is plugged in. */
+    CHARGER
+  }
+
   /**
    * What the body feels. Immutable.
    *
-   * @param casterDrop the third wheel's; Create 1 alone has its sensor
-   * @param charger whether a charger with power is plugged in
+   * @param felt all of it; nothing else
    */
-  record Senses(
-      boolean bumpLeft,
-      boolean bumpRight,
-      boolean dropLeft,
-      boolean dropRight,
-      boolean casterDrop,
-      boolean cliffLeft,
-      boolean cliffFrontLeft,
-      boolean cliffFrontRight,
-      boolean cliffRight,
-      boolean wall,
-      boolean virtualWall,
-      boolean charger,
-      Battery battery) {
+  record Senses(Set<Sense> felt, Battery battery) {
 
     /** On an open floor, with a full battery. */
-    public static final Senses NOTHING = bumps(false, false);
+    public static final Senses NOTHING = of();
+
+    public Senses {
+      Set<Sense> copy = EnumSet.noneOf(Sense.class);
+      copy.addAll(felt);
+      felt = Collections.unmodifiableSet(copy);
+    }
+
+    /** Nothing but these, with a full battery. */
+    public static Senses of(Sense... felt) {
+      return new Senses(new LinkedHashSet<>(Arrays.asList(felt)), Battery.FULL);
+    }
 
     /** Nothing but these bump sensors. */
     public static Senses bumps(boolean left, boolean right) {
-      return new Senses(
-          left,
-          right,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          Battery.FULL);
+      Set<Sense> felt = EnumSet.noneOf(Sense.class);
+      if (left) {
+        felt.add(Sense.BUMP_LEFT);
+      }
+      if (right) {
+        felt.add(Sense.BUMP_RIGHT);
+      }
+      return new Senses(felt, Battery.FULL);
     }
 
     /** Nothing but all wheels hanging down: the robot is lifted. */
     public static Senses lifted() {
-      return new Senses(
-          false,
-          false,
-          true,
-          true,
-          true,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          Battery.FULL);
+      return of(Sense.DROP_LEFT, Sense.DROP_RIGHT, Sense.CASTER_DROP);
     }
 
-    /** Nothing but a cliff at the front left. */
-    public static Senses cliff() {
-      return new Senses(
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          true,
-          false,
-          false,
-          false,
-          false,
-          false,
-          Battery.FULL);
-    }
-
-    /** Nothing but a charger. */
-    public static Senses charging() {
-      return new Senses(
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          false,
-          true,
-          Battery.FULL);
+    boolean has(Sense sense) {
+      return felt.contains(sense);
     }
 
     boolean anyCliff() {
-      return cliffLeft || cliffFrontLeft || cliffFrontRight || cliffRight;
+      return has(Sense.CLIFF_LEFT)
+          || has(Sense.CLIFF_FRONT_LEFT)
+          || has(Sense.CLIFF_FRONT_RIGHT)
+          || has(Sense.CLIFF_RIGHT);
     }
   }
 

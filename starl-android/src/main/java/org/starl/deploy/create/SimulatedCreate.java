@@ -2,6 +2,7 @@ package org.starl.deploy.create;
 
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
+import org.starl.deploy.create.CreateBody.Sense;
 import org.starl.deploy.create.CreateBody.Senses;
 
 /**
@@ -204,10 +205,10 @@ public final class SimulatedCreate {
 
   private void keepSafe() {
     boolean isInDanger =
-        senses.dropLeft()
-            || senses.dropRight()
-            || (senses.casterDrop() && model == CreateModel.CREATE_1)
-            || senses.charger()
+        senses.has(Sense.DROP_LEFT)
+            || senses.has(Sense.DROP_RIGHT)
+            || (senses.has(Sense.CASTER_DROP) && model == CreateModel.CREATE_1)
+            || senses.has(Sense.CHARGER)
             || (senses.anyCliff() && wheels.goesOverACliff());
     if (mode == OiMode.SAFE && isInDanger) {
       mode = OiMode.PASSIVE;
@@ -293,20 +294,20 @@ public final class SimulatedCreate {
   private int value(int packet) {
     return switch (packet) {
       case Packets.BUMPS_AND_DROPS -> bumpsAndDrops();
-      case Packets.WALL -> bit(senses.wall());
-      case Packets.CLIFF_LEFT -> bit(senses.cliffLeft());
-      case Packets.CLIFF_FRONT_LEFT -> bit(senses.cliffFrontLeft());
-      case Packets.CLIFF_FRONT_RIGHT -> bit(senses.cliffFrontRight());
-      case Packets.CLIFF_RIGHT -> bit(senses.cliffRight());
-      case Packets.VIRTUAL_WALL -> bit(senses.virtualWall());
+      case Packets.WALL -> bit(senses.has(Sense.WALL));
+      case Packets.CLIFF_LEFT -> bit(senses.has(Sense.CLIFF_LEFT));
+      case Packets.CLIFF_FRONT_LEFT -> bit(senses.has(Sense.CLIFF_FRONT_LEFT));
+      case Packets.CLIFF_FRONT_RIGHT -> bit(senses.has(Sense.CLIFF_FRONT_RIGHT));
+      case Packets.CLIFF_RIGHT -> bit(senses.has(Sense.CLIFF_RIGHT));
+      case Packets.VIRTUAL_WALL -> bit(senses.has(Sense.VIRTUAL_WALL));
       case Packets.INFRARED -> model == CreateModel.CREATE_1 ? 255 : 0;
       case Packets.VOLTAGE -> senses.battery().mv();
       case Packets.CURRENT -> senses.battery().ma();
       case Packets.TEMPERATURE -> senses.battery().celsius();
       case Packets.CHARGE -> senses.battery().chargeMah();
       case Packets.CAPACITY -> senses.battery().capacityMah();
-      case Packets.CHARGING_STATE -> senses.charger() && mode == OiMode.PASSIVE ? 2 : 0;
-      case Packets.CHARGING_SOURCES -> bit(senses.charger());
+      case Packets.CHARGING_STATE -> senses.has(Sense.CHARGER) && mode == OiMode.PASSIVE ? 2 : 0;
+      case Packets.CHARGING_SOURCES -> bit(senses.has(Sense.CHARGER));
       case Packets.MODE -> mode.ordinal();
       case Packets.SONG_NUMBER -> music.number();
       case Packets.SONG_PLAYING -> bit(music.playing(nowNs) >= 0);
@@ -316,11 +317,11 @@ public final class SimulatedCreate {
   }
 
   private int bumpsAndDrops() {
-    return bit(senses.bumpRight())
-        | bit(senses.bumpLeft()) << 1
-        | bit(senses.dropRight()) << 2
-        | bit(senses.dropLeft()) << 3
-        | bit(senses.casterDrop() && model == CreateModel.CREATE_1) << 4;
+    return bit(senses.has(Sense.BUMP_RIGHT))
+        | bit(senses.has(Sense.BUMP_LEFT)) << 1
+        | bit(senses.has(Sense.DROP_RIGHT)) << 2
+        | bit(senses.has(Sense.DROP_LEFT)) << 3
+        | bit(senses.has(Sense.CASTER_DROP) && model == CreateModel.CREATE_1) << 4;
   }
 
   private static int bit(boolean isSet) {

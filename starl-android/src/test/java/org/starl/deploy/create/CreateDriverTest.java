@@ -7,6 +7,7 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.starl.deploy.create.CreateBody.Sense;
 import org.starl.deploy.create.CreateBody.Senses;
 import org.starl.motion.Bumps;
 import org.starl.motion.WheelCommand;
@@ -83,7 +84,7 @@ class CreateDriverTest {
   @EnumSource
   void aCliffStopsItAndItIsBroughtBackToSafeModeAndLeavesStraightBack(CreateModel model) {
     Bench bench = Bench.driving(model);
-    bench.body.senses = Senses.cliff();
+    bench.body.senses = Senses.of(Sense.CLIFF_FRONT_LEFT);
     assertThat(bench.msUntilItStands(1000)).isBetween(0.0, 40.0);
     bench.runMs(20);
     assertThat(bench.driver.status().holds())
@@ -110,7 +111,7 @@ class CreateDriverTest {
     bench.wanted = new WheelCommand(250, 0);
     bench.runMs(600);
     assertThat(bench.body.stands()).isFalse();
-    bench.body.senses = Senses.cliff();
+    bench.body.senses = Senses.of(Sense.CLIFF_FRONT_LEFT);
     assertThat(bench.msUntilItStands(1000)).isBetween(0.0, 40.0);
     assertThat(bench.robot.mode()).isEqualTo(OiMode.FULL);
   }

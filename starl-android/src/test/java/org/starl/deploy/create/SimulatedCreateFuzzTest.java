@@ -50,9 +50,9 @@ public class SimulatedCreateFuzzTest {
       byte[] piece = Arrays.copyOfRange(input, from, Math.min(from + 7, input.length));
       body.senses =
           switch (from / 7 % 16) {
-            case 7 -> CreateBody.Senses.cliff();
+            case 7 -> CreateBody.Senses.of(CreateBody.Sense.CLIFF_FRONT_LEFT);
             case 11 -> CreateBody.Senses.lifted();
-            case 14 -> CreateBody.Senses.charging();
+            case 14 -> CreateBody.Senses.of(CreateBody.Sense.CHARGER);
             default -> CreateBody.Senses.NOTHING;
           };
       robot.receive(piece, piece.length, nowNs);

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.deploy.create.CreateBody.Sense;
 import org.starl.deploy.create.CreateBody.Senses;
 
 /** The simulated robot by itself: what it answers, how it drives, what takes it out of safe mode. */
@@ -119,7 +120,8 @@ class SimulatedCreateTest {
 
   @Test
   void whatIsDangerousTakesItOutOfSafeMode() {
-    for (Senses danger : List.of(Senses.lifted(), Senses.charging(), Senses.cliff())) {
+    for (Senses danger :
+        List.of(Senses.lifted(), Senses.of(Sense.CHARGER), Senses.of(Sense.CLIFF_FRONT_LEFT))) {
       body.senses = Senses.NOTHING;
       runMs(20);
       tell(128, 131, 145, 0, 100, 0, 100);
