@@ -44,6 +44,9 @@ public final class RobotId implements Comparable<RobotId> {
   /** Compares runs of digits by their value, everything else by character; total. */
   @Override
   public int compareTo(RobotId other) {
+    if (this == other) {
+      return 0;
+    }
     String a = name;
     String b = other.name;
     int i = 0;
@@ -76,9 +79,16 @@ public final class RobotId implements Comparable<RobotId> {
     int from = skipZeros(a, i, iEnd);
     int otherFrom = skipZeros(b, j, jEnd);
     int byLength = Integer.compare(iEnd - from, jEnd - otherFrom);
-    return byLength != 0
-        ? byLength
-        : a.substring(from, iEnd).compareTo(b.substring(otherFrom, jEnd));
+    if (byLength != 0) {
+      return byLength;
+    }
+    for (int k = 0; k < iEnd - from; k++) {
+      int byDigit = Character.compare(a.charAt(from + k), b.charAt(otherFrom + k));
+      if (byDigit != 0) {
+        return byDigit;
+      }
+    }
+    return 0;
   }
 
   private static int skipZeros(String s, int from, int end) {
