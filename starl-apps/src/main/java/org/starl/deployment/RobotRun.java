@@ -3,6 +3,7 @@ package org.starl.deployment;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.BlockingQueue;
@@ -28,6 +29,8 @@ import org.starl.processes.Outbox;
 import org.starl.processes.Word;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.SimObserver;
+import org.starl.spec.SpecReport.Violation;
 
 /**
  * One robot of a deployment in this process, in real time, until it is stopped: so many rounds of its
@@ -94,7 +97,7 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
   /**
    * Runs until {@link #stop}.
    *
-   * @return the bug that ended it before, or null
+   * @return the bug, or the violated specification, that ended it before; or null
    * @throws IOException if it cannot begin: one line for people
    */
   public @Nullable Throwable run() throws IOException {
@@ -152,8 +155,17 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
 
   @Override
   public void failed(Throwable error) {
+    ends(error, error.toString());
+  }
+
+  private void violated(Violation violation) {
+    SpecViolated error = new SpecViolated(violation);
+    ends(error, String.valueOf(error.getMessage()));
+  }
+
+  private void ends(Throwable error, String line) {
     if (failure.compareAndSet(null, error)) {
-      teller.accept("wheels stopped: " + error);
+      teller.accept("wheels stopped: " + line);
       stop();
     }
   }
@@ -182,7 +194,9 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
             spec.app(),
             blueprint.obstacles().known(),
             blueprint.settings().motionParameters(blueprint.robots().indexOf(spec)));
-    blueprint.observers().forEach(observer -> observer.started(blueprint.header()));
+    List<SimObserver> observers = new ArrayList<>(blueprint.observers());
+    observers.add(new OwnSpecs(blueprint, startNs, this::violated));
+    observers.forEach(observer -> observer.started(blueprint.header()));
     DeployedRobot opened =
         DeployedRobot.open(
             settings.deployment(),
@@ -194,7 +208,7 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
                 settings.wheels(),
                 clock,
                 this::log,
-                new LateTrace(outbox, startNs, blueprint.observers())),
+                new LateTrace(outbox, startNs, observers)),
             this);
     robot = opened;
     // From here on stop() finds it; before, it has left word.

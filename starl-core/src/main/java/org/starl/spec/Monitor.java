@@ -27,6 +27,15 @@ public interface Monitor {
     return List.of();
   }
 
+  /**
+   * Those {@link #lemmas} that are about each robot by itself, or forbid what several do, so that over
+   * the events of one robot alone, from a start of its program on and without those of bodies, they
+   * are violated only where they are over everybody's. A deployed robot watches them as it runs.
+   */
+  default List<String> ownLemmas() {
+    return List.of();
+  }
+
   /** Sees the next event. */
   void observe(TraceEvent event, Report report);
 

@@ -76,6 +76,11 @@ public final class AgreementSpec implements Monitor {
   }
 
   @Override
+  public List<String> ownLemmas() {
+    return List.of(AGREEMENT);
+  }
+
+  @Override
   public List<Monitor> companions() {
     return List.of(new AgreementConformance());
   }

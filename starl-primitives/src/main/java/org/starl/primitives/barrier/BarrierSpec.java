@@ -70,6 +70,11 @@ public final class BarrierSpec implements Monitor {
   }
 
   @Override
+  public List<String> ownLemmas() {
+    return List.of(UNIFORM);
+  }
+
+  @Override
   public List<Monitor> companions() {
     return List.of(new BarrierConformance());
   }

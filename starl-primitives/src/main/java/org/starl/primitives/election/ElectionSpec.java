@@ -74,6 +74,11 @@ public final class ElectionSpec implements Monitor {
   }
 
   @Override
+  public List<String> ownLemmas() {
+    return List.of(AGREEMENT);
+  }
+
+  @Override
   public List<Monitor> companions() {
     return List.of(new ElectionConformance());
   }

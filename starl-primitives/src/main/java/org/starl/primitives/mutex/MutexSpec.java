@@ -101,6 +101,11 @@ public final class MutexSpec implements Monitor {
   }
 
   @Override
+  public List<String> ownLemmas() {
+    return List.of(KEPT, COMPLETE);
+  }
+
+  @Override
   public List<Monitor> companions() {
     return List.of(new MutexConformance());
   }

@@ -78,6 +78,11 @@ public final class RegistrationSpec implements Monitor {
   }
 
   @Override
+  public List<String> ownLemmas() {
+    return List.of(AGREEMENT, FRESH);
+  }
+
+  @Override
   public List<Monitor> companions() {
     return List.of(new RegistrationConformance());
   }

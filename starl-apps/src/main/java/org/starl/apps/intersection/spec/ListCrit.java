@@ -51,6 +51,11 @@ final class ListCrit implements Monitor {
   }
 
   @Override
+  public List<String> ownLemmas() {
+    return List.of(LEMMA);
+  }
+
+  @Override
   public String says(String lemma) {
     return "What a car still has to cross, it holds while it moves and has asked for while it "
         + "waits.";
