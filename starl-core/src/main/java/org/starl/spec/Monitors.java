@@ -5,6 +5,7 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.function.Supplier;
+import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 
 /** Several monitors over one run, and what they find. Feed it every event in order, then the end. */
@@ -13,6 +14,7 @@ public final class Monitors {
   private final List<Monitor> monitors;
   private final SpecReport report = new SpecReport();
   private boolean finished;
+  private int told;
 
   /** These alone. */
   public Monitors(List<? extends Monitor> monitors) {
@@ -75,6 +77,17 @@ public final class Monitors {
     for (Monitor monitor : monitors) {
       monitor.finish(endNs, report);
     }
+  }
+
+  /** The violations that were found since this was asked last. */
+  public List<Violation> news() {
+    List<Violation> found = report.violations();
+    if (found.size() == told) {
+      return List.of();
+    }
+    List<Violation> news = List.copyOf(found.subList(told, found.size()));
+    told = found.size();
+    return news;
   }
 
   /** What was found so far. */

@@ -101,11 +101,6 @@ public final class SpecReport implements Monitor.Report {
     return Collections.unmodifiableList(violations);
   }
 
-  /** How many {@link #violations} there are; cheap enough to be asked after every event. */
-  public int found() {
-    return violations.size();
-  }
-
   private Tally tally(String lemma) {
     return tallies.computeIfAbsent(lemma, name -> new Tally());
   }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
+import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 
 class SpecReportTest {
@@ -59,6 +60,19 @@ class SpecReportTest {
     assertThatThrownBy(
             () -> monitors.observe(new TraceEvent.Action(9, ONE, "app", "go", List.of())))
         .isInstanceOf(IllegalStateException.class);
+  }
+
+  @Test
+  void newsAreToldOnce() {
+    Monitors monitors = new Monitors(List.of(new EveryActionIs("go")));
+    assertThat(monitors.news()).isEmpty();
+    monitors.observe(new TraceEvent.Action(1, ONE, "app", "stop", List.of()));
+    monitors.observe(new TraceEvent.Action(2, ONE, "app", "halt", List.of()));
+    assertThat(monitors.news()).extracting(Violation::detail).containsExactly("stop", "halt");
+    assertThat(monitors.news()).isEmpty();
+    monitors.observe(new TraceEvent.Action(3, ONE, "app", "stay", List.of()));
+    assertThat(monitors.news()).extracting(Violation::detail).containsExactly("stay");
+    assertThat(monitors.report().violations()).hasSize(3);
   }
 
   @Test

@@ -15,7 +15,6 @@ final class Watchers implements TraceSink {
   private final Monitors monitors;
   private final List<SimObserver> observers;
   private final boolean isOn;
-  private int told;
 
   Watchers(Simulation.Builder plan) {
     monitors = Monitors.of(plan.monitors);
@@ -34,17 +33,13 @@ final class Watchers implements TraceSink {
     for (int i = 0; i < observers.size(); i++) {
       observers.get(i).observed(event);
     }
-    if (monitors.report().found() > told) {
-      tellViolations();
-    }
+    tellViolations();
   }
 
   private void tellViolations() {
-    for (SpecReport.Violation violation :
-        monitors.report().violations().subList(told, monitors.report().found())) {
+    for (SpecReport.Violation violation : monitors.news()) {
       observers.forEach(observer -> observer.violated(violation));
     }
-    told = monitors.report().found();
   }
 
   void started(TraceHeader header) {

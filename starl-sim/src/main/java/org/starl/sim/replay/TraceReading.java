@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.sim.SimObserver;
 import org.starl.sim.input.BadInput;
 import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -114,19 +115,19 @@ public final class TraceReading implements AutoCloseable {
   }
 
   private void check() {
-    Checker checker = new Checker(monitors.get());
+    Monitors checks = new Monitors(monitors.get());
     int size = recording.size();
     for (int index = 0; index < size; index++) {
       stopIfClosed();
       int at = index;
-      checker
-          .observe(recording.event(index))
-          .forEach(violation -> recording.violated(at, violation));
+      checks.observe(recording.event(index));
+      checks.news().forEach(violation -> recording.violated(at, violation));
       recording.checked(index + 1);
     }
     if (failure == null) {
       // Of a run that is cut off nobody knows what it still owes.
-      checker.finish(recording.endNs()).forEach(recording::violated);
+      checks.finish(recording.endNs());
+      checks.news().forEach(recording::violated);
     }
     recording.allChecked();
   }

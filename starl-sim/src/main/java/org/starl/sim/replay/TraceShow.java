@@ -13,6 +13,7 @@ import org.starl.sim.input.BadInput;
 import org.starl.sim.net.NetStatistics;
 import org.starl.sim.world.Collisions;
 import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEnd;
 import org.starl.trace.TraceEvent;
@@ -26,7 +27,7 @@ public final class TraceShow {
 
   private final String file;
   private final TraceReader reader;
-  private final Checker checker;
+  private final Monitors monitors;
   private final List<SimObserver> observers;
   private final Set<RobotId> onFloor = new TreeSet<>();
   private long events;
@@ -40,7 +41,7 @@ public final class TraceShow {
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
     this.file = file;
     this.reader = reader;
-    checker = new Checker(monitors);
+    this.monitors = new Monitors(monitors);
     this.observers = List.copyOf(observers);
   }
 
@@ -64,11 +65,11 @@ public final class TraceShow {
     for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
       check(event);
       count(event);
-      List<SpecReport.Violation> violations = checker.observe(event);
+      monitors.observe(event);
       for (int i = 0; i < observers.size(); i++) {
         observers.get(i).observed(event);
       }
-      tell(violations);
+      tellViolations();
     }
     @Nullable TraceEnd end = reader.end();
     if (end == null) {
@@ -79,7 +80,8 @@ public final class TraceShow {
     if (end.timeNs() < timeNs) {
       throw bad("an end that is not before the last event");
     }
-    tell(checker.finish(end.timeNs()));
+    monitors.finish(end.timeNs());
+    tellViolations();
     SimResult result = result(end.timeNs());
     observers.forEach(observer -> observer.finished(result));
     return result;
@@ -123,8 +125,8 @@ public final class TraceShow {
     }
   }
 
-  private void tell(List<SpecReport.Violation> violations) {
-    for (SpecReport.Violation violation : violations) {
+  private void tellViolations() {
+    for (SpecReport.Violation violation : monitors.news()) {
       observers.forEach(observer -> observer.violated(violation));
     }
   }
@@ -139,6 +141,6 @@ public final class TraceShow {
         List.of(),
         new NetStatistics(sent, sentBytes, delivered, dropped),
         Collisions.NONE,
-        checker.report());
+        monitors.report());
   }
 }
