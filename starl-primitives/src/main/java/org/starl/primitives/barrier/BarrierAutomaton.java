@@ -8,6 +8,7 @@ import org.starl.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Term;
 
 /**
@@ -19,9 +20,6 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
 
   /** The theory's name. */
   public static final String BARRIER_DECLS = "Barrier_decls";
-
-  private static final SortedSet<ProcessId> NOBODY =
-      Collections.unmodifiableSortedSet(new TreeSet<>());
 
   private final SortedSet<ProcessId> first;
 
@@ -99,7 +97,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
 
     /** The same without the arrivals in a generation that has its outcome: no action asks for them. */
     States withoutArrivals(long g) {
-      return new States(arrived.with(g, NOBODY), outcome, told);
+      return new States(arrived.with(g, Sets.emptyset()), outcome, told);
     }
   }
 
@@ -116,7 +114,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
   @Override
   public States start() {
     return new States(
-        Fun.always(NOBODY),
+        Fun.always(Sets.emptyset()),
         Fun.always(new Outcome.open()),
         Fun.always(new Told(0, new Outcome.open())));
   }
@@ -188,10 +186,8 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
   public States trans(BarrierAction action, States s) {
     return switch (action) {
       case BarrierAction.arrive a -> {
-        SortedSet<ProcessId> arrived = new TreeSet<>(s.arrived.at(a.g()));
-        arrived.add(a.i());
-        SortedSet<ProcessId> all = Collections.unmodifiableSortedSet(arrived);
-        yield new States(s.arrived.with(a.g(), all), s.outcome, s.told);
+        SortedSet<ProcessId> arrived = Sets.add(a.i(), s.arrived.at(a.g()));
+        yield new States(s.arrived.with(a.g(), arrived), s.outcome, s.told);
       }
       case BarrierAction.decide a -> new States(s.arrived, s.outcome.with(a.g(), a.o()), s.told);
       case BarrierAction.tell a -> {

@@ -1,13 +1,12 @@
 package org.starl.primitives.election;
 
-import java.util.Collections;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Lift;
+import org.starl.spec.automaton.Sets;
 
 /**
  * The theory {@code Election_decls}, executable: at most one leader for each term. {@code PIDS} are
@@ -18,9 +17,6 @@ public final class ElectionAutomaton
 
   /** The theory's name. */
   public static final String ELECTION_DECLS = "Election_decls";
-
-  private static final SortedSet<ProcessId> NOBODY =
-      Collections.unmodifiableSortedSet(new TreeSet<>());
 
   /**
    * What an id knows.
@@ -64,7 +60,7 @@ public final class ElectionAutomaton
   public States start() {
     return new States(
         Fun.always(false),
-        Fun.always(NOBODY),
+        Fun.always(Sets.emptyset()),
         Fun.always(new Lift.bottom<>()),
         Fun.always(new Known(0, new Lift.bottom<>())));
   }
@@ -99,10 +95,8 @@ public final class ElectionAutomaton
       case ElectionAction.do_election a ->
           new States(s.part.with(a.i(), true), s.stood, s.elected, s.Leader);
       case ElectionAction.candidate a -> {
-        SortedSet<ProcessId> stood = new TreeSet<>(s.stood.at(a.n()));
-        stood.add(a.i());
-        SortedSet<ProcessId> all = Collections.unmodifiableSortedSet(stood);
-        yield new States(s.part, s.stood.with(a.n(), all), s.elected, s.Leader);
+        SortedSet<ProcessId> stood = Sets.add(a.i(), s.stood.at(a.n()));
+        yield new States(s.part, s.stood.with(a.n(), stood), s.elected, s.Leader);
       }
       case ElectionAction.elect a ->
           new States(s.part, s.stood, s.elected.with(a.n(), new Lift.up<>(a.i())), s.Leader);

@@ -1,12 +1,12 @@
 package org.starl.primitives.geocast;
 
-import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Sets;
 
 /**
  * The theory {@code Geocast_decls}, executable: messages to whoever is in an area. {@code PIDS} are
@@ -19,8 +19,6 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
 
   /** The theory's name. */
   public static final String GEOCAST_DECLS = "Geocast_decls";
-
-  static final SortedSet<String> OUTSIDE_ALL = Collections.unmodifiableSortedSet(new TreeSet<>());
 
   private static final Fun<RobotId, Boolean> EMPTYSET = Fun.always(false);
 
@@ -69,9 +67,7 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
     States without(String m) {
       Fun<RobotId, SortedSet<String>> places = pos;
       for (RobotId i : those(pos, m)) {
-        SortedSet<String> place = new TreeSet<>(pos.at(i));
-        place.remove(area.at(m));
-        places = places.with(i, Collections.unmodifiableSortedSet(place));
+        places = places.with(i, Sets.remove(area.at(m), pos.at(i)));
       }
       return new States(
           now,
@@ -105,7 +101,7 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
   public States start() {
     return new States(
         0,
-        Fun.always(OUTSIDE_ALL),
+        Fun.always(Sets.emptyset()),
         Fun.always(false),
         Fun.always(0L),
         Fun.always(0L),

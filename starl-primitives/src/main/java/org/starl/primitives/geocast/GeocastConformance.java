@@ -1,13 +1,12 @@
 package org.starl.primitives.geocast;
 
-import java.util.Collections;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Replays;
+import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -81,13 +80,9 @@ public final class GeocastConformance extends Conformance {
   }
 
   private void enters(TraceEvent event, CastRecord cast, RobotId robot, Report report) {
-    SortedSet<String> place = new TreeSet<>(replays.of(cast.source).state().pos().at(robot));
-    place.add(cast.id);
-    step(
-        event,
-        new GeocastAction.move(robot, Collections.unmodifiableSortedSet(place)),
-        replays.of(cast.source),
-        report);
+    Replay<States, GeocastAction> replay = replays.of(cast.source);
+    SortedSet<String> place = Sets.add(cast.id, replay.state().pos().at(robot));
+    step(event, new GeocastAction.move(robot, place), replay, report);
   }
 
   private void acted(Action action, Report report) {

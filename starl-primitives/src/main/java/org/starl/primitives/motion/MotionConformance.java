@@ -1,8 +1,5 @@
 package org.starl.primitives.motion;
 
-import java.util.Collections;
-import java.util.SortedSet;
-import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.motion.MotionFlag;
@@ -11,6 +8,7 @@ import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
+import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -92,7 +90,7 @@ public final class MotionConformance extends Conformance {
 
   private void followed(MotionRecord motion, @Nullable Moved moved, Report report) {
     if (moved != null) {
-      Place inside = new Place(only(motion.number), Place.ELSEWHERE.near());
+      Place inside = new Place(Sets.singleton(motion.number), Place.ELSEWHERE.near());
       replay.step(moved, new MotionControlAction.move(motion.robot, inside), report);
     }
   }
@@ -123,7 +121,7 @@ public final class MotionConformance extends Conformance {
       case DONE -> {
         MotionRecord motion = bodies.of(i);
         if (motion != null && bodies.isNear(motion, variable.timeNs())) {
-          Place near = new Place(Place.ELSEWHERE.avoided(), only(motion.number));
+          Place near = new Place(Place.ELSEWHERE.avoided(), Sets.singleton(motion.number));
           replay.step(variable, new MotionControlAction.move(i, near), report);
         }
         replay.step(variable, new MotionControlAction.arrived(i), report);
@@ -139,11 +137,5 @@ public final class MotionConformance extends Conformance {
       }
     }
     replay.result(variable, "motionflag", i, flag, replay.state().motionflag().at(i), report);
-  }
-
-  private static SortedSet<Long> only(long command) {
-    SortedSet<Long> only = new TreeSet<>();
-    only.add(command);
-    return Collections.unmodifiableSortedSet(only);
   }
 }

@@ -1,13 +1,12 @@
 package org.starl.primitives.motion;
 
-import java.util.Collections;
 import java.util.SortedSet;
-import java.util.TreeSet;
 import org.starl.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Sets;
 
 /**
  * The theory {@code MotionControl_decls}, executable: bodies that move under commands. {@code PIDS}
@@ -33,10 +32,7 @@ public final class MotionControlAutomaton
    */
   public record Place(SortedSet<Long> avoided, SortedSet<Long> near) {
 
-    static final Place ELSEWHERE =
-        new Place(
-            Collections.unmodifiableSortedSet(new TreeSet<>()),
-            Collections.unmodifiableSortedSet(new TreeSet<>()));
+    static final Place ELSEWHERE = new Place(Sets.emptyset(), Sets.emptyset());
 
     @Override
     public String toString() {

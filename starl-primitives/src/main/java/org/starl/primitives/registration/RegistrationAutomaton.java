@@ -1,6 +1,5 @@
 package org.starl.primitives.registration;
 
-import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Predicate;
@@ -8,6 +7,7 @@ import org.starl.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
+import org.starl.spec.automaton.Sets;
 
 /**
  * The theory {@code Registration_decls}, executable: numbered lists of those who take part. {@code
@@ -19,7 +19,7 @@ public final class RegistrationAutomaton
   /** The theory's name. */
   public static final String REGISTRATION_DECLS = "Registration_decls";
 
-  static final SortedSet<ProcessId> NOBODY = Collections.unmodifiableSortedSet(new TreeSet<>());
+  private static final SortedSet<ProcessId> NOBODY = Sets.emptyset();
 
   /**
    * The theory's states.
