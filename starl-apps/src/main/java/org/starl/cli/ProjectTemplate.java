@@ -15,7 +15,7 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.starl.sim.Version;
+import org.starl.Version;
 
 /**
  * The files of a user's own project, from resources beside this class. In them {@code @word@} stands

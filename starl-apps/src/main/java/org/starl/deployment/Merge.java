@@ -73,13 +73,28 @@ public final class Merge {
     List<RobotTrace> traces = new ArrayList<>();
     for (String file : files) {
       RobotTrace trace = RobotTrace.read(file);
-      if (!traces.isEmpty() && !trace.header().equals(traces.get(0).header())) {
+      if (!traces.isEmpty() && !isOfOneRun(trace.header(), traces.get(0).header())) {
         throw new BadInput(
             file + ":1: its header is another; expected that of " + traces.get(0).file());
       }
       traces.add(trace);
     }
     return new Merge(traces, new ClockBounds(traces, dateErrorNs, driftPpm));
+  }
+
+  /** A phone says of the settings those alone that its deployment says. */
+  private static boolean isOfOneRun(TraceHeader a, TraceHeader b) {
+    for (String setting : a.settings().keySet()) {
+      String other = b.settings().get(setting);
+      if (other != null && !other.equals(a.settings().get(setting))) {
+        return false;
+      }
+    }
+    return a.starl().equals(b.starl())
+        && a.scenario().equals(b.scenario())
+        && a.scenarioSeed() == b.scenarioSeed()
+        && a.behaviourSeed() == b.behaviourSeed()
+        && a.robots().equals(b.robots());
   }
 
   /** What all of them were a run of. */

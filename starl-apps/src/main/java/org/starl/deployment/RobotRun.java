@@ -22,11 +22,13 @@ import org.starl.deploy.realtime.RealClock;
 import org.starl.deploy.realtime.StrandUse;
 import org.starl.deploy.robot.DeployedRobot;
 import org.starl.deploy.robot.Wheelbase;
+import org.starl.deploy.trace.LateTrace;
+import org.starl.deploy.trace.MachineClock;
+import org.starl.deploy.trace.Outbox;
+import org.starl.deploy.trace.Word;
 import org.starl.deploy.udp.UdpStatistics;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink.Level;
-import org.starl.processes.Outbox;
-import org.starl.processes.Word;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
@@ -208,7 +210,8 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
                 settings.wheels(),
                 clock,
                 this::log,
-                new LateTrace(outbox, startNs, observers)),
+                new LateTrace(
+                    outbox, startNs, event -> observers.forEach(each -> each.observed(event)))),
             this);
     robot = opened;
     // From here on stop() finds it; before, it has left word.

@@ -36,8 +36,10 @@ import org.starl.deploy.realtime.RealStrand;
 import org.starl.deploy.robot.CreateWheelbase;
 import org.starl.deploy.robot.PoseFeeds;
 import org.starl.deploy.robot.Wheelbase;
+import org.starl.deploy.trace.LateTrace;
+import org.starl.deploy.trace.MachineClock;
+import org.starl.deploy.trace.Outbox;
 import org.starl.platform.Timer;
-import org.starl.processes.Outbox;
 import org.starl.random.Rng;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
@@ -110,7 +112,7 @@ public final class WorldProcess implements AutoCloseable {
         new World(
             strand.pieceClock(),
             strand,
-            new LateTrace(trace, startNs, List.of()),
+            new LateTrace(trace, startNs, event -> {}),
             blueprint.settings().worldLimits(),
             blueprint.obstacles());
     look = strand.timer(this::look);

@@ -19,6 +19,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.deploy.realtime.RealClock;
+import org.starl.deploy.trace.Word;
 import org.starl.geometry.Point;
 import org.starl.processes.FleetResult.Death;
 import org.starl.processes.Member.Complained;

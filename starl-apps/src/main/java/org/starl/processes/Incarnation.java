@@ -14,6 +14,8 @@ import org.starl.RobotRunner;
 import org.starl.deploy.realtime.RealBackground;
 import org.starl.deploy.realtime.RealClock;
 import org.starl.deploy.realtime.RealStrand;
+import org.starl.deploy.trace.Outbox;
+import org.starl.deploy.trace.Word;
 import org.starl.deploy.udp.FileStable;
 import org.starl.deploy.udp.LossyRadio;
 import org.starl.deploy.udp.UdpRadio;

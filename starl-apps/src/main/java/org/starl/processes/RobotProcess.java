@@ -15,6 +15,8 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.deploy.realtime.RealClock;
+import org.starl.deploy.trace.Outbox;
+import org.starl.deploy.trace.Word;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 

@@ -6,8 +6,8 @@ import java.util.Set;
 
 /**
  * What {@code javac --release 21} accepts and Android 8 lacks, as far as an app's logic is tempted
- * by it. Whole modules that run on a phone are checked against Android's own list by the Maven
- * build; apps' logic shares a module with code that does not, so it is held to this one.
+ * by it, told where it is written. All that a phone runs is checked against Android's own list when
+ * the APK's tests are run, after D8.
  */
 final class AndroidGaps {
 

@@ -31,7 +31,8 @@ final class GradleBuild {
   private static final Pattern DEPENDENCY =
       Pattern.compile(
           "(\\w+)\\((?:project\\(\":([\\w-]+)\"\\)|libs\\.([\\w.]+)"
-              + "|\"(org\\.starl:[\\w-]+):([^\"]+)\")\\)");
+              + "|\"(org\\.starl:[\\w-]+):([^\"]+)\""
+              + "|variantOf\\(libs\\.([\\w.]+)\\) \\{ artifactType\\(\"(\\w+)\"\\) \\})\\)");
   private static final Pattern KOTLIN = Pattern.compile("kotlin\\(\"jvm\"\\) version \"([^\"]+)\"");
 
   /** Builds of their own over this one, since they need plugins that are not Gradle's. */
@@ -140,12 +141,14 @@ final class GradleBuild {
         found.add(new Dependency(module, dependency.group(4), dependency.group(5), scope));
         continue;
       }
-      String[] library = libraries.get(dependency.group(3));
+      boolean isVariant = dependency.group(6) != null;
+      String[] library = libraries.get(dependency.group(isVariant ? 6 : 3));
       if (library == null) {
         throw new IllegalStateException("no library for: " + line);
       }
       if (!library[0].equals(GRADLE_ALONE)) {
-        found.add(new Dependency(module, library[0], library[1], scope));
+        String needed = library[0] + (isVariant ? "@" + dependency.group(7) : "");
+        found.add(new Dependency(module, needed, library[1], scope));
       }
     }
   }

@@ -78,6 +78,7 @@ final class MavenBuild {
 
   private Dependency dependency(String module, Element element) {
     String name = nameOf(element);
+    String type = "";
     String version = null;
     String scope = "compile";
     for (Element part : children(element)) {
@@ -86,6 +87,7 @@ final class MavenBuild {
         case "groupId", "artifactId" -> {}
         case "version" -> version = text;
         case "scope" -> scope = text;
+        case "type" -> type = "@" + text;
         default -> throw new IllegalStateException(module + ", " + name + ": " + part.getTagName());
       }
     }
@@ -95,7 +97,7 @@ final class MavenBuild {
     if (version == null) {
       throw new IllegalStateException(module + " needs " + name + " without a version");
     }
-    return new Dependency(module, name, version, scope);
+    return new Dependency(module, name + type, version, scope);
   }
 
   private static String nameOf(Element dependency) {

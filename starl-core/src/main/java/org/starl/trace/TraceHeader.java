@@ -5,6 +5,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.starl.RobotId;
+import org.starl.random.Rng;
 
 /**
  * The first line of a trace: all that it takes to run the same again.
@@ -27,6 +28,11 @@ public record TraceHeader(
 
   /** The version of the lines' format; a reader takes no other. */
   public static final int FORMAT = 1;
+
+  /** The behaviour's seed where only the scenario's is given. */
+  public static long behaviourSeedOf(long scenarioSeed) {
+    return new Rng(scenarioSeed).fork("behaviour").nextLong();
+  }
 
   public TraceHeader {
     settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));

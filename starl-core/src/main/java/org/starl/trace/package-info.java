@@ -4,7 +4,7 @@
  * recorded run serves them as well as a live one.
  *
  * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}, {@code
- * org.starl.platform}.
+ * org.starl.platform}, {@code org.starl.random}.
  */
 @NullMarked
 package org.starl.trace;

@@ -14,6 +14,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.Participants;
 import org.starl.RobotId;
+import org.starl.Version;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
@@ -267,7 +268,7 @@ public final class Simulation {
 
     /** The seed of everything but the scenario. */
     long behaviourSeedOrDerived() {
-      return behaviourSeed != null ? behaviourSeed : new Rng(seed).fork("behaviour").nextLong();
+      return behaviourSeed != null ? behaviourSeed : TraceHeader.behaviourSeedOf(seed);
     }
 
     /** Those of the settings, then chaos; the robots must be known. */

@@ -3,7 +3,7 @@ package org.starl.cli.report;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import org.starl.sim.Version;
+import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
 
 /** The verdict, what was run, and the key figures. */

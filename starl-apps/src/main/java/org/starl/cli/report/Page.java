@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
 import java.util.Base64;
-import org.starl.sim.Version;
+import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
 
 /** The frame of the page, and its parts in their order. */

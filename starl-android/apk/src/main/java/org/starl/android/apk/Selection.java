@@ -20,18 +20,19 @@ import java.util.zip.ZipFile;
 /** What of a class path a phone takes: no simulator, no desktop, no command line. */
 final class Selection {
 
-  /** Core, primitives, the real platform, apps' logic, the app for phones. */
+  /** Core, primitives, the real platform without its serial ports, apps' logic, the app for phones. */
   private static final Pattern OURS =
       Pattern.compile(
           "org/starl/([^/]+|(comms|geometry|motion|platform|random|spec|trace)/.+"
-              + "|(primitives|deploy|android/app)/.+|apps/(.+/)?logic/.+)\\.class");
+              + "|deploy/(?!serial/).+|(primitives|android/app)/.+|apps/(.+/)?logic/.+)\\.class");
 
-  /** Geometry for planning, without what draws it; and a reader of YAML's events. */
+  /** Geometry for planning, without what draws it and Google Earth; and a reader of YAML's events. */
   private static final Pattern LIBRARIES =
       Pattern.compile(
-          "org/locationtech/jts/(?!awt/).+\\.class"
-              + "|org/yaml/snakeyaml/([^/]+|(comments|error|events|internal|nodes|parser|reader|scanner"
-              + "|tokens)/.+|external/.+|inspector/.+)\\.class");
+          "org/locationtech/jts/(?!awt/|io/kml/|util/TestBuilderProxy).+\\.class"
+              + "|org/yaml/snakeyaml/(LoaderOptions|DumperOptions\\$.+"
+              + "|(comments|error|events|internal|nodes|parser|reader|scanner|tokens|util)/.+"
+              + "|external/.+|inspector/.+)\\.class");
 
   private Selection() {}
 
@@ -47,7 +48,7 @@ final class Selection {
       Path path = Path.of(entry);
       if (Files.isDirectory(path)) {
         addFolder(path, Selection::takes, found);
-      } else if (Files.exists(path)) {
+      } else if (entry.endsWith(".jar") && Files.exists(path)) {
         addJar(path, Selection::takes, found);
       }
     }

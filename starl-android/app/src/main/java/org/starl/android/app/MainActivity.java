@@ -15,7 +15,10 @@ import android.os.IBinder;
 import android.os.Looper;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.util.List;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.android.app.Store.Item;
@@ -28,11 +31,17 @@ public final class MainActivity extends Activity {
   private static final int ASK_PERMISSIONS = 1;
   private static final int LOAD_DEPLOYMENT = 2;
   private static final int LOAD_KEY = 3;
+  private static final int SAVE_TRACES = 4;
   private static final long REFRESH_MS = 250;
 
   private final Handler handler = new Handler(Looper.getMainLooper());
   private final Runnable refresh = this::refresh;
   private final Connection connection = new Connection();
+
+  /** Traces may be long, and the main thread waits for nothing. */
+  final ExecutorService saver =
+      Executors.newSingleThreadExecutor(work -> new Thread(work, "trace saver"));
+
   private @Nullable MainScreen screen;
   private @Nullable Store store;
   private @Nullable RobotService service;
@@ -63,6 +72,12 @@ public final class MainActivity extends Activity {
   }
 
   @Override
+  protected void onDestroy() {
+    saver.shutdown();
+    super.onDestroy();
+  }
+
+  @Override
   public void onRequestPermissionsResult(int request, String[] permissions, int[] results) {
     if (request == ASK_PERMISSIONS && startsWhenAllowed) {
       startsWhenAllowed = false;
@@ -78,7 +93,12 @@ public final class MainActivity extends Activity {
   @Override
   protected void onActivityResult(int request, int result, @Nullable Intent data) {
     Uri chosen = data == null ? null : data.getData();
-    if (result == RESULT_OK && chosen != null) {
+    if (result != RESULT_OK || chosen == null) {
+      return;
+    }
+    if (request == SAVE_TRACES) {
+      saver.execute(() -> save(chosen));
+    } else {
       load(request == LOAD_KEY ? Item.KEY : Item.DEPLOYMENT, chosen);
     }
   }
@@ -136,6 +156,21 @@ public final class MainActivity extends Activity {
     }
   }
 
+  // On the saver's thread.
+  private void save(Uri chosen) {
+    String outcome;
+    try (OutputStream to = getContentResolver().openOutputStream(chosen)) {
+      if (to == null || store == null) {
+        throw new IOException("nothing can be written there");
+      }
+      outcome = "saved " + store.saveTraces(store.robotName(), to) + " traces";
+    } catch (IOException e) {
+      outcome = "not saved: " + e.getMessage();
+    }
+    String line = outcome;
+    handler.post(() -> tell(line));
+  }
+
   private void chooseRobot() {
     Deployment deployment = store == null ? null : deploymentOrNull(store);
     if (deployment == null) {
@@ -171,15 +206,28 @@ public final class MainActivity extends Activity {
   final class Orders {
 
     void loadDeployment() {
-      open(LOAD_DEPLOYMENT);
+      open(anyFile(), LOAD_DEPLOYMENT);
     }
 
     void loadKey() {
-      open(LOAD_KEY);
+      open(anyFile(), LOAD_KEY);
     }
 
     void choose() {
       chooseRobot();
+    }
+
+    void saveTraces() {
+      String robot = store == null ? "" : store.robotName();
+      if (robot.isEmpty()) {
+        tell("choose a robot first");
+        return;
+      }
+      open(
+          new Intent(Intent.ACTION_CREATE_DOCUMENT)
+              .setType("application/zip")
+              .putExtra(Intent.EXTRA_TITLE, robot + "-traces.zip"),
+          SAVE_TRACES);
     }
 
     void start() {
@@ -199,10 +247,12 @@ public final class MainActivity extends Activity {
       startService(RobotService.intent(MainActivity.this, RobotService.STOP));
     }
 
-    /** Not by an intent, which may wait: the wheels stop before this returns. */
+    /** By an intent, which may wait, only where the service is not bound yet; else the wheels stop at once. */
     void emergencyStop() {
       if (service != null) {
         service.emergencyStop();
+      } else {
+        startService(RobotService.intent(MainActivity.this, RobotService.EMERGENCY_STOP));
       }
     }
 
@@ -212,11 +262,12 @@ public final class MainActivity extends Activity {
       }
     }
 
-    private void open(int request) {
-      Intent intent = new Intent(Intent.ACTION_OPEN_DOCUMENT);
-      intent.addCategory(Intent.CATEGORY_OPENABLE);
-      intent.setType("*/*");
-      startActivityForResult(intent, request);
+    private Intent anyFile() {
+      return new Intent(Intent.ACTION_OPEN_DOCUMENT).setType("*/*");
+    }
+
+    private void open(Intent intent, int request) {
+      startActivityForResult(intent.addCategory(Intent.CATEGORY_OPENABLE), request);
     }
   }
 

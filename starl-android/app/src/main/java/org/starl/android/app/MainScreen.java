@@ -50,6 +50,7 @@ final class MainScreen {
     column.addView(start);
     column.addView(stop);
     column.addView(release);
+    column.addView(button("Save traces", orders::saveTraces));
     ScrollView scroll = new ScrollView(context);
     scroll.addView(column);
     root = column();

@@ -1,22 +1,29 @@
 package org.starl.android.app;
 
 import java.io.IOException;
+import java.io.OutputStream;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.GvhVariable;
+import org.starl.Version;
 import org.starl.deploy.create.ByteLink;
 import org.starl.deploy.create.CreateChassis;
 import org.starl.deploy.create.CreateHold;
 import org.starl.deploy.create.CreateStatus;
+import org.starl.deploy.file.Deployment;
 import org.starl.deploy.file.Limits;
 import org.starl.deploy.file.Wheels;
 import org.starl.deploy.realtime.RealClock;
 import org.starl.deploy.robot.CreateWheelbase;
 import org.starl.deploy.robot.DeployedRobot;
 import org.starl.deploy.robot.Wheelbase;
+import org.starl.deploy.trace.LateTrace;
+import org.starl.deploy.trace.MachineClock;
+import org.starl.deploy.trace.Outbox;
+import org.starl.deploy.trace.Word;
 import org.starl.geometry.Obstacles;
 import org.starl.motion.Location;
 import org.starl.motion.MotionParameters;
@@ -24,8 +31,7 @@ import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
-import org.starl.platform.TraceSink;
-import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
 
 /**
  * The deployment's robot that this phone is, and what the phone shows of it. Nothing here is Android's.
@@ -42,24 +48,21 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   /** A step of the automaton that is late, Bluetooth, the chassis' own period, and braking. */
   private static final long REACTION_MS = 200;
 
-  /** Nobody listens: on a phone there is no place yet for traces. */
-  private static final TraceSink NO_TRACE =
-      new TraceSink() {
-        @Override
-        public boolean isOn() {
-          return false;
-        }
-
-        @Override
-        public void record(TraceEvent event) {
-          throw new IllegalStateException("nobody asked for " + event);
-        }
-      };
+  /**
+   * Where a robot keeps what outlives it.
+   *
+   * @param stable folder of its stable storage
+   * @param trace takes its trace
+   */
+  record Files(Path stable, OutputStream trace) {}
 
   private final Mission mission;
   private final RememberingLinks links;
   private final Consumer<Throwable> onBug;
   private final RealClock clock = RealClock.ofDate();
+  private final long startNs = clock.nowNs();
+  private final Outbox trace;
+  private final LogSink log;
   private final DeployedRobot deployed;
   private final Timer look;
 
@@ -72,11 +75,14 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private volatile @Nullable Throwable bug;
 
   private Robot(
-      Mission mission, ByteLink.Source source, Path folder, LogSink log, Consumer<Throwable> onBug)
+      Mission mission, ByteLink.Source source, Files files, LogSink log, Consumer<Throwable> onBug)
       throws IOException {
     this.mission = mission;
     this.onBug = onBug;
+    this.log = log;
     links = new RememberingLinks(source);
+    trace = new Outbox(mission.robot().id(), header(mission.deployment()), files.trace());
+    MachineClock.tell(trace, clock, startNs);
     Limits limits = mission.deployment().limits();
     deployed =
         DeployedRobot.open(
@@ -84,7 +90,12 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
             mission.robot(),
             mission.key(),
             new DeployedRobot.Program(mission.app(), Obstacles.NONE, motion(limits)),
-            new DeployedRobot.Surroundings(folder, this::openWheels, clock, log, NO_TRACE),
+            new DeployedRobot.Surroundings(
+                files.stable(),
+                this::openWheels,
+                clock,
+                this::say,
+                new LateTrace(trace, startNs, event -> {})),
             this);
     look = deployed.strand().timer(this::look);
   }
@@ -93,14 +104,20 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
    * Brings the robot up and starts its app.
    *
    * @param links to the robot's wheels
-   * @param folder of its stable storage, its alone
+   * @param files its alone; the trace is closed when the robot is, or if there will be none
    * @param onBug is told what the robot cannot go on after; its wheels are stopped then
    * @throws IOException if a part of it is not to be had; nothing is left open
    */
   static Robot open(
-      Mission mission, ByteLink.Source links, Path folder, LogSink log, Consumer<Throwable> onBug)
+      Mission mission, ByteLink.Source links, Files files, LogSink log, Consumer<Throwable> onBug)
       throws IOException {
-    Robot robot = new Robot(mission, links, folder, log, onBug);
+    Robot robot;
+    try {
+      robot = new Robot(mission, links, files, log, onBug);
+    } catch (IOException | RuntimeException e) {
+      files.trace().close();
+      throw e;
+    }
     robot.deployed.strand().post(robot::look);
     robot.deployed.start();
     return robot;
@@ -135,10 +152,15 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
         bug);
   }
 
-  /** Stops the wheels and ends the robot. */
+  /** Stops the wheels, ends the robot, and then its trace. */
   @Override
   public void close() {
     deployed.close();
+    try {
+      trace.end(clock.nowNs() - startNs);
+    } catch (IOException e) {
+      log.log(clock.nowNs(), LogSink.Level.ERROR, "trace", "is cut off: " + e);
+    }
   }
 
   // On the strand.
@@ -152,6 +174,25 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   public void failed(Throwable error) {
     bug = error;
     onBug.accept(error);
+  }
+
+  /** As the simulator writes it of the same run, but for the settings that the deployment leaves out. */
+  private static TraceHeader header(Deployment deployment) {
+    return new TraceHeader(
+        Version.STARL,
+        deployment.app(),
+        deployment.seed(),
+        TraceHeader.behaviourSeedOf(deployment.seed()),
+        deployment.parameters(),
+        deployment.participants().asList());
+  }
+
+  // From any thread.
+  private void say(long timeNs, LogSink.Level level, String tag, String line) {
+    log.log(timeNs, level, tag, line);
+    if (level.compareTo(LogSink.Level.INFO) >= 0) {
+      trace.say(() -> Math.max(0, timeNs - startNs), Word.LOG, level, tag, line);
+    }
   }
 
   private Wheelbase openWheels(

@@ -175,7 +175,13 @@ public final class RobotService extends Service {
     closeRobotSoon();
     phase = Phase.STARTING;
     problem = "";
-    goToForeground();
+    try {
+      goToForeground();
+    } catch (IllegalStateException e) {
+      // Android 12 and later, where it starts a service again that nobody looks at.
+      giveUp("Android does not let it drive in the background: start it here again");
+      return;
+    }
     if (!Permissions.missing(this).isEmpty()) {
       giveUp("not allowed: " + Permissions.missing(this));
       return;
@@ -200,11 +206,12 @@ public final class RobotService extends Service {
     try {
       Store store = new Store(this);
       Mission mission = store.mission();
+      String name = mission.robot().id().name();
       Robot opened =
           Robot.open(
               mission,
               links(mission),
-              store.robotFolder(mission.robot().id().name()),
+              new Robot.Files(store.robotFolder(name), store.newTrace(name)),
               RobotService::log,
               this::robotFailed);
       robot = opened;
@@ -267,9 +274,9 @@ public final class RobotService extends Service {
   private void closeRobotSoon() {
     worker.execute(() -> {
       Robot here = robot;
-      robot = null;
       if (here != null) {
         here.close();
+        robot = null;
       }
     });
   }

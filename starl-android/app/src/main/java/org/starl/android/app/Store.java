@@ -2,19 +2,29 @@ package org.starl.android.app;
 
 import android.content.Context;
 import android.content.SharedPreferences;
+import java.io.BufferedOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
+import java.io.OutputStream;
 import java.nio.ByteBuffer;
 import java.nio.channels.SeekableByteChannel;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.DirectoryStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.nio.file.StandardOpenOption;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.EnumSet;
 import java.util.Locale;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import java.util.zip.ZipEntry;
+import java.util.zip.ZipOutputStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.deploy.file.Deployment;
 import org.starl.deploy.file.DeploymentException;
@@ -41,6 +51,8 @@ final class Store {
 
   private static final String PREFERENCES = "robot";
   private static final String NAME = "name";
+  private static final String TRACE = ".trace";
+  private static final int KEPT_TRACES = 20;
 
   private final Path folder;
   private final SharedPreferences preferences;
@@ -62,6 +74,62 @@ final class Store {
   /** Where the stable storage of a robot is. */
   Path robotFolder(String robot) {
     return folder.resolve("stable").resolve(robot);
+  }
+
+  /**
+   * A new trace of that robot; with it, the last {@value #KEPT_TRACES} are kept.
+   *
+   * @throws IOException if there is no room
+   */
+  OutputStream newTrace(String robot) throws IOException {
+    SortedMap<Integer, Path> there = traces(robot);
+    int number = there.isEmpty() ? 1 : there.lastKey() + 1;
+    for (Path old : there.headMap(number - KEPT_TRACES + 1).values()) {
+      Files.delete(old);
+    }
+    Path folder = Files.createDirectories(traceFolder(robot));
+    Path file = folder.resolve(robot + "." + number + TRACE);
+    return new BufferedOutputStream(
+        Files.newOutputStream(file, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
+  }
+
+  /**
+   * Writes all traces of that robot, the one that is being written as far as it is, as a zip.
+   *
+   * @return how many
+   */
+  int saveTraces(String robot, OutputStream to) throws IOException {
+    Collection<Path> traces = traces(robot).values();
+    try (ZipOutputStream zip = new ZipOutputStream(to)) {
+      for (Path trace : traces) {
+        zip.putNextEntry(new ZipEntry(String.valueOf(trace.getFileName())));
+        Files.copy(trace, zip);
+        zip.closeEntry();
+      }
+    }
+    return traces.size();
+  }
+
+  private Path traceFolder(String robot) {
+    return folder.resolve("traces").resolve(robot);
+  }
+
+  /** By their numbers, in the order in which they began. */
+  private SortedMap<Integer, Path> traces(String robot) throws IOException {
+    SortedMap<Integer, Path> found = new TreeMap<>();
+    Pattern name = Pattern.compile(Pattern.quote(robot) + "\\.(\\d{1,9})" + Pattern.quote(TRACE));
+    Path traces = traceFolder(robot);
+    if (Files.exists(traces)) {
+      try (DirectoryStream<Path> files = Files.newDirectoryStream(traces)) {
+        for (Path file : files) {
+          Matcher matcher = name.matcher(String.valueOf(file.getFileName()));
+          if (matcher.matches()) {
+            found.put(Integer.valueOf(matcher.group(1)), file);
+          }
+        }
+      }
+    }
+    return found;
   }
 
   /**

@@ -7,6 +7,7 @@ import java.util.UUID;
 import java.util.function.Consumer;
 import org.robolectric.annotation.Implementation;
 import org.robolectric.annotation.Implements;
+import org.robolectric.annotation.RealObject;
 import org.robolectric.shadow.api.Shadow;
 
 /**
@@ -18,13 +19,15 @@ public class AdapterShadow {
 
   static final String NAME = "RooTooth";
 
-  /** Takes the other end of each socket; throws what the connection shall fail with. */
+  /** Takes the other end of each socket to an adapter; throws what the connection shall fail with. */
   interface OtherEnd {
-    void connected(SocketShadow socket) throws IOException;
+    void connected(String address, SocketShadow socket) throws IOException;
   }
 
-  private static OtherEnd otherEnd = socket -> {};
+  private static OtherEnd otherEnd = (address, socket) -> {};
   private static Consumer<UUID> services = service -> {};
+
+  @RealObject private BluetoothDevice device;
 
   static void serve(OtherEnd newOtherEnd, Consumer<UUID> newServices) {
     otherEnd = newOtherEnd;
@@ -40,7 +43,7 @@ public class AdapterShadow {
   protected BluetoothSocket createRfcommSocketToServiceRecord(UUID service) throws IOException {
     services.accept(service);
     BluetoothSocket socket = Shadow.newInstanceOf(BluetoothSocket.class);
-    otherEnd.connected(Shadow.extract(socket));
+    otherEnd.connected(device.getAddress(), Shadow.extract(socket));
     return socket;
   }
 }

@@ -4,16 +4,24 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.robolectric.Shadows.shadowOf;
 
 import android.Manifest;
+import android.app.Activity;
+import android.app.Application;
 import android.content.ComponentName;
 import android.content.Intent;
+import android.net.Uri;
 import android.os.Looper;
 import android.view.View;
 import android.view.ViewGroup;
 import android.widget.Button;
 import android.widget.TextView;
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.OutputStream;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.zip.ZipInputStream;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
@@ -29,6 +37,8 @@ import org.robolectric.annotation.Config;
 @RunWith(RobolectricTestRunner.class)
 @Config(sdk = 37)
 public final class MainActivityTest {
+
+  private static final long LIMIT_S = 60;
 
   private ServiceController<RobotService> service;
   private ActivityController<MainActivity> activity;
@@ -122,6 +132,45 @@ public final class MainActivityTest {
     activity.get().onRequestPermissionsResult(asked.requestCode, asked.requestedPermissions, null);
     assertThat(orders()).isEmpty();
     assertThat(screen()).contains("not allowed, so no robot is driven");
+  }
+
+  @Test
+  public void anEmergencyStopBeforeTheServiceIsBoundIsNotLost() {
+    activity.pause().stop();
+    orders();
+    button("EMERGENCY STOP").performClick();
+    assertThat(orders()).containsExactly(RobotService.EMERGENCY_STOP);
+    activity.start().resume();
+  }
+
+  @Test
+  public void theTracesOfTheRobotAreSavedWhereAPersonSays() throws Exception {
+    Application application = RuntimeEnvironment.getApplication();
+    button("Save traces").performClick();
+    assertThat(screen()).contains("choose a robot first");
+    Store store = new Store(application);
+    store.setRobotName("bot0");
+    for (int start = 1; start <= 22; start++) {
+      try (OutputStream trace = store.newTrace("bot0")) {
+        trace.write(start);
+      }
+    }
+    button("Save traces").performClick();
+    var asked = shadowOf(activity.get()).getNextStartedActivityForResult();
+    assertThat(asked.intent.getAction()).isEqualTo(Intent.ACTION_CREATE_DOCUMENT);
+    assertThat(asked.intent.getStringExtra(Intent.EXTRA_TITLE)).isEqualTo("bot0-traces.zip");
+    Uri chosen = Uri.parse("content://documents/traces");
+    ByteArrayOutputStream saved = new ByteArrayOutputStream();
+    shadowOf(application.getContentResolver()).registerOutputStream(chosen, saved);
+    shadowOf(activity.get())
+        .receiveResult(asked.intent, Activity.RESULT_OK, new Intent().setData(chosen));
+    activity.get().saver.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
+    shadowOf(Looper.getMainLooper()).idle();
+    assertThat(screen()).contains("saved 20 traces");
+    try (ZipInputStream zip = new ZipInputStream(new ByteArrayInputStream(saved.toByteArray()))) {
+      assertThat(zip.getNextEntry().getName()).isEqualTo("bot0.3.trace");
+      assertThat(zip.readAllBytes()).containsExactly(3);
+    }
   }
 
   @Test

@@ -47,7 +47,7 @@ import org.starl.geometry.Pose;
 public final class RobotServiceTest {
 
   private final RealClock clock = new RealClock();
-  private final SimulatedCar car = new SimulatedCar("bot0", new Pose(0, 0, 0), clock);
+  private final SimulatedCar car = new SimulatedCar("bot0", new Pose(0, 0, 0), clock, event -> {});
   private final List<SocketShadow> sockets = new CopyOnWriteArrayList<>();
   private final List<UUID> services = new CopyOnWriteArrayList<>();
   private final AtomicInteger refusals = new AtomicInteger();
@@ -83,7 +83,7 @@ public final class RobotServiceTest {
     car.close();
   }
 
-  private void connected(SocketShadow socket) throws IOException {
+  private void connected(String address, SocketShadow socket) throws IOException {
     if (refusals.getAndDecrement() > 0) {
       throw new IOException("read failed, socket might closed or timeout");
     }
@@ -162,6 +162,16 @@ public final class RobotServiceTest {
     assertThat(service.problem()).contains(Manifest.permission.BLUETOOTH_CONNECT);
     assertThat(service.holdsLocks()).isFalse();
     assertThat(shadowOf(service).isForegroundStopped()).isTrue();
+    assertThat(sockets).isEmpty();
+  }
+
+  @Test
+  public void whereAndroidAllowsNoForegroundNothingIsDrivenAndAPersonIsTold() {
+    shadowOf(service).setThrowInStartForeground(new IllegalStateException("not from there"));
+    tell(RobotService.START);
+    assertThat(service.phase()).isEqualTo(Phase.FAILED);
+    assertThat(service.problem()).contains("start it here again");
+    assertThat(service.holdsLocks()).isFalse();
     assertThat(sockets).isEmpty();
   }
 

@@ -7,6 +7,8 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
+import org.starl.RobotId;
 import org.starl.deploy.create.ByteLink;
 import org.starl.deploy.create.CreateBody;
 import org.starl.deploy.create.CreateHost;
@@ -15,6 +17,9 @@ import org.starl.deploy.optitrack.PoseSource;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.platform.Clock;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
 
 /** A simulated Create on an open floor, and where it is. From any thread. */
 final class SimulatedCar implements CreateBody, AutoCloseable {
@@ -22,8 +27,12 @@ final class SimulatedCar implements CreateBody, AutoCloseable {
   private static final CreateModel MODEL = CreateModel.CREATE_1;
   private static final long LIMIT_S = 120;
 
+  private static final double RADIUS_MM = 165;
+
   private final String name;
+  private final RobotId id;
   private final Clock clock;
+  private final Consumer<TraceEvent> truth;
   private final CreateHost host;
   private final ReentrantLock lock = new ReentrantLock();
   private final Condition ticked = lock.newCondition();
@@ -34,11 +43,17 @@ final class SimulatedCar implements CreateBody, AutoCloseable {
   private double leftMmPerS;
   private double rightMmPerS;
 
-  SimulatedCar(String name, Pose start, Clock clock) {
+  /**
+   * @param truth is told where the body is and how it moves; from one thread at a time
+   */
+  SimulatedCar(String name, Pose start, Clock clock, Consumer<TraceEvent> truth) {
     this.name = name;
     this.clock = clock;
+    this.truth = truth;
+    id = new RobotId(name);
     pose = start;
     atNs = clock.nowNs();
+    truth.accept(new Joined(atNs, id, pose, RADIUS_MM));
     host = CreateHost.start(name, MODEL, this, clock, ended -> {});
   }
 
@@ -110,6 +125,7 @@ final class SimulatedCar implements CreateBody, AutoCloseable {
       advance(nowNs);
       leftMmPerS = newLeftMmPerS;
       rightMmPerS = newRightMmPerS;
+      truth.accept(new Moved(atNs, id, pose, linearMmPerS(), angularRadPerS()));
     } finally {
       lock.unlock();
     }
@@ -134,10 +150,16 @@ final class SimulatedCar implements CreateBody, AutoCloseable {
 
   private void advance(long nowNs) {
     if (nowNs > atNs) {
-      double linear = (leftMmPerS + rightMmPerS) / 2;
-      double angular = (rightMmPerS - leftMmPerS) / MODEL.axleMm();
-      pose = Kinematics.after(pose, linear, angular, (nowNs - atNs) / 1e9);
+      pose = Kinematics.after(pose, linearMmPerS(), angularRadPerS(), (nowNs - atNs) / 1e9);
       atNs = nowNs;
     }
+  }
+
+  private double linearMmPerS() {
+    return (leftMmPerS + rightMmPerS) / 2;
+  }
+
+  private double angularRadPerS() {
+    return (rightMmPerS - leftMmPerS) / MODEL.axleMm();
   }
 }

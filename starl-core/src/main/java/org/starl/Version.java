@@ -1,4 +1,4 @@
-package org.starl.sim;
+package org.starl;
 
 /** Which StarL this is. */
 public final class Version {

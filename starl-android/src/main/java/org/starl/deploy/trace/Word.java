@@ -1,4 +1,4 @@
-package org.starl.processes;
+package org.starl.deploy.trace;
 
 import java.util.List;
 import org.starl.RobotId;

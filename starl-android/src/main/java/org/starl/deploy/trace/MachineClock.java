@@ -1,32 +1,34 @@
-package org.starl.deployment;
+package org.starl.deploy.trace;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 import org.starl.deploy.realtime.RealClock;
-import org.starl.processes.Outbox;
-import org.starl.processes.Word;
 
-/** Which clock a trace's times are on, for {@link Merge}. */
-final class MachineClock {
+/** Which clock a trace's times are on, for those who merge it with others. */
+public final class MachineClock {
 
   /** Where Linux names the start of the machine, which its monotonic clock counts from. */
-  private static final Path BOOT_ID = Path.of("/proc/sys/kernel/random/boot_id");
+  private static final Path BOOT_ID = Paths.get("/proc/sys/kernel/random/boot_id");
 
   /** What a machine is called that does not say which it is. */
-  static final String UNKNOWN = "?";
+  public static final String UNKNOWN = "?";
 
   private MachineClock() {}
 
   /** Says what time 0 of a trace is, which {@code clock} shows as {@code startNs}. */
-  static void tell(Outbox trace, RealClock clock, long startNs) {
+  public static void tell(Outbox trace, RealClock clock, long startNs) {
     long machineNs = clock.originNs() + startNs;
     trace.say(() -> 0, Word.CLOCK, machine(), machineNs, startNs);
   }
 
   private static String machine() {
     try {
-      return Files.exists(BOOT_ID) ? Files.readString(BOOT_ID).strip() : UNKNOWN;
+      return Files.exists(BOOT_ID)
+          ? new String(Files.readAllBytes(BOOT_ID), StandardCharsets.US_ASCII).trim()
+          : UNKNOWN;
     } catch (IOException e) {
       return UNKNOWN;
     }
