@@ -10,6 +10,7 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -31,7 +32,16 @@ public final class DeploymentFile {
 
   /** @throws BadInput if it is missing, no text, no YAML, or no deployment */
   public static Deployment read(String file) {
-    try (JsonParser parser = new YAMLFactory().createParser(text(file))) {
+    try {
+      return parse(file, bytes(file));
+    } catch (IOException e) {
+      throw new BadInput(file + ": cannot be read (" + e + ")");
+    }
+  }
+
+  /** The deployment in these bytes of {@code file}. */
+  static Deployment parse(String file, byte[] bytes) throws IOException {
+    try (JsonParser parser = new YAMLFactory().createParser(text(file, bytes))) {
       if (parser.nextToken() != JsonToken.START_OBJECT) {
         throw new BadInput(at(file, parser) + EXPECTED);
       }
@@ -46,8 +56,6 @@ public final class DeploymentFile {
       JsonLocation place = e.getLocation();
       String line = place == null ? "" : ":" + place.getLineNr();
       throw new BadInput(file + line + ": is no YAML; " + EXPECTED);
-    } catch (IOException e) {
-      throw new BadInput(file + ": cannot be read (" + e + ")");
     }
   }
 
@@ -60,9 +68,14 @@ public final class DeploymentFile {
     if (deployment.key() == null) {
       return null;
     }
-    Path path = Path.of(deployment.file()).resolveSibling(deployment.key());
     try {
-      return KeyFile.read(path);
+      return KeyFile.read(Path.of(deployment.file()).resolveSibling(deployment.key()));
+    } catch (InvalidPathException e) {
+      throw new BadInput(
+          deployment.where("key")
+              + "key: "
+              + BadInput.quote(deployment.key())
+              + ": expected a file's name");
     } catch (IOException e) {
       throw new BadInput(deployment.where("key") + "key: " + e.getMessage());
     }
@@ -82,11 +95,18 @@ public final class DeploymentFile {
         node = new Node.Text(nameLine, value == JsonToken.VALUE_NULL ? "" : parser.getText());
       } else {
         throw new BadInput(
-            at(file, parser) + name + ": a list: expected one value, or lines beneath");
+            at(file, parser)
+                + BadInput.quote(name)
+                + ": a list: expected one value, or lines beneath");
       }
       if (parts.put(name, node) != null) {
         throw new BadInput(
-            file + ":" + nameLine + ": " + name + ": expected once, stands there again");
+            file
+                + ":"
+                + nameLine
+                + ": "
+                + BadInput.quote(name)
+                + ": expected once, stands there again");
       }
     }
     return new Node.Mapping(line, parts);
@@ -100,7 +120,7 @@ public final class DeploymentFile {
     return file + ":" + line(parser) + ": ";
   }
 
-  private static String text(String file) throws IOException {
+  private static byte[] bytes(String file) throws IOException {
     Path path = Path.of(file);
     if (Files.isDirectory(path)) {
       throw new BadInput(file + ": is a folder; expected a deployment file");
@@ -108,8 +128,11 @@ public final class DeploymentFile {
     if (!Files.exists(path)) {
       throw new BadInput(file + ": no such file; expected a deployment file");
     }
+    return Files.readAllBytes(path);
+  }
+
+  private static String text(String file, byte[] bytes) {
     try {
-      byte[] bytes = Files.readAllBytes(path);
       String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
       if (text.indexOf('\0') < 0) {
         return text;

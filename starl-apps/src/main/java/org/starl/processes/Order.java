@@ -43,15 +43,23 @@ sealed interface Order {
   /** The app has come to its end; said by the child itself. */
   record Finished() implements Order {}
 
-  /** Reads a line. */
+  /**
+   * Reads a line.
+   *
+   * @throws IllegalArgumentException if it is none of the first four
+   */
   static Order parse(String line) {
     String[] words = line.split(" ", -1);
-    return switch (words[0]) {
-      case "begin" -> new Begin(Long.parseLong(words[1]));
-      case "peer" -> new Peer(new RobotId(words[1]), Integer.parseInt(words[2]));
-      case "go" -> new Go();
-      case "place" -> new Place();
-      default -> throw new IllegalArgumentException("no order: " + line);
-    };
+    try {
+      return switch (words[0] + words.length) {
+        case "begin2" -> new Begin(Long.parseLong(words[1]));
+        case "peer3" -> new Peer(new RobotId(words[1]), Integer.parseInt(words[2]));
+        case "go1" -> new Go();
+        case "place1" -> new Place();
+        default -> throw new IllegalArgumentException("expected begin, peer, go or place");
+      };
+    } catch (IllegalArgumentException e) {
+      throw new IllegalArgumentException("no order: '" + line + "'", e);
+    }
   }
 }

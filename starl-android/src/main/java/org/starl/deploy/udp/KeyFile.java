@@ -45,10 +45,17 @@ public final class KeyFile {
       throw new IOException(file + ": no such file; expected a key, as 'starl keygen' makes it");
     }
     refuseOthers(file);
-    if (Files.size(file) < DIGITS || Files.size(file) > MAX_BYTES) {
+    if (Files.size(file) > MAX_BYTES) {
       throw noKey(file);
     }
-    byte[] bytes = Files.readAllBytes(file);
+    return parse(file, Files.readAllBytes(file));
+  }
+
+  /** The key in these bytes of {@code file}. */
+  static DeploymentKey parse(Path file, byte[] bytes) throws IOException {
+    if (bytes.length < DIGITS || bytes.length > MAX_BYTES) {
+      throw noKey(file);
+    }
     byte[] secret = new byte[DeploymentKey.BYTES];
     for (int i = 0; i < secret.length; i++) {
       int high = Character.digit(bytes[2 * i], RADIX);
