@@ -55,7 +55,7 @@ public final class BarrierConformance extends Conformance {
    *
    * @param steps takes every step of every instance
    */
-  public BarrierConformance(Steps<States, BarrierAction> steps) {
+  BarrierConformance(Steps<States, BarrierAction> steps) {
     super(BarrierAutomaton.BARRIER_DECLS, "every barrier");
     this.steps = steps;
   }

@@ -11,6 +11,43 @@ public sealed interface BarrierOutcome {
   /** Nothing yet: never arrived, or waiting. */
   BarrierOutcome NONE_YET = new NoneYet();
 
+  /**
+   * Reads what {@code toString} wrote.
+   *
+   * @throws IllegalArgumentException if {@code text} is no outcome
+   */
+  static BarrierOutcome parse(String text) {
+    if (text.equals("null")) {
+      return NONE_YET;
+    }
+    int colon = text.indexOf(':');
+    if (colon > 0) {
+      long generation = Long.parseLong(text.substring(0, colon));
+      String what = text.substring(colon + 1);
+      if (what.equals("passed")) {
+        return new Passed(generation);
+      }
+      if (what.equals("excluded")) {
+        return new Excluded(generation);
+      }
+      if (what.equals("unknown")) {
+        return new Unknown(generation);
+      }
+      if (what.startsWith("failed[") && what.endsWith("]")) {
+        SortedSet<ProcessId> missing = new TreeSet<>();
+        for (String id : what.substring("failed[".length(), what.length() - 1).split(", ", -1)) {
+          missing.add(ProcessId.parse(id));
+        }
+        return new Failed(generation, missing);
+      }
+    }
+    throw new IllegalArgumentException(
+        "outcome '"
+            + text
+            + "': expected null, or generation: and passed, failed[..], excluded or"
+            + " unknown");
+  }
+
   /** Whether the latest wait is over. */
   boolean isTold();
 

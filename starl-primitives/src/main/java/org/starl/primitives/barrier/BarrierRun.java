@@ -47,19 +47,16 @@ final class BarrierRun {
   }
 
   void shows(Variable event, Report report) {
-    String value = event.value();
-    int colon = value.indexOf(':');
-    if (colon < 0) {
-      return;
-    }
-    long generation = Long.parseLong(value.substring(0, colon));
-    String told = value.substring(colon + 1);
-    if (told.equals(Generations.PASSED)) {
-      isTold(event, generation, new Outcome.passed(), report);
-    } else if (told.startsWith(Generations.FAILED)) {
-      isTold(event, generation, new Outcome.failed(Generations.missing(told)), report);
-    } else if (told.equals(Generations.EXCLUDED) && generation > 0) {
-      isOut(event, generation, report);
+    switch (BarrierOutcome.parse(event.value())) {
+      case BarrierOutcome.Passed all ->
+          isTold(event, all.generation(), new Outcome.passed(), report);
+      case BarrierOutcome.Failed some ->
+          isTold(event, some.generation(), new Outcome.failed(some.missing()), report);
+      case BarrierOutcome.Excluded out -> isOut(event, out.generation(), report);
+      case BarrierOutcome.NoneYet none -> {
+        // A stutter, and so is the other.
+      }
+      case BarrierOutcome.Unknown open -> {}
     }
   }
 
@@ -78,7 +75,7 @@ final class BarrierRun {
 
   private void isOut(Variable event, long generation, Report report) {
     ProcessId i = ids.get(event.robot());
-    if (i == null) {
+    if (i == null || generation == 0) {
       return; // nobody is left out
     }
     if (replay.state().isOpen(generation)) {

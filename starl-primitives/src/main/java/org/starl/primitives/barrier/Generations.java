@@ -15,10 +15,6 @@ import org.starl.trace.TraceEvent.Variable;
 /** What {@link BarrierSpec} knows of one barrier. */
 final class Generations {
 
-  static final String PASSED = "passed";
-  static final String FAILED = "failed";
-  static final String EXCLUDED = "excluded";
-
   private final String source;
   private final Circumstances circumstances;
   private final SortedSet<ProcessId> first = new TreeSet<>();
@@ -34,7 +30,7 @@ final class Generations {
   private Outcomes missing = Outcomes.ALL_PASSED;
 
   /** Who was first told the outcome of a generation, and which: passed, or failed and for whom. */
-  private record First(RobotId robot, String outcome) {}
+  private record First(RobotId robot, BarrierOutcome outcome) {}
 
   Generations(String source, Circumstances circumstances) {
     this.source = source;
@@ -61,25 +57,30 @@ final class Generations {
   }
 
   void told(Variable variable, Report report) {
-    String value = variable.value();
-    int colon = value.indexOf(':');
-    if (colon < 0) {
+    BarrierOutcome outcome = BarrierOutcome.parse(variable.value());
+    if (!outcome.isTold()) {
       return;
     }
     waiting.remove(variable.robot());
-    long generation = Long.parseLong(value.substring(0, colon));
-    String outcome = value.substring(colon + 1);
-    if (outcome.equals(PASSED)) {
-      passed(generation, variable, report);
-    }
-    if (outcome.equals(PASSED) || outcome.startsWith(FAILED)) {
-      decided(generation, outcome, variable, report);
-    } else if (outcome.equals(EXCLUDED) && generation > 0) {
-      ProcessId id = ids.get(variable.robot());
-      if (id != null) {
-        excluded.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
-        uniform(generation, variable, report);
+    switch (outcome) {
+      case BarrierOutcome.Passed all -> {
+        passed(all.generation(), variable, report);
+        decided(all.generation(), outcome, variable, report);
       }
+      case BarrierOutcome.Failed some -> decided(some.generation(), outcome, variable, report);
+      case BarrierOutcome.Excluded out -> excluded(out.generation(), variable, report);
+      case BarrierOutcome.NoneYet none -> {
+        // Nothing is claimed, nor here.
+      }
+      case BarrierOutcome.Unknown open -> {}
+    }
+  }
+
+  private void excluded(long generation, Variable variable, Report report) {
+    ProcessId id = ids.get(variable.robot());
+    if (generation > 0 && id != null) {
+      excluded.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
+      uniform(generation, variable, report);
     }
   }
 
@@ -96,10 +97,10 @@ final class Generations {
     }
   }
 
-  private void decided(long generation, String outcome, Variable variable, Report report) {
+  private void decided(long generation, BarrierOutcome outcome, Variable variable, Report report) {
     if (outcomes.putIfAbsent(generation, new First(variable.robot(), outcome)) == null
-        && outcome.startsWith(FAILED)) {
-      missing = missing.withBroken(generation, missing(outcome));
+        && outcome instanceof BarrierOutcome.Failed some) {
+      missing = missing.withBroken(generation, some.missing());
     }
     First told = outcomes.get(generation);
     if (told != null && !told.outcome().equals(outcome)) {
@@ -108,7 +109,7 @@ final class Generations {
           BarrierSpec.UNIFORM,
           variable.timeNs(),
           List.of(told.robot(), variable.robot()),
-          source + ", generation " + generation + ": " + told.outcome() + " and " + outcome);
+          source + ": " + told.outcome() + " and " + outcome);
     } else {
       uniform(generation, variable, report);
     }
@@ -127,18 +128,8 @@ final class Generations {
           BarrierSpec.UNIFORM,
           variable.timeNs(),
           List.of(told.robot(), variable.robot()),
-          source + ", generation " + generation + ": " + told.outcome() + ", excluded " + out);
+          source + ": " + told.outcome() + ", excluded " + out);
     }
-  }
-
-  /** Who is named in {@code failed[bot1#1, bot2#1]}. */
-  static SortedSet<ProcessId> missing(String failed) {
-    SortedSet<ProcessId> ids = new TreeSet<>();
-    String list = failed.substring(FAILED.length() + 1, failed.length() - 1);
-    for (String id : list.split(", ", -1)) {
-      ids.add(ProcessId.parse(id));
-    }
-    return ids;
   }
 
   /** Every robot that was ever seen, in order. */

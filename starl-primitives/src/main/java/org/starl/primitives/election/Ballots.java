@@ -74,14 +74,12 @@ final class Ballots {
   }
 
   void shown(Variable variable, Report report) {
-    String value = variable.value();
-    shown.put(variable.robot(), value);
-    int colon = value.indexOf(':');
-    if (colon < 0) {
+    shown.put(variable.robot(), variable.value());
+    if (!(Leader.parse(variable.value()) instanceof Leader.Name name)) {
       return;
     }
-    long term = Long.parseLong(value.substring(0, colon));
-    ProcessId leader = ProcessId.parse(value.substring(colon + 1));
+    long term = name.term();
+    ProcessId leader = name.id();
     latestTerm = Math.max(latestTerm, term);
     report.checked(ElectionSpec.AGREEMENT);
     First first = leaders.computeIfAbsent(term, t -> new First(variable.robot(), leader));

@@ -98,13 +98,11 @@ public final class ElectionConformance extends Conformance {
 
   private void shown(Variable variable, Replay<States, ElectionAction> replay, Report report) {
     ProcessId i = ids.get(new Seat(variable.source(), variable.robot()));
-    String value = variable.value();
-    int colon = value.indexOf(':');
-    if (colon >= 0) {
-      long term = Long.parseLong(value.substring(0, colon));
-      follows(variable, i, term, ProcessId.parse(value.substring(colon + 1)), replay, report);
+    Leader leader = Leader.parse(variable.value());
+    if (leader instanceof Leader.Name name) {
+      follows(variable, i, name.term(), name.id(), replay, report);
     } else if (i != null
-        && (value.equals(Leader.FAIL.toString()) || replay.state().Leader().at(i).who().isUp())) {
+        && (leader.equals(Leader.FAIL) || replay.state().Leader().at(i).who().isUp())) {
       replay.step(variable, new ElectionAction.fail(i), report);
     }
   }

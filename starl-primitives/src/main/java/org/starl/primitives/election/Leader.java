@@ -11,6 +11,26 @@ public sealed interface Leader {
   /** The paper's fail: the election in progress has met its deadline. */
   Leader FAIL = new Fail();
 
+  /**
+   * Reads what {@code toString} wrote.
+   *
+   * @throws IllegalArgumentException if {@code text} is no leader
+   */
+  static Leader parse(String text) {
+    int colon = text.indexOf(':');
+    if (colon > 0) {
+      long term = Long.parseLong(text.substring(0, colon));
+      return new Name(ProcessId.parse(text.substring(colon + 1)), term);
+    }
+    return switch (text) {
+      case "null" -> NONE;
+      case "fail" -> FAIL;
+      default ->
+          throw new IllegalArgumentException(
+              "leader '" + text + "': expected null, fail or term:robot#incarnation");
+    };
+  }
+
   /** Whether there is a name. */
   boolean isElected();
 

@@ -51,7 +51,7 @@ public final class GeocastConformance extends Conformance {
    *
    * @param steps takes every step of every instance
    */
-  public GeocastConformance(Steps<States, GeocastAction> steps) {
+  GeocastConformance(Steps<States, GeocastAction> steps) {
     super(GeocastAutomaton.GEOCAST_DECLS, "every geocast");
     replays = new Replays<>(new GeocastAutomaton(), steps);
   }

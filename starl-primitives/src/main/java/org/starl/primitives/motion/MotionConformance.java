@@ -60,7 +60,7 @@ public final class MotionConformance extends Conformance {
    *
    * @param steps takes every step
    */
-  public MotionConformance(MotionParameters parameters, Steps<States, MotionControlAction> steps) {
+  MotionConformance(MotionParameters parameters, Steps<States, MotionControlAction> steps) {
     super(MotionControlAutomaton.MOTION_CONTROL_DECLS, "all motions");
     bodies = new MotionBodies(parameters);
     replay = new Replay<>(new MotionControlAutomaton(), MotionTrace.SOURCE, steps);
