@@ -132,17 +132,13 @@ class DeployCheckTest {
 
   @Test
   void aRobotThatCannotBeginEndsItsWorldAndSaysWhy() throws IOException {
-    try (DatagramSocket taken = new DatagramSocket(0, InetAddress.getLoopbackAddress());
-        DatagramSocket camera = new DatagramSocket(0, InetAddress.getLoopbackAddress());
-        ServerSocket hands = new ServerSocket(0)) {
+    try (DatagramSocket taken = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       String simulated =
-          GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:" + hands.getLocalPort())
-              .replace("server: 127.0.0.1", "server: 127.0.0.1:" + camera.getLocalPort())
+          GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:" + freeTcpPort())
+              .replace("server: 127.0.0.1", "server: 127.0.0.1:" + freeUdpPort())
               .replace("4701", Integer.toString(taken.getLocalPort()))
               .replace("{kind: create, port: \"tcp:127.0.0.1:4801\"}", "{kind: simulated}");
       check(simulated);
-      hands.close();
-      camera.close();
 
       Cli cli =
           Cli.run(
@@ -151,6 +147,18 @@ class DeployCheckTest {
       assertThat(cli.status()).as("%s", cli).isEqualTo(1);
       assertThat(cli.err()).hasSize(1);
       assertThat(cli.err().get(0)).contains("bot0", "radio at", "" + taken.getLocalPort());
+    }
+  }
+
+  private static int freeTcpPort() throws IOException {
+    try (ServerSocket any = new ServerSocket(0)) {
+      return any.getLocalPort();
+    }
+  }
+
+  private static int freeUdpPort() throws IOException {
+    try (DatagramSocket any = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
+      return any.getLocalPort();
     }
   }
 

@@ -21,22 +21,22 @@ class ReceptionTest {
     IllegalStateException bug = new IllegalStateException("a bug");
     BlockingQueue<Exception> told = new LinkedBlockingQueue<>();
     DatagramSocket socket = new DatagramSocket(ANY);
-    try (DatagramSocket sender = new DatagramSocket(ANY);
-        Reception reception =
-            Reception.start(
-                "test",
-                socket,
-                60_000,
-                packet -> {
-                  throw bug;
-                },
-                told::add)) {
+    Reception reception =
+        Reception.start(
+            "test",
+            socket,
+            60_000,
+            packet -> {
+              throw bug;
+            },
+            told::add);
+    try (DatagramSocket sender = new DatagramSocket(ANY)) {
       sender.send(new DatagramPacket(new byte[1], 1, socket.getLocalSocketAddress()));
-
-      assertThat(told.poll(60, TimeUnit.SECONDS)).isSameAs(bug);
-      assertThat(socket.isClosed()).isTrue();
-      reception.close();
-      assertThat(told).isEmpty();
     }
+
+    assertThat(told.poll(60, TimeUnit.SECONDS)).isSameAs(bug);
+    assertThat(socket.isClosed()).isTrue();
+    reception.close();
+    assertThat(told).isEmpty();
   }
 }
