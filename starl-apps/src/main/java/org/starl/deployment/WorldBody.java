@@ -28,10 +28,10 @@ final class WorldBody implements CreateBody {
   private final Strand strand;
   private final SimChassis chassis;
 
-  // The world's strand writes what it touches, Creates and programs read it from theirs; who is
-  // told of
-  // it is set by the program's thread and read by the world's.
+  // The world's strand writes it; Creates and programs read it on threads of theirs.
   private volatile Bumps bumps = Bumps.NONE;
+
+  // Set by the program's thread, called on the world's strand.
   private volatile Runnable bumped = () -> {};
 
   // The world's strand only.

@@ -13,8 +13,7 @@ final class WorldWheels implements Wheelbase, Chassis {
   private final WorldBody body;
   private final Strand strand;
 
-  // From any thread; read on the world's strand, where a command of before the stop must not undo
-  // it.
+  // Set by any thread; read on the world's strand, so that no earlier command undoes a stop.
   private volatile boolean isStopped;
   private Runnable receiver = () -> {};
 

@@ -39,6 +39,8 @@ public final class UdpRadio implements Radio, AutoCloseable {
   private final AtomicLong unsent = new AtomicLong();
   private final AtomicLong received = new AtomicLong();
   private final AtomicLongArray dropped = new AtomicLongArray(UdpDrop.values().length);
+
+  // Set by who has opened it, while its thread receives already.
   private volatile Consumer<String> log = line -> {};
   private volatile Consumer<DatagramPacket> beacons =
       packet -> dropped(UdpDrop.UNEXPECTED_BEACON, packet.getSocketAddress());
