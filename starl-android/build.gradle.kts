@@ -8,6 +8,8 @@ description = "Platform layer, real: clock, UDP, robots; plain JVM"
 dependencies {
     api(project(":starl-core"))
     implementation(libs.jserialcomm)
+    // Reads deployment files: its parser alone.
+    implementation(libs.snakeyaml)
     testImplementation(project(":starl-primitives"))
     testImplementation(project(":starl-sim"))
     api(libs.jspecify)

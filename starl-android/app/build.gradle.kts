@@ -10,8 +10,6 @@ dependencies {
     implementation(project(":starl-primitives"))
     implementation(project(":starl-android"))
     implementation(project(":starl-apps"))
-    // Reads deployment files: its parser alone.
-    implementation(libs.snakeyaml)
     // Android itself, for compiling and for Robolectric; a phone has its own.
     compileOnly(libs.android.all)
     // What says a deployment file is bad to people at a computer.

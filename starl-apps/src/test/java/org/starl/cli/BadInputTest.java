@@ -111,7 +111,7 @@ class BadInputTest {
   private static final String BAD_FILES =
       """
       app: intersection\\nrobots: many | :2: | robots='many' | expected a whole number
-      app: intersection\\nrobots:\\n  most: 4 | :3: robots: | expected one value
+      app: intersection\\nrobots:\\n  most: 4 | :2: robots: | expected one value
       app: intersection\\nrobots: [1, 2] | :2: robots: | expected one value
       app: intersection\\nrobots: | robots: | expected one value
       app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | again

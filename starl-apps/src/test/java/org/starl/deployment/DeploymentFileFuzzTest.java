@@ -3,7 +3,6 @@ package org.starl.deployment;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
 import java.io.IOException;
-import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -26,8 +25,6 @@ public class DeploymentFileFuzzTest {
     } catch (BadInput refused) {
       requireLine(refused);
       return;
-    } catch (IOException e) {
-      throw new UncheckedIOException(e);
     }
     require(!deployment.robots().isEmpty() && !deployment.app().isEmpty(), "nothing in it");
     try {

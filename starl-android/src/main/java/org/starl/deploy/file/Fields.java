@@ -12,6 +12,7 @@ final class Fields {
 
   private static final Pattern NUMBER =
       Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
+  private static final String A_LIST = "a list";
   private static final Pattern PORT = Pattern.compile("[1-9]\\d{0,4}");
 
   private final String file;
@@ -30,9 +31,9 @@ final class Fields {
     if (node instanceof Node.Mapping mapping) {
       return new Fields(file, path, mapping);
     }
-    Node.Text text = (Node.Text) node;
+    String what = node instanceof Node.Text text ? "'" + text.value() + "'" : A_LIST;
     throw new DeploymentException(
-        file + ":" + node.line() + ": " + path + ": '" + text.value() + "': expected " + expected);
+        file + ":" + node.line() + ": " + path + ": " + what + ": expected " + expected);
   }
 
   Map<String, Node> parts() {
@@ -83,6 +84,17 @@ final class Fields {
     return switch (part(field.key())) {
       case Node.Text text when !text.value().trim().isEmpty() -> text.value().trim();
       case null -> field.usual();
+      case Node.Listing list ->
+          throw new DeploymentException(
+              file
+                  + ":"
+                  + list.line()
+                  + ": "
+                  + name(field.key())
+                  + ": "
+                  + A_LIST
+                  + ": expected "
+                  + expected(field.form()));
       default -> throw wrong(field.key(), "", expected(field.form()));
     };
   }

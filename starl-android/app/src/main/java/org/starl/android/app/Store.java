@@ -29,6 +29,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.deploy.file.Deployment;
 import org.starl.deploy.file.DeploymentException;
 import org.starl.deploy.file.DeploymentReader;
+import org.starl.deploy.file.YamlTree;
 import org.starl.deploy.udp.KeyFile;
 import org.starl.platform.DeploymentKey;
 
