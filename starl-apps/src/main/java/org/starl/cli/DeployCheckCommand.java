@@ -14,6 +14,7 @@ import org.starl.deploy.file.RobotEntry;
 import org.starl.deploy.file.Wheels.Create;
 import org.starl.deployment.DeploymentCheck;
 import org.starl.deployment.DeploymentFile;
+import org.starl.sim.Blueprint;
 import org.starl.sim.input.BadInput;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -55,9 +56,10 @@ final class DeployCheckCommand implements Callable<Integer> {
     CommandSpec command = Objects.requireNonNull(spec);
     Deployment deployment = DeploymentFile.read(file);
     RobotEntry here = entry(deployment, robot);
-    DeployedApp.of(deployment, Main.demos(command)).blueprint();
+    Blueprint blueprint = DeployedApp.of(deployment, Main.demos(command)).blueprint();
     DeploymentFile.key(deployment);
-    List<String> problems = DeploymentCheck.of(deployment, here, probes);
+    List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
+    problems.addAll(DeploymentCheck.ofMotion(deployment, blueprint.settings().motionParameters(0)));
     PrintWriter out = command.commandLine().getOut();
     PrintWriter err = command.commandLine().getErr();
     if (json.isOn()) {

@@ -15,10 +15,13 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.deploy.file.Deployment;
 import org.starl.deploy.file.HostPort;
+import org.starl.deploy.file.Limits;
 import org.starl.deploy.file.Positions;
 import org.starl.deploy.file.RobotEntry;
 import org.starl.deploy.file.Wheels;
 import org.starl.deploy.file.Wheels.Create;
+import org.starl.deploy.robot.RealMotion;
+import org.starl.motion.MotionParameters;
 
 /**
  * What can be told of a deployment without running it: whether hosts have addresses; on the machine of
@@ -28,6 +31,7 @@ import org.starl.deploy.file.Wheels.Create;
 public final class DeploymentCheck {
 
   private static final int PROBE_MS = 2000;
+  private static final double MS_PER_S = 1e3;
 
   private final Deployment deployment;
   private final List<String> problems = new ArrayList<>();
@@ -53,6 +57,53 @@ public final class DeploymentCheck {
       check.probe();
     }
     return List.copyOf(check.problems);
+  }
+
+  /**
+   * Whether robots that move so can drive at all within the deployment's limits. That they are safe
+   * needs no look: each command is checked, as it is given, with the reaction in it.
+   *
+   * @param motion as the app has it
+   */
+  public static List<String> ofMotion(Deployment deployment, MotionParameters motion) {
+    DeploymentCheck check = new DeploymentCheck(deployment);
+    check.motion(motion);
+    return List.copyOf(check.problems);
+  }
+
+  private void motion(MotionParameters motion) {
+    Limits limits = deployment.limits();
+    if (limits.watchdogMs() <= motion.automatonPeriodMs()) {
+      problems.add(
+          deployment.where("limits")
+              + "limits.watchdogMs: '"
+              + limits.watchdogMs()
+              + "': expected more than "
+              + motion.automatonPeriodMs()
+              + ", as often as a program commands its wheels");
+    }
+    MotionParameters real = RealMotion.of(motion, limits);
+    // A command may be in effect for so long after its time, or not yet.
+    double lateS = (limits.reactionMs() + motion.automatonPeriodMs()) / MS_PER_S;
+    double lateMm = (1 + real.speedError()) * real.linSpeedMaxMmPerS() * lateS;
+    if (errorMm(deployment.positions()) + lateMm > real.maxErrorMm()) {
+      problems.add(
+          deployment.where("limits")
+              + "limits.reactionMs: '"
+              + limits.reactionMs()
+              + "': within it a robot goes "
+              + Math.round(lateMm)
+              + " mm; expected so little that it knows its place to within "
+              + Math.round(real.maxErrorMm())
+              + " mm, or a lower speedMmPerS");
+    }
+  }
+
+  private static double errorMm(Positions positions) {
+    return switch (positions) {
+      case Positions.NatNet natNet -> natNet.errorMm();
+      case Positions.JsonFeed json -> json.errorMm();
+    };
   }
 
   private void hosts() {

@@ -64,6 +64,9 @@ class DeployCheckTest {
       key: my.key | key: my.key\\nnetwork: {broadcasts: no} | bot1: has no address
       key: my.key | key: my.key\\nkey: my.key | :4: key: | again
       key: my.key | world: 127.0.0.1:4000 | has no 'key:' | broadcasts: no
+      key: my.key | key: my.key\\nlimits: {watchdogMs: 60} | :4: limits.watchdogMs: '60' | more than 60
+      key: my.key | key: my.key\\nlimits: {reactionMs: 2000} | :4: limits.reactionMs: '2000' | 567 mm
+      key: my.key | key: my.key\\nlimits: {speedError: 1} | limits.speedError: '1' | from 0.0 to 0.9
       app: intersection | app: "intersection | is no YAML
       """;
 

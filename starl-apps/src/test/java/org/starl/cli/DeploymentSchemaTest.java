@@ -161,7 +161,17 @@ class DeploymentSchemaTest {
         "robots",
         map("bot0", map("address", "192.168.1.10", "rigidBody", "car", "chassis", chassis(kind))),
         "limits",
-        map("speedMmPerS", "300", "watchdogMs", "200", "positionMs", "500"));
+        map(
+            "speedMmPerS",
+            "300",
+            "watchdogMs",
+            "200",
+            "positionMs",
+            "500",
+            "speedError",
+            "0.05",
+            "reactionMs",
+            "100"));
   }
 
   private static Map<String, Object> chassis(String kind) {

@@ -172,7 +172,7 @@ class OwnSpecsTest {
         new Positions.JsonFeed(0, null, 5, 0.02),
         new TreeMap<>(Map.of(BOT, entry)),
         null,
-        new Limits(300, 300, 500));
+        new Limits(300, 300, 500, 0.1, 200));
   }
 
   @Test

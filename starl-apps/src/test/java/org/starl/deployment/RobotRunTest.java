@@ -38,7 +38,7 @@ import org.starl.sim.Simulation;
 class RobotRunTest {
 
   private static final RobotId BOT0 = new RobotId("bot0");
-  private static final Limits LIMITS = new Limits(300, 300, 500);
+  private static final Limits LIMITS = new Limits(300, 300, 500, 0.1, 200);
   private static final Wheels.Create CREATE =
       new Wheels.Create("create2", new Wheels.Device("none"), 115_200, null);
 

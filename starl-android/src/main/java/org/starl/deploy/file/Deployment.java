@@ -18,8 +18,8 @@ import org.starl.RobotId;
  * @param app by its name
  * @param seed of the scenario and of the robots' draws
  * @param parameters of the app and settings of the motion, as texts, in the file's order
- * @param lines where each of {@code app}, {@code key}, {@code positions}, {@code world} and the
- *     parameters stands
+ * @param lines where each of {@code app}, {@code key}, {@code positions}, {@code world}, {@code
+ *     limits} and the parameters stands
  * @param key path of the key's file, as written; null: datagrams are not sealed
  * @param world where the process of the simulated bodies is asked for places; null if there is none
  */

@@ -36,7 +36,8 @@ public final class DeploymentReader {
     // Errors name parts of the top without a path.
     Fields fields = Fields.of(file, "", new Node.Mapping(top.line(), top.parts()), "");
     Map<String, Integer> lines = new LinkedHashMap<>();
-    for (Field field : List.of(Grammar.APP, Grammar.KEY, Grammar.POSITIONS, Grammar.WORLD)) {
+    for (Field field :
+        List.of(Grammar.APP, Grammar.KEY, Grammar.POSITIONS, Grammar.WORLD, Grammar.LIMITS)) {
       lines.put(field.key(), fields.line(field.key()));
     }
     String app = fields.text(Grammar.APP);
@@ -120,7 +121,9 @@ public final class DeploymentReader {
         new Limits(
             given.amount(Grammar.SPEED_MM_PER_S),
             given.whole(Grammar.WATCHDOG_MS),
-            given.whole(Grammar.POSITION_MS));
+            given.whole(Grammar.POSITION_MS),
+            given.amount(Grammar.SPEED_ERROR),
+            given.whole(Grammar.REACTION_MS));
     given.end();
     return limits;
   }

@@ -225,12 +225,26 @@ public final class Grammar {
           "positionMs",
           new Whole(20, 60_000),
           "so long after the last fix, in ms, the wheels are stopped");
+  static final Field SPEED_ERROR =
+      Field.usually(
+          "0.1",
+          "speedError",
+          new Amount(0, 0.9),
+          "share by which the wheels may be faster than commanded; slower they may be at will");
+  static final Field REACTION_MS =
+      Field.usually(
+          "200",
+          "reactionMs",
+          new Whole(0, 2000),
+          "within so long, in ms, what the program commands is in effect, and the old speed braked"
+              + " down: the strand, the link, the robot's own period and braking are in it");
   static final Field LIMITS =
       Field.optional(
           "limits",
           new Lines(
-              "lines such as 'watchdogMs: 200'", List.of(SPEED_MM_PER_S, WATCHDOG_MS, POSITION_MS)),
-          "what keeps the wheels in check, below the program");
+              "lines such as 'watchdogMs: 200'",
+              List.of(SPEED_MM_PER_S, WATCHDOG_MS, POSITION_MS, SPEED_ERROR, REACTION_MS)),
+          "what keeps the wheels in check, below the program, and what the program expects of them");
 
   /** The whole file. */
   public static final Lines FILE =

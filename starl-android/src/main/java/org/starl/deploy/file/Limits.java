@@ -1,10 +1,14 @@
 package org.starl.deploy.file;
 
 /**
- * What keeps a robot's wheels in check, below its program.
+ * What a robot's wheels may do, kept below its program, and what its program has to expect of them.
  *
  * @param speedMmPerS no wheel turns faster
  * @param watchdogMs a program that has said nothing for so long has its wheels stopped
  * @param positionMs so long after the last fix the wheels are stopped
+ * @param speedError they drive and turn from not at all to {@code 1 + speedError} times as fast as
+ *     commanded
+ * @param reactionMs what the program commands is in effect, the old speed braked down, within this time
  */
-public record Limits(double speedMmPerS, int watchdogMs, int positionMs) {}
+public record Limits(
+    double speedMmPerS, int watchdogMs, int positionMs, double speedError, int reactionMs) {}

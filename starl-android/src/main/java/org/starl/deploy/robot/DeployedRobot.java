@@ -54,6 +54,7 @@ public final class DeployedRobot implements AutoCloseable {
    *
    * @param app makes the app over the robot's gvh
    * @param knownObstacles the map that it has at its start
+   * @param motion but for what the deployment's limits say of its wheels
    */
   public record Program(
       Function<GlobalVarHolder, ? extends LogicThread> app,
@@ -171,10 +172,11 @@ public final class DeployedRobot implements AutoCloseable {
             strand,
             rng.fork("radio"),
             draw -> loss > 0 && draw.nextBoolean(loss) ? LossyRadio.LOST : 0);
+    MotionParameters motion = RealMotion.of(program.motion(), deployment.limits());
     body =
         new MeasuredBody(
             id,
-            program.motion().robotRadiusMm(),
+            motion.robotRadiusMm(),
             deployment.limits().speedMmPerS(),
             poses.positioning(strand, entry.rigidBody()),
             strand.pieceClock(),
@@ -195,7 +197,7 @@ public final class DeployedRobot implements AutoCloseable {
             log,
             trace,
             program.knownObstacles(),
-            program.motion(),
+            motion,
             key);
     runner = new RobotRunner(platform, program.app(), this::finished);
   }

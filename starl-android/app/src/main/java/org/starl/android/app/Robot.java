@@ -42,12 +42,6 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private static final long LOOK_EVERY_NS = 200_000_000;
   private static final String LOCATION = "location";
 
-  /** Wheels on a floor turn a body a little more than commanded. */
-  private static final double SPEED_ERROR = 0.1;
-
-  /** A step of the automaton that is late, Bluetooth, the chassis' own period, and braking. */
-  private static final long REACTION_MS = 200;
-
   /**
    * Where a robot keeps what outlives it.
    *
@@ -83,13 +77,12 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     links = new RememberingLinks(source);
     trace = new Outbox(mission.robot().id(), header(mission.deployment()), files.trace());
     MachineClock.tell(trace, clock, startNs);
-    Limits limits = mission.deployment().limits();
     deployed =
         DeployedRobot.open(
             mission.deployment(),
             mission.robot(),
             mission.key(),
-            new DeployedRobot.Program(mission.app(), Obstacles.NONE, motion(limits)),
+            new DeployedRobot.Program(mission.app(), Obstacles.NONE, MotionParameters.DEFAULT),
             new DeployedRobot.Surroundings(
                 files.stable(),
                 this::openWheels,
@@ -212,18 +205,6 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
       throw new IllegalStateException("a robot without wheels");
     }
     return here;
-  }
-
-  private static MotionParameters motion(Limits limits) {
-    MotionParameters usual = MotionParameters.DEFAULT;
-    double most = limits.speedMmPerS();
-    return usual.toBuilder()
-        .linSpeedMaxMmPerS(Math.min(usual.linSpeedMaxMmPerS(), most))
-        .linSpeedMinMmPerS(Math.min(usual.linSpeedMinMmPerS(), most))
-        .arcSpeedMaxMmPerS(Math.min(usual.arcSpeedMaxMmPerS(), most))
-        .speedError(SPEED_ERROR)
-        .reactionMs(REACTION_MS)
-        .build();
   }
 
   // On the strand.
