@@ -73,9 +73,10 @@ public final class Merge {
     List<RobotTrace> traces = new ArrayList<>();
     for (String file : files) {
       RobotTrace trace = RobotTrace.read(file);
-      if (!traces.isEmpty() && !isOfOneRun(trace.header(), traces.get(0).header())) {
-        throw new BadInput(
-            file + ":1: its header is another; expected that of " + traces.get(0).file());
+      for (RobotTrace before : traces) {
+        if (!isOfOneRun(trace.header(), before.header())) {
+          throw new BadInput(file + ":1: its header is another; expected that of " + before.file());
+        }
       }
       traces.add(trace);
     }

@@ -334,6 +334,30 @@ class MergeTest {
   }
 
   @Test
+  void aPhoneMaySayFewerSettingsAndNobodyOtherOnes() throws IOException {
+    String phone = headed("phone", Map.of("scenario", "figure7"));
+    String board = headed("board", Map.of("scenario", "figure7", "debris", "0"));
+    String other = headed("other", Map.of("scenario", "figure7", "debris", "1"));
+
+    assertThat(Merge.of(List.of(phone, board), SECOND, 0).header().settings())
+        .containsExactly(Map.entry("scenario", "figure7"));
+    assertThatThrownBy(() -> Merge.of(List.of(phone, board, other), SECOND, 0))
+        .isInstanceOf(BadInput.class)
+        .hasMessageEndingWith("other.trace:1: its header is another; expected that of " + board);
+  }
+
+  private String headed(String name, Map<String, String> settings) throws IOException {
+    Path file = folder.resolve(name + ".trace");
+    try (OutputStream out = Files.newOutputStream(file)) {
+      TraceHeader header = new TraceHeader("test", "section", 1, 1, settings, List.of(A, B));
+      Outbox outbox = new Outbox(A, header, out);
+      outbox.say(() -> 0, Word.CLOCK, "m", 0, 0);
+      outbox.end(0);
+    }
+    return file.toString();
+  }
+
+  @Test
   void whatIsNoTraceOfADeploymentIsRefused() throws IOException {
     Path file = folder.resolve("other.trace");
     try (OutputStream out = Files.newOutputStream(file)) {

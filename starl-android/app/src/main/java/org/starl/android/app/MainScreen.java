@@ -16,6 +16,7 @@ final class MainScreen {
 
   private static final int PADDING_DP = 12;
   private static final int TEXT_SP = 16;
+  private static final int STOP_TEXT_SP = 32;
   private static final int STOP_HEIGHT_DP = 120;
   private static final int RED = Color.rgb(0xC6, 0x28, 0x28);
 
@@ -40,6 +41,7 @@ final class MainScreen {
     emergencyStop = button("EMERGENCY STOP", orders::emergencyStop);
     emergencyStop.setBackgroundColor(RED);
     emergencyStop.setTextColor(Color.WHITE);
+    emergencyStop.setTextSize(STOP_TEXT_SP);
     LinearLayout column = column();
     column.addView(identity);
     column.addView(button("Load deployment", orders::loadDeployment));
@@ -99,6 +101,8 @@ final class MainScreen {
 
   private TextView text() {
     TextView text = new TextView(context);
+    // Else it is of the theme's second colour, which nobody reads in the sun.
+    text.setTextAppearance(android.R.style.TextAppearance_DeviceDefault);
     text.setTextSize(TEXT_SP);
     return text;
   }
