@@ -7,6 +7,7 @@ import org.starl.RobotId;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
 import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
@@ -33,15 +34,12 @@ public final class OwnSpecs implements SimObserver {
   public OwnSpecs(Blueprint blueprint, long startNs, Consumer<Violation> onViolation) {
     this.startNs = startNs;
     this.onViolation = onViolation;
-    blueprint
-        .monitors()
-        .forEach(maker -> {
-          Monitor monitor = maker.get();
-          if (!monitor.ownLemmas().isEmpty()) {
-            monitors.add(monitor);
-            lemmas.addAll(monitor.ownLemmas());
-          }
-        });
+    for (Monitor monitor : Monitors.of(blueprint.monitors()).all()) {
+      if (!monitor.ownLemmas().isEmpty()) {
+        monitors.add(monitor);
+        lemmas.addAll(monitor.ownLemmas());
+      }
+    }
     // In real time no progress is owed.
     show(new Fault(startNs, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
   }

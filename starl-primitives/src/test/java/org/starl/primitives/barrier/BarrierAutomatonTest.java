@@ -9,13 +9,13 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.statistics.Statistics;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
 import org.starl.primitives.barrier.BarrierAutomaton.Outcome;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
 import org.starl.primitives.barrier.BarrierAutomaton.Told;
+import org.starl.primitives.conformance.RandomRun;
 import org.starl.random.Rng;
 
 /** The executable form of {@code Barrier_decls} by itself. */
@@ -35,22 +35,12 @@ class BarrierAutomatonTest {
 
   @Property(tries = 100)
   void randomRunsKeepWhatIsProved(@ForAll long seed) {
-    Rng rng = new Rng(seed);
-    States s = automaton.start();
-    int told = 0;
-    for (int step = 0; step < 300; step++) {
-      BarrierAction action = any(rng, s);
-      if (automaton.enabled(action, s).isTrue()) {
-        States before = s;
-        s = automaton.trans(action, s);
-        told += action instanceof BarrierAction.tell ? 1 : 0;
-        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
-        assertThat(isKept(before, s)).as("seed %d, after %s: %s", seed, action.text(), s).isTrue();
-      }
-    }
-    // That much happens in most runs is what makes the property worth its name.
-    Statistics.collect(told > 0);
-    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
+    new RandomRun<>(automaton, this::any, this::broken)
+        .check(seed, action -> action instanceof BarrierAction.tell, 1);
+  }
+
+  private String broken(States before, BarrierAction action, States s) {
+    return isKept(before, s) ? broken(s) : "kept";
   }
 
   private String broken(States s) {

@@ -5,10 +5,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.statistics.Statistics;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.election.ElectionAutomaton.Known;
 import org.starl.primitives.election.ElectionAutomaton.States;
 import org.starl.random.Rng;
@@ -29,22 +29,12 @@ class ElectionAutomatonTest {
 
   @Property(tries = 100)
   void randomRunsKeepWhatIsProved(@ForAll long seed) {
-    Rng rng = new Rng(seed);
-    States s = automaton.start();
-    int learned = 0;
-    for (int step = 0; step < 300; step++) {
-      ElectionAction action = any(rng);
-      if (automaton.enabled(action, s).isTrue()) {
-        States before = s;
-        s = automaton.trans(action, s);
-        learned += action instanceof ElectionAction.learn ? 1 : 0;
-        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
-        assertThat(isKept(before, s)).as("seed %d, after %s: %s", seed, action.text(), s).isTrue();
-      }
-    }
-    // That much happens in most runs is what makes the property worth its name.
-    Statistics.collect(learned > 0);
-    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
+    new RandomRun<>(automaton, (rng, s) -> any(rng), ElectionAutomatonTest::broken)
+        .check(seed, action -> action instanceof ElectionAction.learn, 1);
+  }
+
+  private static String broken(States before, ElectionAction action, States s) {
+    return isKept(before, s) ? broken(s) : "kept";
   }
 
   private static String broken(States s) {

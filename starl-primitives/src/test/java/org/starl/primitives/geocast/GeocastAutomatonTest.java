@@ -1,15 +1,13 @@
 package org.starl.primitives.geocast;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.statistics.Statistics;
 import org.starl.RobotId;
+import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.random.Rng;
 
@@ -24,26 +22,21 @@ class GeocastAutomatonTest {
 
   @Property(tries = 100)
   void randomRunsKeepWhatIsProved(@ForAll long seed) {
-    Rng rng = new Rng(seed);
-    States s = automaton.start();
-    int delivered = 0;
-    for (int step = 0; step < 300; step++) {
-      GeocastAction action = any(rng);
-      if (automaton.enabled(action, s).isTrue()) {
-        States before = s;
-        s = automaton.trans(action, s);
-        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
-        if (action instanceof GeocastAction.deliver deliver) {
-          delivered++;
-          String m = deliver.m();
-          assertThat(before.now()).isBetween(s.t0().at(m), s.t0().at(m) + s.d().at(m));
-          assertThat(automaton.enabled(deliver, s).isTrue()).as("once").isFalse();
-        }
+    new RandomRun<>(automaton, (rng, s) -> any(rng), this::broken)
+        .check(seed, action -> action instanceof GeocastAction.deliver, 1);
+  }
+
+  private String broken(States before, GeocastAction action, States s) {
+    if (action instanceof GeocastAction.deliver deliver) {
+      String m = deliver.m();
+      if (before.now() < s.t0().at(m) || before.now() > s.t0().at(m) + s.d().at(m)) {
+        return "deadline";
+      }
+      if (automaton.enabled(deliver, s).isTrue()) {
+        return "once";
       }
     }
-    // That much happens in most runs is what makes the property worth its name.
-    Statistics.collect(delivered > 0);
-    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
+    return broken(s);
   }
 
   /** Inv_geo, Exclusion. */

@@ -1,16 +1,14 @@
 package org.starl.primitives.motion;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.statistics.Statistics;
 import org.starl.RobotId;
 import org.starl.motion.MotionFlag;
+import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.random.Rng;
@@ -25,20 +23,8 @@ class MotionControlAutomatonTest {
 
   @Property(tries = 100)
   void randomRunsKeepWhatIsProved(@ForAll long seed) {
-    Rng rng = new Rng(seed);
-    States s = automaton.start();
-    int arrivals = 0;
-    for (int step = 0; step < 400; step++) {
-      MotionControlAction action = any(rng);
-      if (automaton.enabled(action, s).isTrue()) {
-        s = automaton.trans(action, s);
-        arrivals += action instanceof MotionControlAction.arrived ? 1 : 0;
-        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
-      }
-    }
-    // That much happens in most runs is what makes the property worth its name.
-    Statistics.collect(arrivals > 0);
-    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
+    new RandomRun<>(automaton, (rng, s) -> any(rng), (before, action, s) -> broken(s))
+        .check(seed, action -> action instanceof MotionControlAction.arrived, 1);
   }
 
   /** Avoids, Told. */

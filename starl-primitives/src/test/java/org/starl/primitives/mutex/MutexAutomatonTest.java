@@ -8,9 +8,9 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.statistics.Statistics;
 import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
+import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.random.Rng;
@@ -28,21 +28,15 @@ class MutexAutomatonTest {
 
   @Property(tries = 100)
   void randomRunsKeepWhatIsProved(@ForAll long seed) {
-    Rng rng = new Rng(seed);
-    States s = automaton.start();
-    int taken = 0;
-    for (int step = 0; step < 300; step++) {
-      MutexAction action = any(rng, s);
-      if (automaton.enabled(action, s).isTrue()) {
-        s = automaton.trans(action, s);
-        taken++;
-        assertThat(isExclusive(s)).as("seed %d, after %s: %s", seed, action.text(), s).isTrue();
-        assertThat(isInPhase(s)).as("seed %d, after %s: %s", seed, action.text(), s).isTrue();
-      }
+    new RandomRun<>(automaton, MutexAutomatonTest::any, (before, action, s) -> broken(s))
+        .check(seed, action -> true, 31);
+  }
+
+  private static String broken(States s) {
+    if (!isExclusive(s)) {
+      return "exclusive";
     }
-    // That much happens in most runs is what makes the property worth its name.
-    Statistics.collect(taken > 30);
-    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
+    return isInPhase(s) ? "" : "phase";
   }
 
   private static boolean isExclusive(States s) {

@@ -1,7 +1,5 @@
 package org.starl.primitives.registration;
 
-import static org.assertj.core.api.Assertions.assertThat;
-
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -9,9 +7,9 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import net.jqwik.api.statistics.Statistics;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
 import org.starl.random.Rng;
 
@@ -29,20 +27,8 @@ class RegistrationAutomatonTest {
 
   @Property(tries = 60)
   void randomRunsKeepWhatIsProved(@ForAll long seed) {
-    Rng rng = new Rng(seed);
-    States s = automaton.start();
-    int lists = 0;
-    for (int step = 0; step < 400; step++) {
-      RegistrationAction action = any(rng, s);
-      if (automaton.enabled(action, s).isTrue()) {
-        s = automaton.trans(action, s);
-        lists += action instanceof RegistrationAction.decide ? 1 : 0;
-        assertThat(broken(s)).as("seed %d, after %s: %s", seed, action.text(), s).isEmpty();
-      }
-    }
-    // That much happens in most runs is what makes the property worth its name.
-    Statistics.collect(lists > 0);
-    Statistics.coverage(runs -> runs.check(true).percentage(share -> share > 50));
+    new RandomRun<>(automaton, RegistrationAutomatonTest::any, (before, action, s) -> broken(s))
+        .check(seed, action -> action instanceof RegistrationAction.decide, 1);
   }
 
   /** Keeps, Fresh, Soundness; Agreement is plain from the states' form. */
