@@ -259,11 +259,15 @@ public final class RobotRun implements DeployedRobot.Host, AutoCloseable {
     teller.accept(
         String.format(
             Locale.ROOT,
-            "strand: %d pieces held it %.1f s, the longest %.1f ms; %d datagrams sent, %d received,"
+            "strand: %d pieces held it %.1f s, half of them up to %.3f ms, 99 %% up to %.1f ms, the"
+                + " longest %.1f ms by %s; %d datagrams sent, %d received,"
                 + " dropped %s",
             use.pieces(),
             use.heldNs() / NS_PER_S,
+            use.medianNs() / NS_PER_MS,
+            use.p99Ns() / NS_PER_MS,
             use.longestPieceNs() / NS_PER_MS,
+            use.longestBy(),
             network.sent(),
             network.received(),
             network.dropped()));

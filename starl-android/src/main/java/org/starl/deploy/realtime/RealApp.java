@@ -117,7 +117,7 @@ final class RealApp {
     } finally {
       lock.unlock();
     }
-    strand.account(startNs);
+    strand.account(startNs, "the app");
     Throwable thrown = failure;
     if (thrown != null) {
       failure = null;

@@ -34,7 +34,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   private final Condition changed = lock.newCondition();
   private final AlarmHeap alarms = new AlarmHeap();
   private boolean isClosed;
-  private StrandUse use = StrandUse.NONE;
+  private final StrandTally tally = new StrandTally();
 
   private volatile @Nullable RealApp app;
   private volatile long pieceNs;
@@ -145,7 +145,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   public StrandUse use() {
     lock.lock();
     try {
-      return use;
+      return tally.use();
     } finally {
       lock.unlock();
     }
@@ -199,12 +199,12 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     }
   }
 
-  /** Adds a piece to the strand's use. */
-  void account(long startNs) {
+  /** Adds a piece, and whose it was, to the strand's use. */
+  void account(long startNs, String by) {
     long pieceNs = clock.nowNs() - startNs;
     lock.lock();
     try {
-      use = use.plus(pieceNs);
+      tally.add(pieceNs, by);
     } finally {
       lock.unlock();
     }
@@ -239,7 +239,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     try {
       due.ring();
     } finally {
-      account(startNs);
+      account(startNs, due instanceof RealTimer ? "a timer" : "a message or an event");
     }
     RealApp after = app;
     if (after != null && !isClosed()) {

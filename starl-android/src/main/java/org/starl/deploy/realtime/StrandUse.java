@@ -6,13 +6,10 @@ package org.starl.deploy.realtime;
  *
  * @param pieces how many pieces have run
  * @param heldNs for how long, all together
+ * @param medianNs half of the pieces were no longer than this, to a quarter
+ * @param p99Ns all but a hundredth were no longer than this, to a quarter
  * @param longestPieceNs the longest of them
+ * @param longestBy whose that was: {@code the app}, {@code a timer}, or {@code a message or an event}
  */
-public record StrandUse(long pieces, long heldNs, long longestPieceNs) {
-
-  static final StrandUse NONE = new StrandUse(0, 0, 0);
-
-  StrandUse plus(long pieceNs) {
-    return new StrandUse(pieces + 1, heldNs + pieceNs, Math.max(longestPieceNs, pieceNs));
-  }
-}
+public record StrandUse(
+    long pieces, long heldNs, long medianNs, long p99Ns, long longestPieceNs, String longestBy) {}

@@ -8,6 +8,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.starl.platform.Clock;
+import org.starl.platform.Timer;
 
 /** What only real time has: several threads, and pieces that take their time. */
 class RealStrandTest {
@@ -55,8 +56,61 @@ class RealStrandTest {
         }));
     assertThat(done.await(60, TimeUnit.SECONDS)).isTrue();
     strand.close();
-    assertThat(strand.use()).isEqualTo(new StrandUse(5, 820, 500));
+    assertThat(strand.use()).isEqualTo(new StrandUse(5, 820, 23, 500, 500, "the app"));
     assertThat(errors).isEmpty();
+  }
+
+  @Test
+  void lengthsOfPiecesAreToldToAQuarter() {
+    StrandTally tally = new StrandTally();
+    for (int i = 1; i <= 1000; i++) {
+      tally.add(i * 1000L, i == 1000 ? "a timer" : "the app");
+    }
+
+    StrandUse use = tally.use();
+
+    assertThat(use.medianNs()).isBetween(500_000L, 625_000L);
+    assertThat(use.p99Ns()).isBetween(990_000L, 1_000_000L);
+    assertThat(use.longestPieceNs()).isEqualTo(1_000_000);
+    assertThat(use.longestBy()).isEqualTo("a timer");
+  }
+
+  /** The plan needs what only the steps give: on the strand it would wait for ever. */
+  @Test
+  void motionStepsGoOnWhileAPlanIsComputedOffTheStrand() throws Exception {
+    CountDownLatch steps = new CountDownLatch(5);
+    CountDownLatch planned = new CountDownLatch(1);
+    RealClock clock = new RealClock();
+    try (RealStrand strand = new RealStrand("robot0", clock, errors::add);
+        RealBackground background = new RealBackground("robot0", strand)) {
+      Timer[] step = new Timer[1];
+      step[0] =
+          strand.timer(() -> {
+            steps.countDown();
+            step[0].set(clock.nowNs() + 1_000_000);
+          });
+      strand.post(() -> {
+        background.submit(
+            () -> {
+              if (!await(steps)) {
+                throw new IllegalStateException("no step while the plan was computed");
+              }
+            },
+            planned::countDown);
+        step[0].set(clock.nowNs());
+      });
+      assertThat(planned.await(60, TimeUnit.SECONDS)).isTrue();
+    }
+    assertThat(errors).isEmpty();
+  }
+
+  private static boolean await(CountDownLatch latch) {
+    try {
+      return latch.await(30, TimeUnit.SECONDS);
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      return false;
+    }
   }
 
   @Test
