@@ -1,8 +1,7 @@
 package org.starl.deployment;
 
-import java.io.BufferedReader;
+import java.io.BufferedInputStream;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
@@ -89,10 +88,8 @@ final class Hands implements AutoCloseable {
   }
 
   private void read(Consumer<Word> heard, Consumer<IOException> lost) {
-    try (BufferedReader lines =
-        new BufferedReader(
-            new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
-      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+    try (ShortLines lines = new ShortLines(new BufferedInputStream(socket.getInputStream()))) {
+      for (String line = lines.next(); line != null; line = lines.next()) {
         heard.accept(Word.of(line));
       }
       throw new IOException("is gone");

@@ -1,9 +1,8 @@
 package org.starl.deployment;
 
-import java.io.BufferedReader;
+import java.io.BufferedInputStream;
 import java.io.Closeable;
 import java.io.IOException;
-import java.io.InputStreamReader;
 import java.io.OutputStream;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
@@ -280,10 +279,8 @@ public final class WorldProcess implements AutoCloseable {
 
   private void obey(Socket socket) {
     try (socket;
-        BufferedReader lines =
-            new BufferedReader(
-                new InputStreamReader(socket.getInputStream(), StandardCharsets.UTF_8))) {
-      String name = lines.readLine();
+        ShortLines lines = new ShortLines(new BufferedInputStream(socket.getInputStream()))) {
+      String name = lines.next();
       WorldBody body =
           name == null || !RobotId.isValid(name) ? null : bodies.get(new RobotId(name));
       if (name == null || body == null) {
@@ -292,7 +289,7 @@ public final class WorldProcess implements AutoCloseable {
       }
       RobotId robot = new RobotId(name);
       OutputStream answers = socket.getOutputStream();
-      for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+      for (String line = lines.next(); line != null; line = lines.next()) {
         Hands.Word word = Hands.Word.of(line);
         strand.post(() -> obey(robot, body, word, answers));
       }

@@ -114,6 +114,8 @@ class BadInputTest {
       app: intersection\\nrobots:\\n  most: 4 | :2: robots: | expected one value
       app: intersection\\nrobots: [1, 2] | :2: robots: | expected one value
       app: intersection\\nrobots: | robots: | expected one value
+      app: intersection\\nrobots: !!int + | :2: | '+' | expected a whole number
+      app: hello\\nfaults: [!!int +] | :2: faults='+' | expected
       app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | again
       robots: 4 | has no 'app:' | expected lines such as
       app: intersection\\ndebrs: 2 | :2: | 'debrs' | did you mean debris?

@@ -1,6 +1,7 @@
 package org.starl.deployment;
 
 import static org.assertj.core.api.Assertions.assertThatCode;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
@@ -45,6 +46,15 @@ public class DeploymentFileFuzzTest {
     if (!holds) {
       throw new AssertionError(otherwise);
     }
+  }
+
+  /** A YAML reader that makes numbers of what is tagged so gave nothing at all for this one. */
+  @Test
+  void aNumberWithoutDigitsIsRefused() {
+    byte[] input = "a: &x {b: !!int +, ? ,c : |\n }\n-]]]]]]1\n".getBytes(StandardCharsets.UTF_8);
+    fuzzerTestOneInput(input);
+
+    assertThatThrownBy(() -> DeploymentFile.parse(FILE, input)).isInstanceOf(BadInput.class);
   }
 
   @Test

@@ -1,13 +1,17 @@
 package org.starl.primitives.agreement;
 
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
 import org.starl.ProcessId;
 import org.starl.RobotId;
+import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
@@ -28,6 +32,19 @@ public class SynodFuzzTest {
       all[i] = (byte) in.u8();
     }
     return AcceptorRecord.fromBytes(all);
+  }
+
+  /** An acceptor's slots in any order were read all the same. */
+  @Test
+  void aRecordInAnotherOrderIsRefused() {
+    String hex =
+        "01010000000000000006000301020300022f00000000001a92764f000000000003036f6e6500000000000000050100"
+            + "00000000000003036f6e6500000000000000050003010203000000000000000900004d2e00000003036f6e65"
+            + "000000000000000500";
+
+    assertThatThrownBy(() -> AcceptorRecord.fromBytes(HexFormat.of().parseHex(hex)))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessageContaining("not in its place");
   }
 
   @Test

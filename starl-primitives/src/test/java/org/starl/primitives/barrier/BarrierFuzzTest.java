@@ -1,6 +1,9 @@
 package org.starl.primitives.barrier;
 
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
@@ -34,6 +37,19 @@ public class BarrierFuzzTest {
       throw new WireFormatException("too long");
     }
     return CODEC.read(Value.of(all));
+  }
+
+  /** Broken generations in any order, and somebody left out twice, were read all the same. */
+  @Test
+  void outcomesInAnotherOrderAreRefused() {
+    for (String hex :
+        List.of(
+            "00020000000000000080000200000002000000000000000900010001",
+            "000100000000000000040002" + "00020000",
+            "0002000000000000000400010001" + "000000000000000900010001")) {
+      WireReader in = new WireReader(HexFormat.of().parseHex(hex));
+      assertThatThrownBy(() -> outcomes(in)).isInstanceOf(WireFormatException.class);
+    }
   }
 
   @Test

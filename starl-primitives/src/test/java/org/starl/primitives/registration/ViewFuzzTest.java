@@ -1,6 +1,9 @@
 package org.starl.primitives.registration;
 
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
@@ -41,6 +44,18 @@ public class ViewFuzzTest {
       throw new WireFormatException("too long");
     }
     return Value.of(all);
+  }
+
+  /** Entries in any order were read all the same. */
+  @Test
+  void aViewInAnotherOrderIsRefused() {
+    String hex =
+        "020002036f6e650000000000d4000100000000000000010347776f0000000100000000000000000000000c00010574"
+            + "687265650000000000000005000000000000000302014103423a31";
+    WireReader in = new WireReader(HexFormat.of().parseHex(hex));
+
+    assertThatThrownBy(() -> ViewFormat.read(NUMBER, value(in)))
+        .isInstanceOf(WireFormatException.class);
   }
 
   @Test
