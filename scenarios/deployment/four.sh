@@ -76,7 +76,7 @@ in_space() {
 $starl keygen "$work/crossing.key" && $starl deploy check "$work/crossing.yaml" || exit 1
 (in_space world $starl deploy world "$work/crossing.yaml" --folder "$work") >"$work/world.log" 2>&1 &
 pids+=($!)
-until grep -q 'runs' "$work/world.log"; do
+until grep -qs 'runs' "$work/world.log"; do
   kill -0 "${pids[0]}" || { cat "$work/world.log"; exit 1; }
   sleep 0.2
 done
