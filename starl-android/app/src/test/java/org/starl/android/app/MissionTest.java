@@ -8,6 +8,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.deploy.file.Deployment;
 import org.starl.deploy.file.DeploymentException;
 import org.starl.deploy.file.DeploymentReader;
+import org.starl.deploy.file.YamlTree;
 import org.starl.platform.DeploymentKey;
 
 class MissionTest {
