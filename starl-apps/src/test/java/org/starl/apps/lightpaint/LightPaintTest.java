@@ -135,6 +135,14 @@ class LightPaintTest {
     assertThat(painted).isBetween(10, 20);
   }
 
+  /** Who gives way is at its place before its storage has it that it needs its way no more. */
+  @Test
+  void slowStorageKeepsNobodyFromComingBack(@TempDir Path folder) throws IOException {
+    for (long seed = 1; seed <= 3; seed++) {
+      assertAllPainted(run(seed, 4, small(folder), Map.of("stableDelay", "150ms")), STROKES);
+    }
+  }
+
   @Test
   void noisyPositionsAndStartsOnTheDrawingAreFine(@TempDir Path folder) throws IOException {
     Path starts =

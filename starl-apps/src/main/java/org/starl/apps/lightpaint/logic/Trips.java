@@ -49,11 +49,17 @@ final class Trips {
     if (paths.isUnderWay()) {
       return false;
     }
-    boolean isThere = gvh.gps.nearestMm(home.at()) <= HOME_MM && holdsNoWay();
-    if (!isThere) {
+    boolean isThere = gvh.gps.nearestMm(home.at()) <= HOME_MM;
+    if (isThere && holdsNoWay()) {
+      return true;
+    }
+    // Who has arrived gives its way back as soon as its storage has that: to set out again at once
+    // would be to claim another one, for ever where storage is slow.
+    boolean givesBack = isThere && paths.tubeflag().get() == TubeFlag.DONE;
+    if (!givesBack) {
       paths.goTo(home);
     }
-    return isThere;
+    return false;
   }
 
   /** Who was stopped on its way goes on holding it. */
