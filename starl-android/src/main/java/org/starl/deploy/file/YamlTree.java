@@ -31,7 +31,8 @@ public final class YamlTree {
   public static final String EXPECTED = "expected lines such as 'app: intersection'";
 
   /** What stands for nothing, unless it is quoted (YAML 1.2, section 10.3.2). */
-  private static final Set<String> NULLS = new TreeSet<>(Arrays.asList("~", "null", "Null", "NULL"));
+  private static final Set<String> NULLS =
+      new TreeSet<>(Arrays.asList("~", "null", "Null", "NULL"));
 
   private final String file;
   private final Parser events;
