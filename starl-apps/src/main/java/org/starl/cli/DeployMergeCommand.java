@@ -123,7 +123,7 @@ final class DeployMergeCommand implements Callable<Integer> {
                 robot
                     + " was not measured for up to "
                     + Math.round(ms)
-                    + " ms at a time: nobody knows where it was then"));
+                    + " ms at a time: nobody saw whether it was pushed then"));
     result
         .dead()
         .forEach(robot -> lines.add(robot + "'s trace is cut off: its process was killed there"));

@@ -11,4 +11,12 @@ package org.starl.deploy.file;
  * @param reactionMs what the program commands is in effect, the old speed braked down, within this time
  */
 public record Limits(
-    double speedMmPerS, int watchdogMs, int positionMs, double speedError, int reactionMs) {}
+    double speedMmPerS, int watchdogMs, int positionMs, double speedError, int reactionMs) {
+
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** So long after the time of its last fix a robot stands: stopped, and braked down. */
+  public long stillAfterNs() {
+    return (positionMs + reactionMs) * NS_PER_MS;
+  }
+}

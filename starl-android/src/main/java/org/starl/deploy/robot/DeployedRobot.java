@@ -178,6 +178,7 @@ public final class DeployedRobot implements AutoCloseable {
             id,
             motion.robotRadiusMm(),
             deployment.limits().speedMmPerS(),
+            deployment.limits().stillAfterNs(),
             poses.positioning(strand, entry.rigidBody()),
             strand.pieceClock(),
             trace);

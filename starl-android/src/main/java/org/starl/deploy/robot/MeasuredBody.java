@@ -17,9 +17,9 @@ import org.starl.trace.TraceEvent.Moved;
  * Passes a robot's fixes on, and writes them into its trace as events of its body, which nobody else
  * does where it is real: the body stands where it was measured until it is measured again. An action
  * {@code positions within} says how far in mm the true body may have been from that up to now: the
- * measurement's error, and the way that the wheels can have gone since. A body that is pushed or
- * slides is beyond it, and so is one that is not measured for {@link #LOST_NS}: an action {@code
- * positions lost} says then for how long, in ms, nobody knew. Strand only.
+ * measurement's error, and the way that the wheels can have gone since; where no fix comes they are
+ * stopped below the program, so that this ends. A body that is pushed or slides is beyond it: an action
+ * {@code positions lost} says for how long, in ms, nobody would have seen that. Strand only.
  */
 public final class MeasuredBody implements Positioning {
 
@@ -30,14 +30,13 @@ public final class MeasuredBody implements Positioning {
   /** At 300 mm/s a body goes 6 mm in it; a fix that comes earlier is not written. */
   private static final long EVERY_NS = 20_000_000;
 
-  private static final long LOST_NS = 100_000_000;
-
   private static final double NS_PER_S = 1e9;
   private static final long NS_PER_MS = 1_000_000;
 
   private final RobotId id;
   private final double radiusMm;
   private final double mostMmPerS;
+  private final long stillAfterNs;
   private final Positioning positioning;
   private final Clock clock;
   private final TraceSink trace;
@@ -47,18 +46,21 @@ public final class MeasuredBody implements Positioning {
 
   /**
    * @param mostMmPerS the wheels move the body no faster
+   * @param stillAfterNs so long after the time of the last fix the wheels stand
    * @param clock the one of the fixes
    */
   MeasuredBody(
       RobotId id,
       double radiusMm,
       double mostMmPerS,
+      long stillAfterNs,
       Positioning positioning,
       Clock clock,
       TraceSink trace) {
     this.id = id;
     this.radiusMm = radiusMm;
     this.mostMmPerS = mostMmPerS;
+    this.stillAfterNs = stillAfterNs;
     this.positioning = positioning;
     this.clock = clock;
     this.trace = trace;
@@ -119,10 +121,10 @@ public final class MeasuredBody implements Positioning {
   /** What the trace has until now is {@code fix}. */
   private void tell(Fix fix, long nowNs) {
     long ageNs = Math.max(0, nowNs - fix.timeNs());
-    if (ageNs > LOST_NS) {
+    if (ageNs > stillAfterNs) {
       record(nowNs, LOST, ageNs / NS_PER_MS);
     }
-    double offMm = fix.errorMm() + mostMmPerS * Math.min(ageNs, LOST_NS) / NS_PER_S;
+    double offMm = fix.errorMm() + mostMmPerS * Math.min(ageNs, stillAfterNs) / NS_PER_S;
     if (offMm > toldMm) {
       toldMm = (long) Math.ceil(offMm);
       record(nowNs, WITHIN, toldMm);

@@ -21,6 +21,7 @@ class MeasuredBodyTest {
   private static final RobotId SELF = new RobotId("bot0");
   private static final long MS = 1_000_000;
   private static final double MOST_MM_PER_S = 300;
+  private static final long STILL_AFTER_MS = 400;
 
   private final List<TraceEvent> trace = new ArrayList<>();
   private final List<Fix> heard = new ArrayList<>();
@@ -32,6 +33,7 @@ class MeasuredBodyTest {
           SELF,
           165,
           MOST_MM_PER_S,
+          STILL_AFTER_MS * MS,
           receiver -> cameras = receiver,
           () -> nowNs,
           new TraceSink() {
@@ -129,14 +131,23 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void whoWasNotMeasuredForLongIsToldLost() {
+  void whileItsWheelsTurnTheBodyMayGoOn() {
+    fix(100, 0, 0, 5);
+    fix(450, 50, 90, 5);
+
+    assertThat(withinMm()).isEqualTo(5 + 105);
+    assertThat(lostMs()).isEmpty();
+  }
+
+  @Test
+  void whoWasNotMeasuredForLongStandsAndIsToldLost() {
     fix(100, 0, 0, 5);
     fix(600, 0, 0, 5);
     fix(620, 0, 0, 5);
-    body.end(800 * MS);
+    body.end(1_200 * MS);
 
-    assertThat(withinMm()).isEqualTo(5 + 30);
-    assertThat(lostMs()).containsExactly(500.0, 180.0);
+    assertThat(withinMm()).isEqualTo(5 + 120);
+    assertThat(lostMs()).containsExactly(500.0, 580.0);
   }
 
   @Test
