@@ -21,16 +21,20 @@ public final class PseudoTerminal implements ByteLink {
   private static final String SCRIPT =
       """
       import os, pty, select, sys, tty
-      near, far = pty.openpty()
-      tty.setraw(far)
-      os.set_blocking(near, False)
-      path = os.ttyname(far)
       name = sys.argv[1]
-      if name:
-          if os.path.islink(name):
-              os.unlink(name)
-          os.symlink(path, name)
-          path = name
+      try:
+          near, far = pty.openpty()
+          tty.setraw(far)
+          os.set_blocking(near, False)
+          path = os.ttyname(far)
+          if name:
+              if os.path.islink(name):
+                  os.unlink(name)
+              os.symlink(path, name)
+              path = name
+      except OSError as error:
+          os.write(1, b'!' + error.strerror.encode() + b'\\n')
+          sys.exit(1)
       os.write(1, path.encode() + b'\\n')
       try:
           while True:
@@ -81,7 +85,11 @@ public final class PseudoTerminal implements ByteLink {
       }
       line[length++] = (byte) b;
     }
-    return new PseudoTerminal(process, new String(line, 0, length, StandardCharsets.UTF_8));
+    String said = new String(line, 0, length, StandardCharsets.UTF_8);
+    if (said.startsWith("!")) {
+      throw new IOException("no pseudo terminal " + name + ": " + said.substring(1));
+    }
+    return new PseudoTerminal(process, said);
   }
 
   /** What to open at the other side. */
