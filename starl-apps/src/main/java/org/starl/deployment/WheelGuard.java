@@ -197,6 +197,7 @@ public final class WheelGuard {
       }
       if (!hasStood) {
         hasStood = true;
+        mayTurn = false;
         // The port stays open for as long as the Create may still be told.
         voice.join(DRAIN_MS);
       }
