@@ -14,6 +14,8 @@ import java.io.IOException;
 import java.util.Objects;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.deploy.create.ByteLink;
 import org.starl.deploy.create.SocketLink;
@@ -27,6 +29,9 @@ import org.starl.platform.LogSink;
  *
  * <p>Android may end it all the same, and starts it again then: the robot's program begins anew, as
  * another incarnation, and the wheels are stopped when the link to them is open again.
+ *
+ * <p>Each start and each end begins another attempt. Whatever an older one comes to later, a robot or
+ * a failure, is closed and forgotten.
  */
 public final class RobotService extends Service {
 
@@ -58,20 +63,42 @@ public final class RobotService extends Service {
     }
   }
 
+  /** Brings a robot up, as {@link Robot#open} does; may take its time. */
+  interface Opener {
+    Robot open(
+        Mission mission,
+        ByteLink.Source links,
+        Robot.Files files,
+        LogSink log,
+        Consumer<Throwable> onBug)
+        throws IOException;
+  }
+
   private final Access access = new Access();
+  private final Handler main = new Handler(Looper.getMainLooper());
 
   /** Opens and closes robots, in the order in which it was asked to. */
-  private final ExecutorService worker =
+  final ExecutorService worker =
       Executors.newSingleThreadExecutor(work -> new Thread(work, "robot service"));
+
+  /** Set before the first start, if at all. */
+  Opener opener = Robot::open;
 
   private @Nullable Locks locks;
   private @Nullable RobotNotification notification;
   private @Nullable NetworkWatch network;
 
-  // The main thread sets a phase before it asks the worker, the worker when it has done it.
-  private volatile Phase phase = Phase.IDLE;
+  // Main thread only.
+  private Phase phase = Phase.IDLE;
+  private String problem = "";
+  private int lastStartId;
+
+  // The main thread counts, and asks the worker each time to close the robot of before.
+  private final AtomicInteger attempt = new AtomicInteger();
+
+  // The worker sets it, and asks then whether it may drive; the main thread forbids that, and looks
+  // then whether it is set: one of both stops its wheels.
   private volatile @Nullable Robot robot;
-  private volatile String problem = "";
   private volatile boolean isEmergency;
 
   /** What starts or tells the service from anywhere in this app. */
@@ -95,6 +122,7 @@ public final class RobotService extends Service {
 
   @Override
   public int onStartCommand(@Nullable Intent intent, int flags, int startId) {
+    lastStartId = startId;
     String action = intent == null ? START : String.valueOf(intent.getAction());
     switch (action) {
       case START -> begin();
@@ -112,11 +140,13 @@ public final class RobotService extends Service {
     if (network != null) {
       network.end();
     }
-    closeRobotSoon();
+    attempt.incrementAndGet();
+    stopWheels();
+    worker.execute(() -> {
+      closeRobot();
+      main.post(this::releaseLocks);
+    });
     worker.shutdown();
-    if (locks != null) {
-      locks.release();
-    }
     super.onDestroy();
   }
 
@@ -172,7 +202,7 @@ public final class RobotService extends Service {
     if (phase() == Phase.STARTING || phase() == Phase.RUNNING) {
       return;
     }
-    closeRobotSoon();
+    int mine = attempt.incrementAndGet();
     phase = Phase.STARTING;
     problem = "";
     try {
@@ -189,40 +219,65 @@ public final class RobotService extends Service {
     if (locks != null) {
       locks.acquire();
     }
-    worker.execute(this::open);
+    worker.execute(() -> open(mine));
   }
 
-  /** Ends the robot, and the service when nobody has it bound. */
+  /** Ends the robot, wheels first, and the service when nobody has it bound. */
   private void end() {
+    attempt.incrementAndGet();
+    stopWheels();
     phase = Phase.IDLE;
     isEmergency = false;
-    closeRobotSoon();
-    leaveForeground();
-    stopSelf();
+    leaveSoon();
+  }
+
+  private void stopWheels() {
+    Robot here = robot;
+    if (here != null) {
+      here.emergencyStop();
+    }
   }
 
   // On the worker.
-  private void open() {
+  private void open(int mine) {
+    closeRobot();
+    if (attempt.get() != mine) {
+      return;
+    }
     try {
       Store store = new Store(this);
       Mission mission = store.mission();
       String name = mission.robot().id().name();
       Robot opened =
-          Robot.open(
+          opener.open(
               mission,
               links(mission),
               new Robot.Files(store.robotFolder(name), store.newTrace(name)),
               RobotService::log,
-              this::robotFailed);
+              bug -> robotFailed(mine, bug));
       robot = opened;
-      if (isEmergency) {
+      // In this order: an end that takes the emergency stop back has begun its attempt before.
+      if (isEmergency || attempt.get() != mine) {
         opened.emergencyStop();
       }
-      phase = Phase.RUNNING;
-      show(mission.robot().id() + " runs " + mission.deployment().app());
+      onMain(mine, () -> runs(mission));
     } catch (IOException | DeploymentException e) {
-      new Handler(Looper.getMainLooper()).post(() -> giveUp(String.valueOf(e.getMessage())));
+      onMain(mine, () -> giveUp(String.valueOf(e.getMessage())));
     }
+  }
+
+  /** Does it on the main thread, unless another attempt has begun by then. */
+  private void onMain(int mine, Runnable work) {
+    main.post(() -> {
+      if (attempt.get() == mine) {
+        work.run();
+      }
+    });
+  }
+
+  private void runs(Mission mission) {
+    phase = Phase.RUNNING;
+    show(mission.robot().id() + " runs " + mission.deployment().app());
   }
 
   private ByteLink.Source links(Mission mission) {
@@ -237,17 +292,16 @@ public final class RobotService extends Service {
   }
 
   // From any thread: its wheels stand already.
-  private void robotFailed(Throwable bug) {
+  private void robotFailed(int mine, Throwable bug) {
     Log.e(TAG, "the robot cannot go on", bug);
-    show("cannot go on: " + bug);
+    onMain(mine, () -> show("cannot go on: " + bug));
   }
 
-  // On the main thread: there will be no robot.
+  // There will be no robot.
   private void giveUp(String why) {
     phase = Phase.FAILED;
     problem = why;
-    leaveForeground();
-    stopSelf();
+    leaveSoon();
   }
 
   private void goToForeground() {
@@ -264,21 +318,35 @@ public final class RobotService extends Service {
     }
   }
 
-  private void leaveForeground() {
+  /** Leaves the foreground, and lets the phone sleep, when the robot is closed: its wheels stand then. */
+  private void leaveSoon() {
+    int mine = attempt.get();
+    worker.execute(() -> {
+      closeRobot();
+      onMain(mine, this::leave);
+    });
+  }
+
+  private void leave() {
     stopForeground(STOP_FOREGROUND_REMOVE);
+    releaseLocks();
+    // Not where another command is on its way here.
+    stopSelf(lastStartId);
+  }
+
+  private void releaseLocks() {
     if (locks != null) {
       locks.release();
     }
   }
 
-  private void closeRobotSoon() {
-    worker.execute(() -> {
-      Robot here = robot;
-      if (here != null) {
-        here.close();
-        robot = null;
-      }
-    });
+  // On the worker.
+  private void closeRobot() {
+    Robot here = robot;
+    if (here != null) {
+      here.close();
+      robot = null;
+    }
   }
 
   private void show(String line) {

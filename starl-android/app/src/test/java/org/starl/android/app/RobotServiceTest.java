@@ -19,6 +19,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.UUID;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.Semaphore;
+import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.junit.After;
@@ -46,12 +48,18 @@ import org.starl.geometry.Pose;
     shadows = {AdapterShadow.class, SocketShadow.class})
 public final class RobotServiceTest {
 
+  private static final long LIMIT_S = 60;
+
   private final RealClock clock = new RealClock();
   private final SimulatedCar car = new SimulatedCar("bot0", new Pose(0, 0, 0), clock, event -> {});
   private final List<SocketShadow> sockets = new CopyOnWriteArrayList<>();
   private final List<UUID> services = new CopyOnWriteArrayList<>();
   private final AtomicInteger refusals = new AtomicInteger();
   private final Application application = RuntimeEnvironment.getApplication();
+
+  /** What the service's worker waits for, where a test holds it. */
+  private final Semaphore mayGoOn = new Semaphore(0);
+
   private NatNetServer cameras;
   private ServiceController<RobotService> controller;
   private RobotService service;
@@ -78,6 +86,7 @@ public final class RobotServiceTest {
 
   @After
   public void endAll() {
+    mayGoOn.release();
     controller.destroy();
     cameras.close();
     car.close();
@@ -127,6 +136,27 @@ public final class RobotServiceTest {
     });
   }
 
+  /** Starts a robot whose opening waits, and returns while it does. */
+  private void startHeld(RobotService.Opener then) throws InterruptedException {
+    Semaphore isOpening = new Semaphore(0);
+    service.opener =
+        (mission, links, files, log, onBug) -> {
+          isOpening.release();
+          mayGoOn.acquireUninterruptibly();
+          return then.open(mission, links, files, log, onBug);
+        };
+    tell(RobotService.START);
+    until(isOpening::tryAcquire);
+    service.opener = Robot::open;
+  }
+
+  /** Lets the worker go on; returns when it has done all that it was asked for, and said so. */
+  private void goOn() throws Exception {
+    mayGoOn.release();
+    service.worker.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
+    shadowOf(Looper.getMainLooper()).idle();
+  }
+
   private boolean isHeldBy(CreateHold hold) {
     RobotStatus status = service.status();
     return status != null && status.wheels().holds().contains(hold);
@@ -147,21 +177,81 @@ public final class RobotServiceTest {
     assertThat(service.holdsLocks()).isTrue();
     until(() -> service.phase() == Phase.RUNNING);
     tell(RobotService.STOP);
-    assertThat(service.holdsLocks()).isFalse();
+    until(() -> !service.holdsLocks());
     assertThat(ShadowPowerManager.getLatestWakeLock().isHeld()).isFalse();
     assertThat(shadowOf(service).isForegroundStopped()).isTrue();
     assertThat(shadowOf(service).isStoppedBySelf()).isTrue();
-    until(() -> service.status() == null);
+    assertThat(service.status()).isNull();
   }
 
   @Test
-  public void withoutThePermissionNothingIsDriven() {
+  public void whoIsStoppedWhileItIsOpenedIsClosedAndForgottenAndMayStartAgain() throws Exception {
+    startHeld(Robot::open);
+    tell(RobotService.STOP);
+    assertThat(service.phase()).isEqualTo(Phase.IDLE);
+    assertThat(service.holdsLocks()).isTrue();
+    goOn();
+    assertThat(service.phase()).isEqualTo(Phase.IDLE);
+    assertThat(service.status()).isNull();
+    assertThat(service.holdsLocks()).isFalse();
+    tell(RobotService.START);
+    until(() -> service.phase() == Phase.RUNNING && car.turnsItsWheels());
+  }
+
+  @Test
+  public void anOpeningThatFailsAfterItsStopIsForgotten() throws Exception {
+    startHeld((mission, links, files, log, onBug) -> {
+      files.trace().close();
+      throw new IOException("no such port");
+    });
+    tell(RobotService.STOP);
+    goOn();
+    assertThat(service.phase()).isEqualTo(Phase.IDLE);
+    assertThat(service.problem()).isEmpty();
+    assertThat(service.holdsLocks()).isFalse();
+  }
+
+  @Test
+  public void aStopStopsTheWheelsFirstAndThePhoneStaysAwakeUntilTheRobotIsClosed()
+      throws Exception {
+    tell(RobotService.START);
+    until(car::turnsItsWheels);
+    service.worker.execute(mayGoOn::acquireUninterruptibly);
+    tell(RobotService.STOP);
+    assertThat(isHeldBy(CreateHold.EMERGENCY_STOP)).isTrue();
+    until(() -> !car.turnsItsWheels());
+    assertThat(service.holdsLocks()).isTrue();
+    assertThat(shadowOf(service).isForegroundStopped()).isFalse();
+    goOn();
+    assertThat(service.status()).isNull();
+    assertThat(service.holdsLocks()).isFalse();
+    assertThat(shadowOf(service).isForegroundStopped()).isTrue();
+  }
+
+  @Test
+  public void aStartBeforeTheRobotIsClosedDrivesAnotherAndThePhoneStaysAwake() throws Exception {
+    tell(RobotService.START);
+    until(() -> service.phase() == Phase.RUNNING && car.turnsItsWheels());
+    service.worker.execute(mayGoOn::acquireUninterruptibly);
+    tell(RobotService.STOP);
+    tell(RobotService.START);
+    goOn();
+    assertThat(service.phase()).isEqualTo(Phase.RUNNING);
+    assertThat(service.holdsLocks()).isTrue();
+    assertThat(shadowOf(service).isForegroundStopped()).isFalse();
+    assertThat(shadowOf(service).isStoppedBySelf()).isFalse();
+    until(car::turnsItsWheels);
+    assertThat(isHeldBy(CreateHold.EMERGENCY_STOP)).isFalse();
+  }
+
+  @Test
+  public void withoutThePermissionNothingIsDriven() throws InterruptedException {
     shadowOf(application).denyPermissions(Manifest.permission.BLUETOOTH_CONNECT);
     tell(RobotService.START);
     assertThat(service.phase()).isEqualTo(Phase.FAILED);
     assertThat(service.problem()).contains(Manifest.permission.BLUETOOTH_CONNECT);
     assertThat(service.holdsLocks()).isFalse();
-    assertThat(shadowOf(service).isForegroundStopped()).isTrue();
+    until(() -> shadowOf(service).isForegroundStopped());
     assertThat(sockets).isEmpty();
   }
 
@@ -183,7 +273,7 @@ public final class RobotServiceTest {
     until(() -> service.phase() == Phase.FAILED);
     assertThat(service.problem())
         .isEqualTo("deployment.yaml:1: app: 'maze': phones have [hello, intersection]");
-    assertThat(service.holdsLocks()).isFalse();
+    until(() -> !service.holdsLocks());
   }
 
   @Test
