@@ -2,6 +2,8 @@ package org.starl;
 
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.starl.platform.Clock;
+import org.starl.platform.Strand;
 
 /**
  * A robot's app. Override {@link #callStarL}, a blocking state machine as in the paper's Figure 4;
@@ -16,12 +18,18 @@ public abstract class LogicThread {
   private static final long NS_PER_MS = 1_000_000;
 
   protected final GlobalVarHolder gvh;
+
+  // As gvh.plat has them: what every wait needs lies at hand.
+  private final Strand strand;
+  private final Clock clock;
   private final long stepPeriodMs;
   private final long stepPhaseNs;
 
   /** An app that overrides {@link #callStarL}. */
   protected LogicThread(GlobalVarHolder gvh) {
     this.gvh = gvh;
+    this.strand = gvh.plat.strand;
+    this.clock = gvh.plat.clock;
     this.stepPeriodMs = 0;
     this.stepPhaseNs = 0;
   }
@@ -52,6 +60,8 @@ public abstract class LogicThread {
               + " ns: expected above 0, and at least 0");
     }
     this.gvh = gvh;
+    this.strand = gvh.plat.strand;
+    this.clock = gvh.plat.clock;
     this.stepPeriodMs = stepPeriodMs;
     this.stepPhaseNs = stepPhaseNs;
   }
@@ -97,12 +107,12 @@ public abstract class LogicThread {
 
   /** Gives up the strand for {@code ms} milliseconds; messages and timers are handled meanwhile. */
   protected final void sleep(long ms) {
-    gvh.plat.strand.sleepUntil(inMs(ms));
+    strand.sleepUntil(inMs(ms));
   }
 
   /** Gives up the strand until {@code condition} holds. */
   protected final void await(BooleanSupplier condition) {
-    gvh.plat.strand.awaitUntil(condition, Long.MAX_VALUE);
+    strand.awaitUntil(condition, Long.MAX_VALUE);
   }
 
   /**
@@ -111,12 +121,12 @@ public abstract class LogicThread {
    * @return whether the condition held
    */
   protected final boolean await(BooleanSupplier condition, long timeoutMs) {
-    return gvh.plat.strand.awaitUntil(condition, inMs(timeoutMs));
+    return strand.awaitUntil(condition, inMs(timeoutMs));
   }
 
   /** The time {@code ms} from now; never, if that is beyond what a clock can show. */
   private long inMs(long ms) {
-    long nowNs = gvh.plat.clock.nowNs();
+    long nowNs = clock.nowNs();
     return ms > (Long.MAX_VALUE - nowNs) / NS_PER_MS ? Long.MAX_VALUE : nowNs + ms * NS_PER_MS;
   }
 }

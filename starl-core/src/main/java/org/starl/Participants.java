@@ -79,29 +79,29 @@ public final class Participants implements Iterable<RobotId> {
   private static final class Names {
     private static final int GOLDEN_RATIO = 0x9E3779B9;
 
-    private final RobotId[] ids;
+    /** The robot in each slot. */
+    private final @Nullable RobotId[] ids;
 
-    /** All names, one after another; each from {@code starts[i]} to {@code starts[i + 1]}. */
+    /** The names in the order of their slots: each from {@code starts[slot]} to the next start. */
     private final byte[] letters;
 
     private final int[] starts;
 
-    /** Index and 1 of the robot in each slot, 0 in an empty one. */
-    private final int[] slots;
-
     Names(List<RobotId> robots) {
-      ids = robots.toArray(new RobotId[0]);
+      ids = new RobotId[Integer.highestOneBit(2 * robots.size() + 1) * 2];
       starts = new int[ids.length + 1];
-      StringBuilder all = new StringBuilder();
-      slots = new int[Integer.highestOneBit(2 * ids.length + 1) * 2];
-      for (int i = 0; i < ids.length; i++) {
-        all.append(ids[i].name());
-        starts[i + 1] = all.length();
-        int slot = slot(ids[i].hashCode());
-        while (slots[slot] != 0) {
-          slot = (slot + 1) & (slots.length - 1);
+      for (RobotId robot : robots) {
+        int slot = slot(robot.hashCode());
+        while (ids[slot] != null) {
+          slot = (slot + 1) & (ids.length - 1);
         }
-        slots[slot] = i + 1;
+        ids[slot] = robot;
+      }
+      StringBuilder all = new StringBuilder();
+      for (int slot = 0; slot < ids.length; slot++) {
+        RobotId robot = ids[slot];
+        all.append(robot == null ? "" : robot.name());
+        starts[slot + 1] = all.length();
       }
       letters = all.toString().getBytes(StandardCharsets.US_ASCII);
     }
@@ -112,19 +112,18 @@ public final class Participants implements Iterable<RobotId> {
         hash = 31 * hash + bytes[i]; // as a name's
       }
       int slot = slot(hash);
-      while (slots[slot] != 0) {
-        int robot = slots[slot] - 1;
-        if (isNamed(robot, bytes, from, length)) {
-          return ids[robot];
+      while (starts[slot + 1] > starts[slot]) {
+        if (isNamed(slot, bytes, from, length)) {
+          return ids[slot];
         }
-        slot = (slot + 1) & (slots.length - 1);
+        slot = (slot + 1) & (ids.length - 1);
       }
       return null;
     }
 
-    private boolean isNamed(int robot, byte[] bytes, int from, int length) {
-      int start = starts[robot];
-      if (starts[robot + 1] - start != length) {
+    private boolean isNamed(int slot, byte[] bytes, int from, int length) {
+      int start = starts[slot];
+      if (starts[slot + 1] - start != length) {
         return false;
       }
       // Names differ in their last letters: from there, most comparisons end at once.
@@ -141,7 +140,7 @@ public final class Participants implements Iterable<RobotId> {
      * their last digits have neighbouring hashes, which would fill long runs of slots.
      */
     private int slot(int hash) {
-      return (hash * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(slots.length) + 1);
+      return (hash * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(ids.length) + 1);
     }
   }
 }

@@ -12,7 +12,8 @@ public final class RobotId implements Comparable<RobotId> {
 
   private final String name;
 
-  // Looked up with every message: so the name itself, which is elsewhere in memory, is not read.
+  // Looked up and compared with every message: so the name itself, which is elsewhere in memory, is
+  // mostly not read.
   private final int hash;
 
   public RobotId(String name) {
@@ -117,7 +118,8 @@ public final class RobotId implements Comparable<RobotId> {
 
   @Override
   public boolean equals(@Nullable Object other) {
-    return this == other || (other instanceof RobotId that && name.equals(that.name));
+    return this == other
+        || (other instanceof RobotId that && hash == that.hash && name.equals(that.name));
   }
 
   /** That of the name. */

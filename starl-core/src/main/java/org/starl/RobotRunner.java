@@ -88,6 +88,7 @@ public final class RobotRunner {
   private void run(int boot) {
     GlobalVarHolder holder = new GlobalVarHolder(platform, boot, workspace);
     LogicThread logic = appFactory.apply(holder);
+    platform.strand().uses(logic);
     gvh = holder;
     app = logic;
     if (logic.stepPeriodMs() > 0) {

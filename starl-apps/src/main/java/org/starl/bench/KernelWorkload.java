@@ -93,6 +93,7 @@ public final class KernelWorkload implements Workload {
       this.me = me;
       rng = gvh.plat.entropy.fork("b1");
       endpoint = gvh.comms.open(CHANNEL, (from, message) -> received += message);
+      gvh.plat.strand.uses(this, rng);
     }
 
     long phaseNs() {

@@ -56,7 +56,21 @@ public final class Comms {
     this.books = new Bookkeeping(platform);
     DeploymentKey key = platform.key();
     this.seal = key == null ? null : new Seal(key);
-    radio.onReceive(this::arrived);
+    Radio.Receiver receiver = this::arrived;
+    radio.onReceive(receiver);
+    platform
+        .strand()
+        .uses(
+            radio,
+            receiver,
+            this,
+            self,
+            books,
+            writer,
+            writer.senderName(),
+            lamportClock,
+            robots,
+            inbound);
   }
 
   /** The robot's logical clock; every datagram carries and witnesses it. */
@@ -75,6 +89,7 @@ public final class Comms {
       throw new IllegalStateException("channel " + channel.name() + " is open already");
     }
     endpoints.add(endpoint);
+    platform.strand().uses(endpoint, handler);
     return endpoint;
   }
 

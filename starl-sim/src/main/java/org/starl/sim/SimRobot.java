@@ -72,7 +72,9 @@ final class SimRobot implements TraceSink {
     Rng robotRng = engine.behaviourRng(spec.id());
     // A robot that starts again draws otherwise; what measures it stands outside, and goes on.
     Rng rng = incarnation == 1 ? robotRng : robotRng.fork("incarnation" + incarnation);
-    strand = kernel.strand(spec.id().name());
+    // Local, so that the network's way to it does not lead through this robot, which may be cold.
+    SimStrand own = kernel.strand(spec.id().name());
+    strand = own;
     clock = engine.clockOf(spec.id());
     impaired = clock == null ? null : new ImpairedStrand(strand, clock, kernel);
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
@@ -87,14 +89,19 @@ final class SimRobot implements TraceSink {
             impaired == null ? strand : impaired,
             engine
                 .network()
-                .attach(spec.id(), impaired == null ? strand::schedule : impaired::schedule),
+                .attach(
+                    spec.id(),
+                    impaired == null
+                        ? (atNs, piece) -> kernel.schedule(atNs, own, piece)
+                        : impaired::schedule),
             positioning,
             chassis,
             stable,
             rng::fork,
             new SimBackground(kernel, strand, settings.computeTimeNs()),
             engine.watchers().logOf(spec.id()),
-            this,
+            // Where nobody listens, one sink for all robots, which stays in the processor's cache.
+            engine.watchers().isOn() ? this : engine.watchers(),
             engine.knownObstacles(),
             settings.motionParameters(index),
             engine.key());

@@ -14,6 +14,9 @@ interface Carrier {
    */
   void resume();
 
+  /** Touches what {@link #resume} is going to use ({@link Cache}). */
+  int touch();
+
   /** App's side: lets the kernel go on, and returns when the kernel resumes it. */
   void suspend();
 

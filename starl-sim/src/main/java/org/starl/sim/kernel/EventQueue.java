@@ -18,6 +18,12 @@ final class EventQueue {
   private static final int BUCKETS = 1 << 15;
   private static final int BUCKET_MASK = BUCKETS - 1;
 
+  // So many events' memory is fetched at once: of fewer it is not worth it, more would push each
+  // other
+  // out of the cache again before they run.
+  private static final int LEAST_AHEAD = 4;
+  private static final int MOST_AHEAD = 16;
+
   /** The {@code place} of a slot in the open bucket; elsewhere places are -1 or above. */
   private static final int OPEN = -2;
 
@@ -34,6 +40,14 @@ final class EventQueue {
   private int[] openSlots = new int[16];
   private int openNext;
   private int openEnd;
+
+  // How many events of the open bucket were touched; and a slot of the next bucket's list, which is
+  // walked ahead, a step an event. Both for the cache alone: they decide nothing.
+  private int touchedTo;
+  private int scout = EventTable.NONE;
+
+  @SuppressWarnings("UnusedVariable") // kept, or the compiler would leave the reading out (Cache)
+  private int read;
 
   private final SlotHeap near = new SlotHeap(events);
   private final SlotHeap far = new SlotHeap(events);
@@ -100,6 +114,9 @@ final class EventQueue {
     } else {
       near.removeAt(0);
     }
+    if (scout != EventTable.NONE) {
+      scout = events.next(scout);
+    }
     size--;
     polledAtNs = events.atNs(slot);
     polledStrand = events.strand(slot);
@@ -141,7 +158,10 @@ final class EventQueue {
 
   private int firstOpen() {
     while (openNext < openEnd) {
-      int slot = openSlots[Integer.MAX_VALUE - (int) openKeys[openNext]];
+      if (openNext >= touchedTo) {
+        touchAhead();
+      }
+      int slot = openSlot(openNext);
       if (events.piece(slot) != null) {
         return slot;
       }
@@ -151,9 +171,40 @@ final class EventQueue {
     return EventTable.NONE;
   }
 
+  private int openSlot(int index) {
+    return openSlots[Integer.MAX_VALUE - (int) openKeys[index]];
+  }
+
+  /**
+   * Lets the next events' memory come into the cache together: with thousands of robots each event
+   * follows some thirty references through memory that is cold, and would wait for one after the
+   * other.
+   */
+  private void touchAhead() {
+    int from = openNext;
+    int to = Math.min(from + MOST_AHEAD, openEnd);
+    touchedTo = to;
+    if (to - from < LEAST_AHEAD) {
+      return;
+    }
+    int sum = 0;
+    for (int i = from; i < to; i++) {
+      sum += events.touch(openSlot(i));
+    }
+    for (int i = from; i < to; i++) {
+      SimStrand strand = events.strand(openSlot(i));
+      Runnable piece = events.piece(openSlot(i));
+      if (strand != null && piece != null) {
+        sum += strand.touch(piece);
+      }
+    }
+    read = sum;
+  }
+
   private boolean openNextBucket() {
     if (slotsInRing > 0) {
-      openBucket += 1 + emptyBucketsAfter((int) openBucket & BUCKET_MASK);
+      int bucket = (int) openBucket & BUCKET_MASK;
+      openBucket += 1 + ((occupiedAfter(bucket) - bucket - 1) & BUCKET_MASK);
     } else if (!far.isEmpty()) {
       openBucket = events.atNs(far.first()) >>> BUCKET_SHIFT;
     } else {
@@ -184,13 +235,15 @@ final class EventQueue {
       count++;
     }
     Arrays.sort(openKeys, 0, count);
+    touchedTo = 0;
     slotsInRing -= count;
     openNext = 0;
     openEnd = count;
+    scout = slotsInRing == 0 ? EventTable.NONE : newest[occupiedAfter(bucket)];
   }
 
-  /** How many buckets of the ring are empty between {@code bucket} and the next occupied one. */
-  private int emptyBucketsAfter(int bucket) {
+  /** The first occupied bucket of the ring after {@code bucket}; there is one. */
+  private int occupiedAfter(int bucket) {
     int start = (bucket + 1) & BUCKET_MASK;
     int word = start >>> 6;
     long bits = occupied[word] & (-1L << start);
@@ -198,8 +251,7 @@ final class EventQueue {
       word = (word + 1) & (occupied.length - 1);
       bits = occupied[word];
     }
-    int found = (word << 6) + Long.numberOfTrailingZeros(bits);
-    return (found - start) & BUCKET_MASK;
+    return (word << 6) + Long.numberOfTrailingZeros(bits);
   }
 
   private void addToRing(int slot) {

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * The pending events: an event is a slot number, and a slot is used again when its event is over, so
  * that scheduling allocates nothing once the table has grown. What belongs to one slot lies side by
- * side: with thousands of robots a slot is cold when its turn comes, and costs three cache lines.
+ * side: with thousands of robots a slot is cold when its turn comes, and costs two cache lines.
  */
 final class EventTable {
 
@@ -15,11 +15,14 @@ final class EventTable {
 
   private static final int INITIAL_SLOTS = 64;
 
-  /** Of each slot: when, then the number of its scheduling. */
-  private long[] keys = new long[2 * INITIAL_SLOTS];
+  private static final int LONGS = 3;
+  private static final long LOWER_HALF = (1L << Integer.SIZE) - 1;
 
-  /** Of each slot: the next one of its list, then where the queue keeps it. */
-  private int[] links = new int[2 * INITIAL_SLOTS];
+  /**
+   * Of each slot: when; the next one of its list, in the upper half, and where the queue keeps it;
+   * and, seldom read, the number of its scheduling.
+   */
+  private long[] keys = new long[LONGS * INITIAL_SLOTS];
 
   /** Of each slot: its strand, then what to run. */
   private @Nullable Object[] work = new Object[2 * INITIAL_SLOTS];
@@ -34,39 +37,41 @@ final class EventTable {
     if (slot != NONE) {
       firstFree = next(slot);
     } else {
-      if (2 * everUsed == keys.length) {
+      if (LONGS * everUsed == keys.length) {
         grow();
       }
       slot = everUsed++;
     }
-    keys[2 * slot] = atNs;
+    keys[LONGS * slot] = atNs;
     // Decides between events of equal time.
-    keys[2 * slot + 1] = ++lastSequence;
+    keys[LONGS * slot + 2] = ++lastSequence;
     work[2 * slot] = strand;
     work[2 * slot + 1] = piece;
     return slot;
   }
 
   long atNs(int slot) {
-    return keys[2 * slot];
+    return keys[LONGS * slot];
   }
 
   /** The next slot of the same list; of a free slot, the next free one. */
   int next(int slot) {
-    return links[2 * slot];
+    return (int) (keys[LONGS * slot + 1] >>> Integer.SIZE);
   }
 
   void setNext(int slot, int next) {
-    links[2 * slot] = next;
+    int links = LONGS * slot + 1;
+    keys[links] = (long) next << Integer.SIZE | (keys[links] & LOWER_HALF);
   }
 
   /** Where the queue keeps the slot: an index or a neighbour, as the queue likes. */
   int place(int slot) {
-    return links[2 * slot + 1];
+    return (int) keys[LONGS * slot + 1];
   }
 
   void setPlace(int slot, int place) {
-    links[2 * slot + 1] = place;
+    int links = LONGS * slot + 1;
+    keys[links] = (keys[links] & ~LOWER_HALF) | (place & LOWER_HALF);
   }
 
   /** On which strand; null for an event of the world. */
@@ -77,6 +82,11 @@ final class EventTable {
   /** What to run; null in a slot whose event was removed. */
   @Nullable Runnable piece(int slot) {
     return (Runnable) work[2 * slot + 1];
+  }
+
+  /** Touches strand and piece ({@link Cache}). */
+  int touch(int slot) {
+    return Cache.touch(work[2 * slot]) + Cache.touch(work[2 * slot + 1]);
   }
 
   /** Forgets what the slot refers to, but keeps the slot. */
@@ -95,12 +105,12 @@ final class EventTable {
   boolean isBefore(int slot, int other) {
     long atNs = atNs(slot);
     long otherAtNs = atNs(other);
-    return atNs < otherAtNs || (atNs == otherAtNs && keys[2 * slot + 1] < keys[2 * other + 1]);
+    return atNs < otherAtNs
+        || (atNs == otherAtNs && keys[LONGS * slot + 2] < keys[LONGS * other + 2]);
   }
 
   private void grow() {
     keys = Arrays.copyOf(keys, 2 * keys.length);
-    links = Arrays.copyOf(links, 2 * links.length);
     work = Arrays.copyOf(work, 2 * work.length);
   }
 }

@@ -67,7 +67,17 @@ public final class Kernel implements Clock, AutoCloseable {
    * @throws IllegalArgumentException if {@code atNs} is past
    */
   public void schedule(long atNs, Runnable event) {
-    schedule(atNs, null, event);
+    add(atNs, null, event);
+  }
+
+  /**
+   * Runs {@code piece} on {@code strand}, as {@link SimStrand#schedule} does, without a look at the
+   * strand, which may be cold.
+   *
+   * @throws IllegalArgumentException if {@code atNs} is past
+   */
+  public void schedule(long atNs, SimStrand strand, Runnable piece) {
+    add(atNs, strand, piece);
   }
 
   /** A timer of the world, not set. */
@@ -151,7 +161,8 @@ public final class Kernel implements Clock, AutoCloseable {
     }
   }
 
-  int schedule(long atNs, @Nullable SimStrand strand, Runnable piece) {
+  /** Adds an event, and returns its slot. */
+  int add(long atNs, @Nullable SimStrand strand, Runnable piece) {
     if (atNs < nowNs) {
       throw new IllegalArgumentException(
           "scheduled at " + atNs + " ns, which is before now, " + nowNs + " ns");

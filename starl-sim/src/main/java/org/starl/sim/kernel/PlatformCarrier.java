@@ -67,6 +67,12 @@ final class PlatformCarrier implements Carrier {
     }
   }
 
+  /** Nothing: what a platform thread needs, the processor that it will run on must fetch. */
+  @Override
+  public int touch() {
+    return 0;
+  }
+
   @Override
   public void suspend() {
     passBatonToKernel();

@@ -1,5 +1,6 @@
 package org.starl.sim.kernel;
 
+import java.util.Arrays;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Strand;
@@ -10,10 +11,14 @@ import org.starl.platform.Timers;
 /** A robot's strand in virtual time: a piece takes no time, and no two pieces overlap. */
 public final class SimStrand implements Strand, Timers {
 
+  /** The first ones are remembered: what is fetched for nothing costs time, and stays in memory. */
+  private static final int MOST_PARTS = 32;
+
   private final Kernel kernel;
   private final String name;
   private boolean isClosed;
   private @Nullable WaitingApp app;
+  private Object[] parts = {};
 
   SimStrand(Kernel kernel, String name) {
     this.kernel = kernel;
@@ -31,9 +36,7 @@ public final class SimStrand implements Strand, Timers {
    * @throws IllegalArgumentException if {@code atNs} is past
    */
   public void schedule(long atNs, Runnable piece) {
-    if (!isClosed) {
-      kernel.schedule(atNs, this, piece);
-    }
+    kernel.add(atNs, this, piece);
   }
 
   @Override
@@ -115,6 +118,24 @@ public final class SimStrand implements Strand, Timers {
     if (failure != null) {
       throw new RobotError(name, kernel.nowNs(), failure);
     }
+  }
+
+  @Override
+  public void uses(Object... moreParts) {
+    int more = Math.min(moreParts.length, MOST_PARTS - parts.length);
+    Object[] all = Arrays.copyOf(parts, parts.length + more);
+    System.arraycopy(moreParts, 0, all, parts.length, more);
+    parts = all;
+  }
+
+  /** Touches what {@code piece} is going to use, as far as it is known ({@link Cache}). */
+  int touch(Runnable piece) {
+    int read = 0;
+    for (Object part : parts) {
+      read += Cache.touch(part);
+    }
+    WaitingApp waiting = app;
+    return waiting != null && piece == waiting ? read + waiting.touch() : read;
   }
 
   /** Makes the app of this strand, which is closed, end. */

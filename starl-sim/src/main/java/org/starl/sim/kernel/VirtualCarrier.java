@@ -25,7 +25,8 @@ final class VirtualCarrier implements Carrier, Executor {
   private boolean isOver;
   private long resumes;
   private @Nullable Thread kernelThread;
-  private @Nullable Runnable ready;
+  private @Nullable Runnable continuation;
+  private boolean isReady;
   private volatile @Nullable Runnable readyFromOutside;
   private volatile boolean pinnedWaitFails;
 
@@ -51,7 +52,7 @@ final class VirtualCarrier implements Carrier, Executor {
 
   @Override
   public void resume() {
-    kernelThread = Thread.currentThread();
+    rememberKernelThread();
     if (isStarted) {
       isSuspended = false;
       LockSupport.unpark(thread);
@@ -63,10 +64,25 @@ final class VirtualCarrier implements Carrier, Executor {
   }
 
   @Override
+  public int touch() {
+    // The thread's state lies far behind its first word.
+    return Cache.touch(continuation) + thread.getState().ordinal();
+  }
+
+  @Override
   public void recover() {
-    kernelThread = Thread.currentThread();
+    rememberKernelThread();
     thread.interrupt();
     runUntilSuspended();
+  }
+
+  // Two threads may run a kernel one after the other. Storing what is there already would cost the
+  // collector's barrier at each resume.
+  private void rememberKernelThread() {
+    Thread current = Thread.currentThread();
+    if (kernelThread != current) {
+      kernelThread = current;
+    }
   }
 
   private void runUntilSuspended() {
@@ -121,36 +137,40 @@ final class VirtualCarrier implements Carrier, Executor {
 
   /** Called by whoever makes the virtual thread runnable: most times the kernel, in resume. */
   @Override
-  public void execute(Runnable continuation) {
+  public void execute(Runnable runnable) {
     if (Thread.currentThread() == kernelThread) {
-      ready = continuation;
+      // A virtual thread's one continuation: mostly it is there already.
+      if (continuation != runnable) {
+        continuation = runnable;
+      }
+      isReady = true;
     } else {
-      readyFromOutside = continuation;
+      readyFromOutside = runnable;
       LockSupport.unpark(kernelThread);
     }
   }
 
   private Runnable takeReady() {
-    Runnable continuation = ready;
-    if (continuation == null) {
-      continuation = awaitReadyFromOutside();
+    Runnable ready = continuation;
+    if (!isReady || ready == null) {
+      return awaitReadyFromOutside();
     }
-    ready = null;
-    return continuation;
+    isReady = false;
+    return ready;
   }
 
   private Runnable awaitReadyFromOutside() {
     PatientWait wait = new PatientWait(foreignWaitLimit);
     try {
-      Runnable continuation = readyFromOutside;
-      while (continuation == null) {
+      Runnable ready = readyFromOutside;
+      while (ready == null) {
         if (!wait.park(this)) {
           throw ForeignWait.tooLong(thread, foreignWaitLimit);
         }
-        continuation = readyFromOutside;
+        ready = readyFromOutside;
       }
       readyFromOutside = null;
-      return continuation;
+      return ready;
     } finally {
       wait.close();
     }

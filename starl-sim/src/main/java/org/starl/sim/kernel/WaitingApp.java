@@ -35,8 +35,14 @@ final class WaitingApp implements Runnable {
 
   void start() {
     if (!strand.isClosed()) {
-      wakeSlot = kernel.schedule(kernel.nowNs(), strand, this);
+      wakeSlot = kernel.add(kernel.nowNs(), strand, this);
     }
+  }
+
+  /** Touches what the app is going to be resumed with ({@link Cache}). */
+  int touch() {
+    Carrier waiting = carrier;
+    return waiting == null ? 0 : waiting.touch();
   }
 
   /** Whether the app itself is what runs on the strand now. */
@@ -125,7 +131,7 @@ final class WaitingApp implements Runnable {
     }
     condition = newCondition;
     if (isTimed) {
-      wakeSlot = kernel.schedule(Math.max(untilNs, kernel.nowNs()), strand, this);
+      wakeSlot = kernel.add(Math.max(untilNs, kernel.nowNs()), strand, this);
     }
     try {
       mine.suspend();

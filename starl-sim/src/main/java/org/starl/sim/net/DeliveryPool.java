@@ -16,7 +16,7 @@ final class DeliveryPool {
   private @Nullable Packet freePackets;
 
   DeliveryPool(SimNetwork network) {
-    nowhere = new SimRadio(network, NOBODY, new SimNetwork.Station(NOBODY, 0), (atNs, piece) -> {});
+    nowhere = new SimRadio(network, NOBODY, new SimNetwork.Station(NOBODY, 0));
   }
 
   Packet packet(byte[] buffer, int length) {
@@ -41,6 +41,8 @@ final class DeliveryPool {
     }
     packet.hold();
     delivery.packet = packet;
+    delivery.data = packet.data();
+    delivery.length = packet.length();
     delivery.from = from;
     delivery.to = to;
     return delivery;
@@ -56,15 +58,19 @@ final class DeliveryPool {
     private RobotId from = NOBODY;
     private SimRadio to = nowhere;
     private Packet packet;
+    // The packet's: whoever receives them need not wait until the packet, too, is in the cache.
+    private byte[] data;
+    private int length;
     private @Nullable Delivery nextFree;
 
     Delivery(Packet packet) {
       this.packet = packet;
+      this.data = packet.data();
     }
 
     @Override
     public void run() {
-      to.receive(from, packet.data(), packet.length());
+      to.receive(from, data, length);
       packet.release();
       // A pooled delivery must not keep a robot that left in memory.
       from = NOBODY;

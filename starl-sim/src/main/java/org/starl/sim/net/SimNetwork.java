@@ -20,6 +20,8 @@ public final class SimNetwork {
   /** Where injected datagrams come from, as far as the trace goes. */
   private static final RobotId NOBODY = new RobotId("nobody");
 
+  private static final Inbox NOWHERE = (atNs, piece) -> {};
+
   private final Clock clock;
   private final TraceSink trace;
   private final Rng root;
@@ -79,8 +81,9 @@ public final class SimNetwork {
     if (station.radio != null) {
       throw new IllegalStateException(id + " has a radio already");
     }
-    SimRadio radio = new SimRadio(this, id, station, inbox);
+    SimRadio radio = new SimRadio(this, id, station);
     station.radio = radio;
+    station.inbox = inbox;
     attached.add(radio);
     return radio;
   }
@@ -90,8 +93,10 @@ public final class SimNetwork {
     Station station = stations.find(id);
     if (station != null && station.radio != null) {
       station.radio.close();
+      station.datagrams = station.radio.datagrams();
       attached.remove(station.radio);
       station.radio = null;
+      station.inbox = NOWHERE;
     }
   }
 
@@ -119,7 +124,7 @@ public final class SimNetwork {
     if (station != null && station.radio != null) {
       SimRadio radio = station.radio;
       Packet packet = pool.packet(datagram, datagram.length);
-      radio.inbox().schedule(clock.nowNs(), pool.delivery(NOBODY, radio, packet));
+      station.inbox.schedule(clock.nowNs(), pool.delivery(NOBODY, radio, packet));
       packet.release();
     }
   }
@@ -174,7 +179,7 @@ public final class SimNetwork {
     for (int i = 0; i < taps.size(); i++) {
       taps.get(i).sent(from.id(), buffer, length);
     }
-    return from.station().nextDatagram();
+    return from.nextDatagram();
   }
 
   private void transmit(SimRadio from, Station to, Packet packet, long datagram) {
@@ -192,7 +197,7 @@ public final class SimNetwork {
 
   private void transmitByRules(SimRadio from, Station to, Packet packet, long datagram) {
     // Rules draw from a generator of their own: one that draws and passes changes no base delay.
-    Rng rng = new Rng(~from.station().copySeed(to, datagram));
+    Rng rng = new Rng(~from.copySeed(to, datagram));
     Transmission copy =
         new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
     long laterNs = 0;
@@ -231,7 +236,7 @@ public final class SimNetwork {
 
   private long baseDelayNs(SimRadio from, Station to, Packet packet, long datagram) {
     if (!seeded) {
-      Rng rng = new Rng(from.station().copySeed(to, datagram));
+      Rng rng = new Rng(from.copySeed(to, datagram));
       Transmission copy =
           new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
       return choice.delayNsOrLost(copy, latency, loss);
@@ -240,7 +245,7 @@ public final class SimNetwork {
       return loss.probability() > 0 ? LinkChoice.LOST : ((Latency.Constant) latency).ns();
     }
     // As LinkChoice.seeded() does, without a Transmission.
-    Rng rng = new Rng(from.station().copySeed(to, datagram));
+    Rng rng = new Rng(from.copySeed(to, datagram));
     return loss.strikes(rng) ? LinkChoice.LOST : latency.drawNs(rng);
   }
 
@@ -250,7 +255,7 @@ public final class SimNetwork {
       dropped(from.id(), to.id, "no-such-robot");
       return;
     }
-    radio.inbox().schedule(clock.nowNs() + delayNs, pool.delivery(from.id(), radio, packet));
+    to.inbox.schedule(clock.nowNs() + delayNs, pool.delivery(from.id(), radio, packet));
   }
 
   private Station station(RobotId id) {
@@ -271,12 +276,16 @@ public final class SimNetwork {
     }
   }
 
-  /** What the network knows of a robot; of this, key and number of datagrams outlive a restart. */
+  /**
+   * What the network knows of a robot; of this, its key and how many datagrams its earlier incarnations
+   * sent outlive a restart.
+   */
   static final class Station {
     private final RobotId id;
     private final long key;
     private long datagrams;
     private @Nullable SimRadio radio;
+    private Inbox inbox = NOWHERE;
 
     Station(RobotId id, long key) {
       this.id = id;
@@ -287,15 +296,12 @@ public final class SimNetwork {
       return id;
     }
 
-    long nextDatagram() {
-      return datagrams++;
+    long key() {
+      return key;
     }
 
-    /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
-    long copySeed(Station recipient, long datagram) {
-      return key
-          + Long.rotateLeft(recipient.key, 32) * 0xD1342543DE82EF95L
-          + datagram * 0x2545F4914F6CDD1DL;
+    long datagrams() {
+      return datagrams;
     }
   }
 }

@@ -9,16 +9,18 @@ final class SimRadio implements Radio {
 
   private final SimNetwork network;
   private final RobotId id;
+  private final long key;
   private final SimNetwork.Station station;
-  private final Inbox inbox;
+  private long datagrams;
   private @Nullable Receiver receiver;
   private boolean closed;
 
-  SimRadio(SimNetwork network, RobotId id, SimNetwork.Station station, Inbox inbox) {
+  SimRadio(SimNetwork network, RobotId id, SimNetwork.Station station) {
     this.network = network;
     this.id = id;
     this.station = station;
-    this.inbox = inbox;
+    this.key = station.key();
+    this.datagrams = station.datagrams();
   }
 
   @Override
@@ -68,8 +70,21 @@ final class SimRadio implements Radio {
     return station;
   }
 
-  Inbox inbox() {
-    return inbox;
+  /** The number of the datagram that it sends now, from 0 in the robot's first incarnation. */
+  long nextDatagram() {
+    return datagrams++;
+  }
+
+  /** How many datagrams the robot has sent in this and earlier incarnations. */
+  long datagrams() {
+    return datagrams;
+  }
+
+  /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
+  long copySeed(SimNetwork.Station recipient, long datagram) {
+    return key
+        + Long.rotateLeft(recipient.key(), 32) * 0xD1342543DE82EF95L
+        + datagram * 0x2545F4914F6CDD1DL;
   }
 
   private static void checkLength(byte[] buffer, int length) {

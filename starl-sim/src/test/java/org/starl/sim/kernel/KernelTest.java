@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -44,6 +45,51 @@ class KernelTest {
       assertThat(kernel.nowNs()).isEqualTo(100);
       assertThat(kernel.events()).isEqualTo(4);
     }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void whatStrandsSayTheyUseChangesNothing(CarrierKind kind) {
+    List<String> plain = runOfACrowd(kind, strand -> {});
+    List<String> hinted =
+        runOfACrowd(
+            kind,
+            strand -> {
+              strand.uses(strand, strand.name(), new long[9]);
+              strand.uses(new Object());
+            });
+    assertThat(plain).hasSize(3 * 39 + 1).isEqualTo(hinted);
+  }
+
+  /** Forty apps whose events share an instant; the last one's strand is closed by the first. */
+  private List<String> runOfACrowd(CarrierKind kind, Consumer<SimStrand> atStart) {
+    log.clear();
+    try (Kernel kernel = new Kernel(kind)) {
+      List<SimStrand> crowd = new ArrayList<>();
+      for (int i = 0; i < 40; i++) {
+        SimStrand robot = kernel.strand("robot" + i);
+        crowd.add(robot);
+        atStart.accept(robot);
+        Timer cancelled = robot.timer(() -> log.add("cancelled"));
+        robot.start(() -> {
+          cancelled.set(1_000_001);
+          robot.sleepUntil(1_000_000);
+          log.add(robot + " woke");
+          cancelled.cancel();
+          robot.sleepUntil(2_000_000);
+          log.add(robot + " ends");
+        });
+        robot.schedule(500_000, () -> log.add(robot + " is shown"));
+      }
+      kernel.schedule(
+          400_000,
+          () -> {
+            crowd.get(39).close();
+            log.add("closed");
+          });
+      kernel.run(3_000_000, () -> false);
+    }
+    return List.copyOf(log);
   }
 
   @ParameterizedTest

@@ -263,6 +263,27 @@ final class SimNetworkTest {
   }
 
   @Test
+  void whoComesBackDrawsNoDelayAgain() {
+    Air air = new Air(2);
+    air.network.base(new Latency.Uniform(0, 1000 * MS), Loss.NONE);
+    for (int incarnation = 0; incarnation < 3; incarnation++) {
+      long beganNs = air.time.nowNs();
+      for (int i = 0; i < 5; i++) {
+        air.send("bot0", "bot1", "after " + beganNs);
+      }
+      air.time.runFor(1000 * MS);
+      air.network.detach(new RobotId("bot0"));
+      air.attach("bot0");
+    }
+    List<Long> delays = new ArrayList<>();
+    for (String arrival : air.log("bot1")) {
+      String[] words = arrival.split(" after ");
+      delays.add(Long.parseLong(words[0]) - Long.parseLong(words[1]));
+    }
+    assertThat(delays).hasSize(15).doesNotHaveDuplicates();
+  }
+
+  @Test
   void whoHasNoReceiverLosesWhatArrives() {
     Air air = new Air(1);
     Radio deaf = air.network.attach(new RobotId("deaf"), air.time::schedule);
