@@ -14,7 +14,8 @@ import org.starl.geometry.Rectangle;
  * then at more and more of it. For large floors. The path that it finds is the shortest one of the
  * part that it looked at, not always of the whole floor; {@code NoPath} is proven for the whole floor:
  * either by looking at all of it, or because one end lies in a room that is closed all round within
- * the part.
+ * the part. A part is drawn on whole millimetres of its own: where less than 3 mm decide whether a
+ * body fits, one of the two planners may find a way, and the other none.
  */
 public final class LocalPlanner implements PathPlanner {
 

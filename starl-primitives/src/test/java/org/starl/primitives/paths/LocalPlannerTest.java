@@ -23,19 +23,28 @@ class LocalPlannerTest {
   private final PathPlanner optimal = new OptimalPlanner();
   private final PathPlanner local = new LocalPlanner(50);
 
+  /** What is in the way is drawn, whole or in part, up to this much too wide or too narrow. */
+  private static final double ROUNDING_MM = 3;
+
   @Property(tries = 300)
-  void itFindsAWayExactlyWhereTheOptimalPlannerDoes(
+  void itFindsAWayWhereTheOptimalPlannerDoes(
       @ForAll long seed, @ForAll @IntRange(min = 0, max = 16) int obstacles) {
     PlanTask task = Floors.random(new Rng(seed), obstacles, 100, 20);
-    Plan whole = optimal.plan(task);
     Plan part = local.plan(task);
-    Statistics.collect(whole.getClass().getSimpleName());
-    assertThat(part.getClass()).isEqualTo(whole.getClass());
+    Plan wider = optimal.plan(withClearance(task, 20 + ROUNDING_MM));
+    Plan narrower = optimal.plan(withClearance(task, 20 - ROUNDING_MM));
+    // Only where a hair's breadth decides may the two see the floor differently.
+    boolean isClear = wider.getClass() == narrower.getClass();
+    Statistics.collect(isClear ? wider.getClass().getSimpleName() : "a hair's breadth");
+    if (isClear) {
+      assertThat(part.getClass()).isEqualTo(wider.getClass());
+    }
     if (part instanceof Plan.Found found) {
-      assertThat(found.path().start()).isEqualTo(((Plan.Found) whole).path().start());
-      assertThat(found.path().goal()).isEqualTo(((Plan.Found) whole).path().goal());
-      for (int i = 0; i < found.path().legs(); i++) {
-        assertThat(Floors.clearanceMm(found.path().leg(i), task)).isGreaterThanOrEqualTo(120);
+      Path path = found.path();
+      assertThat(path.start()).isEqualTo(whole(task.start()));
+      assertThat(path.goal()).isEqualTo(whole(task.goal()));
+      for (int i = 0; i < path.legs(); i++) {
+        assertThat(Floors.clearanceMm(path.leg(i), task)).isGreaterThanOrEqualTo(120);
       }
     }
   }
@@ -111,5 +120,20 @@ class LocalPlannerTest {
     Point c = new Point(x + width, y + height);
     Point d = new Point(x, y + height);
     return Obstacle.wall(a, b, c, d, a);
+  }
+
+  private static PlanTask withClearance(PlanTask task, double clearanceMm) {
+    return new PlanTask(
+        task.start(),
+        task.goal(),
+        task.bounds(),
+        task.obstacles(),
+        task.taken(),
+        task.bodyRadiusMm(),
+        clearanceMm);
+  }
+
+  private static Point whole(Point point) {
+    return new Point(FreeSpace.whole(point.xMm()), FreeSpace.whole(point.yMm()));
   }
 }
