@@ -73,8 +73,8 @@ public final class Participants implements Iterable<RobotId> {
   }
 
   /**
-   * A hash table with open addressing, at most half full, over all names in one array: with thousands
-   * of robots their own strings would be cold.
+   * A hash table with open addressing, at most two thirds full, over all names in one array: with
+   * thousands of robots their own strings would be cold.
    */
   private static final class Names {
     private static final int GOLDEN_RATIO = 0x9E3779B9;
@@ -88,7 +88,7 @@ public final class Participants implements Iterable<RobotId> {
     private final int[] starts;
 
     Names(List<RobotId> robots) {
-      ids = new RobotId[Integer.highestOneBit(2 * robots.size() + 1) * 2];
+      ids = new RobotId[2 * Integer.highestOneBit(robots.size() + robots.size() / 2 + 1)];
       starts = new int[ids.length + 1];
       for (RobotId robot : robots) {
         int slot = slot(robot.hashCode());

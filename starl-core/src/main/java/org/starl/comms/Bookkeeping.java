@@ -7,7 +7,7 @@ import org.starl.platform.Platform;
 import org.starl.platform.TraceSink;
 import org.starl.trace.TraceEvent;
 
-/** Counts datagrams, and tells the trace and the log of them. */
+/** Tells the trace and the log of datagrams, and counts those that are dropped. */
 final class Bookkeeping {
 
   /** Where acknowledgements stand in the trace; no channel's name, for want of a slash. */
@@ -15,8 +15,6 @@ final class Bookkeeping {
 
   private final Platform platform;
   private final TraceSink trace;
-  private long sent;
-  private long received;
   private long @Nullable [] drops;
 
   Bookkeeping(Platform platform) {
@@ -24,48 +22,29 @@ final class Bookkeeping {
     this.trace = platform.trace();
   }
 
-  long sent() {
-    return sent;
-  }
-
-  long received() {
-    return received;
-  }
-
   long dropped(DropReason reason) {
     return drops == null ? 0 : drops[reason.ordinal()];
   }
 
-  void countReceived() {
-    received++;
-  }
-
-  /** A datagram with this message goes out; {@code to} is null for everyone. */
+  /** Traces that a datagram with this message goes out; {@code to} is null for everyone. */
   void sent(@Nullable RobotId to, Channel<?> channel, long number, int bytes, Object message) {
-    sent++;
-    if (trace.isOn()) {
-      traceSent(to == null ? "*" : to.name(), channel.name(), number, bytes, message.toString());
-    }
+    traceSent(to == null ? "*" : to.name(), channel.name(), number, bytes, message.toString());
   }
 
-  /** An acknowledgement of message {@code order} of {@code to} goes out. */
+  /** Traces that an acknowledgement of message {@code order} of {@code to} goes out. */
   void sentAcknowledgement(RobotId to, long order, long number, int bytes) {
-    sent++;
-    if (trace.isOn()) {
-      traceSent(to.name(), ACK, number, bytes, ACK + " " + order);
-    }
+    traceSent(to.name(), ACK, number, bytes, ACK + " " + order);
   }
 
   private void traceSent(String to, String channel, long number, int bytes, String message) {
     trace.record(new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, message));
   }
 
+  /** Traces that a message is handled. */
   void delivered(RobotId from, Channel<?> channel, long number, Object message) {
-    if (trace.isOn()) {
-      String text = message.toString();
-      trace.record(
-          new TraceEvent.Delivered(now(), platform.id(), from, channel.name(), number, text));
-    }
+    trace.record(
+        new TraceEvent.Delivered(
+            now(), platform.id(), from, channel.name(), number, message.toString()));
   }
 
   /** A datagram is dropped, from nobody knows whom if {@code from} is null. */

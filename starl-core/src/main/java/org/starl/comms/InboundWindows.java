@@ -23,9 +23,8 @@ final class InboundWindows {
   /** A bound to memory, about 150 bytes each; those beyond are refused. */
   static final int MAX_SENDERS = 65_536;
 
-  // Looked up only, never iterated. Empty, and then nothing of this robot's own, until it is
-  // needed.
-  private Map<RobotId, Sender> senders = Map.of();
+  // Looked up only, never iterated.
+  private final Map<RobotId, Sender> senders = new HashMap<>();
 
   /** Learns that an incarnation of {@code from} lives; null unless it has a successor. */
   @Nullable DropReason admit(RobotId from, int boot) {
@@ -74,9 +73,6 @@ final class InboundWindows {
   private @Nullable Sender remember(RobotId from, int boot) {
     if (senders.size() >= MAX_SENDERS) {
       return null;
-    }
-    if (senders.isEmpty()) {
-      senders = new HashMap<>();
     }
     Sender sender = new Sender(boot);
     senders.put(from, sender);

@@ -21,6 +21,8 @@ public final class LamportClock {
 
   /** Learns that somebody has seen {@code other}. */
   public void witness(long other) {
-    time = Math.max(time, other);
+    if (other > time) {
+      time = other;
+    }
   }
 }

@@ -1,5 +1,6 @@
 package org.starl.comms;
 
+import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 
 /** An endpoint of {@link Comms}: its channel, its handler, and whether it is open. */
@@ -8,6 +9,10 @@ final class OpenEndpoint<T> implements Endpoint<T> {
   final Channel<T> channel;
   final byte[] name;
   final Handler<T> handler;
+
+  /** Of the robot's open endpoints. */
+  @Nullable OpenEndpoint<?> next;
+
   private final Comms comms;
   private boolean isOpen = true;
 

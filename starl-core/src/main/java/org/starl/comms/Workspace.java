@@ -8,5 +8,5 @@ public final class Workspace {
 
   final Header header = new Header();
   final WireReader in = new WireReader();
-  final WireWriter out = new WireWriter();
+  final DatagramWriter out = new DatagramWriter();
 }

@@ -1,0 +1,255 @@
+package org.starl.comms;
+
+import java.nio.charset.StandardCharsets;
+import org.jspecify.annotations.Nullable;
+import org.starl.Participants;
+import org.starl.RobotId;
+import org.starl.platform.Radio;
+import org.starl.platform.TraceSink;
+
+/** What arrives: looked through, counted, and handed to the endpoint that it is for. */
+final class Inbound implements Radio.Receiver {
+
+  private static final int FIRST_BOOT = 1;
+  private static final long UNSEALED = 0;
+  private static final long FROM_SELF = -1;
+
+  private final Comms comms;
+  private final byte[] selfName;
+  private final Header header;
+  private final WireReader in;
+  private final Participants deployment;
+  private final LamportClock lamportClock;
+  private final TraceSink trace;
+  private final @Nullable Seal seal;
+  private long received;
+
+  /** The open endpoints, linked, the one that heard last first: mostly it is the next as well. */
+  private @Nullable OpenEndpoint<?> endpoints;
+
+  // Made when first needed.
+  private @Nullable InboundWindows windows;
+  private @Nullable Strangers strangers;
+
+  /**
+   * @param selfName this robot's own on the wire
+   * @param seal where the deployment has a key
+   */
+  Inbound(
+      Comms comms,
+      byte[] selfName,
+      Workspace workspace,
+      Participants deployment,
+      LamportClock lamportClock,
+      TraceSink trace,
+      @Nullable Seal seal) {
+    this.comms = comms;
+    this.selfName = selfName;
+    this.header = workspace.header;
+    this.in = workspace.in;
+    this.deployment = deployment;
+    this.lamportClock = lamportClock;
+    this.trace = trace;
+    this.seal = seal;
+  }
+
+  /** Datagrams that arrived, dropped ones included. */
+  long received() {
+    return received;
+  }
+
+  boolean isOpen(Channel<?> channel) {
+    return listener(channel.wireName, 0, channel.wireName.length) != null;
+  }
+
+  void open(OpenEndpoint<?> endpoint) {
+    endpoint.next = endpoints;
+    endpoints = endpoint;
+  }
+
+  void close(OpenEndpoint<?> endpoint) {
+    // Comes first by being looked for.
+    if (listener(endpoint.name, 0, endpoint.name.length) == endpoint) {
+      endpoints = endpoint.next;
+      endpoint.next = null;
+    }
+  }
+
+  private @Nullable OpenEndpoint<?> listener(byte[] bytes, int from, int length) {
+    OpenEndpoint<?> before = null;
+    OpenEndpoint<?> endpoint = endpoints;
+    while (endpoint != null && !ByteNames.equal(endpoint.name, bytes, from, length)) {
+      before = endpoint;
+      endpoint = endpoint.next;
+    }
+    if (endpoint != null && before != null) {
+      before.next = endpoint.next;
+      endpoint.next = endpoints;
+      endpoints = endpoint;
+    }
+    return endpoint;
+  }
+
+  @Override
+  public void received(byte[] buffer, int length) {
+    received++;
+    if (seal == null) {
+      take(buffer, length, UNSEALED);
+      return;
+    }
+    // Counts begin with 1: what says less was not sealed by this code.
+    long count = seal.isGenuine(buffer, length) ? Seal.count(buffer, length) : 0;
+    if (count > 0) {
+      take(buffer, length - Seal.BYTES, count);
+    } else {
+      drop(DropReason.FORGED, null, length + " bytes");
+    }
+  }
+
+  /** Takes in what this robot has sent to itself. */
+  void receivedFromSelf(byte[] datagram) {
+    received++;
+    take(datagram, datagram.length, FROM_SELF);
+  }
+
+  /**
+   * @param count the transmission's under its seal; or {@link #UNSEALED}, or {@link #FROM_SELF}
+   */
+  private void take(byte[] buffer, int length, long count) {
+    DropReason malformed = header.parse(buffer, length, in);
+    if (malformed != null) {
+      drop(malformed, null, length + " bytes");
+      return;
+    }
+    RobotId from = sender(buffer);
+    if (from == null) {
+      drop(DropReason.BAD_NAME, null, "sender");
+      return;
+    }
+    DropReason refused = refusal(buffer, from, count);
+    if (refused != null) {
+      drop(refused, from, "");
+      return;
+    }
+    lamportClock.witness(header.clock);
+    if (header.kind == Header.ACK) {
+      acknowledged(from);
+    } else {
+      message(buffer, from);
+    }
+  }
+
+  private @Nullable RobotId sender(byte[] buffer) {
+    RobotId known = deployment.find(buffer, header.senderAt, header.senderLength);
+    if (known != null) {
+      return known;
+    }
+    if (strangers == null) {
+      strangers = new Strangers();
+    }
+    return strangers.find(buffer, header.senderAt, header.senderLength);
+  }
+
+  // Names are compared as bytes: the sender's own object is mostly cold, and stays so.
+  private @Nullable DropReason refusal(byte[] buffer, RobotId from, long count) {
+    if (count != FROM_SELF
+        && ByteNames.equal(selfName, buffer, header.senderAt, header.senderLength)) {
+      return DropReason.OWN;
+    }
+    boolean isForUs =
+        header.addresseeLength == 0
+            || ByteNames.equal(selfName, buffer, header.addresseeAt, header.addresseeLength);
+    if (!isForUs) {
+      return DropReason.NOT_FOR_US;
+    }
+    DropReason replayed =
+        seal == null || count == FROM_SELF ? null : seal.admit(from, header.boot, count);
+    if (replayed != null) {
+      return replayed;
+    }
+    // A first incarnation has no predecessor that must stay dead.
+    return windows == null && header.boot == FIRST_BOOT ? null : windows().admit(from, header.boot);
+  }
+
+  private InboundWindows windows() {
+    if (windows == null) {
+      windows = new InboundWindows();
+    }
+    return windows;
+  }
+
+  private void acknowledged(RobotId from) {
+    int ackedBoot;
+    long order;
+    try {
+      ackedBoot = in.i32();
+      order = in.i64();
+      in.expectEnd();
+    } catch (WireFormatException e) {
+      drop(DropReason.BAD_PAYLOAD, from, "acknowledgement: " + e.getMessage());
+      return;
+    }
+    comms.settle(from, ackedBoot, order);
+  }
+
+  private void message(byte[] buffer, RobotId from) {
+    long order = 0;
+    if (header.kind == Header.RELIABLE) {
+      if (in.remaining() < Long.BYTES) {
+        drop(DropReason.TRUNCATED, from, "no order");
+        return;
+      }
+      order = in.i64();
+      DropReason refused = order <= 0 ? DropReason.BAD_FIELD : windows().refusal(from, order);
+      if (refused != null) {
+        drop(refused, from, "");
+        if (refused == DropReason.DUPLICATE) {
+          comms.acknowledge(from, header.boot, order);
+        }
+        return;
+      }
+    }
+    OpenEndpoint<?> endpoint = listener(buffer, header.channelAt, header.channelLength);
+    if (endpoint == null) {
+      dropUnheard(buffer, from);
+    } else {
+      deliver(endpoint, from, order);
+    }
+  }
+
+  private void dropUnheard(byte[] buffer, RobotId from) {
+    String name =
+        new String(buffer, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
+    if (Channel.isName(name)) {
+      drop(DropReason.NO_LISTENER, from, name);
+    } else {
+      drop(DropReason.BAD_NAME, from, "channel");
+    }
+  }
+
+  private <T> void deliver(OpenEndpoint<T> endpoint, RobotId from, long order) {
+    T message;
+    try {
+      message = endpoint.channel.codec().read(in);
+      in.expectEnd();
+    } catch (WireFormatException | IllegalArgumentException e) {
+      drop(DropReason.BAD_PAYLOAD, from, endpoint.channel.name() + ": " + e.getMessage());
+      return;
+    }
+    int senderBoot = header.boot;
+    if (order > 0) {
+      windows().handle(from, senderBoot, order);
+    }
+    if (trace.isOn()) {
+      comms.books().delivered(from, endpoint.channel, header.number, message);
+    }
+    endpoint.handler.received(from, message);
+    if (order > 0) {
+      comms.acknowledge(from, senderBoot, order);
+    }
+  }
+
+  private void drop(DropReason reason, @Nullable RobotId from, String detail) {
+    comms.books().dropped(reason, from, detail);
+  }
+}
