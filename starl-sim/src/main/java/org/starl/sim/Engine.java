@@ -1,6 +1,7 @@
 package org.starl.sim;
 
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -16,6 +17,8 @@ import org.starl.comms.Workspace;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionParameters;
+import org.starl.motion.RobotType;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
 import org.starl.sim.fault.FaultPlan;
@@ -50,6 +53,8 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   private final Obstacles knownObstacles;
   private final Workspace workspace = new Workspace();
   private final @Nullable DeploymentKey key;
+  // Thousands of robots share them.
+  private final Map<RobotType, MotionParameters> motions = new EnumMap<>(RobotType.class);
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
   // A robot that left and joins again is another incarnation, and finds what it had stored.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
@@ -419,6 +424,11 @@ final class Engine implements SimControl, Ward, AutoCloseable {
 
   Participants deployment() {
     return deployment;
+  }
+
+  /** How robot number {@code index} moves, unless its app says otherwise. */
+  MotionParameters motionParameters(int index) {
+    return motions.computeIfAbsent(plan.settings.robotType(index), plan.settings::motionParameters);
   }
 
   Obstacles knownObstacles() {

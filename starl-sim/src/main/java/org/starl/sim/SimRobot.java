@@ -103,7 +103,7 @@ final class SimRobot implements TraceSink {
             // Where nobody listens, one sink for all robots, which stays in the processor's cache.
             engine.watchers().isOn() ? this : engine.watchers(),
             engine.knownObstacles(),
-            settings.motionParameters(index),
+            engine.motionParameters(index),
             engine.key());
     runner = new RobotRunner(platform, engine.workspace(), spec.app(), this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());

@@ -118,18 +118,22 @@ public final class SimSettings {
 
   /** How robot number {@code index} of these moves, unless its app says otherwise. */
   public MotionParameters motionParameters(int index) {
+    return motionParameters(robotType(index));
+  }
+
+  MotionParameters motionParameters(RobotType type) {
     return MotionParameters.builder()
         .style(get(Setting.IDEAL_MOTION) ? MotionStyle.IDEAL : MotionStyle.UNICYCLE)
         .robotRadiusMm(robotRadiusMm())
         .contactMarkMm(get(Setting.CONTACT_MARK))
         .speedError(speedError())
-        .robotType(robotType(index))
+        .robotType(type)
         .collisionPolicy(get(Setting.COLLISION_POLICY))
         .build();
   }
 
   /** The last of the robots explore and wander; all others, late ones too, go to their goals. */
-  private RobotType robotType(int index) {
+  RobotType robotType(int index) {
     int firstDiscovery = goalRobots();
     int firstRandom = firstDiscovery + get(Setting.DISCOVERY_ROBOTS);
     if (index >= firstRandom && index < robots()) {
