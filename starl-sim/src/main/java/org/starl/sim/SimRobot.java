@@ -72,9 +72,7 @@ final class SimRobot implements TraceSink {
     Rng robotRng = engine.behaviourRng(spec.id());
     // A robot that starts again draws otherwise; what measures it stands outside, and goes on.
     Rng rng = incarnation == 1 ? robotRng : robotRng.fork("incarnation" + incarnation);
-    // Local, so that the network's way to it does not lead through this robot, which may be cold.
-    SimStrand own = kernel.strand(spec.id().name());
-    strand = own;
+    strand = kernel.strand(spec.id().name());
     clock = engine.clockOf(spec.id());
     impaired = clock == null ? null : new ImpairedStrand(strand, clock, kernel);
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
@@ -87,13 +85,7 @@ final class SimRobot implements TraceSink {
             clock == null ? kernel : clock,
             impaired == null ? strand : impaired,
             impaired == null ? strand : impaired,
-            engine
-                .network()
-                .attach(
-                    spec.id(),
-                    impaired == null
-                        ? (atNs, piece) -> kernel.schedule(atNs, own, piece)
-                        : impaired::schedule),
+            engine.network().attach(spec.id(), strand, impaired == null ? null : impaired::pass),
             positioning,
             chassis,
             stable,

@@ -31,7 +31,7 @@ class SimRadioTest extends RadioContract {
       for (int robot = 0; robot < ROBOTS; robot++) {
         SimGround ground = robot == 0 ? first : first.neighbour(id(robot).name());
         grounds.add(ground);
-        radios.add(network.attach(id(robot), ground.strand()::schedule));
+        radios.add(network.attach(id(robot), ground.strand()));
       }
     }
 

@@ -40,14 +40,9 @@ public final class ImpairedStrand implements Strand, Timers {
     computeNs = impairment.computeNs();
   }
 
-  /** As an inbox: {@code piece} comes at {@code atNs}, true time, and then takes its turn. */
-  public void schedule(long atNs, Runnable piece) {
-    strand.schedule(atNs, () -> come(piece));
-  }
-
   @Override
   public void post(Runnable action) {
-    schedule(trueClock.nowNs(), action);
+    strand.post(() -> pass(action));
   }
 
   @Override
@@ -107,7 +102,8 @@ public final class ImpairedStrand implements Strand, Timers {
     return true;
   }
 
-  private void come(Runnable action) {
+  /** As a gate: {@code action} has come, and takes its turn. */
+  public void pass(Runnable action) {
     if (isFree()) {
       act(action);
     } else {
@@ -195,7 +191,7 @@ public final class ImpairedStrand implements Strand, Timers {
         timer.set(clock.trueNs(atNs));
       } else {
         isQueued = true;
-        come(turn);
+        pass(turn);
       }
     }
 

@@ -3,15 +3,15 @@ package org.starl.sim.kernel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Brings objects into the processor's cache by reading a word of each. What the {@code touch} methods
- * of this package return means nothing, but depends on what they read: somebody must keep it, or the
- * compiler leaves the reading out.
+ * Brings objects into the processor's cache by reading a word of each. What {@code touch} methods
+ * return means nothing, but depends on what they read: somebody must keep it, or the compiler leaves
+ * the reading out.
  */
-final class Cache {
+public final class Cache {
 
   private Cache() {}
 
-  static int touch(@Nullable Object object) {
+  public static int touch(@Nullable Object object) {
     // An object's class stands in its first word.
     return object != null && object.getClass() == Nothing.class ? 1 : 0;
   }

@@ -1,57 +1,38 @@
 package org.starl.sim.kernel;
 
-import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Events in the total order (time, number of scheduling), each with the strand and the piece to run.
  *
- * <p>A ring of buckets, each {@code 2^16} ns wide, holds the next two seconds; a bucket is a linked
- * list that is sorted when its turn comes. What lies beyond the ring waits in a heap, and so does
- * what is added for the bucket that is open or for an earlier one. Empty buckets are skipped 64 at a
- * time. Adding and removing cost constant time in the ring, and no removed event stays behind.
+ * <p>A ring of buckets, each {@code 2^16} ns wide, holds the next two seconds; a bucket is sorted when
+ * its turn comes. What lies beyond the ring waits in a heap, and so does what is added for the bucket
+ * that is open or for an earlier one.
  */
 final class EventQueue {
 
   private static final int BUCKET_SHIFT = 16;
-  private static final long OFFSET_MASK = (1L << BUCKET_SHIFT) - 1;
-  private static final int BUCKETS = 1 << 15;
-  private static final int BUCKET_MASK = BUCKETS - 1;
+  private static final int OFFSET_MASK = (1 << BUCKET_SHIFT) - 1;
 
   // So many events' memory is fetched at once: of fewer it is not worth it, more would push each
-  // other
-  // out of the cache again before they run.
+  // other out of the cache again before they run.
   private static final int LEAST_AHEAD = 4;
   private static final int MOST_AHEAD = 16;
 
-  /** The {@code place} of a slot in the open bucket; elsewhere places are -1 or above. */
-  private static final int OPEN = -2;
-
   private final EventTable events = new EventTable();
 
-  // A bucket's newest slot, valid where its bit is set. Older ones follow by next, newer by place.
-  private final int[] newest = new int[BUCKETS];
-  private final long[] occupied = new long[BUCKETS / Long.SIZE];
-  private int slotsInRing;
-
-  // The bucket whose turn it is, sorted: offset in the bucket << 32 | order of scheduling.
+  // A slot's place says where it is: below 0 the complement of its cell in the ring.
+  private final BucketRing ring = new BucketRing();
+  private final SlotHeap near = new SlotHeap(events, 0);
+  private final SlotHeap far = new SlotHeap(events, SlotHeap.MARK_BIT);
   private long openBucket = -1;
-  private long[] openKeys = new long[16];
-  private int[] openSlots = new int[16];
-  private int openNext;
-  private int openEnd;
+  private int size;
 
-  // How many events of the open bucket were touched; and a slot of the next bucket's list, which is
-  // walked ahead, a step an event. Both for the cache alone: they decide nothing.
+  // How many events of the open bucket were touched: for the cache alone, it decides nothing.
   private int touchedTo;
-  private int scout = EventTable.NONE;
 
   @SuppressWarnings("UnusedVariable") // kept, or the compiler would leave the reading out (Cache)
   private int read;
-
-  private final SlotHeap near = new SlotHeap(events);
-  private final SlotHeap far = new SlotHeap(events);
-  private int size;
 
   private long polledAtNs;
   private @Nullable SimStrand polledStrand;
@@ -68,15 +49,15 @@ final class EventQueue {
    * @return its slot, for {@link #remove}, until it is polled
    */
   int add(long atNs, @Nullable SimStrand strand, Runnable piece) {
-    int slot = events.take(atNs, strand, piece);
+    int slot = events.take(strand, piece);
     size++;
     long bucketsAhead = (atNs >>> BUCKET_SHIFT) - openBucket;
     if (bucketsAhead <= 0) {
-      near.add(slot);
-    } else if (bucketsAhead < BUCKETS) {
-      addToRing(slot);
+      near.add(slot, atNs);
+    } else if (bucketsAhead < BucketRing.BUCKETS) {
+      addToRing(slot, atNs);
     } else {
-      far.add(slot);
+      far.add(slot, atNs);
     }
     return slot;
   }
@@ -84,17 +65,11 @@ final class EventQueue {
   /** Removes the event in {@code slot}, which must not have been polled or removed. */
   void remove(int slot) {
     size--;
-    long bucketsAhead = (events.atNs(slot) >>> BUCKET_SHIFT) - openBucket;
-    if (events.place(slot) == OPEN) {
-      events.clear(slot);
-      return;
-    }
-    if (bucketsAhead <= 0) {
-      near.removeAt(events.place(slot));
-    } else if (bucketsAhead < BUCKETS) {
-      removeFromRing(slot);
+    int place = events.place(slot);
+    if (place < 0) {
+      ring.remove(~place);
     } else {
-      far.removeAt(events.place(slot));
+      ((place & SlotHeap.MARK_BIT) == 0 ? near : far).remove(place);
     }
     events.release(slot);
   }
@@ -105,20 +80,25 @@ final class EventQueue {
    * @return whether there was one; {@link #atNs}, {@link #strand} and {@link #piece} are its
    */
   boolean poll(long untilNs) {
-    int slot = first();
-    if (slot == EventTable.NONE || events.atNs(slot) > untilNs) {
+    int slot = firstOfRing();
+    long atNs = near.firstAtNs();
+    // At equal times the ring's event is the older one: it was there when its bucket was opened.
+    boolean isRings = slot != EventTable.NONE && openAtNs() <= atNs;
+    if (isRings) {
+      atNs = openAtNs();
+    } else {
+      slot = near.first();
+    }
+    if (slot == EventTable.NONE || atNs > untilNs) {
       return false;
     }
-    if (events.place(slot) == OPEN) {
-      openNext++;
+    if (isRings) {
+      ring.take();
     } else {
-      near.removeAt(0);
-    }
-    if (scout != EventTable.NONE) {
-      scout = events.next(scout);
+      near.removeFirst();
     }
     size--;
-    polledAtNs = events.atNs(slot);
+    polledAtNs = atNs;
     polledStrand = events.strand(slot);
     polledPiece = events.piece(slot);
     events.release(slot);
@@ -141,38 +121,25 @@ final class EventQueue {
     return polledPiece;
   }
 
-  private int first() {
-    while (true) {
-      int open = firstOpen();
-      int added = near.first();
-      if (open != EventTable.NONE) {
-        // At equal times the open bucket's event is the older one: it was there when it opened.
-        boolean overtaken = added != EventTable.NONE && events.atNs(added) < events.atNs(open);
-        return overtaken ? added : open;
+  /** The first slot of the open bucket. Goes on to the next one if nothing is before it. */
+  private int firstOfRing() {
+    do {
+      while (ring.next() < ring.end()) {
+        if (ring.next() >= touchedTo) {
+          touchAhead();
+        }
+        int slot = ring.slot(ring.next());
+        if (slot != EventTable.NONE) {
+          return slot;
+        }
+        ring.take();
       }
-      if (added != EventTable.NONE || !openNextBucket()) {
-        return added;
-      }
-    }
-  }
-
-  private int firstOpen() {
-    while (openNext < openEnd) {
-      if (openNext >= touchedTo) {
-        touchAhead();
-      }
-      int slot = openSlot(openNext);
-      if (events.piece(slot) != null) {
-        return slot;
-      }
-      events.release(slot);
-      openNext++;
-    }
+    } while (near.isEmpty() && openNextBucket());
     return EventTable.NONE;
   }
 
-  private int openSlot(int index) {
-    return openSlots[Integer.MAX_VALUE - (int) openKeys[index]];
+  private long openAtNs() {
+    return (openBucket << BUCKET_SHIFT) + ring.nextOffset();
   }
 
   /**
@@ -181,108 +148,53 @@ final class EventQueue {
    * other.
    */
   private void touchAhead() {
-    int from = openNext;
-    int to = Math.min(from + MOST_AHEAD, openEnd);
+    int from = ring.next();
+    int to = Math.min(from + MOST_AHEAD, ring.end());
     touchedTo = to;
     if (to - from < LEAST_AHEAD) {
       return;
     }
     int sum = 0;
     for (int i = from; i < to; i++) {
-      sum += events.touch(openSlot(i));
+      int slot = ring.slot(i);
+      if (slot != EventTable.NONE) {
+        sum += events.touch(slot);
+      }
     }
     for (int i = from; i < to; i++) {
-      SimStrand strand = events.strand(openSlot(i));
-      Runnable piece = events.piece(openSlot(i));
-      if (strand != null && piece != null) {
-        sum += strand.touch(piece);
+      int slot = ring.slot(i);
+      if (slot != EventTable.NONE) {
+        sum += touch(events.strand(slot), events.piece(slot));
       }
     }
     read = sum;
   }
 
+  private static int touch(@Nullable SimStrand strand, @Nullable Runnable piece) {
+    return strand == null || piece == null ? 0 : strand.touch(piece);
+  }
+
   private boolean openNextBucket() {
-    if (slotsInRing > 0) {
-      int bucket = (int) openBucket & BUCKET_MASK;
-      openBucket += 1 + ((occupiedAfter(bucket) - bucket - 1) & BUCKET_MASK);
+    if (!ring.isEmpty()) {
+      openBucket += ring.distanceToNext(openBucket);
     } else if (!far.isEmpty()) {
-      openBucket = events.atNs(far.first()) >>> BUCKET_SHIFT;
+      openBucket = far.firstAtNs() >>> BUCKET_SHIFT;
     } else {
       return false;
     }
-    while (!far.isEmpty() && (events.atNs(far.first()) >>> BUCKET_SHIFT) - openBucket < BUCKETS) {
+    while (!far.isEmpty() && (far.firstAtNs() >>> BUCKET_SHIFT) - openBucket < BucketRing.BUCKETS) {
       int slot = far.first();
-      far.removeAt(0);
-      addToRing(slot);
+      long atNs = far.firstAtNs();
+      far.removeFirst();
+      addToRing(slot, atNs);
     }
-    sortOpenBucket();
+    ring.open(openBucket);
+    touchedTo = 0;
     return true;
   }
 
-  private void sortOpenBucket() {
-    int bucket = (int) openBucket & BUCKET_MASK;
-    occupied[bucket >>> 6] &= ~(1L << bucket);
-    int count = 0;
-    for (int slot = newest[bucket]; slot != EventTable.NONE; slot = events.next(slot)) {
-      if (count == openKeys.length) {
-        openKeys = Arrays.copyOf(openKeys, 2 * count);
-        openSlots = Arrays.copyOf(openSlots, 2 * count);
-      }
-      // The list runs from the newest to the oldest, so later ones get the lower key.
-      openKeys[count] = (events.atNs(slot) & OFFSET_MASK) << 32 | (Integer.MAX_VALUE - count);
-      openSlots[count] = slot;
-      events.setPlace(slot, OPEN);
-      count++;
-    }
-    Arrays.sort(openKeys, 0, count);
-    touchedTo = 0;
-    slotsInRing -= count;
-    openNext = 0;
-    openEnd = count;
-    scout = slotsInRing == 0 ? EventTable.NONE : newest[occupiedAfter(bucket)];
-  }
-
-  /** The first occupied bucket of the ring after {@code bucket}; there is one. */
-  private int occupiedAfter(int bucket) {
-    int start = (bucket + 1) & BUCKET_MASK;
-    int word = start >>> 6;
-    long bits = occupied[word] & (-1L << start);
-    while (bits == 0) {
-      word = (word + 1) & (occupied.length - 1);
-      bits = occupied[word];
-    }
-    return (word << 6) + Long.numberOfTrailingZeros(bits);
-  }
-
-  private void addToRing(int slot) {
-    int bucket = (int) (events.atNs(slot) >>> BUCKET_SHIFT) & BUCKET_MASK;
-    long bit = 1L << bucket;
-    if ((occupied[bucket >>> 6] & bit) == 0) {
-      occupied[bucket >>> 6] |= bit;
-      events.setNext(slot, EventTable.NONE);
-    } else {
-      events.setNext(slot, newest[bucket]);
-      events.setPlace(newest[bucket], slot);
-    }
-    events.setPlace(slot, EventTable.NONE);
-    newest[bucket] = slot;
-    slotsInRing++;
-  }
-
-  private void removeFromRing(int slot) {
-    int bucket = (int) (events.atNs(slot) >>> BUCKET_SHIFT) & BUCKET_MASK;
-    int newer = events.place(slot);
-    int older = events.next(slot);
-    if (newer != EventTable.NONE) {
-      events.setNext(newer, older);
-    } else if (older != EventTable.NONE) {
-      newest[bucket] = older;
-    } else {
-      occupied[bucket >>> 6] &= ~(1L << bucket);
-    }
-    if (older != EventTable.NONE) {
-      events.setPlace(older, newer);
-    }
-    slotsInRing--;
+  private void addToRing(int slot, long atNs) {
+    int cell = ring.add(atNs >>> BUCKET_SHIFT, (int) atNs & OFFSET_MASK, slot);
+    events.setPlace(slot, ~cell);
   }
 }

@@ -71,8 +71,8 @@ public final class Kernel implements Clock, AutoCloseable {
   }
 
   /**
-   * Runs {@code piece} on {@code strand}, as {@link SimStrand#schedule} does, without a look at the
-   * strand, which may be cold.
+   * Runs {@code piece} on {@code strand} at {@code atNs}; without allocation, so that the caller can use
+   * one piece again and again, and without a look at the strand. Dropped if that is closed by then.
    *
    * @throws IllegalArgumentException if {@code atNs} is past
    */

@@ -32,7 +32,7 @@ public final class SimBackground implements Background {
     }
     Runnable outcome = compute(task, done);
     freeNs = Math.max(freeNs, kernel.nowNs()) + costNs;
-    strand.schedule(freeNs, outcome);
+    kernel.schedule(freeNs, strand, outcome);
   }
 
   /** While it computes no strand is current: a task that waits or says it is on one is found out. */

@@ -18,6 +18,10 @@ public final class SimStrand implements Strand, Timers {
   private final String name;
   private boolean isClosed;
   private @Nullable WaitingApp app;
+
+  /** What the app waits for, if it is a condition. Here, for most pieces need no more of the app. */
+  @Nullable BooleanSupplier awaited;
+
   private Object[] parts = {};
 
   SimStrand(Kernel kernel, String name) {
@@ -29,19 +33,9 @@ public final class SimStrand implements Strand, Timers {
     return name;
   }
 
-  /**
-   * Runs {@code piece} on this strand at {@code atNs}; without allocation, so that the caller can use
-   * one piece again and again. Dropped if the strand is closed by then.
-   *
-   * @throws IllegalArgumentException if {@code atNs} is past
-   */
-  public void schedule(long atNs, Runnable piece) {
-    kernel.add(atNs, this, piece);
-  }
-
   @Override
   public void post(Runnable action) {
-    schedule(kernel.nowNs(), action);
+    kernel.schedule(kernel.nowNs(), this, action);
   }
 
   @Override
@@ -107,8 +101,9 @@ public final class SimStrand implements Strand, Timers {
     kernel.setCurrent(this);
     try {
       piece.run();
-      if (app != null) {
-        failure = app.afterPiece(piece);
+      WaitingApp waiting = app;
+      if (waiting != null && (piece == waiting || awaited != null)) {
+        failure = waiting.afterPiece(piece);
       }
     } catch (Throwable e) {
       failure = e;
@@ -134,8 +129,7 @@ public final class SimStrand implements Strand, Timers {
     for (Object part : parts) {
       read += Cache.touch(part);
     }
-    WaitingApp waiting = app;
-    return waiting != null && piece == waiting ? read + waiting.touch() : read;
+    return piece instanceof Touchable touchable ? read + touchable.touch() : read;
   }
 
   /** Makes the app of this strand, which is closed, end. */

@@ -3,17 +3,30 @@ package org.starl.sim.kernel;
 import java.util.Arrays;
 
 /**
- * A binary heap of slots in the order of events. Each slot's {@code place} is its index here, so
- * that any event can be removed.
+ * A binary heap of slots in the order of time and, of equal times, of adding. Each slot's {@code
+ * place} is its index here, and the heap's mark, so that any event can be removed.
  */
 final class SlotHeap {
 
-  private final EventTable events;
-  private int[] slots = new int[16];
-  private int size;
+  /** The mark that is not 0; every index is below it. */
+  static final int MARK_BIT = 1 << 30;
 
-  SlotHeap(EventTable events) {
+  private static final int INITIAL_SIZE = 16;
+
+  private final EventTable events;
+  private final int mark;
+  private int[] slots = new int[INITIAL_SIZE];
+  private long[] times = new long[INITIAL_SIZE];
+  private long[] orders = new long[INITIAL_SIZE];
+  private int size;
+  private long lastOrder;
+
+  /**
+   * @param mark 0 or {@link #MARK_BIT}
+   */
+  SlotHeap(EventTable events, int mark) {
     this.events = events;
+    this.mark = mark;
   }
 
   boolean isEmpty() {
@@ -25,55 +38,82 @@ final class SlotHeap {
     return size == 0 ? EventTable.NONE : slots[0];
   }
 
-  void add(int slot) {
-    if (size == slots.length) {
-      slots = Arrays.copyOf(slots, 2 * size);
-    }
-    siftUp(size++, slot);
+  /** When the earliest one is; the end of time if there is none. */
+  long firstAtNs() {
+    return size == 0 ? Long.MAX_VALUE : times[0];
   }
 
-  void removeAt(int index) {
-    int last = slots[--size];
+  void add(int slot, long atNs) {
+    if (size == slots.length) {
+      slots = Arrays.copyOf(slots, 2 * size);
+      times = Arrays.copyOf(times, 2 * size);
+      orders = Arrays.copyOf(orders, 2 * size);
+    }
+    siftUp(size++, slot, atNs, ++lastOrder);
+  }
+
+  void removeFirst() {
+    remove(mark);
+  }
+
+  /**
+   * Removes a slot.
+   *
+   * @param place where it is
+   */
+  void remove(int place) {
+    int index = place - mark;
+    size--;
     if (index == size) {
       return;
     }
-    if (index > 0 && events.isBefore(last, slots[(index - 1) >>> 1])) {
-      siftUp(index, last);
+    int slot = slots[size];
+    long atNs = times[size];
+    long order = orders[size];
+    if (index > 0 && isBefore(atNs, order, (index - 1) >>> 1)) {
+      siftUp(index, slot, atNs, order);
     } else {
-      siftDown(index, last);
+      siftDown(index, slot, atNs, order);
     }
   }
 
-  private void siftUp(int from, int slot) {
+  private void siftUp(int from, int slot, long atNs, long order) {
     int index = from;
     while (index > 0) {
       int parent = (index - 1) >>> 1;
-      if (!events.isBefore(slot, slots[parent])) {
+      if (!isBefore(atNs, order, parent)) {
         break;
       }
-      put(index, slots[parent]);
+      put(index, slots[parent], times[parent], orders[parent]);
       index = parent;
     }
-    put(index, slot);
+    put(index, slot, atNs, order);
   }
 
-  private void siftDown(int from, int slot) {
+  private void siftDown(int from, int slot, long atNs, long order) {
     int index = from;
     for (int child = 2 * index + 1; child < size; child = 2 * index + 1) {
-      if (child + 1 < size && events.isBefore(slots[child + 1], slots[child])) {
+      if (child + 1 < size && isBefore(times[child + 1], orders[child + 1], child)) {
         child++;
       }
-      if (!events.isBefore(slots[child], slot)) {
+      if (isBefore(atNs, order, child)) {
         break;
       }
-      put(index, slots[child]);
+      put(index, slots[child], times[child], orders[child]);
       index = child;
     }
-    put(index, slot);
+    put(index, slot, atNs, order);
   }
 
-  private void put(int index, int slot) {
+  /** The total order of events. */
+  private boolean isBefore(long atNs, long order, int index) {
+    return atNs < times[index] || (atNs == times[index] && order < orders[index]);
+  }
+
+  private void put(int index, int slot, long atNs, long order) {
     slots[index] = slot;
-    events.setPlace(slot, index);
+    times[index] = atNs;
+    orders[index] = order;
+    events.setPlace(slot, mark + index);
   }
 }

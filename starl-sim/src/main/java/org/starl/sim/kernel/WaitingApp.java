@@ -8,7 +8,7 @@ import org.starl.platform.StrandClosed;
  * A strand's app: runs on its carrier from one wait to the next, as one piece of the strand. Itself
  * it is the event that wakes the app: at its start, at the end of a sleep, at an await's deadline.
  */
-final class WaitingApp implements Runnable {
+final class WaitingApp implements Touchable {
 
   /** So often an app that was told of its end may wait again before it is given up. */
   private static final int MAX_REFUSALS = 1000;
@@ -22,9 +22,8 @@ final class WaitingApp implements Runnable {
   private int refusals;
   private @Nullable Throwable failure;
 
-  // What it waits for: an event of the queue, a condition, or both.
+  // What it waits for: an event of the queue, a condition, which the strand has, or both.
   private int wakeSlot = EventTable.NONE;
-  private @Nullable BooleanSupplier condition;
   private boolean conditionHeld;
 
   WaitingApp(Kernel kernel, SimStrand strand, Runnable body) {
@@ -39,8 +38,8 @@ final class WaitingApp implements Runnable {
     }
   }
 
-  /** Touches what the app is going to be resumed with ({@link Cache}). */
-  int touch() {
+  @Override
+  public int touch() {
     Carrier waiting = carrier;
     return waiting == null ? 0 : waiting.touch();
   }
@@ -68,7 +67,7 @@ final class WaitingApp implements Runnable {
    * @return what came out of the app, if anything ever did
    */
   @Nullable Throwable afterPiece(Runnable piece) {
-    BooleanSupplier awaited = condition;
+    BooleanSupplier awaited = strand.awaited;
     if (awaited != null && piece != this && awaited.getAsBoolean()) {
       forgetWait();
       conditionHeld = true;
@@ -79,7 +78,7 @@ final class WaitingApp implements Runnable {
 
   /** Waits for nothing more: no event of the queue resumes it. */
   void forgetWait() {
-    condition = null;
+    strand.awaited = null;
     if (wakeSlot != EventTable.NONE) {
       kernel.queue.remove(wakeSlot);
       wakeSlot = EventTable.NONE;
@@ -115,8 +114,8 @@ final class WaitingApp implements Runnable {
   @Override
   public void run() {
     wakeSlot = EventTable.NONE;
-    BooleanSupplier awaited = condition;
-    condition = null;
+    BooleanSupplier awaited = strand.awaited;
+    strand.awaited = null;
     conditionHeld = awaited != null && awaited.getAsBoolean();
     resume();
   }
@@ -129,7 +128,7 @@ final class WaitingApp implements Runnable {
     if (strand.isClosed()) {
       refuse(mine);
     }
-    condition = newCondition;
+    strand.awaited = newCondition;
     if (isTimed) {
       wakeSlot = kernel.add(Math.max(untilNs, kernel.nowNs()), strand, this);
     }

@@ -2,22 +2,19 @@ package org.starl.sim.net;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
+import org.starl.sim.kernel.Cache;
+import org.starl.sim.kernel.Touchable;
 
 /**
- * Deliveries and packets, used again and again. One that a closed strand never ran is never taken
- * back: it is garbage, nothing waits for it.
+ * Deliveries and packets, used again and again. One that a closed strand never ran, or never let pass
+ * its gate, is never taken back: it is garbage, nothing waits for it.
  */
 final class DeliveryPool {
 
   private static final RobotId NOBODY = new RobotId("nobody");
 
-  private final SimRadio nowhere;
   private @Nullable Delivery freeDeliveries;
   private @Nullable Packet freePackets;
-
-  DeliveryPool(SimNetwork network) {
-    nowhere = new SimRadio(network, NOBODY, new SimNetwork.Station(NOBODY, 0));
-  }
 
   Packet packet(byte[] buffer, int length) {
     Packet packet = freePackets;
@@ -54,11 +51,11 @@ final class DeliveryPool {
   }
 
   /** One copy on its way. */
-  private final class Delivery implements Runnable {
+  private final class Delivery implements Touchable {
     private RobotId from = NOBODY;
-    private SimRadio to = nowhere;
+    private @Nullable SimRadio to;
     private Packet packet;
-    // The packet's: whoever receives them need not wait until the packet, too, is in the cache.
+    // The packet's, at hand.
     private byte[] data;
     private int length;
     private @Nullable Delivery nextFree;
@@ -69,12 +66,34 @@ final class DeliveryPool {
     }
 
     @Override
+    public int touch() {
+      return Cache.touch(data) + Cache.touch(packet);
+    }
+
+    @Override
     public void run() {
-      to.receive(from, data, length);
+      SimRadio radio = radio();
+      Gate gate = radio.gate();
+      if (gate == null) {
+        handOver(radio);
+      } else {
+        gate.pass(() -> handOver(radio));
+      }
+    }
+
+    private SimRadio radio() {
+      if (to == null) {
+        throw new IllegalStateException("a delivery that is in the pool");
+      }
+      return to;
+    }
+
+    private void handOver(SimRadio radio) {
+      radio.receive(from, data, length);
       packet.release();
       // A pooled delivery must not keep a robot that left in memory.
       from = NOBODY;
-      to = nowhere;
+      to = null;
       nextFree = freeDeliveries;
       freeDeliveries = this;
     }

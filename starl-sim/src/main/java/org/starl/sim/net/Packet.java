@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 /** A copy of a sender's bytes, shared by all its deliveries, taken back when the last is done. */
 final class Packet {
 
-  private static final int LEAST_CAPACITY = 128;
+  private static final int LEAST_CAPACITY = 64;
 
   private final DeliveryPool pool;
   private byte[] data = new byte[LEAST_CAPACITY];

@@ -5,10 +5,11 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
-import org.starl.platform.Clock;
 import org.starl.platform.Radio;
 import org.starl.platform.TraceSink;
 import org.starl.random.Rng;
+import org.starl.sim.kernel.Kernel;
+import org.starl.sim.kernel.SimStrand;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -20,16 +21,14 @@ public final class SimNetwork {
   /** Where injected datagrams come from, as far as the trace goes. */
   private static final RobotId NOBODY = new RobotId("nobody");
 
-  private static final Inbox NOWHERE = (atNs, piece) -> {};
-
-  private final Clock clock;
+  private final Kernel kernel;
   private final TraceSink trace;
   private final Rng root;
   private final StationTable stations = new StationTable();
   private final List<SimRadio> attached = new ArrayList<>();
   private final List<Installed> rules = new ArrayList<>();
   private final List<Tap> taps = new ArrayList<>();
-  private final DeliveryPool pool = new DeliveryPool(this);
+  private final DeliveryPool pool = new DeliveryPool();
   private Latency latency = new Latency.Constant(0);
   private Loss loss = Loss.NONE;
   private LinkChoice choice = LinkChoice.seeded();
@@ -41,11 +40,11 @@ public final class SimNetwork {
   private long lost;
 
   /**
-   * @param clock the run's true time
+   * @param kernel has the run's true time, and runs what arrives
    * @param rng the run's generator; the network forks it by robots' names
    */
-  public SimNetwork(Clock clock, TraceSink trace, Rng rng) {
-    this.clock = clock;
+  public SimNetwork(Kernel kernel, TraceSink trace, Rng rng) {
+    this.kernel = kernel;
     this.trace = trace;
     this.root = rng;
   }
@@ -68,35 +67,40 @@ public final class SimNetwork {
   }
 
   /**
-   * Gives {@code id} a radio; what it receives runs through {@code inbox}, its strand.
+   * Gives {@code id} a radio; what it receives runs on {@code strand}.
    *
    * @throws IllegalStateException if it has one already
    */
-  public Radio attach(RobotId id, Inbox inbox) {
-    Station station = stations.find(id);
-    if (station == null) {
-      station = newStation(id);
-      stations.add(station);
-    }
-    if (station.radio != null) {
+  public Radio attach(RobotId id, SimStrand strand) {
+    return attach(id, strand, null);
+  }
+
+  /**
+   * Gives {@code id} a radio; what it receives comes to {@code strand}, and there to {@code gate}, if any.
+   *
+   * @throws IllegalStateException if it has one already
+   */
+  public Radio attach(RobotId id, SimStrand strand, @Nullable Gate gate) {
+    int known = stations.slot(id);
+    int slot = known == StationTable.NONE ? stations.add(id, newKey(id)) : known;
+    if (stations.radio(slot) != null) {
       throw new IllegalStateException(id + " has a radio already");
     }
-    SimRadio radio = new SimRadio(this, id, station);
-    station.radio = radio;
-    station.inbox = inbox;
+    SimRadio radio =
+        new SimRadio(this, id, stations.key(slot), stations.datagrams(slot), strand, gate);
+    stations.attach(slot, radio, strand);
     attached.add(radio);
     return radio;
   }
 
   /** Takes {@code id}'s radio off the air: it sends nothing more, what is under way to it is lost. */
   public void detach(RobotId id) {
-    Station station = stations.find(id);
-    if (station != null && station.radio != null) {
-      station.radio.close();
-      station.datagrams = station.radio.datagrams();
-      attached.remove(station.radio);
-      station.radio = null;
-      station.inbox = NOWHERE;
+    int slot = stations.slot(id);
+    SimRadio radio = slot == StationTable.NONE ? null : stations.radio(slot);
+    if (radio != null) {
+      radio.close();
+      attached.remove(radio);
+      stations.detach(slot, radio.datagrams());
     }
   }
 
@@ -120,11 +124,11 @@ public final class SimNetwork {
    * rule and no loss befalls them. Nothing happens if {@code to} is not on the air.
    */
   public void inject(RobotId to, byte[] datagram) {
-    Station station = stations.find(to);
-    if (station != null && station.radio != null) {
-      SimRadio radio = station.radio;
+    int slot = stations.slot(to);
+    SimRadio radio = slot == StationTable.NONE ? null : stations.radio(slot);
+    if (radio != null) {
       Packet packet = pool.packet(datagram, datagram.length);
-      station.inbox.schedule(clock.nowNs(), pool.delivery(NOBODY, radio, packet));
+      kernel.schedule(kernel.nowNs(), radio.strand(), pool.delivery(NOBODY, radio, packet));
       packet.release();
     }
   }
@@ -136,7 +140,7 @@ public final class SimNetwork {
   void send(SimRadio from, RobotId to, byte[] buffer, int length) {
     long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
-    transmit(from, station(to), packet, datagram);
+    transmit(from, to, packet, datagram);
     packet.release();
   }
 
@@ -147,14 +151,14 @@ public final class SimNetwork {
       for (int i = 0; i < attached.size(); i++) {
         SimRadio to = attached.get(i);
         if (to != from) {
-          transmit(from, to.station(), packet, datagram);
+          transmit(from, to.id(), packet, datagram);
         }
       }
     } else {
       Consumer<RobotId> toHearer =
           to -> {
             if (!to.equals(from.id())) {
-              transmit(from, station(to), packet, datagram);
+              transmit(from, to, packet, datagram);
             }
           };
       audience.forEachHearer(from.id(), toHearer);
@@ -169,7 +173,7 @@ public final class SimNetwork {
   void dropped(RobotId from, RobotId to, String why) {
     lost++;
     if (trace.isOn()) {
-      trace.record(new TraceEvent.Dropped(clock.nowNs(), to, from.name(), why));
+      trace.record(new TraceEvent.Dropped(kernel.nowNs(), to, from.name(), why));
     }
   }
 
@@ -182,24 +186,24 @@ public final class SimNetwork {
     return from.nextDatagram();
   }
 
-  private void transmit(SimRadio from, Station to, Packet packet, long datagram) {
+  private void transmit(SimRadio from, RobotId to, Packet packet, long datagram) {
     if (!rules.isEmpty()) {
       transmitByRules(from, to, packet, datagram);
       return;
     }
     long delayNs = baseDelayNs(from, to, packet, datagram);
     if (delayNs == LinkChoice.LOST) {
-      dropped(from.id(), to.id, "loss");
+      dropped(from.id(), to, "loss");
     } else {
       deliver(from, to, packet, delayNs);
     }
   }
 
-  private void transmitByRules(SimRadio from, Station to, Packet packet, long datagram) {
+  private void transmitByRules(SimRadio from, RobotId to, Packet packet, long datagram) {
     // Rules draw from a generator of their own: one that draws and passes changes no base delay.
-    Rng rng = new Rng(~from.copySeed(to, datagram));
+    Rng rng = new Rng(~from.copySeed(key(to), datagram));
     Transmission copy =
-        new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
+        new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
     long laterNs = 0;
     List<Long> againNs = new ArrayList<>(0);
     for (int i = 0; i < rules.size(); i++) {
@@ -208,7 +212,7 @@ public final class SimNetwork {
         case Verdict.Later later -> laterNs += later.extraNs();
         case Verdict.Again again -> againNs.add(again.afterNs());
         case Verdict.Drop drop -> {
-          dropped(from.id(), to.id, drop.why());
+          dropped(from.id(), to, drop.why());
           return;
         }
         case Verdict.Deliver deliver -> {
@@ -221,50 +225,53 @@ public final class SimNetwork {
     }
     long delayNs = baseDelayNs(from, to, packet, datagram);
     if (delayNs == LinkChoice.LOST) {
-      dropped(from.id(), to.id, "loss");
+      dropped(from.id(), to, "loss");
     } else {
       deliver(from, to, packet, delayNs + laterNs, againNs);
     }
   }
 
-  private void deliver(SimRadio from, Station to, Packet packet, long delayNs, List<Long> againNs) {
+  private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs, List<Long> againNs) {
     deliver(from, to, packet, delayNs);
     for (long afterNs : againNs) {
       deliver(from, to, packet, delayNs + afterNs);
     }
   }
 
-  private long baseDelayNs(SimRadio from, Station to, Packet packet, long datagram) {
+  private long baseDelayNs(SimRadio from, RobotId to, Packet packet, long datagram) {
     if (!seeded) {
-      Rng rng = new Rng(from.copySeed(to, datagram));
+      Rng rng = new Rng(from.copySeed(key(to), datagram));
       Transmission copy =
-          new Transmission(from.id(), to.id, clock.nowNs(), datagram, packet.length(), rng);
+          new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
       return choice.delayNsOrLost(copy, latency, loss);
     }
     if (loss.isCertain() && latency.isConstant()) {
       return loss.probability() > 0 ? LinkChoice.LOST : ((Latency.Constant) latency).ns();
     }
     // As LinkChoice.seeded() does, without a Transmission.
-    Rng rng = new Rng(from.copySeed(to, datagram));
+    Rng rng = new Rng(from.copySeed(key(to), datagram));
     return loss.strikes(rng) ? LinkChoice.LOST : latency.drawNs(rng);
   }
 
-  private void deliver(SimRadio from, Station to, Packet packet, long delayNs) {
-    SimRadio radio = to.radio;
-    if (radio == null) {
-      dropped(from.id(), to.id, "no-such-robot");
-      return;
+  private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs) {
+    int slot = stations.slot(to);
+    SimRadio radio = slot == StationTable.NONE ? null : stations.radio(slot);
+    SimStrand strand = slot == StationTable.NONE ? null : stations.strand(slot);
+    if (radio == null || strand == null) {
+      dropped(from.id(), to, "no-such-robot");
+    } else {
+      kernel.schedule(kernel.nowNs() + delayNs, strand, pool.delivery(from.id(), radio, packet));
     }
-    to.inbox.schedule(clock.nowNs() + delayNs, pool.delivery(from.id(), radio, packet));
   }
 
-  private Station station(RobotId id) {
-    Station station = stations.find(id);
-    return station == null ? newStation(id) : station;
+  private long key(RobotId robot) {
+    int slot = stations.slot(robot);
+    return slot == StationTable.NONE ? newKey(robot) : stations.key(slot);
   }
 
-  private Station newStation(RobotId id) {
-    return new Station(id, root.fork(id.name() + "/radio").nextLong());
+  /** What a robot's draws depend on: its name, and the run's seed. */
+  private long newKey(RobotId id) {
+    return root.fork(id.name() + "/radio").nextLong();
   }
 
   /** So that one rule installed twice can be taken out once. */
@@ -273,35 +280,6 @@ public final class SimNetwork {
 
     Installed(LinkRule rule) {
       this.rule = rule;
-    }
-  }
-
-  /**
-   * What the network knows of a robot; of this, its key and how many datagrams its earlier incarnations
-   * sent outlive a restart.
-   */
-  static final class Station {
-    private final RobotId id;
-    private final long key;
-    private long datagrams;
-    private @Nullable SimRadio radio;
-    private Inbox inbox = NOWHERE;
-
-    Station(RobotId id, long key) {
-      this.id = id;
-      this.key = key;
-    }
-
-    RobotId id() {
-      return id;
-    }
-
-    long key() {
-      return key;
-    }
-
-    long datagrams() {
-      return datagrams;
     }
   }
 }

@@ -3,6 +3,7 @@ package org.starl.sim.net;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
 import org.starl.platform.Radio;
+import org.starl.sim.kernel.SimStrand;
 
 /** One robot's radio in one incarnation. */
 final class SimRadio implements Radio {
@@ -10,17 +11,31 @@ final class SimRadio implements Radio {
   private final SimNetwork network;
   private final RobotId id;
   private final long key;
-  private final SimNetwork.Station station;
+  private final SimStrand strand;
+  private final @Nullable Gate gate;
   private long datagrams;
   private @Nullable Receiver receiver;
   private boolean closed;
 
-  SimRadio(SimNetwork network, RobotId id, SimNetwork.Station station) {
+  /**
+   * @param key what its draws depend on
+   * @param datagrams how many the robot has sent in its earlier incarnations
+   * @param strand what it receives on
+   * @param gate what stands before the receiver, if anything
+   */
+  SimRadio(
+      SimNetwork network,
+      RobotId id,
+      long key,
+      long datagrams,
+      SimStrand strand,
+      @Nullable Gate gate) {
     this.network = network;
     this.id = id;
-    this.station = station;
-    this.key = station.key();
-    this.datagrams = station.datagrams();
+    this.key = key;
+    this.datagrams = datagrams;
+    this.strand = strand;
+    this.gate = gate;
   }
 
   @Override
@@ -66,8 +81,12 @@ final class SimRadio implements Radio {
     return id;
   }
 
-  SimNetwork.Station station() {
-    return station;
+  SimStrand strand() {
+    return strand;
+  }
+
+  @Nullable Gate gate() {
+    return gate;
   }
 
   /** The number of the datagram that it sends now, from 0 in the robot's first incarnation. */
@@ -80,10 +99,10 @@ final class SimRadio implements Radio {
     return datagrams;
   }
 
-  /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
-  long copySeed(SimNetwork.Station recipient, long datagram) {
+  /** A function of sender, recipient and datagram alone; both have keys. The factors are odd: nothing is lost. */
+  long copySeed(long recipientKey, long datagram) {
     return key
-        + Long.rotateLeft(recipient.key(), 32) * 0xD1342543DE82EF95L
+        + Long.rotateLeft(recipientKey, 32) * 0xD1342543DE82EF95L
         + datagram * 0x2545F4914F6CDD1DL;
   }
 

@@ -2,58 +2,120 @@ package org.starl.sim.net;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotId;
+import org.starl.sim.kernel.SimStrand;
 
 /**
- * The stations by their robots: a hash table with open addressing, at most half full, from which
- * nothing is removed. A look-up touches a slot and the station itself.
+ * What the network knows of each robot that ever had a radio: a hash table with open addressing, at
+ * most two thirds full, from which nothing is removed. What a sender needs of an addressee stands in
+ * the table itself: with thousands of robots, all else of the addressee is cold.
  */
 final class StationTable {
 
-  private static final int GOLDEN_RATIO = 0x9E3779B9;
+  /** No slot. */
+  static final int NONE = -1;
 
-  private SimNetwork.@Nullable Station[] slots = table(16);
+  private static final int GOLDEN_RATIO = 0x9E3779B9;
+  private static final int LEAST_SLOTS = 16;
+
+  // By slot; empty where there is no robot.
+  private @Nullable RobotId[] ids = new RobotId[LEAST_SLOTS];
+  private long[] keys = new long[LEAST_SLOTS];
+  private @Nullable SimRadio[] radios = new SimRadio[LEAST_SLOTS];
+  private @Nullable SimStrand[] strands = new SimStrand[LEAST_SLOTS];
+  private long[] datagrams = new long[LEAST_SLOTS];
   private int size;
 
-  SimNetwork.@Nullable Station find(RobotId id) {
-    int slot = slot(id);
-    SimNetwork.Station station = slots[slot];
-    while (station != null && !station.id().equals(id)) {
-      slot = (slot + 1) & (slots.length - 1);
-      station = slots[slot];
+  /** A robot's slot, which is its own until another robot is added; or {@link #NONE}. */
+  int slot(RobotId id) {
+    int slot = firstSlot(id);
+    RobotId found = ids[slot];
+    while (found != null && !found.equals(id)) {
+      slot = (slot + 1) & (ids.length - 1);
+      found = ids[slot];
     }
-    return station;
+    return found == null ? NONE : slot;
   }
 
-  /** Adds the station of a robot that has none here. */
-  void add(SimNetwork.Station station) {
-    if (2 * (size + 1) > slots.length) {
-      SimNetwork.@Nullable Station[] old = slots;
-      slots = table(2 * old.length);
-      for (SimNetwork.Station moved : old) {
-        if (moved != null) {
-          insert(moved);
-        }
+  /** Adds a robot that is not in the table, with its key, and returns its slot. */
+  int add(RobotId id, long key) {
+    size++;
+    if (3 * size > 2 * ids.length) {
+      grow();
+    }
+    int slot = freeSlot(id);
+    ids[slot] = id;
+    keys[slot] = key;
+    return slot;
+  }
+
+  /** The robot has this radio, and receives on this strand. */
+  void attach(int slot, SimRadio radio, SimStrand strand) {
+    radios[slot] = radio;
+    strands[slot] = strand;
+  }
+
+  /** The robot has no radio any more. */
+  void detach(int slot, long datagramsSent) {
+    datagrams[slot] = datagramsSent;
+    radios[slot] = null;
+    strands[slot] = null;
+  }
+
+  /** What the robot's draws depend on. */
+  long key(int slot) {
+    return keys[slot];
+  }
+
+  @Nullable SimRadio radio(int slot) {
+    return radios[slot];
+  }
+
+  /** What the robot receives on, if it has a radio. */
+  @Nullable SimStrand strand(int slot) {
+    return strands[slot];
+  }
+
+  /** How many datagrams the robot's earlier incarnations have sent. */
+  long datagrams(int slot) {
+    return datagrams[slot];
+  }
+
+  private int freeSlot(RobotId id) {
+    int slot = firstSlot(id);
+    while (ids[slot] != null) {
+      slot = (slot + 1) & (ids.length - 1);
+    }
+    return slot;
+  }
+
+  private void grow() {
+    @Nullable RobotId[] oldIds = ids;
+    long[] oldKeys = keys;
+    @Nullable SimRadio[] oldRadios = radios;
+    @Nullable SimStrand[] oldStrands = strands;
+    long[] oldDatagrams = datagrams;
+    int slots = 2 * oldIds.length;
+    ids = new RobotId[slots];
+    keys = new long[slots];
+    radios = new SimRadio[slots];
+    strands = new SimStrand[slots];
+    datagrams = new long[slots];
+    for (int old = 0; old < oldIds.length; old++) {
+      RobotId id = oldIds[old];
+      if (id != null) {
+        int slot = freeSlot(id);
+        ids[slot] = id;
+        keys[slot] = oldKeys[old];
+        radios[slot] = oldRadios[old];
+        strands[slot] = oldStrands[old];
+        datagrams[slot] = oldDatagrams[old];
       }
     }
-    insert(station);
-    size++;
-  }
-
-  private void insert(SimNetwork.Station station) {
-    int slot = slot(station.id());
-    while (slots[slot] != null) {
-      slot = (slot + 1) & (slots.length - 1);
-    }
-    slots[slot] = station;
   }
 
   // Fibonacci hashing (Knuth, "The Art of Computer Programming", section 6.4): numbered names have
   // neighbouring hashes.
-  private int slot(RobotId id) {
-    return (id.hashCode() * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(slots.length) + 1);
-  }
-
-  private static SimNetwork.@Nullable Station[] table(int length) {
-    return new SimNetwork.Station[length];
+  private int firstSlot(RobotId id) {
+    return (id.hashCode() * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(ids.length) + 1);
   }
 }

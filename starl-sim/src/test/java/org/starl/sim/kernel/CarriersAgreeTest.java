@@ -102,7 +102,7 @@ class CarriersAgreeTest {
               strands.get(rng.nextInt(strands.size())).close();
             }
           };
-      strands.get(to).schedule(kernel.nowNs() + rng.nextInt(300), delivery);
+      kernel.schedule(kernel.nowNs() + rng.nextInt(300), strands.get(to), delivery);
       strands.get(self).sleepUntil(kernel.nowNs() + rng.nextInt(50));
     }
 

@@ -85,7 +85,7 @@ final class KernelBench {
     int other = rng.nextInt(robots.length - 1);
     int to = other >= from ? other + 1 : other;
     long delayNs = (long) (rng.nextExponential() * MEAN_DELAY_NS);
-    robots[to].schedule(kernel.nowNs() + delayNs, deliveries[to]);
+    kernel.schedule(kernel.nowNs() + delayNs, robots[to], deliveries[to]);
   }
 
   private void measure(String what) {

@@ -38,7 +38,7 @@ class KernelTest {
         robot.sleepUntil(100);
         log.add("app " + kernel.nowNs());
       });
-      robot.schedule(50, () -> log.add("handler " + kernel.nowNs()));
+      kernel.schedule(50, robot, () -> log.add("handler " + kernel.nowNs()));
       kernel.schedule(100, () -> log.add("world " + kernel.nowNs()));
       kernel.run(1_000, () -> false);
       assertThat(log).containsExactly("app 0", "handler 50", "world 100", "app 100");
@@ -79,7 +79,7 @@ class KernelTest {
           robot.sleepUntil(2_000_000);
           log.add(robot + " ends");
         });
-        robot.schedule(500_000, () -> log.add(robot + " is shown"));
+        kernel.schedule(500_000, robot, () -> log.add(robot + " is shown"));
       }
       kernel.schedule(
           400_000,
@@ -119,7 +119,7 @@ class KernelTest {
         log.add("app " + held + " at " + kernel.nowNs());
       });
       for (int at = 10; at <= 30; at += 10) {
-        robot.schedule(at, () -> log.add("received " + ++received[0]));
+        kernel.schedule(at, robot, () -> log.add("received " + ++received[0]));
         kernel.schedule(at, () -> log.add("world " + kernel.nowNs()));
       }
       kernel.run(1_000, () -> false);
@@ -157,15 +157,17 @@ class KernelTest {
       SimStrand robot = kernel.strand("robot0");
       Timer timer = robot.timer(() -> log.add("expired " + kernel.nowNs()));
       Timer cancelled = robot.timer(() -> log.add("never"));
-      robot.schedule(
+      kernel.schedule(
           0,
+          robot,
           () -> {
             timer.set(40);
             timer.set(20);
             cancelled.set(20);
           });
-      robot.schedule(
+      kernel.schedule(
           20,
+          robot,
           () -> {
             // Both have expired already, and wait for the strand.
             cancelled.cancel();
@@ -174,7 +176,7 @@ class KernelTest {
             log.add("set anew");
           });
       kernel.run(10, () -> false);
-      robot.schedule(20, () -> log.add("between"));
+      kernel.schedule(20, robot, () -> log.add("between"));
       kernel.run(1_000, () -> false);
       assertThat(log).containsExactly("set anew", "between", "expired 20");
       assertThat(timer.isSet()).isFalse();
@@ -199,13 +201,13 @@ class KernelTest {
           robot.post(() -> log.add("posted"));
         }
       });
-      robot.schedule(0, () -> timer.set(60));
-      robot.schedule(60, () -> log.add("handler"));
+      kernel.schedule(0, robot, () -> timer.set(60));
+      kernel.schedule(60, robot, () -> log.add("handler"));
       kernel.schedule(50, robot::close);
       kernel.run(2_000, () -> false);
       timer.cancel();
       timer.set(3_000);
-      robot.schedule(3_000, () -> log.add("late"));
+      kernel.schedule(3_000, robot, () -> log.add("late"));
       robot.post(() -> log.add("late"));
       kernel.run(4_000, () -> false);
       assertThat(log).containsExactly("told", "finally at 50");
@@ -290,8 +292,9 @@ class KernelTest {
           log.add("unwound");
         }
       });
-      robot.schedule(
+      kernel.schedule(
           5,
+          robot,
           () -> {
             robot.close();
             log.add("handler is over");

@@ -65,7 +65,7 @@ class RobotErrorTest {
         errorOf(
             kind,
             robot -> {
-              robot.schedule(30, () -> {});
+              robot.timer(() -> {}).set(30);
               robot.awaitUntil(() -> 1 / (1 - evaluations[0]++) == 0, Long.MAX_VALUE);
             });
     assertThat(error).hasCauseInstanceOf(ArithmeticException.class);

@@ -15,13 +15,14 @@ class SimBackgroundTest {
   @Test
   void aTaskTakesItsTimeAndTheNextOneWaitsForTheWorker() {
     SimBackground background = new SimBackground(kernel, strand, 100);
-    strand.schedule(
+    kernel.schedule(
         1000,
+        strand,
         () -> {
           background.submit(() -> note("task"), () -> note("done"));
           background.submit(() -> note("task"), () -> note("done"));
         });
-    strand.schedule(1250, () -> background.submit(() -> note("task"), () -> note("done")));
+    kernel.schedule(1250, strand, () -> background.submit(() -> note("task"), () -> note("done")));
     run();
     assertThat(log)
         .containsExactly(
@@ -31,8 +32,9 @@ class SimBackgroundTest {
   @Test
   void aTaskOfNoCostIsDoneInTheNextPieceAtTheSameTime() {
     SimBackground background = new SimBackground(kernel, strand, 0);
-    strand.schedule(
+    kernel.schedule(
         1000,
+        strand,
         () -> {
           background.submit(() -> note("task"), () -> note("done"));
           note("piece is over");
@@ -44,7 +46,7 @@ class SimBackgroundTest {
   @Test
   void aStrandThatIsClosedMeanwhileHearsOfNothing() {
     SimBackground background = new SimBackground(kernel, strand, 100);
-    strand.schedule(1000, () -> background.submit(() -> note("task"), () -> note("done")));
+    kernel.schedule(1000, strand, () -> background.submit(() -> note("task"), () -> note("done")));
     kernel.schedule(1050, strand::close);
     run();
     assertThat(log).containsExactly("task 1000");

@@ -12,7 +12,8 @@ import org.junit.jupiter.api.Test;
 import org.starl.RobotId;
 import org.starl.platform.Radio;
 import org.starl.random.Rng;
-import org.starl.sim.world.TestTime;
+import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.kernel.Kernel;
 import org.starl.sim.world.TestTrace;
 import org.starl.trace.TraceEvent;
 
@@ -22,7 +23,7 @@ final class SimNetworkTest {
 
   /** Some robots on the air, and what each has received: {@code time text}. */
   private static final class Air {
-    final TestTime time = new TestTime();
+    final Kernel time = new Kernel(CarrierKind.VIRTUAL);
     final TestTrace trace = new TestTrace();
     final SimNetwork network = new SimNetwork(time, trace, new Rng(7));
     final Map<String, Radio> radios = new LinkedHashMap<>();
@@ -35,10 +36,14 @@ final class SimNetworkTest {
     }
 
     void attach(String name) {
-      Radio radio = network.attach(new RobotId(name), time::schedule);
+      Radio radio = network.attach(new RobotId(name), time.strand(name));
       List<String> log = received.computeIfAbsent(name, any -> new ArrayList<>());
       radio.onReceive((buffer, length) -> log.add(time.nowNs() + " " + text(buffer, length)));
       radios.put(name, radio);
+    }
+
+    void runFor(double seconds) {
+      runUntil(time, time.nowNs() + (long) (seconds * 1e9));
     }
 
     void send(String from, String to, String text) {
@@ -71,15 +76,20 @@ final class SimNetworkTest {
     }
   }
 
+  private static void runUntil(Kernel time, long untilNs) {
+    time.schedule(untilNs, () -> {});
+    time.run(untilNs, () -> false);
+  }
+
   @Test
   void aDatagramArrivesAfterTheDelayNotInsideSend() {
     Air air = new Air(2);
     air.send("bot0", "bot1", "now");
     assertThat(air.log("bot1")).isEmpty();
-    air.time.runFor(0);
+    air.runFor(0);
     air.network.base(new Latency.Constant(5 * MS), Loss.NONE);
     air.send("bot0", "bot1", "later");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot1")).containsExactly("0 now", 5 * MS + " later");
   }
 
@@ -87,7 +97,7 @@ final class SimNetworkTest {
   void aBroadcastReachesEveryoneElse() {
     Air air = new Air(4);
     air.broadcast("bot2", "hello");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot0")).containsExactly("0 hello");
     assertThat(air.log("bot1")).containsExactly("0 hello");
     assertThat(air.log("bot2")).isEmpty();
@@ -102,7 +112,7 @@ final class SimNetworkTest {
     for (int i = 0; i < 2000; i++) {
       air.broadcast("bot0", String.valueOf(i));
     }
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot1")).hasSizeBetween(900, 1100);
     assertThat(air.log("bot2")).hasSizeBetween(900, 1100);
     List<String> both = new ArrayList<>(air.log("bot1"));
@@ -125,9 +135,9 @@ final class SimNetworkTest {
         if (air == many) {
           air.broadcast("bot4", "noise");
         }
-        air.time.runFor(0.05);
+        air.runFor(0.05);
       }
-      air.time.runFor(1);
+      air.runFor(1);
     }
     List<String> withoutNoise = new ArrayList<>(many.log("bot2"));
     withoutNoise.removeIf(line -> line.endsWith("noise"));
@@ -138,18 +148,49 @@ final class SimNetworkTest {
   void unequalSeedsGiveUnequalDelays() {
     List<List<String>> logs = new ArrayList<>();
     for (long seed = 0; seed < 2; seed++) {
-      TestTime time = new TestTime();
+      Kernel time = new Kernel(CarrierKind.VIRTUAL);
       SimNetwork network = new SimNetwork(time, new TestTrace(), new Rng(seed));
       network.base(Latency.parse("uniform(0ms,1s)"), Loss.NONE);
       List<String> log = new ArrayList<>();
-      Radio sender = network.attach(new RobotId("a"), time::schedule);
-      Radio receiver = network.attach(new RobotId("b"), time::schedule);
+      Radio sender = network.attach(new RobotId("a"), time.strand("a"));
+      Radio receiver = network.attach(new RobotId("b"), time.strand("b"));
       receiver.onReceive((buffer, length) -> log.add(String.valueOf(time.nowNs())));
       sender.broadcast(new byte[1], 1);
-      time.runFor(2);
+      runUntil(time, 2_000 * MS);
       logs.add(log);
     }
     assertThat(logs.get(0)).isNotEqualTo(logs.get(1));
+  }
+
+  @Test
+  void aRuleMaySendWhileItJudges() {
+    Air air = new Air(3);
+    air.network.base(new Latency.Constant(1 * MS), Loss.NONE);
+    air.network.install(copy -> {
+      if (copy.to().name().equals("bot1")) {
+        air.send("bot0", "bot2", "I saw one");
+      }
+      return Verdict.PASS;
+    });
+    air.send("bot0", "bot1", "one");
+    air.runFor(1);
+    assertThat(air.log("bot1")).containsExactly(1 * MS + " one");
+    assertThat(air.log("bot2")).containsExactly(1 * MS + " I saw one");
+  }
+
+  @Test
+  void aRuleMayTakeTheAddresseeOffTheAir() {
+    Air air = new Air(2);
+    air.network.install(copy -> {
+      air.network.detach(copy.to());
+      return Verdict.PASS;
+    });
+    air.send("bot0", "bot1", "one");
+    air.runFor(1);
+    assertThat(air.log("bot1")).isEmpty();
+    assertThat(air.trace.of(TraceEvent.Dropped.class))
+        .extracting(TraceEvent.Dropped::why)
+        .containsExactly("no-such-robot");
   }
 
   @Test
@@ -164,7 +205,7 @@ final class SimNetworkTest {
     air.send("bot0", "bot1", "late");
     late.uninstall();
     air.send("bot0", "bot1", "plain");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot1")).containsExactly("0 plain", 30 * MS + " late");
     assertThat(air.trace.of(TraceEvent.Dropped.class))
         .containsExactly(new TraceEvent.Dropped(0, new RobotId("bot1"), "bot0", "partition"));
@@ -180,7 +221,7 @@ final class SimNetworkTest {
       for (int i = 0; i < 50; i++) {
         air.send("bot0", "bot1", "m" + i);
       }
-      air.time.runFor(10);
+      air.runFor(10);
     }
     assertThat(ruled.log("bot1")).isEqualTo(plain.log("bot1"));
   }
@@ -194,7 +235,7 @@ final class SimNetworkTest {
     air.broadcast("bot2", "right");
     split.uninstall();
     air.broadcast("bot3", "healed");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot0")).containsExactly("0 healed");
     assertThat(air.log("bot1")).containsExactly("0 left", "0 healed");
     assertThat(air.log("bot2")).containsExactly("0 healed");
@@ -206,7 +247,7 @@ final class SimNetworkTest {
     Air air = new Air(2);
     air.network.install(copy -> Verdict.duplicate(MS, 3 * MS));
     air.send("bot0", "bot1", "twice");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot1")).containsExactly(MS + " twice", 3 * MS + " twice");
     assertThatThrownBy(() -> Verdict.deliverAfter(-1)).isInstanceOf(IllegalArgumentException.class);
   }
@@ -222,7 +263,7 @@ final class SimNetworkTest {
     air.send("bot0", "bot1", "dropped");
     dropping.uninstall();
     air.send("bot0", "bot1", "twice");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot1")).containsExactly(35 * MS + " twice", 37 * MS + " twice");
     assertThat(air.network.statistics().lost()).isEqualTo(1);
   }
@@ -235,7 +276,7 @@ final class SimNetworkTest {
     for (String from : List.of("bot0", "bot1", "bot2")) {
       air.broadcast(from, from);
     }
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot0")).containsExactly("0 bot1", "0 bot2");
     assertThat(air.log("bot1")).containsExactly("0 bot2");
     assertThat(air.log("bot2")).containsExactly("0 bot0", "0 bot1");
@@ -249,12 +290,12 @@ final class SimNetworkTest {
     Radio old = air.radio("bot1");
     air.network.detach(new RobotId("bot1"));
     old.broadcast(new byte[] {'x'}, 1);
-    air.time.runFor(1);
+    air.runFor(1);
     air.broadcast("bot0", "second");
     air.send("bot0", "bot1", "third");
     air.attach("bot1");
     air.broadcast("bot0", "fourth");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot1")).containsExactly(1010 * MS + " fourth");
     assertThat(air.log("bot2")).hasSize(3).noneMatch(line -> line.endsWith("x"));
     assertThat(air.trace.of(TraceEvent.Dropped.class))
@@ -271,7 +312,7 @@ final class SimNetworkTest {
       for (int i = 0; i < 5; i++) {
         air.send("bot0", "bot1", "after " + beganNs);
       }
-      air.time.runFor(1000 * MS);
+      air.runFor(1000 * MS);
       air.network.detach(new RobotId("bot0"));
       air.attach("bot0");
     }
@@ -286,9 +327,9 @@ final class SimNetworkTest {
   @Test
   void whoHasNoReceiverLosesWhatArrives() {
     Air air = new Air(1);
-    Radio deaf = air.network.attach(new RobotId("deaf"), air.time::schedule);
+    Radio deaf = air.network.attach(new RobotId("deaf"), air.time.strand("deaf"));
     air.broadcast("bot0", "hello");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.network.statistics().lost()).isOne();
     deaf.onReceive((buffer, length) -> {});
     assertThatThrownBy(() -> deaf.onReceive((buffer, length) -> {}))
@@ -307,7 +348,7 @@ final class SimNetworkTest {
     });
     air.send("bot0", "bot1", "a");
     air.send("bot0", "bot1", "b");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(asked).containsExactly(0L, 1L);
     assertThat(air.log("bot1")).containsExactly("77 b");
   }
@@ -322,7 +363,7 @@ final class SimNetworkTest {
       for (int i = 0; i < 50; i++) {
         air.send("bot0", "bot1", "m" + i);
       }
-      air.time.runFor(10);
+      air.runFor(10);
     }
     assertThat(byChoice.log("bot1")).isEqualTo(byItself.log("bot1")).isNotEmpty();
   }
@@ -335,7 +376,7 @@ final class SimNetworkTest {
       hearer.accept(new RobotId("bot3"));
     });
     air.broadcast("bot0", "near");
-    air.time.runFor(1);
+    air.runFor(1);
     assertThat(air.log("bot3")).containsExactly("0 near");
     assertThat(air.network.statistics().delivered()).isOne();
   }
