@@ -22,7 +22,6 @@ final class VirtualCarrier implements Carrier, Executor {
   private final PinWatch pinWatch;
   private boolean isStarted;
   private boolean isSuspended;
-  private boolean isOver;
   private long resumes;
   private @Nullable Thread kernelThread;
   private @Nullable Runnable continuation;
@@ -33,17 +32,7 @@ final class VirtualCarrier implements Carrier, Executor {
   VirtualCarrier(String name, Runnable app, Duration foreignWaitLimit, PinWatch pinWatch) {
     this.foreignWaitLimit = foreignWaitLimit;
     this.pinWatch = pinWatch;
-    this.thread =
-        newBuilder(this)
-            .name(name)
-            .inheritInheritableThreadLocals(false)
-            .unstarted(() -> {
-              try {
-                app.run();
-              } finally {
-                isOver = true;
-              }
-            });
+    this.thread = newBuilder(this).name(name).inheritInheritableThreadLocals(false).unstarted(app);
   }
 
   static boolean isSupported() {
@@ -91,7 +80,7 @@ final class VirtualCarrier implements Carrier, Executor {
     try {
       do {
         takeReady().run();
-      } while (!isSuspended && !isOver);
+      } while (!isSuspended && thread.isAlive());
     } finally {
       pinWatch.setResumed(null);
     }
