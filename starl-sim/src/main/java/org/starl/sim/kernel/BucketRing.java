@@ -32,9 +32,8 @@ final class BucketRing {
   private final long[] occupied = new long[BUCKETS / Long.SIZE];
   private int occupiedCount;
 
-  // The open bucket: its newest chunk; its events in their order (offset << 32 | what tells its
-  // cell),
-  // how many there are, and how many were taken.
+  // The open bucket: its newest chunk; its events in their order, as offset << 32 | what tells the
+  // cell; how many there are, and how many were taken.
   private int openChunk = NO_CHUNK;
   private long[] openKeys = new long[CHUNK];
   private int[] openCells = new int[CHUNK];
