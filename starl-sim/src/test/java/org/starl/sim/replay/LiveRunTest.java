@@ -70,10 +70,7 @@ class LiveRunTest {
       List<CompletableFuture<Long>> done = new ArrayList<>();
       run.start();
       for (Deed deed : deeds) {
-        run.runUntil(deed.atMs() * NS_PER_MS);
-        while (recording.endNs() < deed.atMs() * NS_PER_MS && !run.isOver()) {
-          Thread.onSpinWait();
-        }
+        goTo(deed.atMs(), run, recording);
         if (!run.isOver()) {
           done.add(deed.to(run));
         }
@@ -89,6 +86,14 @@ class LiveRunTest {
       assertThat(run.failure()).isNull();
     }
     return out.toString(StandardCharsets.UTF_8);
+  }
+
+  /** Returns when the run has come so far, or is over. */
+  private static void goTo(long atMs, LiveRun run, Recording recording) {
+    run.runUntil(atMs * NS_PER_MS);
+    while (recording.endNs() < atMs * NS_PER_MS && !run.isOver()) {
+      Thread.onSpinWait();
+    }
   }
 
   private static List<Intervention> interventions(String trace) throws Exception {
@@ -200,9 +205,10 @@ class LiveRunTest {
     String plain = plain(Wander.simulation(3));
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TraceRecorder recorder = new TraceRecorder(out);
-    LiveRun run = new LiveRun(Wander.simulation(3).observer(recorder), recording());
+    Recording recording = recording();
+    LiveRun run = new LiveRun(Wander.simulation(3).observer(recorder), recording);
     run.start();
-    run.runUntil(5_000 * NS_PER_MS);
+    goTo(5_000, run, recording);
     assertThatThrownBy(() -> run.fault("crush(bot1)")).isInstanceOf(BadInput.class);
     assertThatThrownBy(run.fault("crash(bot7)")::get)
         .isInstanceOf(ExecutionException.class)
