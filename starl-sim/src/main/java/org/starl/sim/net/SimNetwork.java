@@ -76,7 +76,8 @@ public final class SimNetwork {
   }
 
   /**
-   * Gives {@code id} a radio; what it receives comes to {@code strand}, and there to {@code gate}, if any.
+   * Gives {@code id} a radio; what it receives comes to {@code strand}, and there to {@code gate}, if
+   * any.
    *
    * @throws IllegalStateException if it has one already
    */
@@ -96,7 +97,7 @@ public final class SimNetwork {
   /** Takes {@code id}'s radio off the air: it sends nothing more, what is under way to it is lost. */
   public void detach(RobotId id) {
     int slot = stations.slot(id);
-    SimRadio radio = slot == StationTable.NONE ? null : stations.radio(slot);
+    SimRadio radio = stations.radio(slot);
     if (radio != null) {
       radio.close();
       attached.remove(radio);
@@ -124,8 +125,7 @@ public final class SimNetwork {
    * rule and no loss befalls them. Nothing happens if {@code to} is not on the air.
    */
   public void inject(RobotId to, byte[] datagram) {
-    int slot = stations.slot(to);
-    SimRadio radio = slot == StationTable.NONE ? null : stations.radio(slot);
+    SimRadio radio = stations.radio(stations.slot(to));
     if (radio != null) {
       Packet packet = pool.packet(datagram, datagram.length);
       kernel.schedule(kernel.nowNs(), radio.strand(), pool.delivery(NOBODY, radio, packet));
@@ -255,8 +255,8 @@ public final class SimNetwork {
 
   private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs) {
     int slot = stations.slot(to);
-    SimRadio radio = slot == StationTable.NONE ? null : stations.radio(slot);
-    SimStrand strand = slot == StationTable.NONE ? null : stations.strand(slot);
+    SimRadio radio = stations.radio(slot);
+    SimStrand strand = stations.strand(slot);
     if (radio == null || strand == null) {
       dropped(from.id(), to, "no-such-robot");
     } else {

@@ -99,7 +99,7 @@ final class SimRadio implements Radio {
     return datagrams;
   }
 
-  /** A function of sender, recipient and datagram alone; both have keys. The factors are odd: nothing is lost. */
+  /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
   long copySeed(long recipientKey, long datagram) {
     return key
         + Long.rotateLeft(recipientKey, 32) * 0xD1342543DE82EF95L

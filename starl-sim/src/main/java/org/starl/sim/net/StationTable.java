@@ -66,13 +66,14 @@ final class StationTable {
     return keys[slot];
   }
 
+  /** The robot's radio, if it has one; none in {@link #NONE}. */
   @Nullable SimRadio radio(int slot) {
-    return radios[slot];
+    return slot == NONE ? null : radios[slot];
   }
 
-  /** What the robot receives on, if it has a radio. */
+  /** What the robot receives on, if it has a radio; none in {@link #NONE}. */
   @Nullable SimStrand strand(int slot) {
-    return strands[slot];
+    return slot == NONE ? null : strands[slot];
   }
 
   /** How many datagrams the robot's earlier incarnations have sent. */
