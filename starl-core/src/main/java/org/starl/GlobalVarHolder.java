@@ -1,5 +1,9 @@
 package org.starl;
 
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Log;
+import org.starl.gvh.Trace;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;

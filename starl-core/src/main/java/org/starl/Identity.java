@@ -1,5 +1,9 @@
 package org.starl;
 
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+
 /** {@code gvh.id}: who this robot is, and which robots the deployment knows. */
 public final class Identity {
 

@@ -72,7 +72,7 @@ public interface Demo {
   /**
    * The simulation of {@code request}: equal requests give equal simulations.
    *
-   * @throws org.starl.sim.input.BadInput if a value cannot be used; the message names it
+   * @throws org.starl.input.BadInput if a value cannot be used; the message names it
    */
   Plan plan(Request request, SimSettings settings);
 }

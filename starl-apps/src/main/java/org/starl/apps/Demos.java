@@ -11,7 +11,7 @@ import org.starl.apps.lightpaint.LightPaintDemo;
 import org.starl.apps.maze.MazeDemo;
 import org.starl.apps.race.RaceDemo;
 import org.starl.apps.search.SearchDemo;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Apps that a command line can run.

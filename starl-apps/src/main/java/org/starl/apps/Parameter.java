@@ -1,6 +1,6 @@
 package org.starl.apps;
 
-import org.starl.sim.input.Form;
+import org.starl.input.Form;
 
 /**
  * Something of an app's scenario that {@code --set key=value} may change.

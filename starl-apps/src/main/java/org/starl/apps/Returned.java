@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 
 /** The story of an app that has none of its own: what {@code callStarL} returned on each robot. */

@@ -1,10 +1,10 @@
 package org.starl.comms;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.platform.Platform;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
 
 /** Tells the trace and the log of datagrams, and counts those that are dropped. */

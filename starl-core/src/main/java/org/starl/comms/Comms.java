@@ -3,11 +3,11 @@ package org.starl.comms;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.Platform;
 import org.starl.platform.Radio;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 
 /**
  * {@code gvh.comms}: this robot's messages. Strand only.

@@ -1,7 +1,7 @@
 package org.starl.comms;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** Writes datagrams (docs/wire-format.md), one after another into one buffer: begin, then the rest. */
 final class DatagramWriter {

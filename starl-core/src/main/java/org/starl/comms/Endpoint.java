@@ -1,6 +1,6 @@
 package org.starl.comms;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * This robot's end of a channel. Strand only. What is sent to this robot itself arrives as well, in

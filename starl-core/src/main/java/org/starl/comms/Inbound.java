@@ -2,10 +2,10 @@ package org.starl.comms;
 
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.platform.Radio;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 
 /** What arrives: looked through, counted, and handed to the endpoint that it is for. */
 final class Inbound implements Radio.Receiver {

@@ -1,7 +1,7 @@
 package org.starl.comms;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** An endpoint of {@link Comms}: its channel, its handler, and whether it is open. */
 final class OpenEndpoint<T> implements Endpoint<T> {

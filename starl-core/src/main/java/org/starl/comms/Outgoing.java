@@ -2,7 +2,7 @@ package org.starl.comms;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** A reliable message on its sender's side, and its receipt. */
 final class Outgoing<P> implements Receipt {

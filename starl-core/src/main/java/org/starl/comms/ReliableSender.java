@@ -1,6 +1,6 @@
 package org.starl.comms;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;

@@ -3,7 +3,7 @@ package org.starl.comms;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * Which transmissions of which genuine senders have arrived, so that each counts once. Of a sender's

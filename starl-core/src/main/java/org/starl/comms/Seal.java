@@ -4,7 +4,7 @@ import java.util.Arrays;
 import javax.crypto.Mac;
 import javax.crypto.ShortBufferException;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 
 /**

@@ -3,7 +3,7 @@ package org.starl.comms;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * Robots that were heard of late and are none of the deployment, found by the bytes of their names

@@ -1,5 +1,10 @@
 package org.starl.motion;
 
+import org.starl.body.Bumps;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
+import org.starl.body.RobotType;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;

@@ -1,10 +1,12 @@
 package org.starl.motion;
 
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhVariable;
-import org.starl.Trace;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Trace;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;

@@ -1,5 +1,6 @@
 package org.starl.motion;
 
+import org.starl.body.Bumps;
 import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;

@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import org.starl.body.WheelCommand;
+
 /**
  * The commands that the wheels may still follow, because a new one takes effect late: the hull of
  * their speeds and of standing still.

@@ -1,6 +1,6 @@
 package org.starl.motion;
 
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 
 /** {@code currentlocation}: evaluated when it is read, so that a fix costs no object. */
 record LocationVariable(Gps gps) implements GvhVariable<Location> {

@@ -1,12 +1,17 @@
 package org.starl.motion;
 
+import org.starl.body.Bumps;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.Contact;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
-import org.starl.GvhVariable;
-import org.starl.Log;
-import org.starl.Trace;
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Log;
+import org.starl.gvh.Trace;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;

@@ -1,5 +1,8 @@
 package org.starl.motion;
 
+import org.starl.body.Bumps;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;

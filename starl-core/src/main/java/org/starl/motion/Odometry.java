@@ -1,5 +1,6 @@
 package org.starl.motion;
 
+import org.starl.body.WheelCommand;
 import java.util.Arrays;
 import org.starl.geometry.Kinematics;
 

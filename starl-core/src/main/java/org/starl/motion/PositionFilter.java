@@ -1,5 +1,6 @@
 package org.starl.motion;
 
+import org.starl.body.WheelCommand;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;

@@ -1,5 +1,6 @@
 package org.starl.motion;
 
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Pose;
 

@@ -6,7 +6,7 @@
  * motionflag} is DONE only within the goal radius of the target by the robot's own position, hence
  * within goal radius plus error bound in truth, and FAIL, wheels stopped, where it cannot get there:
  * a bump, no fix, no certain position, no progress, too slow, the region in the way. It is one of the
- * two within {@link org.starl.motion.MotionParameters#longestMs}.
+ * two within {@link org.starl.body.MotionParameters#longestMs}.
  *
  * <p>Envelope: fixes whose error bounds are true, whenever they come, and any that are so far off
  * that they contradict the others, except the first and those that confirm each other for half a

@@ -1,7 +1,7 @@
 package org.starl.platform;
 
-import org.starl.motion.Bumps;
-import org.starl.motion.WheelCommand;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
 
 /**
  * The wheels and the bump sensors. What must not wait for the strand lives below this port: the

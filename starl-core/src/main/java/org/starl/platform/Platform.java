@@ -1,10 +1,11 @@
 package org.starl.platform;
 
+import org.starl.trace.TraceSink;
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.geometry.Obstacles;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 
 /**
  * All that one robot stands on. A platform is this bundle of ports and nothing else; {@link

@@ -1,6 +1,6 @@
 package org.starl.platform;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * Sends and receives datagrams, best effort: one may be lost, late, doubled, overtaken, or arrive

@@ -4,7 +4,7 @@ import java.util.Collections;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.trace.TraceEvent;

@@ -2,7 +2,7 @@ package org.starl.spec;
 
 import java.util.List;
 import java.util.function.LongFunction;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * What each robot owes in each instance of a primitive under one lemma: a {@link Within} that

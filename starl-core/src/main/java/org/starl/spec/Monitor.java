@@ -1,7 +1,7 @@
 package org.starl.spec;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 /**

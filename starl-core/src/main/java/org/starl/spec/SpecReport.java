@@ -6,7 +6,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * What the monitors of one run found: how often each lemma was checked, and where it did not hold.

@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 
 /** The inverse of {@link TraceCodec}. Robots of one trace share their ids. */

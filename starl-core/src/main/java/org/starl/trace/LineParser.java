@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** Walks along one line of a trace; what does not stand there is a {@link TraceFormatException}. */
 final class LineParser {

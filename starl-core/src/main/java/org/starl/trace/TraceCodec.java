@@ -3,7 +3,7 @@ package org.starl.trace;
 import java.util.Iterator;
 import java.util.List;
 import java.util.Map;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;

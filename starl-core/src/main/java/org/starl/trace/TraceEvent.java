@@ -1,7 +1,7 @@
 package org.starl.trace;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 
 /** One thing that happened to one robot. Times are ns from the start of the run. */

@@ -4,7 +4,6 @@ import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
-import org.starl.platform.TraceSink;
 
 /**
  * Writes a run's trace: the header, then a line an event, then the end. Buffers by itself. Not for

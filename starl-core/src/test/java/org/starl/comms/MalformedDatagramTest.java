@@ -15,7 +15,7 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.testing.FakeWorld;
 

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 
 class ReliableSenderTest {

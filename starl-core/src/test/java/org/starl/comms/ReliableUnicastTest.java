@@ -12,7 +12,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import net.jqwik.api.constraints.IntRange;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /** The two sides of reliable unicast over a network that loses, doubles, delays and reorders. */

@@ -12,7 +12,7 @@ import java.util.Locale;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.testing.FakeWorld;
 
 /** {@code docs/wire-format.md} says what the code does. */

@@ -2,6 +2,9 @@ package org.starl.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.starl.body.MotionParameters;
+import org.starl.body.MotionStyle;
+import org.starl.body.WheelCommand;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;

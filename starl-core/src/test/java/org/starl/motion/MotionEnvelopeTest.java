@@ -2,6 +2,11 @@ package org.starl.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
+import org.starl.body.MotionStyle;
+import org.starl.body.RobotType;
+import org.starl.body.WheelCommand;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import net.jqwik.api.ForAll;

@@ -1,5 +1,8 @@
 package org.starl.motion;
 
+import org.starl.body.Bumps;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;

@@ -1,5 +1,6 @@
 package org.starl.motion;
 
+import org.starl.body.WheelCommand;
 import java.util.ArrayDeque;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;

@@ -3,7 +3,7 @@ package org.starl.spec;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;

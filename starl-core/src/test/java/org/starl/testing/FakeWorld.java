@@ -8,8 +8,8 @@ import java.util.Map;
 import java.util.PriorityQueue;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 import org.starl.trace.TraceEvent;
 

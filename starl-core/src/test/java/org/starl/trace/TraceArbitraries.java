@@ -4,7 +4,7 @@ import java.util.List;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 
 /** Events and headers with the nastiest contents that their types allow. */

@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 
 class TraceWriterTest {

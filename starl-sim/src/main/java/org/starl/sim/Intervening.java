@@ -1,6 +1,6 @@
 package org.starl.sim;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * A {@link Bystander}'s hands. What they do takes effect here and now, between two steps, and is an
@@ -17,7 +17,7 @@ public interface Intervening {
    * Lets a fault happen; what it does not say of times counts from now.
    *
    * @param fault as {@code --fault} reads it
-   * @throws org.starl.sim.input.BadInput if it is none, names a robot that never was there, or would
+   * @throws org.starl.input.BadInput if it is none, names a robot that never was there, or would
    *     end before it begins; then nothing has happened
    */
   void fault(String fault);
@@ -26,7 +26,7 @@ public interface Intervening {
    * Shows a robot's app a place: {@link org.starl.LogicThread#receivedPointInput}. A robot that is
    * down does not see it.
    *
-   * @throws org.starl.sim.input.BadInput if there is no such robot; then nothing has happened
+   * @throws org.starl.input.BadInput if there is no such robot; then nothing has happened
    */
   void point(RobotId robot, int xMm, int yMm);
 

@@ -3,7 +3,7 @@ package org.starl.sim;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 
 /**

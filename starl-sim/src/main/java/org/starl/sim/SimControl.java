@@ -1,7 +1,7 @@
 package org.starl.sim;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;

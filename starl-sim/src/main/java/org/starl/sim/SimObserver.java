@@ -1,6 +1,6 @@
 package org.starl.sim;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;

@@ -2,7 +2,7 @@ package org.starl.sim;
 
 import java.util.List;
 import java.util.SortedMap;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.sim.net.NetStatistics;
 import org.starl.sim.world.Collisions;
 import org.starl.spec.SpecReport;

@@ -7,7 +7,7 @@ import org.starl.RobotRunner;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.fault.ImpairedStrand;
 import org.starl.sim.fault.Impairment;

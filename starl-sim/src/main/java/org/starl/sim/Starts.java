@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 import org.starl.sim.world.Placement;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;

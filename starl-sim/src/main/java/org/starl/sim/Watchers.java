@@ -1,9 +1,9 @@
 package org.starl.sim;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;

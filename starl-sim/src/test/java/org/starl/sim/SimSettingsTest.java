@@ -8,7 +8,7 @@ import java.util.HashSet;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 import org.starl.sim.net.Latency;
 
 final class SimSettingsTest {

@@ -2,7 +2,7 @@ package org.starl.kotlin
 
 import org.starl.GlobalVarHolder
 import org.starl.LogicThread
-import org.starl.RobotId
+import org.starl.id.RobotId
 import org.starl.geometry.Obstacle
 import org.starl.geometry.Pose
 import org.starl.sim.RobotSpec

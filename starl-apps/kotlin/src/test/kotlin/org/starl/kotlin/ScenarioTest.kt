@@ -11,7 +11,7 @@ import org.starl.sim.SimSettings
 import org.starl.sim.Simulation
 import org.starl.sim.fault.Envelope
 import org.starl.sim.fault.FaultPlan
-import org.starl.sim.input.BadInput
+import org.starl.input.BadInput
 
 /** What the Kotlin scenario says is what the builder holds. */
 class ScenarioTest {

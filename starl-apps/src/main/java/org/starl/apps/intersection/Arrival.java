@@ -1,6 +1,6 @@
 package org.starl.apps.intersection;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Route;
 
 /** A car that comes to the edge of an open road, at {@code atNs}, to go along {@code route}. */

@@ -2,7 +2,7 @@ package org.starl.apps.intersection;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.random.Rng;
 

@@ -1,6 +1,6 @@
 package org.starl.apps.intersection;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.geometry.Pose;
 

@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Locale;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.view.SvgDrawing;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** Reads drawings from files, by the ending of their names. */
 final class DrawingFiles {

@@ -10,7 +10,7 @@ import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 

@@ -45,7 +45,7 @@ final class DrawnMaze {
 
   /**
    * @param hidden the part of the walls that nobody is told of
-   * @throws org.starl.sim.input.BadInput if so many robots find no room
+   * @throws org.starl.input.BadInput if so many robots find no room
    */
   static Layout draw(int robots, double hidden, Rng rng) {
     Rng walls = rng.fork("walls");

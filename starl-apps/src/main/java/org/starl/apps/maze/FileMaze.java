@@ -16,7 +16,7 @@ import org.starl.primitives.paths.LocalPlanner;
 import org.starl.primitives.paths.Plan;
 import org.starl.primitives.paths.PlanTask;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 

@@ -6,7 +6,7 @@ import java.util.List;
 import org.starl.apps.maze.logic.Goal;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Draws starts and goals in the middle of cells: three of four goals within reach, the others cut

@@ -20,7 +20,7 @@ import org.starl.apps.race.spec.RaceSpec;
 import org.starl.apps.race.view.RaceLayer;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
@@ -28,8 +28,8 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.Quantities;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 
 /** The paper's section 5.4, Race App: {@code starl run race}. */
 public final class RaceDemo implements Demo {

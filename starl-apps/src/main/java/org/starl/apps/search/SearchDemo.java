@@ -8,7 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
@@ -25,7 +25,7 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.motion.MotionSpec;
@@ -35,8 +35,8 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.Quantities;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 
 /** The paper's Distributed Search (section 5.4): {@code starl run search}. */
 public final class SearchDemo implements Demo {

@@ -1,7 +1,7 @@
 package org.starl.apps.search;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.geometry.ItemPosition;

@@ -3,7 +3,7 @@ package org.starl.apps.search;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Sensing;
 import org.starl.geometry.ItemPosition;

@@ -14,7 +14,7 @@ import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** Drawings from files. */
 class DrawingFilesTest {

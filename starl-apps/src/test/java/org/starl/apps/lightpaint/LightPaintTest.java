@@ -18,7 +18,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.Input;
 import org.starl.apps.Plan;
 import org.starl.apps.Product;
@@ -28,7 +28,7 @@ import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.geometry.Point;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** Whole runs of light painting. */
 class LightPaintTest {

@@ -11,7 +11,7 @@ import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** The original's drawings: ends of lines in pairs. */
 class WptDrawingTest {

@@ -9,7 +9,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.Errand;

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.race.logic.RaceApp;
@@ -35,7 +35,7 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 

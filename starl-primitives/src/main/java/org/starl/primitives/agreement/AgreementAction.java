@@ -1,7 +1,7 @@
 package org.starl.primitives.agreement;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.automaton.Action;
 
 /** The actions of the theory {@code SetAgreement_decls}, under their names there. */

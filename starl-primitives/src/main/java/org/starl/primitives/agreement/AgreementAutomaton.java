@@ -1,6 +1,6 @@
 package org.starl.primitives.agreement;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;

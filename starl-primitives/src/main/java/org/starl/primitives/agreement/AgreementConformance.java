@@ -1,6 +1,6 @@
 package org.starl.primitives.agreement;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;

@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Dues;
 import org.starl.spec.Dues.Seat;

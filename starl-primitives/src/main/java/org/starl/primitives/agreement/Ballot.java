@@ -1,6 +1,6 @@
 package org.starl.primitives.agreement;
 
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /**
  * The rank of one attempt of one proposer. Unique because a proposer never uses a round twice and

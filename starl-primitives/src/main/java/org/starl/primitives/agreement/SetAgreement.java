@@ -1,10 +1,10 @@
 package org.starl.primitives.agreement;
 
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
-import org.starl.GvhVariable;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.primitives.StarLPrimitive;
 

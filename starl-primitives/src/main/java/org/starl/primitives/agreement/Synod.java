@@ -1,9 +1,9 @@
 package org.starl.primitives.agreement;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.comms.WireFormatException;
 import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Accepted;

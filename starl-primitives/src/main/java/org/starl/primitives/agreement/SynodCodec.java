@@ -3,7 +3,7 @@ package org.starl.primitives.agreement;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;

@@ -1,7 +1,7 @@
 package org.starl.primitives.agreement;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** What a {@link Synod} has of its robot: the network, and stable storage for its acceptor. */
 public interface SynodLink {

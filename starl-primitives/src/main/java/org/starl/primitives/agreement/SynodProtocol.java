@@ -1,6 +1,6 @@
 package org.starl.primitives.agreement;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * A protocol that stands on a {@link Synod}, as its robot sees it. Pure and clock-driven: times are

@@ -1,7 +1,7 @@
 package org.starl.primitives.barrier;
 
 import java.util.List;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.barrier.BarrierAutomaton.Outcome;
 import org.starl.spec.automaton.Action;
 

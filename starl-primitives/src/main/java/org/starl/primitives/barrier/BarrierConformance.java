@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Steps;

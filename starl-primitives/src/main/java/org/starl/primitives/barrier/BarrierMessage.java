@@ -1,6 +1,6 @@
 package org.starl.primitives.barrier;
 
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** The barrier's own messages, beside the Synod's. All are idempotent. */
 sealed interface BarrierMessage {

@@ -3,7 +3,7 @@ package org.starl.primitives.barrier;
 import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** What a robot has been told of the generation in which it arrived last. */
 public sealed interface BarrierOutcome {

@@ -1,6 +1,6 @@
 package org.starl.primitives.barrier;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** Where a {@link BarrierProtocol}'s effects go. All messages are best effort. */
 interface BarrierPort {

@@ -1,6 +1,6 @@
 package org.starl.primitives.barrier;
 
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
 /** A barrier as an app sees it; reusable, generation after generation. Strand only. */

@@ -2,7 +2,7 @@ package org.starl.primitives.barrier;
 
 /**
  * The names under which barriers appear in a trace. A monitor decides everything from these: ids as
- * {@link org.starl.ProcessId#parse} reads them.
+ * {@link org.starl.id.ProcessId#parse} reads them.
  */
 final class BarrierTrace {
 

@@ -6,7 +6,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /**
  * The outcomes of all generations up to some number: those that are named here were broken by the

@@ -1,7 +1,7 @@
 package org.starl.primitives.election;
 
 import java.util.List;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Action;
 
 /** The actions of the theory {@code Election_decls}, under their names there. */

@@ -1,7 +1,7 @@
 package org.starl.primitives.election;
 
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;

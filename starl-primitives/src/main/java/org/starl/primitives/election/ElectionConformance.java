@@ -4,7 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.election.ElectionAutomaton.Known;
 import org.starl.primitives.election.ElectionAutomaton.States;
 import org.starl.spec.Dues.Seat;

@@ -1,6 +1,6 @@
 package org.starl.primitives.election;
 
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** The election's own messages, beside the Synod's. All are idempotent. */
 sealed interface ElectionMessage {

@@ -1,6 +1,6 @@
 package org.starl.primitives.election;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** Where an {@link ElectionProtocol}'s effects go. All messages are best effort. */
 interface ElectionPort {

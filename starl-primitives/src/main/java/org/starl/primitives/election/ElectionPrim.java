@@ -1,6 +1,6 @@
 package org.starl.primitives.election;
 
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
 /** Election as an app sees it (paper, section 4.4). Strand only. */

@@ -2,9 +2,9 @@ package org.starl.primitives.election;
 
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Synod;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.agreement.SynodListener;

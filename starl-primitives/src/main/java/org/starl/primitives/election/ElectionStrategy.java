@@ -1,7 +1,7 @@
 package org.starl.primitives.election;
 
 import java.util.List;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /**
  * Whom a robot proposes as leader, and when: all that the paper's two implementations differ in. What

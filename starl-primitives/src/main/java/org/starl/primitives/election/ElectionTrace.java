@@ -2,7 +2,7 @@ package org.starl.primitives.election;
 
 /**
  * The names under which elections appear in a trace. A monitor decides everything from these: ids as
- * {@link org.starl.ProcessId#parse} reads them.
+ * {@link org.starl.id.ProcessId#parse} reads them.
  */
 final class ElectionTrace {
 

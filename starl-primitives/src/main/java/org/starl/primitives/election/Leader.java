@@ -1,6 +1,6 @@
 package org.starl.primitives.election;
 
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** The paper's {@code Leader} (section 4.4): an identity, null, or fail. */
 public sealed interface Leader {

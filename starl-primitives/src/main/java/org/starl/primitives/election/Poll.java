@@ -5,7 +5,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** Who stands for election in the present term, as far as this robot has heard. */
 final class Poll {

@@ -1,7 +1,7 @@
 package org.starl.primitives.geocast;
 
 import org.starl.GlobalVarHolder;
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 import org.starl.comms.Codec;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Region;

@@ -2,7 +2,7 @@ package org.starl.primitives.geocast;
 
 import java.util.List;
 import java.util.SortedSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.automaton.Action;
 
 /** The actions of the theory {@code Geocast_decls}, under their names there. */

@@ -2,7 +2,7 @@ package org.starl.primitives.geocast;
 
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;

@@ -1,7 +1,7 @@
 package org.starl.primitives.geocast;
 
 import java.util.SortedSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;

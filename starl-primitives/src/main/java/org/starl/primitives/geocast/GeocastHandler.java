@@ -1,6 +1,6 @@
 package org.starl.primitives.geocast;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** Takes delivered messages, each once, on the strand. */
 @FunctionalInterface

@@ -1,6 +1,6 @@
 package org.starl.primitives.geocast;
 
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /**
  * One geocast, for ever and everywhere.

@@ -1,6 +1,6 @@
 package org.starl.primitives.geocast;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Region;
 
 /** Where a {@link GeocastProtocol}'s effects go, and where it asks for its place. */

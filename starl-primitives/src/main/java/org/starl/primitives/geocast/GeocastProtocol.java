@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
-import org.starl.Participants;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Region;
 import org.starl.primitives.geocast.GeocastPort.Dismissal;
 

@@ -3,7 +3,7 @@ package org.starl.primitives.geocast;
 import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** What the origin knows of one of its geocasts. Strand only. */
 public final class GeocastReceipt {

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.RegionText;
 import org.starl.primitives.geocast.CastRecord.Copy;
 import org.starl.spec.Monitor;

@@ -2,10 +2,10 @@ package org.starl.primitives.geocast;
 
 import java.util.Locale;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
-import org.starl.GvhVariable;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;

@@ -1,6 +1,6 @@
 package org.starl.primitives.geocast;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.spec.Bodies;

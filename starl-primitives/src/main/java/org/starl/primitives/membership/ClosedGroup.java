@@ -1,7 +1,7 @@
 package org.starl.primitives.membership;
 
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /**
  * A fixed list: nobody joins, leaves or is given up, so any number of members may act by it. A robot

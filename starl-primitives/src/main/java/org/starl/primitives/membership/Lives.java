@@ -2,8 +2,8 @@ package org.starl.primitives.membership;
 
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.spec.Circumstances;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;

@@ -1,7 +1,7 @@
 package org.starl.primitives.membership;
 
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** Who takes part, as this robot has learned it. Strand only. */
 public interface Membership {

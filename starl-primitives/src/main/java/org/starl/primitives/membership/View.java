@@ -10,9 +10,9 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
 /**
  * A numbered list of participants. For one instance, equal numbers mean equal lists (agreement), and

@@ -1,6 +1,6 @@
 package org.starl.primitives.motion;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;

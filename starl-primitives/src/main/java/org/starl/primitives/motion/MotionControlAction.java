@@ -1,7 +1,7 @@
 package org.starl.primitives.motion;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.spec.automaton.Action;
 

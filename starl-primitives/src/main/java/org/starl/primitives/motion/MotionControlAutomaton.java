@@ -1,7 +1,7 @@
 package org.starl.primitives.motion;
 
 import java.util.SortedSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;

@@ -1,6 +1,6 @@
 package org.starl.primitives.motion;
 
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Region;
 import org.starl.motion.MotionFlag;

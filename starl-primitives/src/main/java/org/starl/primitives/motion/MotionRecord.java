@@ -1,6 +1,6 @@
 package org.starl.primitives.motion;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 

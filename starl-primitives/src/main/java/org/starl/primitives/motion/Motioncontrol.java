@@ -1,7 +1,7 @@
 package org.starl.primitives.motion;
 
 import org.starl.GlobalVarHolder;
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Region;

@@ -20,7 +20,7 @@
  * which {@code avoids} and {@code told} are proved.
  *
  * <p>Envelope. The robot is told the truth of itself by its {@link
- * org.starl.motion.MotionParameters}: the radius of its body; {@code speedError}, by which it drives
+ * org.starl.body.MotionParameters}: the radius of its body; {@code speedError}, by which it drives
  * or turns too fast (too slowly, or not at all, it may whenever it likes), its clock's drift
  * included; {@code reactionMs}, within which a command is in effect: late steps, the way to the
  * wheels and braking included. Fixes come or do not, late or in time, off by no more than they say;

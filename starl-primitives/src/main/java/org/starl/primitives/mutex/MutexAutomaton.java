@@ -3,7 +3,7 @@ package org.starl.primitives.mutex;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;

@@ -2,7 +2,7 @@ package org.starl.primitives.mutex;
 
 import java.util.Set;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;

@@ -1,7 +1,7 @@
 package org.starl.primitives.mutex;
 
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.membership.View;
 
 /** What a trace tells of a mutex; monitors and viewers read it with {@link MutexTrace#read}. */

@@ -1,7 +1,7 @@
 package org.starl.primitives.mutex;
 
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /** What participants of one mutex say to each other. Each may be lost, late, doubled, overtaken. */
 sealed interface MutexMessage {

@@ -2,8 +2,8 @@ package org.starl.primitives.mutex;
 
 import java.util.Collection;
 import java.util.SortedSet;
-import org.starl.GvhVariable;
-import org.starl.Participants;
+import org.starl.gvh.GvhVariable;
+import org.starl.id.Participants;
 import org.starl.primitives.StarLPrimitive;
 
 /**

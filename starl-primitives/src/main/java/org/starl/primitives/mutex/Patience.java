@@ -2,7 +2,7 @@ package org.starl.primitives.mutex;
 
 import java.util.List;
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.suspicion.Suspicion;
 
 /** The clock of one waiting request: when it is repeated, whom it suspects, when it is given up. */

@@ -8,7 +8,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexMessage.Rem;
 import org.starl.primitives.mutex.MutexMessage.Req;

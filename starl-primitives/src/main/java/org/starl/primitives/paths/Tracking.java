@@ -11,7 +11,7 @@ import org.starl.geometry.Polygon;
 import org.starl.geometry.Region;
 import org.starl.geometry.Segment;
 import org.starl.geometry.Union;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 
 /** How wide a tube must be for a robot that follows its line, and how it is kept inside. */
 final class Tracking {

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 
 /**
  * One robot's claims: tells everybody what it holds and wants, version by version, and holds what a

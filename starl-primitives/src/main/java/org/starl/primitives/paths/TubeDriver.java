@@ -5,7 +5,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.motion.MotionControl;
 import org.starl.motion.MotionFlag;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 import org.starl.platform.Timer;
 
 /**

@@ -1,6 +1,6 @@
 package org.starl.primitives.paths;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** What is said about tubes. All are idempotent: each may be lost, late, doubled and reordered. */
 sealed interface TubeMessage {

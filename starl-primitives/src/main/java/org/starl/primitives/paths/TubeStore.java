@@ -1,7 +1,7 @@
 package org.starl.primitives.paths;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.Stable;
 
 /** What one robot must remember of an instance over a restart, in stable storage. */

@@ -6,8 +6,8 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 
 /**
  * One robot's vote: notes what everybody holds and wants, and consents to nothing that meets a note.

@@ -6,7 +6,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.spec.Bodies;
 import org.starl.spec.Dues;

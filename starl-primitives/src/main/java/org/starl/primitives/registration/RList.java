@@ -1,6 +1,6 @@
 package org.starl.primitives.registration;
 
-import org.starl.Participants;
+import org.starl.id.Participants;
 
 /**
  * The paper's pair {@code <rList, ts>} (section 4.3): the agreed list and its time stamp, or null

@@ -1,6 +1,6 @@
 package org.starl.primitives.registration;
 
-import org.starl.GvhVariable;
+import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
 /** Registration as an app sees it (paper, section 4.3). Strand only. */

@@ -2,7 +2,7 @@ package org.starl.primitives.registration;
 
 import java.util.List;
 import java.util.SortedSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Action;
 
 /** The actions of the theory {@code Registration_decls}, under their names there. */

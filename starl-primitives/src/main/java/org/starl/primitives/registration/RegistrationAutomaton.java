@@ -3,7 +3,7 @@ package org.starl.primitives.registration;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Predicate;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.spec.automaton.Automaton;
 import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;

@@ -2,7 +2,7 @@ package org.starl.primitives.registration;
 
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationAutomaton.States;

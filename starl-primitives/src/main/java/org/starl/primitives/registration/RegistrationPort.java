@@ -1,7 +1,7 @@
 package org.starl.primitives.registration;
 
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;

@@ -3,7 +3,7 @@ package org.starl.primitives.registration;
 /**
  * The names under which registrations appear in a trace. A monitor decides everything from these:
  * views as {@link org.starl.primitives.membership.View#parse} reads them, ids as {@link
- * org.starl.ProcessId#parse} does.
+ * org.starl.id.ProcessId#parse} does.
  */
 final class RegistrationTrace {
 

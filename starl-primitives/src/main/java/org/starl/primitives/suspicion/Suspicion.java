@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 /**
  * One robot's suspicion of crashes, by silence: nothing heard of a participant for {@code silenceNs}

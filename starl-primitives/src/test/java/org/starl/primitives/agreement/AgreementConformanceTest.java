@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementAutomaton.States;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.trace.TraceEvent.Action;

@@ -10,7 +10,7 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 
 class BarrierOutcomeTest {
 

@@ -14,7 +14,7 @@ import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.barrier.BarrierOutcome.Excluded;
 import org.starl.primitives.barrier.BarrierOutcome.Failed;
 import org.starl.primitives.registration.Registration;

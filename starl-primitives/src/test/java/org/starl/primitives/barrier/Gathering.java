@@ -3,7 +3,7 @@ package org.starl.primitives.barrier;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.lives.Life;
 import org.starl.primitives.lives.LiveRobot;
 import org.starl.primitives.lives.LiveWorld;

@@ -1,8 +1,8 @@
 package org.starl.primitives.barrier;
 
 import java.util.SortedSet;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.lives.LiveRobot;

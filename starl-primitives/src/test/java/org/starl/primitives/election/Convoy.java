@@ -1,6 +1,6 @@
 package org.starl.primitives.election;
 
-import org.starl.Participants;
+import org.starl.id.Participants;
 import org.starl.primitives.lives.Life;
 import org.starl.primitives.lives.LiveRobot;
 import org.starl.primitives.lives.LiveWorld;

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.starl.Participants;
-import org.starl.ProcessId;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;

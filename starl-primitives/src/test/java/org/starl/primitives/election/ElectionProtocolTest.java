@@ -7,7 +7,7 @@ import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.lives.LiveRobot;
 import org.starl.primitives.lives.Weather;
 import org.starl.spec.SpecReport;

@@ -1,8 +1,8 @@
 package org.starl.primitives.election;
 
-import org.starl.Participants;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.lives.LiveRobot;

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;

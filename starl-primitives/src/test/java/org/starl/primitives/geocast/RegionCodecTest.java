@@ -89,7 +89,7 @@ class RegionCodecTest {
   @Property
   void messagesAreReadAsTheyWereWritten(@ForAll("regions") Region region, @ForAll boolean ack) {
     GeocastId id =
-        new GeocastId(new org.starl.ProcessId(new org.starl.RobotId("bot7"), 1L << 32), 9);
+        new GeocastId(new org.starl.id.ProcessId(new org.starl.id.RobotId("bot7"), 1L << 32), 9);
     GeocastMessage<List<Byte>> message =
         ack
             ? new GeocastMessage.Ack<>(id)

@@ -3,7 +3,7 @@ package org.starl.primitives.lives;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Function;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 

@@ -6,7 +6,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.motion.MotionControlAutomaton.Place;

@@ -9,7 +9,7 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexAutomaton.States;

@@ -6,7 +6,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.comms.LamportClock;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;

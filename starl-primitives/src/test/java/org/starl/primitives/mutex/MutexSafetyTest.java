@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.mutex.MutexWorld.Shape;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
 

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;

@@ -2,7 +2,7 @@ package org.starl.primitives.registration;
 
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.lives.Weather;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;

@@ -8,7 +8,7 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.starl.ProcessId;
+import org.starl.id.ProcessId;
 import org.starl.primitives.lives.Weather;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;

@@ -7,8 +7,8 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 

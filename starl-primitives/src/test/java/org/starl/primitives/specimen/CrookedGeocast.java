@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.geometry.Point;

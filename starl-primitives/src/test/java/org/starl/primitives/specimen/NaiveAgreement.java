@@ -5,7 +5,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 

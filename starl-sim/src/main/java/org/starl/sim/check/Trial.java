@@ -3,7 +3,7 @@ package org.starl.sim.check;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.sim.fault.Fault;
-import org.starl.sim.input.Quantities;
+import org.starl.input.Quantities;
 
 /**
  * A run, in what {@link Shrink} can take from it.

@@ -7,8 +7,8 @@ import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.Quantities;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 
 /** Areas as text: {@code rect(0,0,2m,1m)}, two corners; {@code circle(0,0,2m)}, centre, radius. */
 final class AreaText {

@@ -1,6 +1,6 @@
 package org.starl.sim.fault;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.net.Tap;
 

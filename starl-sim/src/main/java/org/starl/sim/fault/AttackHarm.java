@@ -1,7 +1,7 @@
 package org.starl.sim.fault;
 
 import java.util.List;
-import org.starl.sim.input.Quantities;
+import org.starl.input.Quantities;
 
 /**
  * Somebody without the deployment's key hears all that is sent, and sends to robots what no robot

@@ -2,7 +2,7 @@ package org.starl.sim.fault;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Transmission;

@@ -10,9 +10,9 @@ import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.NearMatches;
-import org.starl.sim.input.Quantities;
+import org.starl.input.BadInput;
+import org.starl.input.NearMatches;
+import org.starl.input.Quantities;
 
 /** {@code name(a,b,key=c)} taken apart: arguments by place and by key, each to be used. */
 final class Call {

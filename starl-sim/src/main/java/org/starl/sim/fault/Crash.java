@@ -1,7 +1,7 @@
 package org.starl.sim.fault;
 
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.sim.world.Unsynced;
 
 /**

@@ -1,7 +1,7 @@
 package org.starl.sim.fault;
 
 import java.util.Arrays;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.random.Rng;
 import org.starl.sim.net.Tap;

@@ -3,8 +3,8 @@ package org.starl.sim.fault;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.NearMatches;
+import org.starl.input.BadInput;
+import org.starl.input.NearMatches;
 
 /**
  * Which faults an app or a primitive bears without losing its invariants: chaos draws from it, and

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * What goes wrong in a run. Its text is its faults with {@code ;} between them, as in the setting
@@ -20,7 +20,7 @@ public record FaultPlan(List<Fault> faults) {
     faults = List.copyOf(faults);
   }
 
-  /** @throws org.starl.sim.input.BadInput if one of them is no fault */
+  /** @throws org.starl.input.BadInput if one of them is no fault */
   public static FaultPlan parse(String text) {
     List<Fault> faults = new ArrayList<>();
     int depth = 0;

@@ -3,10 +3,10 @@ package org.starl.sim.fault;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.Quantities;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.trace.TraceEvent;
 
 /** Faults at work in one run: begins and ends them and tells of it. */

@@ -2,8 +2,8 @@ package org.starl.sim.fault;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.RobotId;
-import org.starl.sim.input.Quantities;
+import org.starl.id.RobotId;
+import org.starl.input.Quantities;
 import org.starl.sim.world.Body;
 
 /**

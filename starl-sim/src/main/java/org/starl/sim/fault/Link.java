@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Verdict;

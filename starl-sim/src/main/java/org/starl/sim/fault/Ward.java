@@ -2,7 +2,7 @@ package org.starl.sim.fault;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Body;
 import org.starl.sim.world.Unsynced;

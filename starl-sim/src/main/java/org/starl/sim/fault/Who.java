@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Whom a fault befalls: {@code all}, those who come later included; {@code any}, one that is drawn

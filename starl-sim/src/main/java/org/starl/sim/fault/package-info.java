@@ -10,7 +10,7 @@
  * {@code healed}: the last fault has ended, and what primitives owe once the world behaves is owed.
  * Without faults a run does what it did without this package.
  *
- * <p>May import: {@code org.starl} core, {@code org.starl.sim.input}, {@code kernel}, {@code net},
+ * <p>May import: {@code org.starl} core, {@code org.starl.input}, {@code kernel}, {@code net},
  * {@code world}.
  */
 @NullMarked

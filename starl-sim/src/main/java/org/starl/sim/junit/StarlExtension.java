@@ -16,8 +16,8 @@ import org.junit.platform.commons.support.ReflectionSupport;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.FaultPlan;
-import org.starl.sim.input.BadInput;
-import org.starl.sim.input.Quantities;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 
 /**
  * Runs the methods marked {@link StarlTest}. JUnit resolves a method's parameters once; its one

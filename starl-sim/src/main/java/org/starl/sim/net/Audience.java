@@ -1,7 +1,7 @@
 package org.starl.sim.net;
 
 import java.util.function.Consumer;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * Who can hear a broadcast at all. It spares large swarms with short range the walk over everyone;

@@ -1,7 +1,7 @@
 package org.starl.sim.net;
 
 import org.starl.random.Rng;
-import org.starl.sim.input.Quantities;
+import org.starl.input.Quantities;
 
 /**
  * How often a datagram is lost: each copy to each recipient on its own.
@@ -18,7 +18,7 @@ public record Loss(double probability) {
     }
   }
 
-  /** Reads a probability. @throws org.starl.sim.input.BadInput if it is none */
+  /** Reads a probability. @throws org.starl.input.BadInput if it is none */
   public static Loss parse(String text) {
     return new Loss(Quantities.probability(text));
   }

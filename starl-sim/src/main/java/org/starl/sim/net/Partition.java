@@ -5,7 +5,7 @@ import java.util.Collection;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * Splits the air: datagrams pass within a group and between robots that are in no group, and

@@ -1,7 +1,7 @@
 package org.starl.sim.net;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.sim.kernel.SimStrand;
 

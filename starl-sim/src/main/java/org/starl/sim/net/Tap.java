@@ -1,6 +1,6 @@
 package org.starl.sim.net;
 
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /** Somebody who listens to the air: hears every datagram as it is sent, whoever it is for. */
 @FunctionalInterface

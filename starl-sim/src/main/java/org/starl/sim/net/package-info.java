@@ -9,7 +9,7 @@
  * the sender's count of datagrams, so that neither one more robot nor one more rule shifts other
  * robots' draws. The network knows no fault by name and nothing of positions.
  *
- * <p>May import: {@code org.starl} core, {@code org.starl.sim.kernel}, {@code org.starl.sim.input}.
+ * <p>May import: {@code org.starl} core, {@code org.starl.sim.kernel}, {@code org.starl.input}.
  */
 @NullMarked
 package org.starl.sim.net;

@@ -4,7 +4,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
-import org.starl.motion.Bumps;
+import org.starl.body.Bumps;
 
 /**
  * Keeps bodies from overlapping, by conservative advancement on <em>budgets</em>: each body may

@@ -4,7 +4,7 @@ import java.nio.file.Path;
 import java.util.BitSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Reads the grid maps of the public path-finding benchmarks (N. Sturtevant, "Benchmarks for

@@ -1,8 +1,8 @@
 package org.starl.sim.world;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.motion.Bumps;
-import org.starl.motion.WheelCommand;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
 import org.starl.platform.Chassis;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;

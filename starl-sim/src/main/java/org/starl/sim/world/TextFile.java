@@ -6,7 +6,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** Reads a whole file of text that a user has named. */
 final class TextFile {

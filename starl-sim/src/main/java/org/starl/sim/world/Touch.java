@@ -1,6 +1,6 @@
 package org.starl.sim.world;
 
-import org.starl.motion.Bumps;
+import org.starl.body.Bumps;
 
 /**
  * What a contact means to a body. The bearing of a contact is its direction seen from the body's

@@ -8,7 +8,7 @@ import java.util.regex.Pattern;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Reads the waypoint files of StarL's demo apps: one thing a line, mm and degrees.

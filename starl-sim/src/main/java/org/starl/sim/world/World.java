@@ -3,16 +3,16 @@ package org.starl.sim.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Segment;
-import org.starl.motion.WheelCommand;
+import org.starl.body.WheelCommand;
 import org.starl.platform.Clock;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
 
 /**

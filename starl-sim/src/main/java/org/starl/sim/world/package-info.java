@@ -12,7 +12,7 @@
  * in proportion to the way that it drives, times the bodies within about a metre; a standing body
  * costs nothing.
  *
- * <p>May import: {@code org.starl} core, {@code org.starl.sim.input}.
+ * <p>May import: {@code org.starl} core, {@code org.starl.input}.
  */
 @NullMarked
 package org.starl.sim.world;

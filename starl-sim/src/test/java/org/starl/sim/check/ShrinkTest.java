@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 import org.starl.spec.SpecReport.Violation;
 
 class ShrinkTest {

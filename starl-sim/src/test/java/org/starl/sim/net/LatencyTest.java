@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 final class LatencyTest {
 

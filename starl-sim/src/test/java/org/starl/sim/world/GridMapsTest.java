@@ -15,7 +15,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.random.Rng;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** Grid maps: what they say, and that every bad line is named. */
 class GridMapsTest {

@@ -2,7 +2,7 @@ package org.starl.sim.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.platform.TraceSink;
+import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
 
 /** Keeps all events. */

@@ -15,7 +15,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 final class WaypointFilesTest {
 

@@ -10,7 +10,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
-import org.starl.deploy.create.ByteLink;
+import org.starl.robot.create.ByteLink;
 
 /**
  * Links to the serial adapter of one robot, over Bluetooth's serial port profile: each a socket of

@@ -20,10 +20,10 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.android.app.Store.Item;
-import org.starl.deploy.file.Deployment;
-import org.starl.deploy.file.DeploymentException;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.DeploymentException;
 
 /** Shows the robot that the service holds, and passes on what a person wants of it. */
 public final class MainActivity extends Activity {

@@ -4,10 +4,10 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.deploy.file.Deployment;
-import org.starl.deploy.file.DeploymentException;
-import org.starl.deploy.file.RobotEntry;
-import org.starl.deploy.file.Wheels;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.DeploymentException;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.file.Wheels;
 import org.starl.platform.DeploymentKey;
 
 /**

@@ -17,10 +17,10 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.starl.deploy.create.ByteLink;
-import org.starl.deploy.create.SocketLink;
-import org.starl.deploy.file.DeploymentException;
-import org.starl.deploy.file.Wheels;
+import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.SocketLink;
+import org.starl.robot.file.DeploymentException;
+import org.starl.robot.file.Wheels;
 import org.starl.platform.LogSink;
 
 /**

@@ -2,10 +2,10 @@ package org.starl.android.app;
 
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
-import org.starl.deploy.create.CreateStatus;
-import org.starl.deploy.realtime.StrandUse;
-import org.starl.deploy.udp.UdpStatistics;
+import org.starl.id.RobotId;
+import org.starl.robot.create.CreateStatus;
+import org.starl.robot.realtime.StrandUse;
+import org.starl.robot.udp.UdpStatistics;
 import org.starl.motion.Location;
 
 /**

@@ -13,7 +13,7 @@
  * <p>What runs where: the service and the activity on Android's main thread, which never waits for
  * the robot; a robot is opened and closed on a thread of its own.
  *
- * <p>May import: {@code android}, core, primitives, {@code org.starl.deploy}, apps' {@code logic}
+ * <p>May import: {@code android}, core, primitives, {@code org.starl.robot}, apps' {@code logic}
  * packages. The only package that imports {@code android}.
  */
 @NullMarked

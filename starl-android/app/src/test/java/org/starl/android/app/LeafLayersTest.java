@@ -31,7 +31,7 @@ class LeafLayersTest {
                       "org.starl.spec..",
                       "org.starl.trace..",
                       "org.starl.primitives..",
-                      "org.starl.deploy..",
+                      "org.starl.robot..",
                       "org.starl.apps..logic..",
                       "org.starl.android.app..",
                       "org.yaml.snakeyaml",

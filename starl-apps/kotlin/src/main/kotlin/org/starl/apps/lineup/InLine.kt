@@ -1,6 +1,6 @@
 package org.starl.apps.lineup
 
-import org.starl.RobotId
+import org.starl.id.RobotId
 import org.starl.apps.lineup.logic.LineupApp
 import org.starl.spec.Bodies
 import org.starl.spec.Monitor

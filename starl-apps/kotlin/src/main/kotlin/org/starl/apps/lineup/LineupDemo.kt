@@ -14,7 +14,7 @@ import org.starl.random.Rng
 import org.starl.sim.SimSettings
 import org.starl.sim.Simulation
 import org.starl.sim.fault.Envelope
-import org.starl.sim.input.BadInput
+import org.starl.input.BadInput
 
 /** `starl run lineup`: an app in Kotlin. */
 class LineupDemo : Demo {

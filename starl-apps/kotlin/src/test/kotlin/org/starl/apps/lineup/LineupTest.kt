@@ -2,7 +2,7 @@ package org.starl.apps.lineup
 
 import org.assertj.core.api.Assertions.assertThat
 import org.junit.jupiter.api.Test
-import org.starl.RobotId
+import org.starl.id.RobotId
 import org.starl.apps.lineup.LineupDemo.Companion.lanes
 import org.starl.geometry.Pose
 import org.starl.kotlin.scenario

@@ -2,8 +2,8 @@ package org.starl.apps.intersection.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.Participants;
-import org.starl.RobotId;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;

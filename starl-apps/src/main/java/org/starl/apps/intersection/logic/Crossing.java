@@ -9,7 +9,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 
 /**
  * The floor plan of Figure 2: a two by two square of critical zones, four arms of two lanes, with an

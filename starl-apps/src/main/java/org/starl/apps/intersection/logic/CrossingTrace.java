@@ -2,7 +2,7 @@ package org.starl.apps.intersection.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 
 /** How one car appears in a trace. Strand only. */
 public final class CrossingTrace {

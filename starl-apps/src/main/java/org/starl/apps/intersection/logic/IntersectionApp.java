@@ -2,9 +2,9 @@ package org.starl.apps.intersection.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
-import org.starl.Participants;
+import org.starl.id.Participants;
 import org.starl.geometry.ItemPosition;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.mutex.M_Mutex;

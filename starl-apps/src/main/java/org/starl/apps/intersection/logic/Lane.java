@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import org.starl.GlobalVarHolder;
-import org.starl.Participants;
+import org.starl.id.Participants;
 import org.starl.geometry.ItemPosition;
 
 /**

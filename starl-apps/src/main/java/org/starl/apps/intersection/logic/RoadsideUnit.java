@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.Participants;
+import org.starl.id.Participants;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.Registration;

@@ -3,7 +3,7 @@ package org.starl.apps.intersection.spec;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 

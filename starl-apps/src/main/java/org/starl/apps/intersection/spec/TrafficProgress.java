@@ -3,7 +3,7 @@ package org.starl.apps.intersection.spec;
 import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.spec.Circumstances;

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.spec.Bodies;

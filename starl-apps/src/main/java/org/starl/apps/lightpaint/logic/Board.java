@@ -8,7 +8,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.primitives.agreement.Decision;
 import org.starl.primitives.agreement.SetAgreement;

@@ -1,7 +1,7 @@
 package org.starl.apps.lightpaint.logic;
 
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.Path;
 import org.starl.primitives.paths.TubeFailure;

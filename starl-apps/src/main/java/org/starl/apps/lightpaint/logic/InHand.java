@@ -3,7 +3,7 @@ package org.starl.apps.lightpaint.logic;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.geometry.Point;
 
 /** The work that a painter has in hand, if any, and its note of that. Strand only. */

@@ -2,7 +2,7 @@ package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.Point;
 import org.starl.primitives.paths.DistributedPathPlanning;

@@ -4,7 +4,7 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Rectangle;
-import org.starl.motion.MotionParameters;
+import org.starl.body.MotionParameters;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.TubeSettings;

@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.lightpaint.logic.Light;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.spec.Bodies;

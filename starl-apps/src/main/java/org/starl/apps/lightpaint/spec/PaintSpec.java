@@ -8,7 +8,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.lightpaint.logic.Location;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Stroke;

@@ -3,7 +3,7 @@ package org.starl.apps.lightpaint.spec;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.geometry.Point;
 

@@ -7,7 +7,7 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Locale;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Light;
 import org.starl.apps.lightpaint.logic.PaintTrace;

@@ -9,7 +9,7 @@ import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Tells by file and line what in an SVG file cannot be read. A browser draws a broken path as far as

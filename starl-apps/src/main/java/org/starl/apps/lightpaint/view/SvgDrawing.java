@@ -24,7 +24,7 @@ import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /**
  * Reads SVG drawings with JSVG: whatever a browser would draw with a stroke becomes lines, in the

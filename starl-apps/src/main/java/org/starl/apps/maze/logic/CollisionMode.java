@@ -1,8 +1,8 @@
 package org.starl.apps.maze.logic;
 
-import org.starl.motion.CollisionPolicy;
-import org.starl.motion.MotionParameters;
-import org.starl.motion.RobotType;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
+import org.starl.body.RobotType;
 
 /** What a robot does when it bumps: the three of the paper's section 5.1. */
 public enum CollisionMode {

@@ -3,7 +3,7 @@ package org.starl.apps.maze.logic;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
-import org.starl.motion.Contact;
+import org.starl.body.Contact;
 
 /**
  * What one robot knows of the maze, and how it comes to know more: its map at first, and what each

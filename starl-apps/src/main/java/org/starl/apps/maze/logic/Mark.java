@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
-import org.starl.motion.Bumps;
-import org.starl.motion.Contact;
+import org.starl.body.Bumps;
+import org.starl.body.Contact;
 
 /**
  * What a contact proves. The body's centre stood at {@code at}, and something touches the body

@@ -5,7 +5,7 @@ import java.util.SortedSet;
 import java.util.function.Supplier;
 import org.starl.Computation;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.Polygon;
 import org.starl.primitives.mutex.M_Mutex;

@@ -2,7 +2,7 @@ package org.starl.apps.maze.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.RegionText;

@@ -3,7 +3,7 @@ package org.starl.apps.maze.spec;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Goal;
 import org.starl.apps.maze.logic.MazeTrace;

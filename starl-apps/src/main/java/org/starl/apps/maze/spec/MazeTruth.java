@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
 import org.starl.geometry.Obstacles;

@@ -13,7 +13,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;

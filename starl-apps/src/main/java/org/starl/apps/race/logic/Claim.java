@@ -1,7 +1,7 @@
 package org.starl.apps.race.logic;
 
 import java.util.Comparator;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 
 /**
  * A robot has won a point. Of several claims on one point the least one counts, everywhere.

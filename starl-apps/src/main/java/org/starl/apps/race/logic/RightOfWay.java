@@ -3,7 +3,7 @@ package org.starl.apps.race.logic;
 import java.util.Comparator;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;

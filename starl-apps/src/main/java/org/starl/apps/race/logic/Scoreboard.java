@@ -7,7 +7,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastReceipt;

@@ -8,7 +8,7 @@ import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
 import org.starl.apps.race.logic.RacePoint;

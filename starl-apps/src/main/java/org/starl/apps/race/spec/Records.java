@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceTrace;

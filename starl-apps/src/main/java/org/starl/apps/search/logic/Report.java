@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
-import org.starl.ProcessId;
-import org.starl.RobotId;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 
 /**

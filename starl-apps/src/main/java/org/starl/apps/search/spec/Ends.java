@@ -5,7 +5,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.search.logic.SearchTrace;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;

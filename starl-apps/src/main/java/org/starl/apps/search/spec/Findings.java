@@ -2,7 +2,7 @@ package org.starl.apps.search.spec;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;

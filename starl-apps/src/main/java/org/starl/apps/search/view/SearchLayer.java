@@ -15,7 +15,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.search.logic.Grid;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;

@@ -2,7 +2,7 @@ package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.geometry.Point;
-import org.starl.sim.input.BadInput;
+import org.starl.input.BadInput;
 
 /** What an SVG file says, in mm, y upwards, and what is told of a file that says nothing. */
 class SvgDrawingTest {

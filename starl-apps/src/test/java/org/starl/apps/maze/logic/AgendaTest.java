@@ -8,8 +8,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
-import org.starl.motion.Bumps;
-import org.starl.motion.Contact;
+import org.starl.body.Bumps;
+import org.starl.body.Contact;
 import org.starl.motion.Location;
 import org.starl.primitives.paths.Capsule;
 

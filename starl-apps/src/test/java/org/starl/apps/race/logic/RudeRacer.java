@@ -3,7 +3,7 @@ package org.starl.apps.race.logic;
 import java.util.List;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
-import org.starl.GvhCell;
+import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
 import org.starl.primitives.geocast.Broadcast;

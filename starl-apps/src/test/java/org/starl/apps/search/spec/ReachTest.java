@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.RobotId;
+import org.starl.id.RobotId;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
 import org.starl.apps.search.logic.TwoRooms;

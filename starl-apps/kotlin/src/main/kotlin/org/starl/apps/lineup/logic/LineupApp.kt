@@ -1,11 +1,11 @@
 package org.starl.apps.lineup.logic
 
 import org.starl.GlobalVarHolder
-import org.starl.GvhCell
+import org.starl.gvh.GvhCell
 import org.starl.LogicThread
 import org.starl.geometry.ItemPosition
 import org.starl.motion.MotionFlag
-import org.starl.motion.MotionParameters
+import org.starl.body.MotionParameters
 import org.starl.primitives.agreement.Decision
 import org.starl.primitives.agreement.SetAgreement
 import org.starl.trace.TraceEvent

@@ -2,7 +2,7 @@ package org.starl.apps.lineup.view
 
 import java.awt.Graphics2D
 import java.awt.geom.Line2D
-import org.starl.RobotId
+import org.starl.id.RobotId
 import org.starl.apps.lineup.logic.LineupApp
 import org.starl.sim.record.Layer
 import org.starl.sim.record.Look

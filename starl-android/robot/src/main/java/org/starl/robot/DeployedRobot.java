@@ -1,0 +1,366 @@
+package org.starl.robot;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.ArrayDeque;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
+import org.starl.RobotRunner;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.HostPort;
+import org.starl.robot.file.Network;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.optitrack.PoseFeed;
+import org.starl.robot.optitrack.TrackedBody;
+import org.starl.robot.realtime.RealBackground;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.realtime.RealStrand;
+import org.starl.robot.realtime.StrandUse;
+import org.starl.robot.udp.Discovery;
+import org.starl.robot.udp.FileStable;
+import org.starl.robot.udp.LossyRadio;
+import org.starl.robot.udp.StartNumber;
+import org.starl.robot.udp.UdpRadio;
+import org.starl.robot.udp.UdpStatistics;
+import org.starl.geometry.Obstacles;
+import org.starl.body.MotionParameters;
+import org.starl.platform.DeploymentKey;
+import org.starl.platform.LogSink;
+import org.starl.platform.LogSink.Level;
+import org.starl.platform.Platform;
+import org.starl.trace.TraceSink;
+import org.starl.random.Rng;
+import org.starl.trace.TraceEvent.Action;
+
+/**
+ * One robot of a deployment, from {@link #open} to {@link #close}: an incarnation of its program on the
+ * real platform. Times are those of {@link RealClock#ofDate}.
+ */
+public final class DeployedRobot implements AutoCloseable {
+
+  private static final String TAG = "network";
+
+  /**
+   * What runs.
+   *
+   * @param app makes the app over the robot's gvh
+   * @param knownObstacles the map that it has at its start
+   * @param motion but for what the deployment's limits say of its wheels
+   */
+  public record Program(
+      Function<GlobalVarHolder, ? extends LogicThread> app,
+      Obstacles knownObstacles,
+      MotionParameters motion) {}
+
+  /**
+   * Where it runs.
+   *
+   * @param storage a folder, this robot's alone
+   * @param wheels its own
+   * @param clock read by several threads
+   * @param log from any thread
+   * @param trace from any thread
+   */
+  public record Surroundings(
+      Path storage, Wheelbase.Source wheels, RealClock clock, LogSink log, TraceSink trace) {}
+
+  /** Is told of it. */
+  public interface Host {
+
+    /** On the strand: the app has come to its end; the robot goes on answering. */
+    void finished(List<Object> results);
+
+    /** From any thread: it cannot go on. Its wheels are stopped already. */
+    void failed(Throwable error);
+  }
+
+  private final RobotId id;
+  private final Host host;
+  private final RealClock clock;
+  private final LogSink log;
+  private final TraceSink trace;
+  private final RealStrand strand;
+  private final UdpRadio udp;
+  private final LossyRadio radio;
+  private final Discovery discovery;
+  private final FileStable stable;
+  private final RealBackground background;
+  private final PoseFeed poses;
+  private final MeasuredBody body;
+  private final Wheelbase wheels;
+  private final RobotRunner runner;
+
+  /**
+   * Opens everything; {@link #start} runs it.
+   *
+   * @param key null for none
+   * @throws IOException if radio, storage, positions or wheels are not to be had; one line for people
+   */
+  public static DeployedRobot open(
+      Deployment deployment,
+      RobotEntry entry,
+      @Nullable DeploymentKey key,
+      Program program,
+      Surroundings surroundings,
+      Host host)
+      throws IOException {
+    Opened opened = new Opened();
+    try {
+      return new DeployedRobot(deployment, entry, key, program, surroundings, host, opened);
+    } catch (IOException | RuntimeException e) {
+      opened.close();
+      throw e;
+    }
+  }
+
+  private DeployedRobot(
+      Deployment deployment,
+      RobotEntry entry,
+      @Nullable DeploymentKey key,
+      Program program,
+      Surroundings surroundings,
+      Host host,
+      Opened opened)
+      throws IOException {
+    id = entry.id();
+    this.host = host;
+    clock = surroundings.clock();
+    log = surroundings.log();
+    trace = surroundings.trace();
+    strand = opened.add(new RealStrand(id.name(), clock, this::fail));
+    wheels = opened.add(surroundings.wheels().open(strand, clock, log, host::failed));
+    InetSocketAddress address = address(entry, deployment.network());
+    InetAddress local = address.getAddress().isAnyLocalAddress() ? null : address.getAddress();
+    udp = opened.add(UdpRadio.open(id, strand, address, this::fail));
+    udp.onDrop(line -> log.log(clock.nowNs(), Level.WARN, TAG, line));
+    stable = opened.add(FileStable.open(surroundings.storage(), strand, this::fail));
+    background = opened.add(new RealBackground(id.name(), strand));
+    poses = opened.add(PoseFeeds.open(deployment.positions(), local, clock, log));
+    poses.onBodies(bodies -> watch(bodies, entry.rigidBody()));
+    long startNs = clock.nowNs();
+    Participants participants = deployment.participants();
+    discovery =
+        opened.add(
+            Discovery.open(
+                udp,
+                id,
+                participants,
+                known(deployment),
+                key,
+                settings(deployment.network()),
+                StartNumber.next(stable, startNs),
+                clock,
+                new Neighbourhood()));
+    // Each start draws otherwise.
+    Rng rng = new Rng(deployment.seed()).fork(id.name()).fork("start" + startNs);
+    double loss = deployment.network().loss();
+    radio =
+        new LossyRadio(
+            udp,
+            id,
+            participants,
+            strand.pieceClock(),
+            strand,
+            rng.fork("radio"),
+            draw -> loss > 0 && draw.nextBoolean(loss) ? LossyRadio.LOST : 0);
+    MotionParameters motion = RealMotion.of(program.motion(), deployment.limits());
+    body =
+        new MeasuredBody(
+            id,
+            motion.robotRadiusMm(),
+            deployment.limits().speedMmPerS(),
+            deployment.limits().stillAfterNs(),
+            poses.positioning(strand, entry.rigidBody()),
+            strand.pieceClock(),
+            trace);
+    Platform platform =
+        new Platform(
+            id,
+            participants,
+            strand.pieceClock(),
+            strand,
+            strand,
+            radio,
+            body,
+            wheels.chassis(),
+            stable,
+            rng::fork,
+            background,
+            log,
+            trace,
+            program.knownObstacles(),
+            motion,
+            key);
+    runner = new RobotRunner(platform, program.app(), this::finished);
+  }
+
+  /** Runs the app. Once. */
+  public void start() {
+    runner.start();
+  }
+
+  /** Where its radio listens. */
+  public InetSocketAddress address() {
+    return udp.address();
+  }
+
+  /** The strand on which all of it runs. */
+  public RealStrand strand() {
+    return strand;
+  }
+
+  /** The robot's gvh, or null before it is up. Strand only. */
+  public @Nullable GlobalVarHolder gvh() {
+    return runner.gvh();
+  }
+
+  /** Whether the app has come to its end. Strand only. */
+  public boolean isFinished() {
+    return runner.isFinished();
+  }
+
+  /** How long the strand was held so far. */
+  public StrandUse strandUse() {
+    return strand.use();
+  }
+
+  /** What the radio has sent and heard. */
+  public UdpStatistics network() {
+    return udp.statistics();
+  }
+
+  /** How the wheels fare, for people. */
+  public String wheelStatus() {
+    return wheels.status();
+  }
+
+  /** When a robot of this deployment was heard last, on the robot's clock; null if never. */
+  public @Nullable Long lastHeardNs(RobotId robot) {
+    return discovery.lastHeardNs(robot);
+  }
+
+  /** Stops the wheels at once, below the program; {@link #release} takes it back. */
+  public void emergencyStop() {
+    // A log may wait: for a disk, for a terminal that nobody reads.
+    wheels.emergencyStop();
+    log.log(clock.nowNs(), Level.WARN, "wheels", "emergency stop");
+  }
+
+  /** The program's next command counts again. */
+  public void release() {
+    wheels.release();
+  }
+
+  /** Ends it, wheels first: it says nothing more. */
+  @Override
+  public void close() {
+    wheels.emergencyStop();
+    wheels.close();
+    discovery.close();
+    udp.close();
+    strand.close();
+    body.end(clock.nowNs());
+    poses.close();
+    background.close();
+    stable.close();
+  }
+
+  private static InetSocketAddress address(RobotEntry entry, Network network) throws IOException {
+    HostPort address = entry.address();
+    return address == null ? new InetSocketAddress(network.port()) : address.resolve();
+  }
+
+  private static SortedMap<RobotId, InetSocketAddress> known(Deployment deployment)
+      throws IOException {
+    SortedMap<RobotId, InetSocketAddress> known = new TreeMap<>();
+    for (RobotEntry robot : deployment.robots().values()) {
+      HostPort address = robot.address();
+      if (address != null) {
+        known.put(robot.id(), address.resolve());
+      }
+    }
+    return known;
+  }
+
+  private static Discovery.Settings settings(Network network) {
+    return new Discovery.Settings(
+        network.beaconEveryMs(),
+        network.suspectAfterMs(),
+        network.broadcasts() ? network.port() : 0);
+  }
+
+  // Below the strand: the wheels' watchdog must not wait for it.
+  private void watch(List<TrackedBody> bodies, String rigidBody) {
+    for (TrackedBody body : bodies) {
+      if (body.name().equals(rigidBody) && body.fix() != null) {
+        wheels.fixed(body.fix());
+      }
+    }
+  }
+
+  private void finished() {
+    host.finished(List.copyOf(runner.results() == null ? List.of() : runner.results()));
+  }
+
+  private void fail(Throwable error) {
+    wheels.emergencyStop();
+    host.failed(error);
+  }
+
+  /** Tells people, and the trace, who is there. */
+  private final class Neighbourhood implements Discovery.Listener {
+
+    @Override
+    public void appeared(RobotId robot, InetSocketAddress at) {
+      tell(Level.INFO, "hears", robot, "hears " + robot + " at " + at);
+    }
+
+    @Override
+    public void suspected(RobotId robot, @Nullable Long lastHeardNs) {
+      String since =
+          lastHeardNs == null
+              ? "was never heard"
+              : "was last heard " + (clock.nowNs() - lastHeardNs) / 1_000_000 + " ms ago";
+      tell(Level.WARN, "suspects", robot, "suspects " + robot + ", which " + since);
+    }
+
+    private void tell(Level level, String action, RobotId robot, String line) {
+      log.log(clock.nowNs(), level, TAG, line);
+      strand.post(() -> {
+        if (trace.isOn()) {
+          trace.record(
+              new Action(strand.pieceClock().nowNs(), id, TAG, action, List.of(robot.name())));
+        }
+      });
+    }
+  }
+
+  /** What is open, to be closed where the rest cannot be had. */
+  private static final class Opened {
+    private final ArrayDeque<AutoCloseable> parts = new ArrayDeque<>();
+
+    <T extends AutoCloseable> T add(T part) {
+      parts.push(part);
+      return part;
+    }
+
+    void close() {
+      for (AutoCloseable part : parts) {
+        try {
+          part.close();
+        } catch (Exception e) {
+          throw new IllegalStateException(part + " cannot be closed", e);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,137 @@
+package org.starl.robot;
+
+import java.util.List;
+import java.util.OptionalDouble;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.geometry.Fix;
+import org.starl.platform.Clock;
+import org.starl.platform.Positioning;
+import org.starl.trace.TraceSink;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
+
+/**
+ * Passes a robot's fixes on, and writes them into its trace as events of its body, which nobody else
+ * does where it is real: the body stands where it was measured until it is measured again. An action
+ * {@code positions within} says how far in mm the true body may have been from that up to now: the
+ * measurement's error, and the way that the wheels can have gone since; where no fix comes they are
+ * stopped below the program, so that this ends. A body that is pushed or slides is beyond it: an action
+ * {@code positions lost} says for how long, in ms, nobody would have seen that. Strand only.
+ */
+public final class MeasuredBody implements Positioning {
+
+  private static final String SOURCE = "positions";
+  private static final String WITHIN = "within";
+  private static final String LOST = "lost";
+
+  /** At 300 mm/s a body goes 6 mm in it; a fix that comes earlier is not written. */
+  private static final long EVERY_NS = 20_000_000;
+
+  private static final double NS_PER_S = 1e9;
+  private static final long NS_PER_MS = 1_000_000;
+
+  private final RobotId id;
+  private final double radiusMm;
+  private final double mostMmPerS;
+  private final long stillAfterNs;
+  private final Positioning positioning;
+  private final Clock clock;
+  private final TraceSink trace;
+  private @Nullable Fix last;
+  private long lastAtNs;
+  private long toldMm = -1;
+
+  /**
+   * @param mostMmPerS the wheels move the body no faster
+   * @param stillAfterNs so long after the time of the last fix the wheels stand
+   * @param clock the one of the fixes
+   */
+  MeasuredBody(
+      RobotId id,
+      double radiusMm,
+      double mostMmPerS,
+      long stillAfterNs,
+      Positioning positioning,
+      Clock clock,
+      TraceSink trace) {
+    this.id = id;
+    this.radiusMm = radiusMm;
+    this.mostMmPerS = mostMmPerS;
+    this.stillAfterNs = stillAfterNs;
+    this.positioning = positioning;
+    this.clock = clock;
+    this.trace = trace;
+  }
+
+  @Override
+  public void onFix(Receiver receiver) {
+    positioning.onFix(fix -> {
+      long nowNs = clock.nowNs();
+      if (trace.isOn() && (last == null || nowNs - lastAtNs >= EVERY_NS)) {
+        write(fix, nowNs);
+      }
+      receiver.fixed(fix);
+    });
+  }
+
+  /** No fix comes any more: how far the body may have gone since the last one. */
+  void end(long nowNs) {
+    if (last != null) {
+      tell(last, nowNs);
+    }
+  }
+
+  /** Within how many mm of where its trace has it a robot's body was, as far as this event says it. */
+  public static OptionalDouble withinMm(TraceEvent event) {
+    return told(event, WITHIN);
+  }
+
+  /** For how many ms until this event the robot was not measured, if it says so. */
+  public static OptionalDouble lostMs(TraceEvent event) {
+    return told(event, LOST);
+  }
+
+  private static OptionalDouble told(TraceEvent event, String name) {
+    if (event instanceof Action action
+        && action.source().equals(SOURCE)
+        && action.name().equals(name)
+        && action.args().size() == 1
+        && action.args().get(0).matches("\\d{1,9}")) {
+      return OptionalDouble.of(Integer.parseInt(action.args().get(0)));
+    }
+    return OptionalDouble.empty();
+  }
+
+  private void write(Fix fix, long nowNs) {
+    if (last == null) {
+      tell(fix, nowNs);
+      trace.record(new Joined(nowNs, id, fix.pose(), radiusMm));
+    } else {
+      tell(last, nowNs);
+      tell(fix, nowNs);
+      trace.record(new Moved(nowNs, id, fix.pose(), 0, 0));
+    }
+    last = fix;
+    lastAtNs = nowNs;
+  }
+
+  /** What the trace has until now is {@code fix}. */
+  private void tell(Fix fix, long nowNs) {
+    long ageNs = Math.max(0, nowNs - fix.timeNs());
+    if (ageNs > stillAfterNs) {
+      record(nowNs, LOST, ageNs / NS_PER_MS);
+    }
+    double offMm = fix.errorMm() + mostMmPerS * Math.min(ageNs, stillAfterNs) / NS_PER_S;
+    if (offMm > toldMm) {
+      toldMm = (long) Math.ceil(offMm);
+      record(nowNs, WITHIN, toldMm);
+    }
+  }
+
+  private void record(long nowNs, String name, long value) {
+    trace.record(new Action(nowNs, id, SOURCE, name, List.of(Long.toString(value))));
+  }
+}

@@ -1,0 +1,348 @@
+package org.starl.robot.create;
+
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Set;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
+
+/**
+ * The driver without threads: (call, bytes or time) to bytes. Every call bears the time, which never
+ * runs backwards; {@link #advance} must be called at least every {@link #TICK_NS}, and after every
+ * call that changes something.
+ *
+ * <p>A link's life: the robot is stopped and started (128), brought into its mode (131, 132), told
+ * what to stream (148). After that what it tells decides: a frame missing, another mode, a sensor.
+ */
+final class CreateProtocol {
+
+  static final long NS_PER_MS = 1_000_000;
+
+  /** {@link #advance} finds out what has gone stale; so it is called so often. */
+  static final long TICK_NS = 10 * NS_PER_MS;
+
+  /** Wheel speeds are told again so often, in case noise changed them: commands have no checksum. */
+  static final long HEARTBEAT_NS = 50 * NS_PER_MS;
+
+  /** From one command that changes the mode to the next; below 20 ms robots miss them. */
+  static final long MODE_GAP_NS = 100 * NS_PER_MS;
+
+  /** A robot that streams nothing for so long is started again. */
+  static final long RESTART_NS = 1000 * NS_PER_MS;
+
+  /** Takes the bytes for the robot. */
+  interface Line {
+    /** False where there is no room now: they will be made anew. */
+    boolean send(byte[] bytes);
+  }
+
+  /** Where the start of the robot has come to. */
+  private enum Step {
+    NO_LINK,
+    START,
+    MODE,
+    STREAM,
+    RUNNING,
+    ENDING
+  }
+
+  private final CreateSettings settings;
+  private final Line line;
+  private final StreamDecoder decoder;
+  private final TravelMeter meter;
+  private final int[] packets;
+
+  private Step step = Step.NO_LINK;
+  private long dueNs;
+  private long openedNs;
+  private long endingNs;
+  private long startedNs;
+  private long lastFrameNs = Long.MIN_VALUE;
+  private long lastFixNs = Long.MIN_VALUE;
+  private CreateSensors sensors = CreateSensors.NONE;
+  private long clearSinceNs;
+
+  private WheelCommand wanted = WheelCommand.STOP;
+  private long wantedNs = Long.MIN_VALUE;
+  private boolean isEmergency;
+  private Bumps toldBumps = Bumps.NONE;
+  private Bumps untoldBumps = Bumps.NONE;
+  private boolean isBumpUntold;
+
+  private int sentRight;
+  private int sentLeft;
+  private long sentNs = Long.MIN_VALUE;
+  private long modeSentNs = Long.MIN_VALUE;
+  private long nowNs;
+
+  private long starts;
+  private long recoveries;
+  private long linksLost;
+
+  CreateProtocol(CreateSettings settings, Line line) {
+    this.settings = settings;
+    this.line = line;
+    packets = CreateSensors.packets(settings.model());
+    decoder = new StreamDecoder(settings.model(), packets);
+    meter = new TravelMeter(settings.model());
+  }
+
+  void linkOpened(long atNs) {
+    nowNs = atNs;
+    step = Step.START;
+    dueNs = atNs;
+    openedNs = atNs;
+    decoder.reset();
+    meter.lose();
+    lastFrameNs = Long.MIN_VALUE;
+  }
+
+  /** Whether there was one, and the robot was heard over it. */
+  boolean linkLost(long atNs) {
+    nowNs = atNs;
+    boolean wasHeard = step != Step.NO_LINK && lastFrameNs != Long.MIN_VALUE;
+    if (step != Step.NO_LINK) {
+      linksLost++;
+      step = Step.NO_LINK;
+    }
+    return wasHeard;
+  }
+
+  /** Whether there is a link over which nothing has come for too long. */
+  boolean isLinkDead(long atNs) {
+    return step != Step.NO_LINK
+        && atNs - Math.max(openedNs, lastFrameNs) > settings.linkTimeoutMs() * NS_PER_MS;
+  }
+
+  void received(byte[] bytes, int length, long atNs) {
+    nowNs = atNs;
+    decoder.accept(bytes, length, this::frame);
+  }
+
+  /** The program wants this; said before it heard of a bump, it means nothing. */
+  void drive(WheelCommand command, long atNs) {
+    nowNs = atNs;
+    if (!isBumpUntold) {
+      wanted = command;
+      wantedNs = atNs;
+    }
+  }
+
+  /** A fix that was true at {@code fixNs}. */
+  void fixed(long fixNs, long atNs) {
+    nowNs = atNs;
+    lastFixNs = Math.max(lastFixNs, Math.min(fixNs, atNs));
+  }
+
+  void emergencyStop(boolean isOn) {
+    isEmergency = isOn;
+    if (isOn) {
+      wanted = WheelCommand.STOP;
+    }
+  }
+
+  /** Whether the strand has something to hear about bumps. */
+  boolean hasNews() {
+    return isBumpUntold || untoldBumps != toldBumps;
+  }
+
+  /** The strand hears: what it sees from now on, until it hears again. */
+  Bumps tell() {
+    toldBumps = untoldBumps;
+    isBumpUntold = false;
+    untoldBumps = sensors.bumps();
+    return toldBumps;
+  }
+
+  void advance(long atNs) {
+    nowNs = atNs;
+    if (step == Step.NO_LINK) {
+      return;
+    }
+    if (step == Step.RUNNING) {
+      keepMode();
+    }
+    if (step == Step.RUNNING && atNs - Math.max(startedNs, lastFrameNs) > RESTART_NS) {
+      step = Step.START;
+      dueNs = atNs;
+    }
+    if (step != Step.RUNNING) {
+      nextStep();
+    } else {
+      turnWheels();
+    }
+  }
+
+  /** Sends whatever else; false where there is no link or no room. */
+  boolean send(byte[] command) {
+    return step == Step.RUNNING && line.send(command);
+  }
+
+  /** From now on the robot is told to stand and to be passive, until it says that it is. */
+  void end(long atNs) {
+    nowNs = atNs;
+    if (step != Step.NO_LINK) {
+      step = Step.ENDING;
+      dueNs = atNs;
+      endingNs = atNs;
+    }
+  }
+
+  /** Whether the robot has said so, or there is none to say it. */
+  boolean hasEnded() {
+    return step == Step.NO_LINK
+        || (step == Step.ENDING && lastFrameNs > endingNs && sensors.mode() == OiMode.PASSIVE);
+  }
+
+  CreateStatus status() {
+    return new CreateStatus(
+        List.copyOf(holds()),
+        sensors,
+        decoder.frames(),
+        decoder.badChecksums(),
+        decoder.dropped(),
+        starts,
+        recoveries,
+        linksLost);
+  }
+
+  Set<CreateHold> holds() {
+    Set<CreateHold> holds = EnumSet.noneOf(CreateHold.class);
+    add(holds, CreateHold.EMERGENCY_STOP, isEmergency);
+    add(holds, CreateHold.NO_LINK, step == Step.NO_LINK);
+    boolean isHeard = step == Step.RUNNING && isWithin(lastFrameNs, settings.sensorTimeoutMs());
+    add(holds, CreateHold.NO_SENSORS, step != Step.NO_LINK && !isHeard);
+    add(holds, CreateHold.NOT_IN_MODE, isHeard && sensors.mode() != settings.mode());
+    add(holds, CreateHold.WHEEL_DROP, sensors.wheelDrop());
+    add(holds, CreateHold.BUMP_UNTOLD, isBumpUntold);
+    // Who wants to stand may be silent.
+    boolean isWanted = !wanted.isStop();
+    add(
+        holds,
+        CreateHold.STALE_COMMAND,
+        isWanted && !isWithin(wantedNs, settings.commandTimeoutMs()));
+    add(
+        holds,
+        CreateHold.STALE_POSITION,
+        isWanted
+            && settings.positionTimeoutMs() > 0
+            && !isWithin(lastFixNs, settings.positionTimeoutMs()));
+    add(holds, CreateHold.CLIFF, sensors.cliff());
+    add(holds, CreateHold.BUMP, sensors.bumps().any());
+    return holds;
+  }
+
+  private static void add(Set<CreateHold> holds, CreateHold hold, boolean isSo) {
+    if (isSo) {
+      holds.add(hold);
+    }
+  }
+
+  private boolean isWithin(long sinceNs, long ms) {
+    return sinceNs != Long.MIN_VALUE && nowNs - sinceNs <= ms * NS_PER_MS;
+  }
+
+  private void frame(StreamDecoder frame) {
+    lastFrameNs = nowNs;
+    Bumps before = sensors.bumps();
+    sensors = CreateSensors.of(frame, meter.add(frame));
+    Bumps now = sensors.bumps();
+    if (sensors.forbidsSafeMode() || sensors.mode() == settings.mode()) {
+      clearSinceNs = nowNs;
+    }
+    if (isMore(before, now)) {
+      // What the program wants, it wanted of a robot that touched nothing there.
+      isBumpUntold = true;
+      wanted = WheelCommand.STOP;
+      untoldBumps = both(untoldBumps, now);
+    } else if (!isBumpUntold) {
+      untoldBumps = now;
+    }
+  }
+
+  private static boolean isMore(Bumps before, Bumps now) {
+    return !both(before, now).equals(before);
+  }
+
+  private static Bumps both(Bumps one, Bumps other) {
+    return one == other || other == Bumps.NONE ? one : one == Bumps.NONE ? other : Bumps.BOTH;
+  }
+
+  private void nextStep() {
+    if (nowNs < dueNs) {
+      return;
+    }
+    switch (step) {
+      case START -> {
+        line.send(Commands.flush());
+        sendWheels(0, 0);
+        line.send(Commands.start());
+        starts++;
+        startedNs = nowNs;
+        decoder.reset();
+        step = Step.MODE;
+      }
+      case MODE -> {
+        sendMode();
+        step = Step.STREAM;
+      }
+      case STREAM -> {
+        sendWheels(0, 0);
+        line.send(Commands.stream(packets));
+        step = Step.RUNNING;
+      }
+      case ENDING -> {
+        sendWheels(0, 0);
+        line.send(Commands.start());
+      }
+      case NO_LINK, RUNNING -> throw new IllegalStateException("nothing to send: " + step);
+    }
+    dueNs = nowNs + (step == Step.ENDING ? HEARTBEAT_NS : MODE_GAP_NS);
+  }
+
+  /** Brings the robot back into its mode when what put it out of it has gone for long enough. */
+  private void keepMode() {
+    if (!isWithin(lastFrameNs, settings.sensorTimeoutMs())
+        || sensors.mode() == settings.mode()
+        || isEmergency
+        || isWithin(clearSinceNs, settings.recoverAfterMs())
+        || isWithin(modeSentNs, 2 * MODE_GAP_NS / NS_PER_MS)) {
+      return;
+    }
+    recoveries++;
+    if (sensors.mode() == OiMode.OFF || sensors.mode() == OiMode.UNKNOWN) {
+      step = Step.START;
+      dueNs = nowNs;
+    } else {
+      sendWheels(0, 0);
+      sendMode();
+    }
+  }
+
+  private void sendMode() {
+    line.send(Commands.mode(settings.mode()));
+    modeSentNs = nowNs;
+  }
+
+  private void turnWheels() {
+    double axleMm = settings.model().axleMm();
+    WheelCommand left = WheelLimit.under(holds(), wanted);
+    double factor = WheelLimit.factor(left, axleMm, settings.maxWheelMmPerS());
+    int rightMmPerS = (int) Math.rint(left.rightMmPerS(axleMm) * factor);
+    int leftMmPerS = (int) Math.rint(left.leftMmPerS(axleMm) * factor);
+    if (rightMmPerS != sentRight
+        || leftMmPerS != sentLeft
+        || sentNs == Long.MIN_VALUE
+        || nowNs - sentNs >= HEARTBEAT_NS) {
+      sendWheels(rightMmPerS, leftMmPerS);
+    }
+  }
+
+  private void sendWheels(int rightMmPerS, int leftMmPerS) {
+    if (line.send(Commands.driveDirect(rightMmPerS, leftMmPerS))) {
+      sentRight = rightMmPerS;
+      sentLeft = leftMmPerS;
+      sentNs = nowNs;
+    }
+  }
+}

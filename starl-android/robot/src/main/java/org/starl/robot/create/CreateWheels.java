@@ -1,0 +1,142 @@
+package org.starl.robot.create;
+
+/** The wheels of a simulated Create: what they were told, how fast they turn, how far they did. */
+final class CreateWheels {
+
+  private static final int MAX_RADIUS_MM = 2000;
+  private static final int MAX_PWM = 255;
+
+  /** Radius of the robot: backward on a narrower way it may go over a cliff too. */
+  private static final double BODY_RADIUS_MM = 170;
+
+  private final CreateModel model;
+  private int velocity;
+  private int radius;
+  private int right;
+  private int left;
+  private double leftMmPerS;
+  private double rightMmPerS;
+
+  private long turnedUntilNs;
+  private double leftMm;
+  private double rightMm;
+  private double untoldMm;
+  private double untoldDegrees;
+
+  CreateWheels(CreateModel model) {
+    this.model = model;
+  }
+
+  double leftMmPerS() {
+    return leftMmPerS;
+  }
+
+  double rightMmPerS() {
+    return rightMmPerS;
+  }
+
+  /** Opcode 137. */
+  void drive(int mmPerS, int radiusMm) {
+    velocity = clamp(mmPerS, CreateModel.MAX_WHEEL_MM_PER_S);
+    radius = radiusMm;
+    if (radiusMm == Opcodes.STRAIGHT || radiusMm == Opcodes.STRAIGHT_TOO) {
+      turn(velocity, velocity);
+    } else if (radiusMm == Opcodes.SPIN_LEFT || radiusMm == Opcodes.SPIN_RIGHT) {
+      turn(-velocity * radiusMm, velocity * radiusMm);
+    } else if (radiusMm == 0) {
+      turn(velocity, velocity);
+    } else {
+      radius = clamp(radiusMm, MAX_RADIUS_MM);
+      double share = model.axleMm() / 2 / radius;
+      turn(velocity * (1 - share), velocity * (1 + share));
+    }
+  }
+
+  /** Opcode 145. */
+  void driveDirect(int rightWheel, int leftWheel) {
+    right = clamp(rightWheel, CreateModel.MAX_WHEEL_MM_PER_S);
+    left = clamp(leftWheel, CreateModel.MAX_WHEEL_MM_PER_S);
+    turn(left, right);
+  }
+
+  /** Opcode 146: shares of the motors' power, here of their speed. */
+  void drivePwm(int rightWheel, int leftWheel) {
+    double mmPerS = (double) CreateModel.MAX_WHEEL_MM_PER_S / MAX_PWM;
+    turn(clamp(leftWheel, MAX_PWM) * mmPerS, clamp(rightWheel, MAX_PWM) * mmPerS);
+  }
+
+  void stop() {
+    turn(0, 0);
+  }
+
+  /** Forward, or backward on a way narrower than the robot. */
+  boolean goesOverACliff() {
+    double sum = leftMmPerS + rightMmPerS;
+    double difference = Math.abs(rightMmPerS - leftMmPerS);
+    return sum > 0 || (sum < 0 && -sum / 2 * model.axleMm() < BODY_RADIUS_MM * difference);
+  }
+
+  void turnUntil(long atNs) {
+    double seconds = Math.max(0, atNs - turnedUntilNs) / 1e9;
+    turnedUntilNs = Math.max(atNs, turnedUntilNs);
+    leftMm += leftMmPerS * seconds;
+    rightMm += rightMmPerS * seconds;
+    untoldMm += (leftMmPerS + rightMmPerS) / 2 * seconds;
+    untoldDegrees += (rightMmPerS - leftMmPerS) * seconds / model.axleMm() * 180 / StrictMath.PI;
+  }
+
+  /** What a packet about the wheels says; 0 for any other. Distance and angle begin anew by that. */
+  int value(int packet) {
+    switch (packet) {
+      case Packets.DISTANCE -> {
+        int told = clamp((int) untoldMm, Short.MAX_VALUE);
+        untoldMm = Math.abs(untoldMm) > Short.MAX_VALUE ? 0 : untoldMm - told;
+        return told;
+      }
+      case Packets.ANGLE -> {
+        int told = clamp((int) untoldDegrees, Short.MAX_VALUE);
+        untoldDegrees = Math.abs(untoldDegrees) > Short.MAX_VALUE ? 0 : untoldDegrees - told;
+        return told;
+      }
+      case Packets.VELOCITY -> {
+        return velocity;
+      }
+      case Packets.RADIUS -> {
+        return radius;
+      }
+      case Packets.RIGHT_VELOCITY -> {
+        return right;
+      }
+      case Packets.LEFT_VELOCITY -> {
+        return left;
+      }
+      case Packets.LEFT_ENCODER -> {
+        return counts(leftMm);
+      }
+      case Packets.RIGHT_ENCODER -> {
+        return counts(rightMm);
+      }
+      default -> {
+        return 0;
+      }
+    }
+  }
+
+  private void turn(double newLeftMmPerS, double newRightMmPerS) {
+    leftMmPerS = clamp(newLeftMmPerS);
+    rightMmPerS = clamp(newRightMmPerS);
+  }
+
+  private static int counts(double mm) {
+    return (int) (long) StrictMath.floor(mm / CreateModel.countMm());
+  }
+
+  private static double clamp(double mmPerS) {
+    return Math.max(
+        -CreateModel.MAX_WHEEL_MM_PER_S, Math.min(mmPerS, CreateModel.MAX_WHEEL_MM_PER_S));
+  }
+
+  private static int clamp(int value, int most) {
+    return Math.max(-most, Math.min(value, most));
+  }
+}

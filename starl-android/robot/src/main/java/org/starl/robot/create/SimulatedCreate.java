@@ -1,0 +1,334 @@
+package org.starl.robot.create;
+
+import java.util.Arrays;
+import org.jspecify.annotations.Nullable;
+import org.starl.robot.create.CreateBody.Sense;
+import org.starl.robot.create.CreateBody.Senses;
+
+/**
+ * An iRobot Create, simulated at its serial line: bytes in, bytes out, a {@link CreateBody} that it
+ * moves. It obeys the specification of its model: modes, what falls from safe mode, streaming,
+ * queries, both kinds of driving, lights, songs. Like a real one it goes on with its last command
+ * when nobody talks to it. Demonstrations change its mode and do nothing else; the speed of the line
+ * is the link's; scripts, schedules and displays are read and not done.
+ *
+ * <p>Its wheels turn exactly as they are told; what that does to the robot is the body's business.
+ *
+ * <p>Without threads: {@link CreateHost} runs it in real time. The time that calls bear never runs
+ * backwards.
+ */
+public final class SimulatedCreate {
+
+  /** So often it looks at its sensors, and streams. */
+  public static final long PERIOD_NS = Packets.STREAM_PERIOD_MS * 1_000_000L;
+
+  /** Takes what the robot says. */
+  public interface Line {
+    /** {@code bytes} are the line's now. */
+    void say(byte[] bytes);
+  }
+
+  private final CreateModel model;
+  private final CreateBody body;
+  private final Line line;
+  private final CommandParser parser;
+  private final CreateWheels wheels;
+  private final CreateMusic music;
+  private final int[] lights = new int[3];
+
+  private OiMode mode = OiMode.OFF;
+  private int @Nullable [] streamed;
+  private boolean isPaused;
+  private boolean isHeaderSummed = true;
+  private long dueNs;
+  private long nowNs;
+  private Senses senses = Senses.NOTHING;
+  private long refused;
+
+  /** A robot that was just switched on: off, standing. */
+  public SimulatedCreate(CreateModel model, CreateBody body, Line line) {
+    this.model = model;
+    this.body = body;
+    this.line = line;
+    parser = new CommandParser(model);
+    wheels = new CreateWheels(model);
+    music = new CreateMusic(model);
+  }
+
+  /** Its checksums leave the header out, as the Create 1 specification's example does. */
+  public SimulatedCreate withoutHeaderInChecksums() {
+    isHeaderSummed = false;
+    return this;
+  }
+
+  /** The first {@code length} of {@code bytes} come in at {@code atNs}. */
+  public void receive(byte[] bytes, int length, long atNs) {
+    advance(atNs);
+    parser.accept(bytes, length, this::obey);
+  }
+
+  /** Lets time go on to {@code atNs}: sensors act, and the stream flows. */
+  public void advance(long atNs) {
+    wheels.turnUntil(atNs);
+    nowNs = atNs;
+    if (atNs < dueNs) {
+      return;
+    }
+    // Who was kept from running says things once, not once for each period gone by.
+    dueNs = Math.max(dueNs + PERIOD_NS, atNs - PERIOD_NS);
+    senses = body.senses(atNs);
+    keepSafe();
+    int[] packets = streamed;
+    if (packets != null && !isPaused && mode != OiMode.OFF) {
+      line.say(frame(packets));
+    }
+  }
+
+  /** When {@link #advance} has something to do next. */
+  public long dueNs() {
+    return dueNs;
+  }
+
+  public OiMode mode() {
+    return mode;
+  }
+
+  /** The rim's speed of the left wheel in mm/s. */
+  public double leftMmPerS() {
+    return wheels.leftMmPerS();
+  }
+
+  /** The rim's speed of the right wheel in mm/s. */
+  public double rightMmPerS() {
+    return wheels.rightMmPerS();
+  }
+
+  /** Bits, colour and intensity of the lights. */
+  public int[] lights() {
+    return lights.clone();
+  }
+
+  /** The song that is playing, -1 for none. */
+  public int playing() {
+    return music.playing(nowNs);
+  }
+
+  /** Commands that were not obeyed: in the wrong mode, or of values that there are not. */
+  public long refused() {
+    return refused;
+  }
+
+  /** Bytes that began no command. */
+  public long unknownBytes() {
+    return parser.unknown();
+  }
+
+  private void obey(int opcode, byte[] data, int length) {
+    if (opcode == Opcodes.START) {
+      enter(OiMode.PASSIVE);
+    } else if (mode == OiMode.OFF && opcode != Opcodes.RESET) {
+      refused++;
+    } else if (!changesMode(opcode) && !asksSomething(opcode, data, length)) {
+      act(opcode, data, length);
+    }
+  }
+
+  private boolean changesMode(int opcode) {
+    switch (opcode) {
+      case Opcodes.CONTROL, Opcodes.SAFE -> enter(OiMode.SAFE);
+      case Opcodes.FULL -> enter(OiMode.FULL);
+      case Opcodes.POWER, Opcodes.SPOT, Opcodes.CLEAN, Opcodes.DEMO, Opcodes.DOCK ->
+          enter(OiMode.PASSIVE);
+      case Opcodes.STOP, Opcodes.RESET -> {
+        enter(OiMode.OFF);
+        streamed = null;
+      }
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void enter(OiMode newMode) {
+    boolean wasDriven = mode == OiMode.SAFE || mode == OiMode.FULL;
+    boolean isDriven = newMode == OiMode.SAFE || newMode == OiMode.FULL;
+    mode = newMode;
+    if (isDriven && !wasDriven) {
+      Arrays.fill(lights, 0);
+    }
+    if (!isDriven) {
+      stopWheels();
+    }
+    keepSafe();
+  }
+
+  private boolean asksSomething(int opcode, byte[] data, int length) {
+    switch (opcode) {
+      case Opcodes.SENSORS -> answer(data, 0, 1);
+      case Opcodes.QUERY_LIST -> answer(data, 1, length);
+      case Opcodes.STREAM -> stream(data, length);
+      case Opcodes.PAUSE_RESUME -> isPaused = data[0] == 0;
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  private void act(int opcode, byte[] data, int length) {
+    if (opcode == Opcodes.SONG) {
+      refused += music.keep(data, length) ? 0 : 1;
+      return;
+    }
+    if (mode == OiMode.PASSIVE) {
+      refused++;
+      return;
+    }
+    switch (opcode) {
+      case Opcodes.DRIVE -> wheels.drive(number(data, 0), number(data, 2));
+      case Opcodes.DRIVE_DIRECT -> wheels.driveDirect(number(data, 0), number(data, 2));
+      case Opcodes.DRIVE_PWM -> wheels.drivePwm(number(data, 0), number(data, 2));
+      case Opcodes.PLAY -> refused += music.play(data[0] & 0xFF, nowNs) ? 0 : 1;
+      case Opcodes.LEDS -> {
+        for (int i = 0; i < lights.length; i++) {
+          lights[i] = data[i] & 0xFF;
+        }
+      }
+      default -> {
+        return;
+      }
+    }
+    keepSafe();
+    body.drive(wheels.leftMmPerS(), wheels.rightMmPerS(), nowNs);
+  }
+
+  private void keepSafe() {
+    boolean isInDanger =
+        senses.has(Sense.DROP_LEFT)
+            || senses.has(Sense.DROP_RIGHT)
+            || (senses.has(Sense.CASTER_DROP) && model == CreateModel.CREATE_1)
+            || senses.has(Sense.CHARGER)
+            || (senses.anyCliff() && wheels.goesOverACliff());
+    if (mode == OiMode.SAFE && isInDanger) {
+      mode = OiMode.PASSIVE;
+      stopWheels();
+    }
+  }
+
+  private void stopWheels() {
+    wheels.stop();
+    body.drive(0, 0, nowNs);
+  }
+
+  private void stream(byte[] data, int length) {
+    int[] packets = new int[length - 1];
+    int bytes = 0;
+    for (int i = 0; i < packets.length; i++) {
+      packets[i] = data[1 + i] & 0xFF;
+      if (Packets.first(model, packets[i]) < 0) {
+        refused++;
+        return;
+      }
+      bytes += 1 + Packets.bytesOfAll(packets[i]);
+    }
+    // More would come out garbled on a real line.
+    if (bytes + 3 > model.streamBytes()) {
+      refused++;
+      return;
+    }
+    streamed = packets.length == 0 ? null : packets;
+    isPaused = false;
+  }
+
+  private byte[] frame(int[] packets) {
+    int bytes = 0;
+    for (int packet : packets) {
+      bytes += 1 + Packets.bytesOfAll(packet);
+    }
+    byte[] frame = new byte[bytes + 3];
+    frame[0] = Packets.FRAME_HEADER;
+    frame[1] = (byte) bytes;
+    int at = 2;
+    for (int packet : packets) {
+      frame[at] = (byte) packet;
+      at = fill(frame, at + 1, packet);
+    }
+    int sum = isHeaderSummed ? 0 : -Packets.FRAME_HEADER;
+    for (byte b : frame) {
+      sum += b;
+    }
+    frame[at] = (byte) -sum;
+    return frame;
+  }
+
+  private void answer(byte[] data, int from, int to) {
+    int bytes = 0;
+    for (int i = from; i < to; i++) {
+      if (Packets.first(model, data[i] & 0xFF) < 0) {
+        refused++;
+        return;
+      }
+      bytes += Packets.bytesOfAll(data[i] & 0xFF);
+    }
+    byte[] answer = new byte[bytes];
+    int at = 0;
+    for (int i = from; i < to; i++) {
+      at = fill(answer, at, data[i] & 0xFF);
+    }
+    line.say(answer);
+  }
+
+  private int fill(byte[] into, int from, int packet) {
+    int at = from;
+    for (int single = Packets.first(model, packet); single <= Packets.last(packet); single++) {
+      int value = value(single);
+      if (Packets.bytes(single) == 2) {
+        into[at++] = (byte) (value >> 8);
+      }
+      into[at++] = (byte) value;
+    }
+    return at;
+  }
+
+  private int value(int packet) {
+    return switch (packet) {
+      case Packets.BUMPS_AND_DROPS -> bumpsAndDrops();
+      case Packets.WALL -> bit(senses.has(Sense.WALL));
+      case Packets.CLIFF_LEFT -> bit(senses.has(Sense.CLIFF_LEFT));
+      case Packets.CLIFF_FRONT_LEFT -> bit(senses.has(Sense.CLIFF_FRONT_LEFT));
+      case Packets.CLIFF_FRONT_RIGHT -> bit(senses.has(Sense.CLIFF_FRONT_RIGHT));
+      case Packets.CLIFF_RIGHT -> bit(senses.has(Sense.CLIFF_RIGHT));
+      case Packets.VIRTUAL_WALL -> bit(senses.has(Sense.VIRTUAL_WALL));
+      case Packets.INFRARED -> model == CreateModel.CREATE_1 ? 255 : 0;
+      case Packets.VOLTAGE -> senses.battery().mv();
+      case Packets.CURRENT -> senses.battery().ma();
+      case Packets.TEMPERATURE -> senses.battery().celsius();
+      case Packets.CHARGE -> senses.battery().chargeMah();
+      case Packets.CAPACITY -> senses.battery().capacityMah();
+      case Packets.CHARGING_STATE -> senses.has(Sense.CHARGER) && mode == OiMode.PASSIVE ? 2 : 0;
+      case Packets.CHARGING_SOURCES -> bit(senses.has(Sense.CHARGER));
+      case Packets.MODE -> mode.ordinal();
+      case Packets.SONG_NUMBER -> music.number();
+      case Packets.SONG_PLAYING -> bit(music.playing(nowNs) >= 0);
+      case Packets.STREAM_PACKETS -> streamed == null ? 0 : streamed.length;
+      default -> wheels.value(packet);
+    };
+  }
+
+  private int bumpsAndDrops() {
+    return bit(senses.has(Sense.BUMP_RIGHT))
+        | bit(senses.has(Sense.BUMP_LEFT)) << 1
+        | bit(senses.has(Sense.DROP_RIGHT)) << 2
+        | bit(senses.has(Sense.DROP_LEFT)) << 3
+        | bit(senses.has(Sense.CASTER_DROP) && model == CreateModel.CREATE_1) << 4;
+  }
+
+  private static int bit(boolean isSet) {
+    return isSet ? 1 : 0;
+  }
+
+  private static int number(byte[] data, int at) {
+    return data[at] << 8 | (data[at + 1] & 0xFF);
+  }
+}

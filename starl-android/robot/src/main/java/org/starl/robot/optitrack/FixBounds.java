@@ -1,0 +1,94 @@
+package org.starl.robot.optitrack;
+
+import org.starl.geometry.Fix;
+import org.starl.geometry.Pose;
+
+/**
+ * What is assumed of a measuring system and of the robots that it measures, to give every fix a
+ * bound that holds. The uncertainty of a fix's time counts as distance at the robot's top speed.
+ *
+ * @param errorFloorMm no position is better than this, whatever the system says
+ * @param errorFloorRad no heading is better than this
+ * @param errorScale a bound, from the mean error of a rigid body's markers: so many times that
+ * @param markerSpreadMm the markers' distance from the body's pivot; an error of them turns the
+ *     body by at most their bound divided by this
+ * @param maxSpeedMmPerS no robot drives faster
+ * @param maxTurnRadPerS no robot turns faster
+ * @param maxDelayMs where the server answers no questions about its clock: the fastest datagram
+ *     takes no longer
+ * @param maxLatencyMs where the server does not tell when its cameras looked: it takes them and it
+ *     no longer from then until the frame is sent
+ * @param maxAgeMs what was measured longer ago is stale, and dropped
+ */
+public record FixBounds(
+    double errorFloorMm,
+    double errorFloorRad,
+    double errorScale,
+    double markerSpreadMm,
+    double maxSpeedMmPerS,
+    double maxTurnRadPerS,
+    long maxDelayMs,
+    long maxLatencyMs,
+    long maxAgeMs) {
+
+  /** For an iRobot Create, which drives 500 mm/s at most, under a well calibrated system. */
+  public static final FixBounds DEFAULT = new FixBounds(5, 0.02, 3, 80, 500, 4.3, 20, 30, 250);
+
+  private static final double NS_PER_S = 1e9;
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long MS_PER_HOUR = 3_600_000;
+
+  public FixBounds {
+    check("errorFloorMm", errorFloorMm, true);
+    check("errorFloorRad", errorFloorRad, true);
+    check("errorScale", errorScale, true);
+    check("markerSpreadMm", markerSpreadMm, false);
+    check("maxSpeedMmPerS", maxSpeedMmPerS, true);
+    check("maxTurnRadPerS", maxTurnRadPerS, true);
+    checkMs("maxDelayMs", maxDelayMs);
+    checkMs("maxLatencyMs", maxLatencyMs);
+    checkMs("maxAgeMs", maxAgeMs);
+  }
+
+  long maxDelayNs() {
+    return maxDelayMs * NS_PER_MS;
+  }
+
+  long maxLatencyNs() {
+    return maxLatencyMs * NS_PER_MS;
+  }
+
+  long maxAgeNs() {
+    return maxAgeMs * NS_PER_MS;
+  }
+
+  /** A fix of a rigid body whose markers were off by so much on average. */
+  Fix ofMarkers(Pose pose, double meanErrorMm, TimeSpan when) {
+    double markersMm = errorScale * meanErrorMm;
+    return fix(pose, markersMm, markersMm / markerSpreadMm, when);
+  }
+
+  /** A fix of a pose that is right within these. */
+  Fix fix(Pose pose, double errorMm, double errorRad, TimeSpan when) {
+    double boundS = when.boundNs() / NS_PER_S;
+    return new Fix(
+        pose,
+        when.middleNs(),
+        Math.max(errorFloorMm, errorMm) + maxSpeedMmPerS * boundS,
+        Math.min(StrictMath.PI, Math.max(errorFloorRad, errorRad) + maxTurnRadPerS * boundS));
+  }
+
+  private static void check(String name, double value, boolean mayBeZero) {
+    if (!(value >= 0) || Double.isInfinite(value) || (value == 0 && !mayBeZero)) {
+      throw new IllegalArgumentException(
+          name + " is " + value + ": expected a number " + (mayBeZero ? "from 0 on" : "above 0"));
+    }
+  }
+
+  private static void checkMs(String name, long value) {
+    if (value < 0 || value > MS_PER_HOUR) {
+      throw new IllegalArgumentException(
+          name + " is " + value + ": expected from 0 to " + MS_PER_HOUR);
+    }
+  }
+}

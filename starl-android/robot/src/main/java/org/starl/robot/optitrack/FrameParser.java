@@ -1,0 +1,137 @@
+package org.starl.robot.optitrack;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads frames of mocap data, versions 3.0 and later. Sections other than the rigid bodies are
+ * skipped: from 4.1 on by the size that each tells, before by their known layout. The layout is that
+ * of the published depacketization samples of the NatNet SDK.
+ */
+final class FrameParser {
+
+  private static final int POINT_BYTES = 12;
+  private static final int LABELLED_MARKER_BYTES = 26;
+  private static final int SIZED_SECTION_BYTES = 8;
+
+  /** Skeletons, assets, labelled markers, force plates, devices. */
+  private static final int SIZED_SECTIONS_AFTER_BODIES = 5;
+
+  /** From the time code to the frame's parameters and the mark at the end, from 4.1 on. */
+  private static final int SIZED_SUFFIX_BYTES = 54;
+
+  private static final int MODELS_CHANGED = 2;
+
+  private FrameParser() {}
+
+  /** The frame in the payload {@code in}, or null if these bytes are none of this version. */
+  static @Nullable MocapFrame parse(LittleEndianReader in, NatNetVersion version) {
+    int number = in.i32();
+    List<RigidBodyState> bodies = new ArrayList<>();
+    if (version.tellsSizes()) {
+      boolean mayHaveMore = version.compareTo(NatNetVersion.V4_2) > 0;
+      skipSized(in, 2);
+      readSizedBodies(in, mayHaveMore, bodies);
+      skipSized(in, SIZED_SECTIONS_AFTER_BODIES);
+      while (mayHaveMore
+          && !in.failed()
+          && in.remaining() >= SIZED_SUFFIX_BYTES + SIZED_SECTION_BYTES) {
+        skipSized(in, 1);
+      }
+    } else {
+      skipMarkerSets(in);
+      in.skip((long) POINT_BYTES * in.count(POINT_BYTES));
+      readBodies(in, in.count(RigidBodyState.BYTES), bodies);
+      skipSkeletons(in);
+      in.skip((long) LABELLED_MARKER_BYTES * in.count(LABELLED_MARKER_BYTES));
+      skipAnalog(in);
+      skipAnalog(in);
+    }
+    return suffix(in, version, number, bodies);
+  }
+
+  private static @Nullable MocapFrame suffix(
+      LittleEndianReader in, NatNetVersion version, int number, List<RigidBodyState> bodies) {
+    int timecodeBytes = 8;
+    int timestampBytes = 8;
+    in.skip(timecodeBytes + timestampBytes);
+    long exposedTicks = in.i64();
+    long collectedTicks = in.i64();
+    long transmittedTicks = in.i64();
+    if (version.tellsSizes()) {
+      int precisionTimestampBytes = 8;
+      in.skip(precisionTimestampBytes);
+    }
+    boolean hasNewModels = (in.u16() & MODELS_CHANGED) != 0;
+    return in.failed()
+        ? null
+        : new MocapFrame(
+            number, bodies, exposedTicks, collectedTicks, transmittedTicks, hasNewModels);
+  }
+
+  private static void readBodies(LittleEndianReader in, int count, List<RigidBodyState> bodies) {
+    for (int i = 0; i < count && !in.failed(); i++) {
+      bodies.add(RigidBodyState.read(in));
+    }
+  }
+
+  // A later version may append to a body: the size tells how much.
+  private static void readSizedBodies(
+      LittleEndianReader in, boolean mayHaveMore, List<RigidBodyState> bodies) {
+    int count = in.i32();
+    int size = in.i32();
+    LittleEndianReader section = in.section(size);
+    int stride = mayHaveMore && count > 0 ? size / count : RigidBodyState.BYTES;
+    if (in.failed()
+        || count < 0
+        || stride < RigidBodyState.BYTES
+        || (long) stride * count > size
+        || (mayHaveMore && count > 0 && stride * count != size)) {
+      in.fail();
+      return;
+    }
+    for (int i = 0; i < count; i++) {
+      bodies.add(RigidBodyState.read(section.section(stride)));
+    }
+  }
+
+  private static void skipSized(LittleEndianReader in, int sections) {
+    for (int i = 0; i < sections; i++) {
+      in.i32();
+      in.skip(in.i32());
+    }
+  }
+
+  private static void skipMarkerSets(LittleEndianReader in) {
+    int nameAndCountBytes = 5;
+    int sets = in.count(nameAndCountBytes);
+    for (int i = 0; i < sets && !in.failed(); i++) {
+      in.skipName();
+      in.skip((long) POINT_BYTES * in.count(POINT_BYTES));
+    }
+  }
+
+  private static void skipSkeletons(LittleEndianReader in) {
+    int idAndCountBytes = 8;
+    int skeletons = in.count(idAndCountBytes);
+    for (int i = 0; i < skeletons && !in.failed(); i++) {
+      in.i32();
+      in.skip((long) RigidBodyState.BYTES * in.count(RigidBodyState.BYTES));
+    }
+  }
+
+  /** Force plates or devices: each has channels, each of these values. */
+  private static void skipAnalog(LittleEndianReader in) {
+    int idAndCountBytes = 8;
+    int valueBytes = 4;
+    int devices = in.count(idAndCountBytes);
+    for (int i = 0; i < devices && !in.failed(); i++) {
+      in.i32();
+      int channels = in.count(valueBytes);
+      for (int j = 0; j < channels && !in.failed(); j++) {
+        in.skip((long) valueBytes * in.count(valueBytes));
+      }
+    }
+  }
+}

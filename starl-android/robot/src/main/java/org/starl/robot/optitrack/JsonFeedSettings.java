@@ -1,0 +1,36 @@
+package org.starl.robot.optitrack;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a {@link JsonFeed} listens. Immutable.
+ *
+ * @param address where to listen; port 0 for any free one
+ * @param sender whose lines are taken; null for anybody's
+ * @param bounds what is assumed of the measuring system and of the robots
+ */
+public record JsonFeedSettings(
+    InetSocketAddress address, @Nullable InetAddress sender, FixBounds bounds) {
+
+  /** The port unless another is set. */
+  public static final int PORT = 1520;
+
+  /** Takes anybody's lines at this address. */
+  public static JsonFeedSettings at(InetAddress address) {
+    return new JsonFeedSettings(new InetSocketAddress(address, PORT), null, FixBounds.DEFAULT);
+  }
+
+  public JsonFeedSettings withPort(int port) {
+    return new JsonFeedSettings(new InetSocketAddress(address.getAddress(), port), sender, bounds);
+  }
+
+  public JsonFeedSettings withSender(@Nullable InetAddress newSender) {
+    return new JsonFeedSettings(address, newSender, bounds);
+  }
+
+  public JsonFeedSettings withBounds(FixBounds newBounds) {
+    return new JsonFeedSettings(address, sender, newBounds);
+  }
+}

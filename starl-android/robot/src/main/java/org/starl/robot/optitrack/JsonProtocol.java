@@ -1,0 +1,71 @@
+package org.starl.robot.optitrack;
+
+import java.util.LinkedHashMap;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Fix;
+
+/**
+ * Makes fixes of JSON lines. Each robot's lines have a clock of their own, as there may be a sender
+ * for each. Pure and driven by the clock; one caller at a time.
+ */
+final class JsonProtocol {
+
+  /** So many robots are kept apart. */
+  static final int MAX_ROBOTS = 1024;
+
+  private final FixBounds bounds;
+  private final Tally tally;
+  private final Map<String, Track> tracks = new LinkedHashMap<>();
+
+  private static final class Track {
+    final ClockMap clock;
+    long newestNs = Long.MIN_VALUE;
+
+    Track(long maxDelayNs) {
+      clock = new ClockMap(maxDelayNs);
+    }
+  }
+
+  JsonProtocol(FixBounds bounds, Tally tally) {
+    this.bounds = bounds;
+    this.tally = tally;
+  }
+
+  /** The body that a datagram tells of, with its fix; null if there is none in it to be used. */
+  @Nullable TrackedBody received(byte[] bytes, int length, long nowNs) {
+    JsonPoseParser.Result result = JsonPoseParser.parse(bytes, length);
+    JsonPose line = result.pose();
+    if (line == null) {
+      return drop(FeedDrop.MALFORMED, "a line is none of the feed: " + result.problem(), nowNs);
+    }
+    Track track = tracks.get(line.robot());
+    if (track == null) {
+      if (tracks.size() == MAX_ROBOTS) {
+        return drop(FeedDrop.TOO_MANY, "more than " + MAX_ROBOTS + " robots", nowNs);
+      }
+      track = new Track(bounds.maxDelayNs());
+      tracks.put(line.robot(), track);
+    }
+    track.clock.came(line.atNs(), nowNs);
+    if (!track.clock.isSettled(nowNs)) {
+      return drop(FeedDrop.EARLY, "the sender's clock is not known yet", nowNs);
+    }
+    TimeSpan when = track.clock.span(line.atNs(), line.atNs(), nowNs);
+    if (nowNs - when.middleNs() > bounds.maxAgeNs()) {
+      return drop(FeedDrop.STALE, line.robot() + " was measured too long ago", nowNs);
+    }
+    if (when.middleNs() <= track.newestNs) {
+      return drop(FeedDrop.OUTDATED, "a newer fix of " + line.robot() + " came before", nowNs);
+    }
+    track.newestNs = when.middleNs();
+    tally.fixed();
+    Fix fix = bounds.fix(line.pose(), line.errorMm(), line.errorRad(), when);
+    return new TrackedBody(line.robot(), -1, fix);
+  }
+
+  private @Nullable TrackedBody drop(FeedDrop why, String what, long nowNs) {
+    tally.drop(why, what, nowNs);
+    return null;
+  }
+}

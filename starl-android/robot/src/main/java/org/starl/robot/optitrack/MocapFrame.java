@@ -1,0 +1,25 @@
+package org.starl.robot.optitrack;
+
+import java.util.List;
+
+/**
+ * What one frame of a stream says.
+ *
+ * @param bodies the rigid bodies, in the order of the stream
+ * @param exposedTicks the middle of the cameras' exposure, on the server's clock; 0 if not known
+ * @param collectedTicks when all cameras' images had come to the server; 0 if not known
+ * @param transmittedTicks just before the frame was sent; 0 if not known
+ * @param hasNewModels whether the list of models is another than before
+ */
+record MocapFrame(
+    int number,
+    List<RigidBodyState> bodies,
+    long exposedTicks,
+    long collectedTicks,
+    long transmittedTicks,
+    boolean hasNewModels) {
+
+  MocapFrame {
+    bodies = List.copyOf(bodies);
+  }
+}

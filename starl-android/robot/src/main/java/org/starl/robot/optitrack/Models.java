@@ -1,0 +1,97 @@
+package org.starl.robot.optitrack;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+
+/** Which rigid bodies a server knows: the names of the numbers that are in its frames. */
+final class Models {
+
+  /** Before a server has told. */
+  static final Models NONE = new Models(new LinkedHashMap<>(), true);
+
+  private final Map<Integer, String> names;
+  private final TreeSet<String> distinct = new TreeSet<>();
+  private final TreeSet<String> ambiguous = new TreeSet<>();
+  private final boolean isWhole;
+
+  private Models(Map<Integer, String> names, boolean isWhole) {
+    this.names = names;
+    this.isWhole = isWhole;
+    for (String name : names.values()) {
+      if (!distinct.add(name)) {
+        ambiguous.add(name);
+      }
+    }
+  }
+
+  /** The name of body {@code id}, or null if there is none. */
+  @Nullable String name(int id) {
+    return names.get(id);
+  }
+
+  List<String> names() {
+    return new ArrayList<>(names.values());
+  }
+
+  Set<Integer> ids() {
+    return names.keySet();
+  }
+
+  boolean has(String name) {
+    return distinct.contains(name);
+  }
+
+  /** Whether two bodies share this name, so that it means neither. */
+  boolean isAmbiguous(String name) {
+    return ambiguous.contains(name);
+  }
+
+  /** Whether nothing stood there that this version cannot read. */
+  boolean isWhole() {
+    return isWhole;
+  }
+
+  @Override
+  public String toString() {
+    return names.values().toString();
+  }
+
+  /**
+   * The bodies described in the payload {@code in}, or null if these bytes are no descriptions of
+   * this version. From 4.1 on what is not understood is skipped by its size; before, the first
+   * unknown description ends the list.
+   */
+  static @Nullable Models parse(LittleEndianReader in, NatNetVersion version) {
+    Map<Integer, String> names = new LinkedHashMap<>();
+    boolean isWhole = true;
+    int typeBytes = 4;
+    int count = in.count(typeBytes);
+    for (int i = 0; i < count && !in.failed() && isWhole; i++) {
+      int type = in.i32();
+      if (version.tellsSizes()) {
+        LittleEndianReader description = in.section(in.i32());
+        if (type == Description.RIGID_BODY) {
+          String name = description.name();
+          int id = description.i32();
+          if (description.failed()) {
+            in.fail();
+          }
+          names.put(id, name);
+        }
+      } else if (type == Description.RIGID_BODY) {
+        String name = in.name();
+        int id = in.i32();
+        Description.skipRestOfBody(in, version);
+        names.put(id, name);
+      } else {
+        isWhole = Description.skip(in, type, version);
+      }
+    }
+    return in.failed() ? null : new Models(names, isWhole);
+  }
+}

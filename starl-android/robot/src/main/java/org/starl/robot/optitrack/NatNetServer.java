@@ -1,0 +1,242 @@
+package org.starl.robot.optitrack;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.MulticastSocket;
+import java.net.NetworkInterface;
+import java.net.SocketAddress;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.atomic.AtomicLong;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Clock;
+
+/**
+ * Streams poses as an OptiTrack server does, to any NatNet client: in place of cameras, for robots
+ * whose bodies are simulated, and for tests. It has one thread. It accepts the connect messages of
+ * all versions, short and long; what else it does not know it answers as unrecognized.
+ */
+public final class NatNetServer implements AutoCloseable {
+
+  /** A unicast client that has said nothing for so long is forgotten. */
+  static final long CLIENT_SILENCE_NS = 10_000_000_000L;
+
+  /** So many unicast clients are served at a time: those last heard of. */
+  static final int MAX_CLIENTS = 64;
+
+  private static final String NAME = "StarL";
+  private static final long NS_PER_S = 1_000_000_000;
+  private static final long NS_PER_MS = 1_000_000;
+
+  /** So long do frames say that there are new models. */
+  private static final long NEWS_NS = NS_PER_S;
+
+  private final NatNetServerSettings settings;
+  private final PoseSource source;
+  private final Clock clock;
+  private final Consumer<Exception> onFailure;
+  private final MulticastSocket socket;
+  private final Thread thread;
+  private final AtomicLong ignored = new AtomicLong();
+
+  // The server's thread only.
+  private final StreamEncoder encoder;
+  private final LittleEndianWriter out = new LittleEndianWriter();
+  private final Map<SocketAddress, Long> clients = new LinkedHashMap<>();
+  private PoseSource.Snapshot snapshot;
+  private int frames;
+  private long newsUntilNs;
+
+  private NatNetServer(
+      NatNetServerSettings settings,
+      PoseSource source,
+      Clock clock,
+      Consumer<Exception> onFailure,
+      MulticastSocket socket) {
+    this.settings = settings;
+    this.source = source;
+    this.clock = clock;
+    this.onFailure = onFailure;
+    this.socket = socket;
+    this.encoder = new StreamEncoder(settings.version(), settings.axes(), settings.hasMarkers());
+    this.snapshot = source.snapshot();
+    this.thread = new Thread(this::run, "natnet server");
+    thread.setDaemon(true);
+  }
+
+  /**
+   * Serves from now on.
+   *
+   * @param clock that the snapshots' times are on; its nanoseconds are the stream's ticks
+   * @param onFailure is told, on the server's thread, why it cannot serve any more
+   * @throws IOException if the address is not to be had
+   */
+  public static NatNetServer open(
+      NatNetServerSettings settings, PoseSource source, Clock clock, Consumer<Exception> onFailure)
+      throws IOException {
+    NatNetServer server = bind(settings, source, clock, onFailure);
+    server.thread.start();
+    return server;
+  }
+
+  /** One that does not serve yet. */
+  static NatNetServer bind(
+      NatNetServerSettings settings, PoseSource source, Clock clock, Consumer<Exception> onFailure)
+      throws IOException {
+    MulticastSocket socket = new MulticastSocket(null);
+    try {
+      // A multicast socket would share its port with anybody unless told not to.
+      socket.setReuseAddress(false);
+      socket.bind(settings.address());
+      InetAddress local = settings.address().getAddress();
+      if (settings.group() != null && !local.isAnyLocalAddress()) {
+        socket.setNetworkInterface(NetworkInterface.getByInetAddress(local));
+      }
+    } catch (IOException e) {
+      socket.close();
+      throw new IOException("NatNet server at " + settings.address() + ": " + e.getMessage(), e);
+    }
+    return new NatNetServer(settings, source, clock, onFailure, socket);
+  }
+
+  /** Where it listens for commands. */
+  public InetSocketAddress address() {
+    return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
+  }
+
+  /** Datagrams that were no message of a client, or that the network would not send. */
+  public long ignored() {
+    return ignored.get();
+  }
+
+  /** How many unicast clients it serves. On the server's thread. */
+  int clients() {
+    return clients.size();
+  }
+
+  /** Serves nobody any more. */
+  @Override
+  public void close() {
+    socket.close();
+    Joining.join(thread);
+  }
+
+  private void run() {
+    DatagramReceiver receiver = new DatagramReceiver(socket);
+    long periodNs = NS_PER_S / settings.framesPerS();
+    long nextNs = clock.nowNs();
+    while (!socket.isClosed()) {
+      try {
+        long nowNs = clock.nowNs();
+        if (nowNs >= nextNs) {
+          nextNs = Math.max(nextNs + periodNs, nowNs);
+          stream(nowNs);
+        } else {
+          DatagramPacket packet = receiver.receive((int) ((nextNs - nowNs) / NS_PER_MS) + 1);
+          if (packet != null) {
+            answer(packet, clock.nowNs());
+          }
+        }
+      } catch (IOException | RuntimeException e) {
+        if (!socket.isClosed()) {
+          socket.close();
+          onFailure.accept(e);
+        }
+      }
+    }
+  }
+
+  private void stream(long nowNs) {
+    snapshot = source.snapshot();
+    if (encoder.hasNew(snapshot)) {
+      newsUntilNs = nowNs + NEWS_NS;
+    }
+    clients.values().removeIf(heardNs -> nowNs - heardNs > CLIENT_SILENCE_NS);
+    frames++;
+    if (settings.group() == null && clients.isEmpty()) {
+      return;
+    }
+    byte[] frame = encoder.frame(frames, snapshot, nowNs < newsUntilNs, clock.nowNs());
+    if (settings.group() != null) {
+      send(frame, settings.group());
+    } else {
+      for (SocketAddress client : clients.keySet()) {
+        send(frame, client);
+      }
+    }
+  }
+
+  /** On the server's thread. */
+  void answer(DatagramPacket packet, long nowNs) {
+    byte[] bytes = packet.getData();
+    SocketAddress client = packet.getSocketAddress();
+    LittleEndianReader in = Message.payload(bytes, packet.getLength());
+    int id = in.failed() ? -1 : Message.id(bytes, packet.getLength());
+    switch (id) {
+      case Message.CONNECT -> {
+        remember(client, nowNs);
+        send(info(), client);
+      }
+      case Message.DISCOVERY -> send(info(), client);
+      case Message.KEEP_ALIVE -> clients.computeIfPresent(client, (who, heardNs) -> nowNs);
+      case Message.DISCONNECT -> clients.remove(client);
+      case Message.REQUEST_MODELS -> {
+        encoder.hasNew(snapshot);
+        send(encoder.models(snapshot.bodies()), client);
+      }
+      case Message.ECHO_REQUEST -> {
+        long theirs = in.i64();
+        if (in.failed()) {
+          ignored.incrementAndGet();
+        } else {
+          send(out.begin(Message.ECHO_RESPONSE).i64(theirs).i64(nowNs).end(), client);
+        }
+      }
+      case Message.REQUEST -> send(out.begin(Message.UNRECOGNIZED).end(), client);
+      default -> ignored.incrementAndGet();
+    }
+  }
+
+  // Who is there speaks each second: a full list has room for whoever comes, in place of the
+  // silent.
+  private void remember(SocketAddress client, long nowNs) {
+    if (!clients.containsKey(client) && clients.size() == MAX_CLIENTS) {
+      clients.remove(Collections.min(clients.entrySet(), Map.Entry.comparingByValue()).getKey());
+    }
+    clients.put(client, nowNs);
+  }
+
+  private byte[] info() {
+    InetSocketAddress group = settings.group();
+    return new ServerInfo(
+            NAME,
+            settings.version(),
+            NS_PER_S,
+            group != null,
+            group == null ? NatNetSettings.DATA_PORT : group.getPort(),
+            group == null ? 0 : number(group.getAddress()))
+        .datagram(out);
+  }
+
+  private static int number(@Nullable InetAddress address) {
+    byte[] bytes = address == null ? new byte[0] : address.getAddress();
+    int number = 0;
+    for (byte each : bytes) {
+      number = number << 8 | (each & 0xff);
+    }
+    return number;
+  }
+
+  // A client that cannot be reached has lost a datagram, or is gone and will be forgotten.
+  private void send(byte[] datagram, SocketAddress to) {
+    try {
+      socket.send(new DatagramPacket(datagram, datagram.length, to));
+    } catch (IOException e) {
+      ignored.incrementAndGet();
+    }
+  }
+}

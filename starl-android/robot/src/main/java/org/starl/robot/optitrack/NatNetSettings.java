@@ -1,0 +1,73 @@
+package org.starl.robot.optitrack;
+
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Where a NatNet server is and how its stream is meant. Immutable.
+ *
+ * @param server the server's command port
+ * @param group the group that it streams to, with its data port; null for unicast
+ * @param local the address of this machine's interface to use; null for any
+ * @param axes how its coordinates are ours
+ * @param bounds what is assumed of it and of the robots
+ */
+public record NatNetSettings(
+    InetSocketAddress server,
+    @Nullable InetSocketAddress group,
+    @Nullable InetAddress local,
+    Axes axes,
+    FixBounds bounds) {
+
+  public static final int COMMAND_PORT = 1510;
+  public static final int DATA_PORT = 1511;
+
+  /** The group of Motive's own setting. */
+  public static final String GROUP = "239.255.42.99";
+
+  public NatNetSettings {
+    if (server.isUnresolved()) {
+      throw new IllegalArgumentException("NatNet server " + server + ": no such host");
+    }
+    checkGroup(group);
+  }
+
+  /** A server that streams to each client alone, at the ports of Motive's own settings. */
+  public static NatNetSettings unicast(InetAddress server) {
+    return new NatNetSettings(
+        new InetSocketAddress(server, COMMAND_PORT), null, null, Axes.DEFAULT, FixBounds.DEFAULT);
+  }
+
+  /** A server that streams to a group, all as in Motive's own settings. */
+  public static NatNetSettings multicast(InetAddress server) {
+    return unicast(server).withGroup(new InetSocketAddress(GROUP, DATA_PORT));
+  }
+
+  public NatNetSettings withServer(InetSocketAddress newServer) {
+    return new NatNetSettings(newServer, group, local, axes, bounds);
+  }
+
+  public NatNetSettings withGroup(@Nullable InetSocketAddress newGroup) {
+    return new NatNetSettings(server, newGroup, local, axes, bounds);
+  }
+
+  public NatNetSettings withLocal(@Nullable InetAddress newLocal) {
+    return new NatNetSettings(server, group, newLocal, axes, bounds);
+  }
+
+  public NatNetSettings withAxes(Axes newAxes) {
+    return new NatNetSettings(server, group, local, newAxes, bounds);
+  }
+
+  public NatNetSettings withBounds(FixBounds newBounds) {
+    return new NatNetSettings(server, group, local, axes, newBounds);
+  }
+
+  static void checkGroup(@Nullable InetSocketAddress group) {
+    if (group != null && (group.isUnresolved() || !group.getAddress().isMulticastAddress())) {
+      throw new IllegalArgumentException(
+          "NatNet group " + group + ": expected an address from 224.0.0.0 to 239.255.255.255");
+    }
+  }
+}

@@ -1,0 +1,46 @@
+package org.starl.robot.optitrack;
+
+/**
+ * A rigid body in a frame, as it was streamed.
+ *
+ * @param x metres along the stream's x axis; so y and z
+ * @param qx the orientation as a quaternion, its scalar part last; so qy, qz, qw
+ * @param meanErrorM how far markers were from where the solved body has them, metres, on average
+ * @param isTracked whether the cameras saw it in this frame
+ */
+record RigidBodyState(
+    int id,
+    double x,
+    double y,
+    double z,
+    double qx,
+    double qy,
+    double qz,
+    double qw,
+    double meanErrorM,
+    boolean isTracked) {
+
+  /** What one takes in a frame, from version 3.0 on. */
+  static final int BYTES = 38;
+
+  private static final int TRACKED = 1;
+
+  static RigidBodyState read(LittleEndianReader in) {
+    return new RigidBodyState(
+        in.i32(),
+        in.f32(),
+        in.f32(),
+        in.f32(),
+        in.f32(),
+        in.f32(),
+        in.f32(),
+        in.f32(),
+        in.f32(),
+        (in.u16() & TRACKED) != 0);
+  }
+
+  void write(LittleEndianWriter out) {
+    out.i32(id).f32(x).f32(y).f32(z);
+    out.f32(qx).f32(qy).f32(qz).f32(qw).f32(meanErrorM).u16(isTracked ? TRACKED : 0);
+  }
+}

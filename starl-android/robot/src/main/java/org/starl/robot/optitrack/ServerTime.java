@@ -1,0 +1,66 @@
+package org.starl.robot.optitrack;
+
+import org.jspecify.annotations.Nullable;
+
+/** When frames were measured, on our clock: from their stamps, which are ticks of the server's. */
+final class ServerTime {
+
+  private static final long NS_PER_S = 1_000_000_000;
+
+  /** More, and ticks could not be told as ns. */
+  private static final long MAX_TICKS_PER_S = 9 * NS_PER_S;
+
+  private static final long MAX_S = 4_000_000_000L;
+
+  private final FixBounds bounds;
+  private ClockMap map;
+  private long ticksPerS;
+
+  ServerTime(FixBounds bounds) {
+    this.bounds = bounds;
+    this.map = new ClockMap(bounds.maxDelayNs());
+  }
+
+  /** The server's clock has this rate; 0 if it does not say. Nothing else is known of it yet. */
+  void begin(long newTicksPerS) {
+    ticksPerS = newTicksPerS > 0 && newTicksPerS <= MAX_TICKS_PER_S ? newTicksPerS : 0;
+    map = new ClockMap(bounds.maxDelayNs());
+  }
+
+  /** It answered a question sent at {@code sentNs}. */
+  void answered(long sentNs, long ticks, long receivedNs) {
+    if (isStamp(ticks)) {
+      map.answered(sentNs, ns(ticks), receivedNs);
+    }
+  }
+
+  /**
+   * When the frame was measured. Without usable stamps it is taken for one that came without delay
+   * beyond the assumed. Null if that cannot be told yet.
+   */
+  @Nullable TimeSpan measured(MocapFrame frame, long receivedNs) {
+    if (!isStamp(frame.transmittedTicks())) {
+      return new TimeSpan(receivedNs - bounds.maxDelayNs() - bounds.maxLatencyNs(), receivedNs);
+    }
+    long sentNs = ns(frame.transmittedTicks());
+    map.came(sentNs, receivedNs);
+    if (!map.isSettled(receivedNs)) {
+      return null;
+    }
+    if (isStamp(frame.exposedTicks())) {
+      long exposedNs = Math.min(sentNs, ns(frame.exposedTicks()));
+      return map.span(exposedNs, exposedNs, receivedNs);
+    }
+    long knownNs =
+        isStamp(frame.collectedTicks()) ? Math.min(sentNs, ns(frame.collectedTicks())) : sentNs;
+    return map.span(knownNs - bounds.maxLatencyNs(), knownNs, receivedNs);
+  }
+
+  private boolean isStamp(long ticks) {
+    return ticksPerS > 0 && ticks > 0 && ticks / ticksPerS <= MAX_S;
+  }
+
+  private long ns(long ticks) {
+    return ticks / ticksPerS * NS_PER_S + ticks % ticksPerS * NS_PER_S / ticksPerS;
+  }
+}

@@ -1,0 +1,13 @@
+package org.starl.robot.optitrack;
+
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Fix;
+
+/**
+ * What a feed knows of one body since its last message.
+ *
+ * @param name of the rigid body, or of the robot
+ * @param id the rigid body's number; -1 where a feed has none
+ * @param fix where it was; null if the cameras have lost it
+ */
+public record TrackedBody(String name, int id, @Nullable Fix fix) {}

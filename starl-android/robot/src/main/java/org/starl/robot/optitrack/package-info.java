@@ -1,0 +1,21 @@
+/**
+ * Positions from outside, measured by cameras (paper, section 5.1): a client of OptiTrack's NatNet
+ * streams, a small NatNet server to test and simulate with, and a feed of JSON lines for every other
+ * measuring system. {@link org.starl.robot.optitrack.NatNetClient} and {@link
+ * org.starl.robot.optitrack.JsonFeed} are the two {@link org.starl.robot.optitrack.PoseFeed}s; each
+ * gives a {@link org.starl.platform.Positioning} for a robot, on that robot's strand.
+ *
+ * <p>Contract: millimetres, radians counter-clockwise from the x axis, times of fixes on the clock
+ * that the feed was given. A fix bears the time at which it was measured, not at which it came, and
+ * its error bound holds what is not known of that time. A body that the cameras have lost gives no
+ * fix. What comes from the network is counted, dropped and logged once for each kind of fault; no
+ * bytes make a parser throw, and none make it allocate more than they are long. NatNet and the JSON
+ * lines are not authenticated: who can send in the server's name can lie.
+ *
+ * <p>May import: the JDK as far as Android API 26 has it, {@code org.starl} ids, {@code
+ * org.starl.geometry}, {@code org.starl.platform}.
+ */
+@NullMarked
+package org.starl.robot.optitrack;
+
+import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,108 @@
+package org.starl.robot.serial;
+
+import com.fazecast.jSerialComm.SerialPort;
+import com.fazecast.jSerialComm.SerialPortInvalidPortException;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import org.starl.robot.create.ByteLink;
+
+/** A serial port, 8 data bits, no parity, 1 stop bit, without flow control. */
+public final class SerialLink implements ByteLink {
+
+  /** A read that waits looks so often whether the port was closed. */
+  private static final int READ_MS = 200;
+
+  private final SerialPort port;
+  private final String name;
+
+  private SerialLink(SerialPort port, String name) {
+    this.port = port;
+    this.name = name;
+  }
+
+  /**
+   * Links over the port at {@code path}: {@code /dev/ttyUSB0}, {@code COM3}, a pseudo terminal.
+   *
+   * @param baud bits per second
+   */
+  public static Source at(String path, int baud) {
+    return () -> open(path, baud);
+  }
+
+  private static SerialLink open(String path, int baud) throws IOException {
+    SerialPort port;
+    try {
+      port = SerialPort.getCommPort(path);
+    } catch (SerialPortInvalidPortException e) {
+      throw new IOException(path + ": no such serial port", e);
+    }
+    port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
+    port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
+    // A write that returned has left: closing throws away what waits.
+    port.setComPortTimeouts(
+        SerialPort.TIMEOUT_READ_SEMI_BLOCKING | SerialPort.TIMEOUT_WRITE_BLOCKING, READ_MS, 0);
+    if (!port.openPort()) {
+      throw new IOException(path + ": cannot be opened, error " + port.getLastErrorCode());
+    }
+    return new SerialLink(port, path);
+  }
+
+  @Override
+  public InputStream input() {
+    return new PortInput();
+  }
+
+  @Override
+  public OutputStream output() {
+    return new PortOutput();
+  }
+
+  @Override
+  public void close() {
+    port.closePort();
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+
+  private final class PortInput extends InputStream {
+    @Override
+    public int read() throws IOException {
+      byte[] one = new byte[1];
+      return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+    }
+
+    @Override
+    public int read(byte[] into, int offset, int length) throws IOException {
+      int count = 0;
+      while (count == 0 && length > 0) {
+        count = port.readBytes(into, length, offset);
+        if (count < 0 || !port.isOpen()) {
+          throw new IOException(name + ": the port was closed, or has gone");
+        }
+      }
+      return count;
+    }
+  }
+
+  private final class PortOutput extends OutputStream {
+    @Override
+    public void write(int value) throws IOException {
+      write(new byte[] {(byte) value}, 0, 1);
+    }
+
+    @Override
+    public void write(byte[] bytes, int offset, int length) throws IOException {
+      for (int done = 0; done < length; ) {
+        int count = port.writeBytes(bytes, length - done, offset + done);
+        if (count < 0 || !port.isOpen()) {
+          throw new IOException(name + ": the port was closed, or has gone");
+        }
+        done += count;
+      }
+    }
+  }
+}

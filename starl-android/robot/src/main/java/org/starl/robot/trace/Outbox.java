@@ -1,0 +1,67 @@
+package org.starl.robot.trace;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.locks.ReentrantLock;
+import org.starl.id.RobotId;
+import org.starl.platform.Clock;
+import org.starl.trace.TraceSink;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceWriter;
+
+/**
+ * A robot's trace on its way out of its process, to its parent or into a file. Each event is out when
+ * {@link #record} returns. A parent that is gone is no concern of it: the child's orders end as well.
+ * From any thread.
+ */
+public final class Outbox implements TraceSink {
+
+  private final RobotId self;
+  private final TraceWriter writer;
+  private final ReentrantLock lock = new ReentrantLock();
+
+  /** @param out takes the trace */
+  public Outbox(RobotId self, TraceHeader header, OutputStream out) {
+    this.self = self;
+    writer = new TraceWriter(out, header);
+  }
+
+  @Override
+  public boolean isOn() {
+    return true;
+  }
+
+  @Override
+  public void record(TraceEvent event) {
+    lock.lock();
+    try {
+      writer.record(event);
+      writer.flush();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Tells what stays out of merged traces. */
+  public void say(Clock clock, Word word, Object... args) {
+    List<String> texts = new ArrayList<>();
+    for (Object arg : args) {
+      texts.add(String.valueOf(arg));
+    }
+    record(word.event(clock.nowNs(), self, texts));
+  }
+
+  /** The trace is whole. */
+  public void end(long timeNs) throws IOException {
+    lock.lock();
+    try {
+      writer.end(timeNs);
+      writer.close();
+    } finally {
+      lock.unlock();
+    }
+  }
+}

@@ -1,0 +1,145 @@
+package org.starl.robot.udp;
+
+import java.io.IOException;
+import java.nio.ByteBuffer;
+import java.nio.channels.SeekableByteChannel;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.AccessDeniedException;
+import java.nio.file.FileAlreadyExistsException;
+import java.nio.file.FileSystems;
+import java.nio.file.Files;
+import java.nio.file.NoSuchFileException;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.nio.file.attribute.FileAttribute;
+import java.nio.file.attribute.PosixFilePermission;
+import java.nio.file.attribute.PosixFilePermissions;
+import java.security.SecureRandom;
+import java.util.EnumSet;
+import java.util.Set;
+import org.starl.platform.DeploymentKey;
+
+/**
+ * A deployment's key in a file: one line of 64 hexadecimal digits. Where the file system knows who may
+ * read a file, nobody but its owner may. No message of this class shows what is in the file.
+ */
+public final class KeyFile {
+
+  private static final String POSIX = "posix";
+  private static final String OWNERS_ALONE = "rw-------";
+  private static final int DIGITS = 2 * DeploymentKey.BYTES;
+  private static final int RADIX = 16;
+  // A line ending of either kind may follow.
+  private static final int MAX_BYTES = DIGITS + 2;
+
+  private KeyFile() {}
+
+  /**
+   * Reads a key.
+   *
+   * @throws IOException if there is none, it is none, or others may read it; one line for people names
+   *     the file and what was expected
+   */
+  public static DeploymentKey read(Path file) throws IOException {
+    if (!Files.isRegularFile(file)) {
+      throw new IOException(file + ": no such file; expected a key, as 'starl keygen' makes it");
+    }
+    refuseOthers(file);
+    if (Files.size(file) > MAX_BYTES) {
+      throw noKey(file);
+    }
+    return parse(file, Files.readAllBytes(file));
+  }
+
+  /** The key in these bytes of {@code file}. */
+  static DeploymentKey parse(Path file, byte[] bytes) throws IOException {
+    if (bytes.length < DIGITS || bytes.length > MAX_BYTES) {
+      throw noKey(file);
+    }
+    byte[] secret = new byte[DeploymentKey.BYTES];
+    for (int i = 0; i < secret.length; i++) {
+      int high = Character.digit(bytes[2 * i], RADIX);
+      int low = Character.digit(bytes[2 * i + 1], RADIX);
+      if (high < 0 || low < 0) {
+        throw noKey(file);
+      }
+      secret[i] = (byte) (high << 4 | low);
+    }
+    for (int i = DIGITS; i < bytes.length; i++) {
+      if (bytes[i] != '\n' && bytes[i] != '\r') {
+        throw noKey(file);
+      }
+    }
+    return new DeploymentKey(secret);
+  }
+
+  /**
+   * Makes a new key, drawn from the machine's source of secrets, in a file that was not there.
+   *
+   * @throws IOException if the file is there, or cannot be made; one line for people
+   */
+  public static void generate(Path file) throws IOException {
+    byte[] secret = new byte[DeploymentKey.BYTES];
+    new SecureRandom().nextBytes(secret);
+    StringBuilder line = new StringBuilder();
+    for (byte b : secret) {
+      line.append(Character.forDigit(b >> 4 & 0xF, RADIX))
+          .append(Character.forDigit(b & 0xF, RADIX));
+    }
+    byte[] bytes = line.append('\n').toString().getBytes(StandardCharsets.US_ASCII);
+    try (SeekableByteChannel channel =
+        Files.newByteChannel(
+            file,
+            EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+            permissions())) {
+      ByteBuffer rest = ByteBuffer.wrap(bytes);
+      while (rest.hasRemaining()) {
+        channel.write(rest);
+      }
+    } catch (FileAlreadyExistsException e) {
+      throw new IOException(
+          file + ": is there already; expected a new file: a key that is used is not replaced", e);
+    } catch (AccessDeniedException e) {
+      throw new IOException(file + ": expected a folder that this user may write into", e);
+    } catch (NoSuchFileException e) {
+      throw new IOException(file + ": expected a folder that is there", e);
+    }
+  }
+
+  private static FileAttribute<?>[] permissions() {
+    if (!FileSystems.getDefault().supportedFileAttributeViews().contains(POSIX)) {
+      return new FileAttribute<?>[0];
+    }
+    return new FileAttribute<?>[] {
+      PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(OWNERS_ALONE))
+    };
+  }
+
+  private static void refuseOthers(Path file) throws IOException {
+    if (!file.getFileSystem().supportedFileAttributeViews().contains(POSIX)) {
+      return;
+    }
+    Set<PosixFilePermission> granted = Files.getPosixFilePermissions(file);
+    Set<PosixFilePermission> others =
+        EnumSet.of(
+            PosixFilePermission.GROUP_READ,
+            PosixFilePermission.GROUP_WRITE,
+            PosixFilePermission.OTHERS_READ,
+            PosixFilePermission.OTHERS_WRITE);
+    others.retainAll(granted);
+    if (!others.isEmpty()) {
+      throw new IOException(
+          file
+              + ": "
+              + PosixFilePermissions.toString(granted)
+              + ": expected a key that its owner alone may read ('chmod 600 "
+              + file
+              + "')");
+    }
+  }
+
+  private static IOException noKey(Path file) {
+    return new IOException(
+        file + ": is no key; expected one line of " + DIGITS + " hexadecimal digits");
+  }
+}

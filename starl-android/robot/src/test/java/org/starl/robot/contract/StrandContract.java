@@ -1,0 +1,338 @@
+package org.starl.robot.contract;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.starl.platform.Strand;
+import org.starl.platform.StrandClosed;
+
+/** What every {@link Strand} does. */
+public abstract class StrandContract {
+
+  private static final long MS = 1_000_000;
+
+  private final List<String> log = new CopyOnWriteArrayList<>();
+  private final CountDownLatch done = new CountDownLatch(1);
+  private Ground ground;
+  private Strand strand;
+
+  protected abstract Ground newGround();
+
+  @BeforeEach
+  void begin() {
+    ground = newGround();
+    strand = ground.strand();
+  }
+
+  @AfterEach
+  void end() {
+    ground.close();
+    assertThat(ground.errors()).isEmpty();
+  }
+
+  @Test
+  void theAppAndPostsRunOnTheStrandAndNobodyElse() {
+    assertThat(strand.isCurrent()).isFalse();
+    List<Boolean> current = new CopyOnWriteArrayList<>();
+    strand.start(() -> {
+      current.add(strand.isCurrent());
+      strand.awaitUntil(() -> current.add(strand.isCurrent()), Long.MAX_VALUE);
+      strand.post(() -> current.add(strand.isCurrent()));
+      strand.awaitUntil(() -> current.add(strand.isCurrent()) && current.size() > 4, now() + MS);
+      done.countDown();
+    });
+    ground.runUntil(done);
+    assertThat(current).hasSizeGreaterThan(4).containsOnly(true);
+    assertThat(strand.isCurrent()).isFalse();
+  }
+
+  @Test
+  void postsRunInTheirOrderAndNeverInsideTheCall() {
+    strand.post(() -> {
+      for (int i = 0; i < 50; i++) {
+        int number = i;
+        strand.post(() -> log.add("posted " + number));
+      }
+      strand.post(done::countDown);
+      log.add("posting is over");
+    });
+    ground.runUntil(done);
+    assertThat(log).hasSize(51).startsWith("posting is over", "posted 0", "posted 1");
+    assertThat(log).last().isEqualTo("posted 49");
+  }
+
+  @Test
+  void whatLiesBetweenTwoWaitsIsOneAction() {
+    int[] shared = {0};
+    List<Integer> torn = new ArrayList<>();
+    Runnable increment =
+        () -> {
+          int before = shared[0];
+          for (int i = 0; i < 1000; i++) {
+            shared[0]++;
+          }
+          if (shared[0] != before + 1000) {
+            torn.add(shared[0]);
+          }
+        };
+    strand.start(() -> {
+      for (int round = 0; round < 200; round++) {
+        strand.post(increment);
+        increment.run();
+        strand.sleepUntil(now());
+      }
+      done.countDown();
+    });
+    ground.runUntil(done);
+    assertThat(torn).isEmpty();
+    assertThat(shared[0]).isEqualTo(400_000);
+  }
+
+  @Test
+  void aSleepEndsNotBeforeItsTime() {
+    List<Long> lateNs = new CopyOnWriteArrayList<>();
+    strand.start(() -> {
+      for (int round = 0; round < 5; round++) {
+        long atNs = now() + 2 * MS;
+        strand.sleepUntil(atNs);
+        lateNs.add(now() - atNs);
+      }
+      done.countDown();
+    });
+    ground.runUntil(done);
+    assertThat(lateNs).hasSize(5).allMatch(late -> late >= 0);
+  }
+
+  @Test
+  void aSleepUntilThePastLetsEverythingElseRunThatIsDue() {
+    strand.start(() -> {
+      strand.post(() -> log.add("posted"));
+      strand.sleepUntil(now() - MS);
+      log.add("app");
+      done.countDown();
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("posted", "app");
+  }
+
+  @Test
+  void anAppWhoseConditionHasComeTrueIsTheNextPiece() {
+    int[] messages = {0};
+    strand.start(() -> {
+      strand.post(() -> {
+        strand.post(() -> log.add("message " + ++messages[0]));
+        strand.post(() -> log.add("message " + ++messages[0]));
+        strand.post(() -> log.add("message " + ++messages[0]));
+        strand.post(done::countDown);
+      });
+      boolean held = strand.awaitUntil(() -> messages[0] == 2, Long.MAX_VALUE);
+      log.add("app " + held);
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("message 1", "message 2", "app true", "message 3");
+  }
+
+  @Test
+  void aConditionThatHoldsIsNotWaitedFor() {
+    strand.start(() -> {
+      strand.post(() -> log.add("posted"));
+      log.add("held " + strand.awaitUntil(() -> true, now() - MS));
+      strand.post(done::countDown);
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("held true", "posted");
+  }
+
+  @Test
+  void anAwaitEndsAtItsDeadlineAndLooksOnceMore() {
+    strand.start(() -> {
+      long deadlineNs = now() + 2 * MS;
+      log.add("held " + strand.awaitUntil(() -> false, deadlineNs));
+      log.add("in time " + (now() < deadlineNs));
+      long laterNs = now() + 2 * MS;
+      log.add("held " + strand.awaitUntil(() -> now() >= laterNs, laterNs));
+      done.countDown();
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("held false", "in time false", "held true");
+  }
+
+  @Test
+  void aDeadlineThatWasNotNeededComesToNothing() {
+    int[] messages = {0};
+    strand.start(() -> {
+      strand.post(() -> messages[0]++);
+      log.add("held " + strand.awaitUntil(() -> messages[0] == 1, now() + 2 * MS));
+      strand.sleepUntil(now() + 10 * MS);
+      log.add("held " + strand.awaitUntil(() -> messages[0] == 2, now() + 2 * MS));
+      done.countDown();
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("held true", "held false");
+  }
+
+  @Test
+  void onlyTheAppMayWait() {
+    strand.post(() ->
+        assertThatThrownBy(() -> strand.sleepUntil(now()))
+            .isInstanceOf(IllegalStateException.class)
+            .hasMessageContaining("only the app may wait"));
+    strand.start(() -> {
+      strand.post(() ->
+          assertThatThrownBy(() -> strand.awaitUntil(() -> true, now()))
+              .isInstanceOf(IllegalStateException.class));
+      strand.sleepUntil(now() + MS);
+      done.countDown();
+    });
+    assertThatThrownBy(() -> strand.sleepUntil(now())).isInstanceOf(IllegalStateException.class);
+    ground.runUntil(done);
+  }
+
+  @Test
+  void theAppStartsOnce() {
+    strand.start(done::countDown);
+    assertThatThrownBy(() -> strand.start(() -> {})).isInstanceOf(IllegalStateException.class);
+    ground.runUntil(done);
+  }
+
+  @Test
+  void closingUnwindsTheAppAndNothingRunsAfterwards() {
+    strand.start(() -> {
+      try {
+        strand.post(done::countDown);
+        strand.awaitUntil(() -> false, Long.MAX_VALUE);
+      } catch (StrandClosed e) {
+        log.add("told");
+        throw e;
+      } finally {
+        strand.post(() -> log.add("too late"));
+        log.add("finally");
+      }
+    });
+    ground.runUntil(done);
+    ground.closeStrand();
+    strand.post(() -> log.add("too late"));
+    ground.close();
+    assertThat(log).containsExactly("told", "finally");
+  }
+
+  @Test
+  void aPieceThatClosesItsStrandRunsToItsEndAndThenTheAppIsUnwound() {
+    strand.start(() -> {
+      try {
+        strand.post(() -> {
+          strand.post(() -> log.add("too late"));
+          ground.closeStrand();
+          log.add("piece is over");
+        });
+        strand.sleepUntil(now() + 3_600_000 * MS);
+      } finally {
+        log.add("finally");
+        done.countDown();
+      }
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("piece is over", "finally");
+  }
+
+  @Test
+  void anAppThatClosesItsStrandEndsAtItsNextWait() {
+    strand.start(() -> {
+      try {
+        ground.closeStrand();
+        log.add("goes on");
+        strand.awaitUntil(() -> true, Long.MAX_VALUE);
+        log.add("too late");
+      } finally {
+        done.countDown();
+      }
+    });
+    ground.runUntil(done);
+    assertThat(log).containsExactly("goes on");
+  }
+
+  @Test
+  void anAppThatWaitsOnItsWayOutIsToldAgain() {
+    strand.start(() -> {
+      for (int i = 0; i < 3; i++) {
+        try {
+          strand.post(done::countDown);
+          strand.sleepUntil(now() + 3_600_000 * MS);
+        } catch (StrandClosed e) {
+          log.add("told");
+        }
+      }
+    });
+    ground.runUntil(done);
+    ground.closeStrand();
+    ground.close();
+    assertThat(log).containsExactly("told", "told", "told");
+  }
+
+  @Test
+  void anAppThatWillNotEndIsReported() {
+    strand.start(() -> {
+      while (true) {
+        try {
+          strand.post(done::countDown);
+          strand.sleepUntil(now() + 3_600_000 * MS);
+        } catch (StrandClosed e) {
+          log.add("told");
+        }
+      }
+    });
+    ground.runUntil(done);
+    ground.closeStrand();
+    assertThat(takeError()).hasMessageContaining("does it catch StrandClosed?");
+  }
+
+  @Test
+  void whatComesOutOfTheAppIsReportedAndEndsTheStrand() {
+    IllegalStateException bug = new IllegalStateException("bug");
+    strand.start(() -> {
+      strand.post(() -> log.add("too late"));
+      done.countDown();
+      throw bug;
+    });
+    ground.runUntil(done);
+    ground.close();
+    assertThat(takeError()).isSameAs(bug);
+    assertThat(log).isEmpty();
+  }
+
+  @Test
+  void whatComesOutOfAPieceIsReportedAndUnwindsTheApp() {
+    IllegalStateException bug = new IllegalStateException("bug");
+    strand.start(() -> {
+      try {
+        strand.post(() -> {
+          done.countDown();
+          throw bug;
+        });
+        strand.sleepUntil(now() + 3_600_000 * MS);
+      } finally {
+        log.add("finally");
+      }
+    });
+    ground.runUntil(done);
+    ground.close();
+    assertThat(takeError()).isSameAs(bug);
+    assertThat(log).containsExactly("finally");
+  }
+
+  private Throwable takeError() {
+    assertThat(ground.errors()).hasSize(1);
+    return ground.errors().remove(0);
+  }
+
+  private long now() {
+    return ground.clock().nowNs();
+  }
+}

@@ -1,0 +1,179 @@
+package org.starl.robot.create;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.util.concurrent.CountDownLatch;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
+import org.starl.robot.create.CreateBody.Senses;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
+
+/** The driver on its own threads, against a simulated robot at the end of real lines. */
+class CreateChassisTest {
+
+  @ParameterizedTest
+  @EnumSource
+  void itDrivesStopsAtABumpTellsTheStrandAndGoesOn(Line line) {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, line)) {
+      robot.awaitHolds();
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200 && robot.body.rightMmPerS == 200);
+
+      robot.body.senses = Senses.bumps(true, true);
+      robot.await("heard", () -> robot.heard.contains(Bumps.BOTH));
+      robot.await("stands", robot.body::stands);
+      robot.awaitHolds(CreateHold.BUMP);
+
+      robot.body.senses = Senses.NOTHING;
+      robot.await("drives on", () -> robot.body.leftMmPerS == 200);
+      assertThat(robot.heard).containsExactly(Bumps.BOTH, Bumps.NONE);
+      assertThat(robot.troubles).isEmpty();
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void aStrandThatIsHeldNeitherKeepsTheBumpStopBackNorDrivesOn(Line line) {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, line)) {
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200);
+      CountDownLatch release = new CountDownLatch(1);
+      robot.ground.strand().post(() -> await(release));
+
+      robot.body.senses = Senses.bumps(false, true);
+      robot.await("stands", robot.body::stands);
+      robot.body.senses = Senses.NOTHING;
+      robot.await(
+          "nothing is felt",
+          () ->
+              robot.chassis.status().sensors().bumps() == Bumps.NONE
+                  && robot.chassis.status().holds().contains(CreateHold.BUMP_UNTOLD));
+      assertThat(robot.body.stands()).isTrue();
+      assertThat(robot.heard).isEmpty();
+      release.countDown();
+      robot.await("heard", () -> robot.heard.size() == 2);
+      assertThat(robot.heard).containsExactly(Bumps.RIGHT, Bumps.NONE);
+    }
+  }
+
+  @Test
+  void aStrandThatIsHeldIsStopped() {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, Line.MEMORY)) {
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200);
+      CountDownLatch release = new CountDownLatch(1);
+      robot.ground.strand().post(() -> await(release));
+      robot.await("stands", robot.body::stands);
+      assertThat(robot.chassis.status().holds()).startsWith(CreateHold.STALE_COMMAND);
+      release.countDown();
+      robot.await("drives on", () -> robot.body.leftMmPerS == 200);
+    }
+  }
+
+  @Test
+  void aLinkThatBreaksIsToldAndOpenedAnew() {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_1, Line.SOCKET)) {
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200);
+      MemoryLink[] ends = MemoryLink.pair();
+      robot.host.serve(ends[1]);
+      robot.await("told", () -> robot.troubles.stream().anyMatch(t -> t.startsWith("link: ")));
+      robot.await("lost", () -> robot.chassis.status().linksLost() == 1);
+      robot.await(
+          "drives again",
+          () ->
+              robot.chassis.status().starts() == 2
+                  && robot.chassis.status().mayDrive()
+                  && robot.body.leftMmPerS == 200);
+    }
+  }
+
+  @Test
+  void afterALinkThatWorkedTheNextIsOpenedAtOnceForTheWheelsMayTurn() {
+    long hourMs = 3_600_000;
+    CreateSettings slow =
+        new CreateSettings(
+            CreateModel.CREATE_2, OiMode.SAFE, 300, 500, 100, 500, 3000, hourMs, 500);
+    try (LiveRobot robot = new LiveRobot(slow, Line.SOCKET)) {
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200);
+      robot.host.serve(MemoryLink.pair()[1]);
+      robot.await("started again", () -> robot.chassis.status().starts() == 2);
+    }
+  }
+
+  @Test
+  void whoCannotConnectIsToldAndTriesAgain() {
+    ByteLink.Source[] later = new ByteLink.Source[1];
+    CountDownLatch refused = new CountDownLatch(2);
+    try (LiveRobot robot =
+        new LiveRobot(
+            CreateModel.CREATE_2,
+            host -> {
+              later[0] = Line.MEMORY.join(host);
+              return () -> {
+                if (refused.getCount() > 0) {
+                  refused.countDown();
+                  throw new IOException("no such port");
+                }
+                return later[0].open();
+              };
+            })) {
+      robot.await("told twice", () -> robot.troubles.size() == 2);
+      assertThat(robot.troubles).containsOnly("link: no such port");
+      robot.awaitHolds();
+      assertThat(robot.chassis.status().linksLost()).isZero();
+    }
+  }
+
+  @Test
+  void anEmergencyStopHoldsTheWheelsUntilItIsReleased() {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, Line.MEMORY)) {
+      robot.wanted = new WheelCommand(200, 0);
+      robot.await("drives", () -> robot.body.leftMmPerS == 200);
+      robot.chassis.emergencyStop();
+      robot.await("stands", robot.body::stands);
+      robot.awaitHolds(CreateHold.EMERGENCY_STOP);
+      robot.chassis.release();
+      robot.await("drives on", () -> robot.body.leftMmPerS == 200);
+    }
+  }
+
+  @ParameterizedTest
+  @EnumSource
+  void closingLeavesTheRobotStandingAndPassive(Line line) {
+    LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, line);
+    robot.wanted = new WheelCommand(200, 0);
+    robot.await("drives", () -> robot.body.leftMmPerS == 200);
+    robot.chassis.close();
+    robot.await("stands", robot.body::stands);
+    robot.host.inspect(create -> assertThat(create.mode()).isEqualTo(OiMode.PASSIVE));
+    robot.close();
+  }
+
+  @Test
+  void lightsAndSongsOutOfRangeAreRefused() {
+    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, Line.MEMORY)) {
+      robot.awaitHolds();
+      assertThat(robot.chassis.leds(8, 0, 255)).isTrue();
+      assertThat(robot.chassis.song(4, 60, 16)).isTrue();
+      assertThat(robot.chassis.play(4)).isTrue();
+      assertThatThrownBy(() -> robot.chassis.song(5, 60, 16)).hasMessage("song 5: expected 0 to 4");
+      assertThatThrownBy(() -> robot.chassis.song(0, 60)).hasMessage("a note without length");
+      assertThatThrownBy(() -> robot.chassis.leds(0, 256, 0))
+          .hasMessage("colour 256: expected 0 to 255");
+    }
+  }
+
+  private static void await(CountDownLatch latch) {
+    try {
+      latch.await();
+    } catch (InterruptedException e) {
+      throw new IllegalStateException("interrupted", e);
+    }
+  }
+}

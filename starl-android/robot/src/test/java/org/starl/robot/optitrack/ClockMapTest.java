@@ -1,0 +1,142 @@
+package org.starl.robot.optitrack;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import net.jqwik.api.constraints.LongRange;
+import org.junit.jupiter.api.Test;
+import org.starl.random.Rng;
+
+/** What is known of another clock holds, whatever the network does within its bounds. */
+class ClockMapTest {
+
+  private static final long MS = 1_000_000;
+  private static final long MAX_DELAY_NS = 20 * MS;
+
+  /** More than the clocks of these tests drift while an answer of 2 ms is under way, twice. */
+  private static final long DRIFT_NS = 4 * ClockMap.DRIFT_NS_PER_MS + 2;
+
+  /** Another clock, which drifts from ours; both in ns. */
+  private record Other(long offNs, double driftPpm) {
+
+    long at(long ourNs) {
+      return ourNs + offNs + (long) (ourNs * driftPpm * 1e-6);
+    }
+  }
+
+  private static Other other(Rng rng) {
+    return new Other(rng.nextLong(0, 1_000_000_000_000_000L), 190 * (2 * rng.nextDouble() - 1));
+  }
+
+  private static void assertIsAbout(TimeSpan span, long earliestNs, long latestNs) {
+    assertThat(span.earliestNs()).isBetween(earliestNs - DRIFT_NS, earliestNs);
+    assertThat(span.latestNs()).isBetween(latestNs, latestNs + DRIFT_NS);
+  }
+
+  private static void assertHolds(ClockMap map, Other other, long eventNs, long nowNs) {
+    TimeSpan span = map.span(other.at(eventNs), other.at(eventNs), nowNs);
+    assertThat(eventNs).isBetween(span.earliestNs() - 1, span.latestNs() + 1);
+    assertThat(Math.abs(eventNs - span.middleNs())).isLessThanOrEqualTo(span.boundNs() + 1);
+  }
+
+  @Property(tries = 200)
+  void withAnswersTheIntervalHoldsTheTruthWhateverTheDelays(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    Other other = other(rng);
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    long nowNs = rng.nextLong(1, 1000 * MS);
+    for (int i = 0; i < 200; i++) {
+      long askedNs = nowNs;
+      long heardNs = askedNs + rng.nextLong(1, rng.nextLong(2, 500 * MS));
+      nowNs = heardNs + rng.nextLong(1, rng.nextLong(2, 500 * MS));
+      map.answered(askedNs, other.at(heardNs), nowNs);
+      assertThat(map.isSettled(nowNs)).isTrue();
+      long sentNs = nowNs;
+      nowNs += rng.nextLong(1, 300 * MS);
+      map.came(other.at(sentNs), nowNs);
+      assertHolds(map, other, sentNs - rng.nextLong(0, 30 * MS), nowNs);
+    }
+  }
+
+  @Property(tries = 200)
+  void withoutAnswersItHoldsIfTheFastestDatagramIsAsFastAsAssumed(@ForAll long seed) {
+    Rng rng = new Rng(seed);
+    Other other = other(rng);
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    long nowNs = 0;
+    for (int i = 0; i < 300; i++) {
+      long sentNs = nowNs + rng.nextLong(1, 30 * MS);
+      nowNs = sentNs + rng.nextLong(0, i % 10 == 0 ? MAX_DELAY_NS : 200 * MS);
+      map.came(other.at(sentNs), nowNs);
+      if (i > 10) {
+        assertHolds(map, other, sentNs, nowNs);
+      }
+    }
+  }
+
+  @Test
+  void aQuickAnswerMakesTheIntervalNarrow() {
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    map.answered(1000 * MS, 5000 * MS, 1002 * MS);
+    TimeSpan span = map.span(5000 * MS, 5000 * MS, 1002 * MS);
+    assertIsAbout(span, 1000 * MS, 1002 * MS);
+    assertThat(span.boundNs()).isCloseTo(MS, within(2 * DRIFT_NS));
+    // A slow one later takes nothing of that but the drift.
+    map.answered(2000 * MS, 6001 * MS, 2500 * MS);
+    assertThat(map.span(6001 * MS, 6001 * MS, 2500 * MS).boundNs()).isLessThan(2 * MS);
+  }
+
+  @Test
+  void whatHasDriftedWhileAnAnswerWasUnderWayIsCounted() {
+    Other fast = new Other(0, 190);
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    map.answered(1000 * MS, fast.at(1000 * MS + 1), 1500 * MS);
+    assertHolds(map, fast, 1500 * MS, 1500 * MS);
+    assertHolds(map, fast, 1470 * MS, 1500 * MS);
+  }
+
+  @Test
+  void withoutAnswersAClockIsNotBelievedAtOnce() {
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    assertThat(map.isSettled(0)).isFalse();
+    map.came(7000 * MS, 10 * MS);
+    assertThat(map.isSettled(10 * MS)).isFalse();
+    assertThat(map.isSettled(10 * MS + ClockMap.SETTLE_NS)).isTrue();
+  }
+
+  @Test
+  void aClockThatJumpsBackIsANewOneAndASingleOldDatagramDoesNoHarmForLong() {
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    for (int i = 0; i < 100; i++) {
+      map.came(7000 * MS + 10 * i * MS, 10 * i * MS);
+    }
+    map.came(100 * MS, 1000 * MS);
+    assertThat(map.isSettled(1000 * MS)).isFalse();
+    map.came(8010 * MS, 1010 * MS);
+    long laterNs = 1010 * MS + ClockMap.SETTLE_NS;
+    assertThat(map.isSettled(laterNs)).isTrue();
+    assertThat(map.span(8010 * MS, 8010 * MS, laterNs).middleNs()).isBetween(990 * MS, 1011 * MS);
+  }
+
+  @Test
+  void withAnswersADatagramFromTheFutureChangesNothing() {
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    map.answered(1000 * MS, 5000 * MS, 1002 * MS);
+    map.came(9_000_000 * MS, 1003 * MS);
+    TimeSpan span = map.span(9_000_000 * MS, 9_000_000 * MS, 1003 * MS);
+    assertThat(span.earliestNs()).isGreaterThan(span.latestNs());
+    assertThat(map.span(5000 * MS, 5000 * MS, 1003 * MS).boundNs()).isLessThan(2 * MS);
+  }
+
+  @Property(tries = 100)
+  void anAnswerThatContradictsAllBeforeIsOfANewClock(
+      @ForAll @LongRange(min = 100, max = 1_000_000) long jumpMs) {
+    ClockMap map = new ClockMap(MAX_DELAY_NS);
+    map.answered(1000 * MS, 5000 * MS, 1002 * MS);
+    map.answered(2000 * MS, 6000 * MS + jumpMs * MS, 2002 * MS);
+    TimeSpan span = map.span(6000 * MS + jumpMs * MS, 6000 * MS + jumpMs * MS, 2002 * MS);
+    assertIsAbout(span, 2000 * MS, 2002 * MS);
+  }
+}

@@ -1,0 +1,39 @@
+package org.starl.robot.serial;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+class PseudoTerminalTest {
+
+  @TempDir private Path folder;
+
+  @Test
+  void aNameThatIsAFileIsLeftAloneAndTold() throws IOException {
+    Path name = Files.writeString(folder.resolve("port"), "mine");
+    assertThatThrownBy(() -> PseudoTerminal.open(name.toString()))
+        .isInstanceOf(IOException.class)
+        .hasMessage("no pseudo terminal " + name + ": File exists");
+    assertThat(name).hasContent("mine");
+  }
+
+  @Test
+  void aNameOfEarlierIsTakenOver() throws IOException {
+    String name = folder.resolve("port").toString();
+    try (PseudoTerminal first = PseudoTerminal.open(name);
+        PseudoTerminal second = PseudoTerminal.open(name)) {
+      assertThat(second.path()).isEqualTo(first.path());
+    }
+  }
+
+  @Test
+  void aFolderThatIsNotThereIsTold() {
+    assertThatThrownBy(() -> PseudoTerminal.open(folder.resolve("no/port").toString()))
+        .hasMessageEndingWith(": No such file or directory");
+  }
+}

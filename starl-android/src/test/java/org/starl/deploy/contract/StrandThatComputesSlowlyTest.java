@@ -1,8 +1,0 @@
-package org.starl.deploy.contract;
-
-final class StrandThatComputesSlowlyTest extends StrandContract {
-  @Override
-  protected Ground newGround() {
-    return new ImpairedGround("compute(all,700us)", "drift(all,200ppm)");
-  }
-}

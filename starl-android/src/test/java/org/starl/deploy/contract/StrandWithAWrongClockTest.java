@@ -1,8 +1,0 @@
-package org.starl.deploy.contract;
-
-final class StrandWithAWrongClockTest extends StrandContract {
-  @Override
-  protected Ground newGround() {
-    return new ImpairedGround("drift(all,-70000ppm)", "skew(all,50ms)");
-  }
-}

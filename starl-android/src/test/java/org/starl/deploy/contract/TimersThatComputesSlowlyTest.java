@@ -1,8 +1,0 @@
-package org.starl.deploy.contract;
-
-final class TimersThatComputesSlowlyTest extends TimersContract {
-  @Override
-  protected Ground newGround() {
-    return new ImpairedGround("compute(all,700us)", "drift(all,200ppm)");
-  }
-}

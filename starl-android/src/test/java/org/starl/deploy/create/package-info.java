@@ -1,5 +1,0 @@
-/** Tests of the Create's driver against the simulated Create, byte by byte. */
-@NullMarked
-package org.starl.deploy.create;
-
-import org.jspecify.annotations.NullMarked;

@@ -1,0 +1,153 @@
+package org.starl.bench;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.id.RobotId;
+import org.starl.comms.Channel;
+import org.starl.comms.Codec;
+import org.starl.comms.Endpoint;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.geometry.Pose;
+import org.starl.random.Rng;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.input.BadInput;
+
+/**
+ * B1: N robots, each 100 times: wait 100 ms, send one message to a random other robot with an
+ * exponential delay of mean 50 ms; the receiver counts. Phases are random in 0..100 ms. So every
+ * robot brings about 100 wake-ups and 100 deliveries. No robot has a body.
+ */
+public final class KernelWorkload implements Workload {
+
+  private static final int ROUNDS = 100;
+  private static final long PERIOD_MS = 100;
+  private static final long NS_PER_MS = 1_000_000;
+
+  private static final Channel<Integer> CHANNEL =
+      new Channel<>(
+          "bench",
+          "b1",
+          new Codec<>() {
+            @Override
+            public void write(Integer message, WireWriter out) {
+              out.u8(message);
+            }
+
+            @Override
+            public Integer read(WireReader in) {
+              return in.u8();
+            }
+          });
+
+  @Override
+  public String name() {
+    return "b1";
+  }
+
+  @Override
+  public String summary() {
+    return "kernel, strands and radio: wait, send to a random robot, count";
+  }
+
+  @Override
+  public Simulation.Builder plan(int robots, Style style, long seed) {
+    if (robots < 2) {
+      throw new BadInput("b1: " + robots + " robots: expected 2 or more");
+    }
+    List<RobotId> ids = new ArrayList<>();
+    for (int i = 0; i < robots; i++) {
+      ids.add(new RobotId("bot" + i));
+    }
+    Simulation.Builder builder =
+        Simulation.builder()
+            .name("b1")
+            .seed(seed)
+            .settings(SimSettings.builder().set("messageDelay", "exponential(50ms)").build());
+    for (int i = 0; i < robots; i++) {
+      int me = i;
+      Function<GlobalVarHolder, LogicThread> app =
+          style == Style.BLOCKING
+              ? gvh -> new Blocking(gvh, new Peer(gvh, ids, me))
+              : gvh -> new Stepping(gvh, new Peer(gvh, ids, me));
+      builder.robot(new RobotSpec(ids.get(i), new Pose(0, 0, 0), false, app));
+    }
+    return builder;
+  }
+
+  /** What both styles do in a round. */
+  private static final class Peer {
+    private final List<RobotId> ids;
+    private final int me;
+    private final Rng rng;
+    private final Endpoint<Integer> endpoint;
+    private int received;
+
+    Peer(GlobalVarHolder gvh, List<RobotId> ids, int me) {
+      this.ids = ids;
+      this.me = me;
+      rng = gvh.plat.entropy.fork("b1");
+      endpoint = gvh.comms.open(CHANNEL, (from, message) -> received += message);
+      gvh.plat.strand.uses(this, rng);
+    }
+
+    long phaseNs() {
+      return rng.nextLong(0, PERIOD_MS * NS_PER_MS - 1);
+    }
+
+    void sendToSomebody() {
+      int other = rng.nextInt(ids.size() - 1);
+      endpoint.send(ids.get(other >= me ? other + 1 : other), 1);
+    }
+
+    List<Object> results() {
+      return List.of(received);
+    }
+  }
+
+  private static final class Blocking extends LogicThread {
+    private final Peer peer;
+
+    Blocking(GlobalVarHolder gvh, Peer peer) {
+      super(gvh);
+      this.peer = peer;
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      gvh.plat.strand.sleepUntil(gvh.plat.clock.nowNs() + peer.phaseNs());
+      for (int round = 0; round < ROUNDS; round++) {
+        sleep(PERIOD_MS);
+        peer.sendToSomebody();
+      }
+      return peer.results();
+    }
+  }
+
+  private static final class Stepping extends LogicThread {
+    private final Peer peer;
+    private int round;
+
+    Stepping(GlobalVarHolder gvh, Peer peer) {
+      super(gvh, PERIOD_MS, PERIOD_MS * NS_PER_MS + peer.phaseNs());
+      this.peer = peer;
+    }
+
+    @Override
+    protected boolean step() {
+      peer.sendToSomebody();
+      round++;
+      return round < ROUNDS;
+    }
+
+    @Override
+    protected List<Object> returnResults() {
+      return peer.results();
+    }
+  }
+}

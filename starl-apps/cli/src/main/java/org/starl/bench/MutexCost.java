@@ -1,0 +1,174 @@
+package org.starl.bench;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.function.IntConsumer;
+import org.starl.GlobalVarHolder;
+import org.starl.LogicThread;
+import org.starl.id.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.primitives.mutex.M_Mutex;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.sim.net.Latency;
+
+/**
+ * {@code starl bench mutex}: what an entry into a section costs a group of N robots, in virtual time
+ * and messages, beside what the algorithm promises. Every message takes delta, none is lost; every
+ * robot enters the same section once and gives it back after d1.
+ *
+ * <ul>
+ *   <li><b>Free</b>: one robot after the other, so that nobody holds the section. Promised: 2 delta, N
+ *       - 1 requests, as many answers, and as many releases.
+ *   <li><b>Busy</b>: all at the same time. Promised: the last one is in after (N - 1)(d1 + 2 delta) + 2
+ *       delta at most. Who waits longer than a first resend asks again, and is told that its request
+ *       is noted: that is what the messages beyond 3 (N - 1) are.
+ * </ul>
+ *
+ * @param robots N
+ * @param freeMs time to enter, the longest
+ * @param freeMessages an entry
+ * @param busyMedianMs time to enter
+ * @param busyMostMs the longest time to enter
+ * @param busyMessages an entry
+ */
+public record MutexCost(
+    int robots,
+    double freeMs,
+    double freeMessages,
+    double busyMedianMs,
+    double busyMostMs,
+    double busyMessages) {
+
+  /** As in {@code starl bench NAME}. */
+  public static final String NAME = "mutex";
+
+  /** One line. */
+  public static final String SUMMARY =
+      "messages and time that an entry costs, 2 to 64 robots, beside the theory";
+
+  /** Delta: how long every message takes. */
+  public static final long DELTA_MS = 10;
+
+  /** d1: how long every robot holds. */
+  public static final long HOLD_MS = 100;
+
+  private static final long NS_PER_MS = 1_000_000;
+  private static final double NS_PER_MS_EXACTLY = 1e6;
+  private static final String SECTION = "A";
+
+  /** A row for 2 robots, for 4, for 8, and so on, up to {@code mostRobots}, each told of. */
+  public static List<MutexCost> take(int mostRobots, long seed, IntConsumer afterRow) {
+    List<MutexCost> rows = new ArrayList<>();
+    for (int robots = 2; robots <= mostRobots; robots *= 2) {
+      // So long after each other that each finds the section free, and the air silent.
+      Entries free = enter(robots, HOLD_MS + 10 * DELTA_MS, seed);
+      Entries busy = enter(robots, 0, seed);
+      rows.add(
+          new MutexCost(
+              robots,
+              free.mostMs(),
+              free.messagesEach(),
+              busy.medianMs(),
+              busy.mostMs(),
+              busy.messagesEach()));
+      afterRow.accept(rows.size());
+    }
+    return rows;
+  }
+
+  /** 2 delta. */
+  public double freeTheoryMs() {
+    return 2 * DELTA_MS;
+  }
+
+  /** 3 (N - 1): requests, answers, releases. */
+  public double messagesTheory() {
+    return 3 * (robots - 1);
+  }
+
+  /** (N - 1)(d1 + 2 delta) + 2 delta. */
+  public double busyBoundMs() {
+    return (robots - 1) * (HOLD_MS + 2 * DELTA_MS) + 2 * DELTA_MS;
+  }
+
+  /** In the order in which to show it. */
+  public Map<String, Object> asMap() {
+    Map<String, Object> map = new LinkedHashMap<>();
+    map.put("n", robots);
+    map.put("free_ms", freeMs);
+    map.put("free_theory_ms", freeTheoryMs());
+    map.put("free_messages", freeMessages);
+    map.put("messages_theory", messagesTheory());
+    map.put("busy_median_ms", busyMedianMs);
+    map.put("busy_most_ms", busyMostMs);
+    map.put("busy_bound_ms", busyBoundMs());
+    map.put("busy_messages", busyMessages);
+    return map;
+  }
+
+  private record Entries(List<Long> sortedWaitsNs, long messages) {
+
+    double medianMs() {
+      return sortedWaitsNs.get((sortedWaitsNs.size() - 1) / 2) / NS_PER_MS_EXACTLY;
+    }
+
+    double mostMs() {
+      return sortedWaitsNs.get(sortedWaitsNs.size() - 1) / NS_PER_MS_EXACTLY;
+    }
+
+    double messagesEach() {
+      return (double) messages / sortedWaitsNs.size();
+    }
+  }
+
+  /** Each robot enters once, robot {@code i} asking at {@code i} times {@code apartMs}. */
+  private static Entries enter(int robots, long apartMs, long seed) {
+    SimSettings settings =
+        SimSettings.builder()
+            .set(Setting.MESSAGE_DELAY, new Latency.Constant(DELTA_MS * NS_PER_MS))
+            .build();
+    Simulation.Builder simulation = Simulation.builder().name(NAME).seed(seed).settings(settings);
+    for (int i = 0; i < robots; i++) {
+      long askMs = i * apartMs;
+      // Off the floor: nothing but messages happens.
+      simulation.robot(
+          new RobotSpec(
+              new RobotId("bot" + i), new Pose(0, 0, 0), false, gvh -> new Entrant(gvh, askMs)));
+    }
+    SimResult result = simulation.build().run();
+    List<Long> waitsNs = new ArrayList<>();
+    result.results().values().forEach(ended -> waitsNs.add((Long) ended.get(0)));
+    waitsNs.sort(Long::compare);
+    return new Entries(waitsNs, result.network().sent());
+  }
+
+  /** Enters once; its result is how long it waited, in ns. */
+  private static final class Entrant extends LogicThread {
+    private final M_Mutex mux;
+    private final long askMs;
+
+    Entrant(GlobalVarHolder gvh, long askMs) {
+      super(gvh);
+      this.askMs = askMs;
+      mux = new M_Mutex(gvh, "section");
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      sleep(askMs);
+      long askedNs = gvh.plat.clock.nowNs();
+      mux.do_mutex(List.of(SECTION));
+      await(() -> mux.crit().get());
+      long waitedNs = gvh.plat.clock.nowNs() - askedNs;
+      sleep(HOLD_MS);
+      mux.release(SECTION);
+      return List.of(waitedNs);
+    }
+  }
+}

@@ -1,0 +1,175 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Input;
+import org.starl.sim.Setting;
+import org.starl.sim.check.Campaign;
+import org.starl.sim.check.CampaignResult;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.input.BadInput;
+import org.starl.sim.kernel.CarrierKind;
+
+/**
+ * {@code starl bench apps}: each app on each of its {@link Demo#inputs}, without faults and with
+ * every fifth message lost: a table in Markdown, for the docs.
+ */
+final class AppsTable {
+
+  /** As in {@code starl bench NAME}. */
+  static final String NAME = "apps";
+
+  /** One line. */
+  static final String SUMMARY =
+      "every app on every input of a folder, with and without loss: a table in Markdown";
+
+  private static final String LOSS = "0.2";
+
+  private static final List<String> HEAD =
+      List.of(
+          "| app | input | messages lost | seeds | good | violations"
+              + " | simulated s, median (most) | messages, median"
+              + " | collisions of robots, median (most) | the code of 2014 |",
+          "|---|---|---|---|---|---|---|---|---|---|");
+
+  /** One campaign. */
+  private record Row(Demo demo, Input input, boolean isLossy, CampaignResult result) {
+
+    String markdown() {
+      return String.format(
+          Locale.ROOT,
+          "| %s | %s | %s | %d | %d | %d | %.0f (%.0f) | %.0f | %.0f (%.0f) | %s |",
+          demo.name(),
+          input.name(),
+          isLossy ? "20 %" : "none",
+          result.runs().size(),
+          result.count(Verdict.GOOD),
+          result.count(Verdict.VIOLATED),
+          figure("end_s", 50),
+          figure("end_s", 100),
+          figure("datagrams_sent", 50),
+          figure("robots_collided", 50),
+          figure("robots_collided", 100),
+          input.original());
+    }
+
+    Map<String, Object> json() {
+      Map<String, Object> json = new LinkedHashMap<>();
+      json.put("app", demo.name());
+      json.put("input", input.name());
+      json.put("loss", isLossy ? Double.parseDouble(LOSS) : 0.0);
+      json.put("runs", result.runs().size());
+      for (Verdict verdict : Verdict.values()) {
+        json.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
+      }
+      for (String figure : result.figures()) {
+        json.put(figure + "_p50", figure(figure, 50));
+        json.put(figure + "_most", figure(figure, 100));
+      }
+      return json;
+    }
+
+    private double figure(String name, int percent) {
+      return result.samples(name) == 0 ? 0 : result.percentile(name, percent);
+    }
+  }
+
+  private final Path data;
+  private final Seeds.Range seeds;
+  private final CarrierKind carriers;
+  private final PrintWriter out;
+  private final PrintWriter err;
+  private boolean isGood = true;
+
+  /**
+   * @param data the folder with the inputs
+   */
+  AppsTable(Path data, Seeds.Range seeds, CarrierKind carriers, PrintWriter out, PrintWriter err) {
+    if (!Files.isDirectory(data)) {
+      throw new BadInput("--inputs: " + data + ": expected a folder with the apps' input files");
+    }
+    this.data = data;
+    this.seeds = seeds;
+    this.carriers = carriers;
+    this.out = out;
+    this.err = err;
+  }
+
+  /**
+   * Runs and prints it, each row as soon as it is there.
+   *
+   * @param onlyApp of this app, or null for all
+   * @param onlyInput on inputs of this name, or null for all
+   * @return whether every run went well
+   */
+  boolean print(Demos demos, @Nullable String onlyApp, @Nullable String onlyInput, boolean asJson)
+      throws InterruptedException {
+    if (onlyApp != null && demos.byName(onlyApp).isEmpty()) {
+      throw new BadInput(
+          "--app: " + BadInput.quote(onlyApp) + ": expected one of " + demos.names());
+    }
+    Map<Input, Demo> chosen = new LinkedHashMap<>();
+    Set<String> names = new TreeSet<>();
+    for (Demo demo : demos.all()) {
+      for (Input input : demo.inputs(data)) {
+        if (onlyApp == null || demo.name().equals(onlyApp)) {
+          names.add(input.name());
+          if (onlyInput == null || input.name().equals(onlyInput)) {
+            chosen.put(input, demo);
+          }
+        }
+      }
+    }
+    if (onlyInput != null && chosen.isEmpty()) {
+      throw new BadInput("--input: " + BadInput.quote(onlyInput) + ": expected one of " + names);
+    }
+    if (!asJson) {
+      HEAD.forEach(out::println);
+    }
+    for (Map.Entry<Input, Demo> run : chosen.entrySet()) {
+      if (!Files.exists(run.getKey().path())) {
+        throw new BadInput(run.getKey().path() + ": no such input of " + run.getValue().name());
+      }
+      for (boolean isLossy : new boolean[] {false, true}) {
+        Row row = row(run.getValue(), run.getKey(), isLossy);
+        out.println(asJson ? Json.line(row.json()) : row.markdown());
+        out.flush();
+      }
+    }
+    return isGood;
+  }
+
+  private Row row(Demo demo, Input input, boolean isLossy) throws InterruptedException {
+    SortedMap<String, String> parameters = demo.defaults();
+    parameters.putAll(input.parameters());
+    Map<String, String> settings = isLossy ? Map.of(Setting.MESSAGE_LOSS.key(), LOSS) : Map.of();
+    Chosen chosen = Chosen.of(demo, parameters, settings);
+    ProgressLine progress = new ProgressLine(err, "runs");
+    CampaignResult result =
+        new Campaign(seeds.first(), seeds.last()).run(seed -> run(chosen, seed), progress::show);
+    progress.end();
+    CampaignResult.Run bad = result.firstBad();
+    if (bad != null) {
+      isGood = false;
+      err.println(demo.name() + ", seed " + bad.seed() + ": " + bad.outcome().detail());
+      err.println("replay: " + Shell.starl(chosen.words("run", bad.seed())));
+    }
+    return new Row(demo, input, isLossy, result);
+  }
+
+  private RunOutcome run(Chosen chosen, long seed) {
+    return RunOutcome.of(chosen.plan(seed).simulation().carriers(carriers).build().run());
+  }
+}

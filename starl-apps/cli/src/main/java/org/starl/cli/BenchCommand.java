@@ -1,0 +1,217 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.bench.Measurement;
+import org.starl.bench.MutexCost;
+import org.starl.bench.PatrolWorkload;
+import org.starl.bench.Workload;
+import org.starl.bench.Workloads;
+import org.starl.input.BadInput;
+import org.starl.sim.view.ViewBench;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code starl bench}. */
+@Command(
+    name = "bench",
+    description =
+        "Runs a workload several times in this JVM, the first one cold, and tells how fast.",
+    mixinStandardHelpOptions = true,
+    footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
+final class BenchCommand implements Callable<Integer> {
+
+  private static final String VIEW = "view";
+
+  /** Real time for each number of robots. */
+  private static final double VIEW_S = 8;
+
+  @Parameters(
+      index = "0",
+      paramLabel = "WORKLOAD",
+      description = "b1, b2, mutex, view or apps; see 'starl list'.")
+  private String name = "";
+
+  @Option(
+      names = "--robots",
+      paramLabel = "N",
+      description = "How many robots, 256 unless given; for mutex the most, 64 unless given.")
+  private @Nullable String robots;
+
+  @Option(names = "--style", paramLabel = "STYLE", description = "blocking or step.")
+  private Workload.Style style = Workload.Style.BLOCKING;
+
+  @Option(names = "--runs", paramLabel = "N", description = "How many runs; 5 unless given.")
+  private String runs = "5";
+
+  @Option(names = "--seed", paramLabel = "S", description = "1 unless given.")
+  private String seed = "1";
+
+  @Option(
+      names = "--inputs",
+      paramLabel = "FOLDER",
+      description = "Of apps: the folder with the apps' input files.")
+  private @Nullable Path inputs;
+
+  @Option(names = "--seeds", paramLabel = "A..B", description = "Of apps; 1..200 unless given.")
+  private String seeds = "1..200";
+
+  @Option(names = "--app", paramLabel = "APP", description = "Of apps: this one only.")
+  private @Nullable String app;
+
+  @Option(
+      names = "--input",
+      paramLabel = "NAME",
+      description = "Of apps: on inputs of this name only, such as four.wpt.")
+  private @Nullable String input;
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() throws InterruptedException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    if (name.equals(MutexCost.NAME)) {
+      showMutexCost(out, spec.commandLine().getErr());
+      return ExitStatus.GOOD;
+    }
+    if (name.equals(VIEW)) {
+      showView(out);
+      return ExitStatus.GOOD;
+    }
+    if (name.equals(AppsTable.NAME)) {
+      return showApps(out, spec) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+    }
+    Workload workload =
+        Workloads.byName(name)
+            .orElseThrow(() ->
+                new BadInput(
+                    "no workload is called "
+                        + BadInput.quote(name)
+                        + ": expected b1, b2, mutex, view or apps"));
+    Carriers.chosen(null, spec.commandLine().getErr());
+    int planned = (int) Numbers.whole("--runs", runs, 1, 1000);
+    ProgressLine progress = new ProgressLine(spec.commandLine().getErr(), "runs");
+    List<Measurement> taken =
+        Measurement.take(
+            workload,
+            (int) Numbers.whole("--robots", robots == null ? "256" : robots, 1, 10_000_000),
+            style,
+            planned,
+            Seeds.of(seed),
+            done -> progress.show(done, planned));
+    progress.end();
+    for (Measurement run : taken) {
+      out.println(json.isOn() ? Json.line(run.asMap()) : line(run));
+    }
+    return ExitStatus.GOOD;
+  }
+
+  private boolean showApps(PrintWriter out, CommandSpec spec) throws InterruptedException {
+    if (inputs == null) {
+      throw new BadInput("bench apps: expected --inputs FOLDER, the apps' input files");
+    }
+    PrintWriter err = spec.commandLine().getErr();
+    return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.chosen(null, err), out, err)
+        .print(Main.demos(spec), app, input, json.isOn());
+  }
+
+  /** Pictures a second while b2 goes on beside it. */
+  private void showView(PrintWriter out) throws InterruptedException {
+    List<String> sizes = robots == null ? List.of("100", "1000", "10000") : List.of(robots);
+    for (String size : sizes) {
+      int count = (int) Numbers.whole("--robots", size, 2, 1_000_000);
+      ViewBench seen =
+          ViewBench.take(
+              new PatrolWorkload().plan(count, Workload.Style.BLOCKING, Seeds.of(seed)), 1, VIEW_S);
+      out.println(
+          json.isOn()
+              ? Json.line(
+                  Map.of(
+                      "robots",
+                      count,
+                      "framesPerS",
+                      seen.framesPerS(),
+                      "cpuMsPerFrame",
+                      seen.cpuMs(),
+                      "longestMs",
+                      seen.longestMs(),
+                      "simulatedSPerS",
+                      seen.simulatedS() / seen.wallS(),
+                      "traceEventsPerS",
+                      seen.events() / seen.wallS()))
+              : String.format(
+                  Locale.ROOT,
+                  "view n=%d: %.0f frames/s (%.1f CPU ms each, longest wait %.0f ms),"
+                      + " %.2f simulated s/s, %.0f trace events/s",
+                  count,
+                  seen.framesPerS(),
+                  seen.cpuMs(),
+                  seen.longestMs(),
+                  seen.simulatedS() / seen.wallS(),
+                  seen.events() / seen.wallS()));
+      out.flush();
+    }
+  }
+
+  /** In Markdown, for the docs. */
+  private void showMutexCost(PrintWriter out, PrintWriter err) {
+    int most = (int) Numbers.whole("--robots", robots == null ? "64" : robots, 2, 256);
+    int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
+    ProgressLine progress = new ProgressLine(err, "sizes");
+    List<MutexCost> rows =
+        MutexCost.take(most, Seeds.of(seed), done -> progress.show(done, planned));
+    progress.end();
+    if (json.isOn()) {
+      rows.forEach(row -> out.println(Json.line(row.asMap())));
+      return;
+    }
+    out.println(
+        "| robots | free: ms to enter (theory) | free: messages an entry (theory)"
+            + " | busy: ms to enter, median | most (bound) | busy: messages an entry |");
+    out.println("|---|---|---|---|---|---|");
+    for (MutexCost row : rows) {
+      out.println(
+          String.format(
+              Locale.ROOT,
+              "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |",
+              row.robots(),
+              row.freeMs(),
+              row.freeTheoryMs(),
+              row.freeMessages(),
+              row.messagesTheory(),
+              row.busyMedianMs(),
+              row.busyMostMs(),
+              row.busyBoundMs(),
+              row.busyMessages()));
+    }
+  }
+
+  private static String line(Measurement run) {
+    return String.format(
+        Locale.ROOT,
+        "%s n=%d %s%s: %.2f M events/CPU-s, %.1f simulated s/CPU-s; %.2f CPU s, %.2f wall s,"
+            + " %d bytes/robot, %.0f MB",
+        run.workload(),
+        run.robots(),
+        run.style().name().toLowerCase(Locale.ROOT),
+        run.coldness() == 0 ? " (cold)" : "",
+        run.eventsPerCpuS() / 1e6,
+        run.realTimeFactor(),
+        run.cpuS(),
+        run.wallS(),
+        run.bytesPerRobot(),
+        run.peakRssMb());
+  }
+}

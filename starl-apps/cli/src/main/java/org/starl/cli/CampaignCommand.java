@@ -1,0 +1,253 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Objects;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Measures;
+import org.starl.apps.Plan;
+import org.starl.cli.report.MessageCounts;
+import org.starl.sim.SimResult;
+import org.starl.sim.check.Campaign;
+import org.starl.sim.check.CampaignResult;
+import org.starl.sim.check.RunOutcome;
+import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.input.BadInput;
+import org.starl.sim.kernel.CarrierKind;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code starl campaign}. */
+@Command(
+    name = "campaign",
+    description =
+        "Many runs on all cores; a table, and the first violation with its replay command.",
+    mixinStandardHelpOptions = true,
+    footer = {
+      "",
+      "Example: starl campaign intersection --seeds 1..500 --loss 0.3 --delay 'uniform(10ms,200ms)'",
+      "         starl campaign mutex --seeds 1..100 --chaos --shrink",
+      "         starl campaign race --seeds 1..200 --loss 0.3 --report race.html"
+    })
+final class CampaignCommand implements Callable<Integer> {
+
+  private static final int MAX_THREADS = 1024;
+
+  /** Percentiles of the waits that are shown. */
+  private static final int[] WAITS = {50, 90, 95, 99, 100};
+
+  @Mixin private RunOptions options = new RunOptions();
+
+  @Option(names = "--seeds", paramLabel = "A..B", required = true, description = "A run each.")
+  private String seeds = "";
+
+  @Option(names = "--threads", paramLabel = "N", description = "How many; one a core unless given.")
+  private @Nullable String threads;
+
+  @Option(names = "--stop", description = "Stop at the first run that does not go well.")
+  private boolean stop;
+
+  @Option(
+      names = "--shrink",
+      description =
+          "Take from the first run that does not go well what it does not need for that: robots,"
+              + " faults, time.")
+  private boolean shrink;
+
+  @Option(
+      names = "--report",
+      paramLabel = "FILE",
+      description =
+          "A page for a browser: charts, every run, and stories and pictures of those that do not"
+              + " go well.")
+  private @Nullable String report;
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() throws InterruptedException, IOException {
+    Seeds.Range range = Seeds.Range.of(seeds);
+    Chosen chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
+    Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
+    // What cannot be planned for the first seed is bad input, not a failed run.
+    chosen.plan(range.first()).simulation().build();
+    try (ReportFile page = ReportFile.of(report, range)) {
+      return run(campaign, chosen, range, page);
+    }
+  }
+
+  private int run(Campaign campaign, Chosen chosen, Seeds.Range range, @Nullable ReportFile page)
+      throws InterruptedException, IOException {
+    CommandSpec command = Objects.requireNonNull(spec);
+    PrintWriter out = command.commandLine().getOut();
+    PrintWriter err = command.commandLine().getErr();
+    CarrierKind carriers = Carriers.chosen(null, err);
+    BySeed<Measures> measured = new BySeed<>(range);
+    ProgressLine progress = new ProgressLine(err, "runs");
+    CampaignResult result =
+        campaign.run(seed -> run(chosen, seed, carriers, measured, page), progress::show);
+    progress.end();
+    Samples samples = new Samples(result, measured);
+    CampaignResult.Run bad = result.firstBad();
+    Shrinking.Shrunk shrunk =
+        bad == null || !shrink
+            ? null
+            : new Shrinking(Main.demos(command), chosen, bad.seed(), carriers).run(err);
+    if (page != null) {
+      page.write(
+          ReportFile.subject(chosen, typed(), range, seed -> options.replay("run", seed)),
+          result,
+          seed -> plan(chosen, seed, carriers),
+          shrunk == null ? List.of() : shrunk.lines(),
+          err);
+    }
+    if (json.isOn()) {
+      Map<String, Object> summary = summary(chosen, range, result, samples);
+      if (shrunk != null) {
+        summary.put("shrunk", shrunk.json());
+      }
+      if (report != null) {
+        summary.put("report", report);
+      }
+      out.println(Json.line(summary));
+    } else {
+      table(chosen, result, samples).forEach(out::println);
+      if (report != null) {
+        out.println("report: " + report);
+      }
+    }
+    if (bad == null) {
+      return ExitStatus.GOOD;
+    }
+    err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
+    err.println("replay: " + options.replay("run", bad.seed()));
+    if (shrunk != null) {
+      shrunk.lines().forEach(err::println);
+    }
+    return ExitStatus.VIOLATED;
+  }
+
+  /** The command line as it was given. */
+  private String typed() {
+    CommandLine root = Objects.requireNonNull(spec).root().commandLine();
+    return Shell.starl(root.getParseResult().originalArgs());
+  }
+
+  private int workers() {
+    return threads == null
+        ? Runtime.getRuntime().availableProcessors()
+        : (int) Numbers.whole("--threads", threads, 1, MAX_THREADS);
+  }
+
+  private static Plan plan(Chosen chosen, long seed, CarrierKind carriers) {
+    try {
+      Plan plan = chosen.plan(seed);
+      plan.simulation().carriers(carriers);
+      return plan;
+    } catch (BadInput e) {
+      throw of(seed, e);
+    }
+  }
+
+  /** What could be planned for the first seed, but not for this one. */
+  private static IllegalStateException of(long seed, BadInput error) {
+    return new IllegalStateException("seed " + seed + ": " + error.getMessage(), error);
+  }
+
+  private static RunOutcome run(
+      Chosen chosen,
+      long seed,
+      CarrierKind carriers,
+      BySeed<Measures> measured,
+      @Nullable ReportFile page) {
+    Plan plan = plan(chosen, seed, carriers);
+    MessageCounts messages = page == null ? null : ReportFile.watch(plan);
+    SimResult result;
+    try {
+      result = plan.simulation().build().run();
+    } catch (BadInput e) {
+      throw of(seed, e);
+    }
+    if (page != null && messages != null) {
+      page.put(seed, result, plan, messages);
+    }
+    Measures measures = plan.story().measures();
+    measured.put(seed, measures);
+    RunOutcome outcome = RunOutcome.of(result);
+    SortedMap<String, Double> figures = new TreeMap<>(outcome.figures());
+    figures.putAll(measures.figures());
+    return outcome.withFigures(figures);
+  }
+
+  private static List<String> table(Chosen chosen, CampaignResult result, Samples samples) {
+    Table table = new Table();
+    table.row(chosen.demo().name(), "");
+    table.row("runs", Long.toString(result.runs().size()));
+    for (Verdict verdict : Verdict.values()) {
+      table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
+    }
+    table.row("robots that got through", Long.toString(samples.completed()));
+    samples.counts().forEach((what, count) -> table.row(what, Long.toString(count)));
+    for (int percent : WAITS) {
+      table.row("wait, " + name(percent), Outcome.seconds(samples.waitNs(percent)));
+    }
+    for (String figure : result.figures()) {
+      for (int percent : new int[] {50, 100}) {
+        table.row(figure + " a run, " + name(percent), figure(result.percentile(figure, percent)));
+      }
+    }
+    return table.lines();
+  }
+
+  /** A whole number, or one with a digit behind the point. */
+  private static String figure(double value) {
+    return value == Math.rint(value)
+        ? Long.toString((long) value)
+        : String.format(Locale.ROOT, "%.1f", value);
+  }
+
+  private static Map<String, Object> summary(
+      Chosen chosen, Seeds.Range range, CampaignResult result, Samples samples) {
+    Map<String, Object> summary = new LinkedHashMap<>();
+    summary.put("app", chosen.demo().name());
+    summary.put("seeds", range.first() + ".." + range.last());
+    for (Verdict verdict : Verdict.values()) {
+      summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
+    }
+    summary.put("completed", samples.completed());
+    samples.counts().forEach((what, count) -> summary.put(what.replaceAll("[: ]+", "_"), count));
+    for (int percent : WAITS) {
+      summary.put("wait_p" + percent + "_s", samples.waitNs(percent) / 1e9);
+    }
+    for (String figure : result.figures()) {
+      summary.put(figure + "_p50", result.percentile(figure, 50));
+    }
+    CampaignResult.Run bad = result.firstBad();
+    if (bad != null) {
+      summary.put("first_bad_seed", bad.seed());
+      summary.put("first_bad", bad.outcome().detail());
+    }
+    return summary;
+  }
+
+  private static String name(int percent) {
+    return switch (percent) {
+      case 50 -> "median";
+      case 100 -> "most";
+      default -> percent + " % below";
+    };
+  }
+}

@@ -1,0 +1,119 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.DeploymentException;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.file.Wheels.Create;
+import org.starl.deployment.DeploymentCheck;
+import org.starl.deployment.DeploymentFile;
+import org.starl.sim.Blueprint;
+import org.starl.input.BadInput;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code starl deploy check}. */
+@Command(
+    name = "check",
+    description =
+        "Says what is wrong with a deployment, as far as can be told without running it: file, app and"
+            + " parameters, key, hosts; with --robot, what that robot's machine must have.",
+    mixinStandardHelpOptions = true,
+    footer = {"", "Example: starl deploy check crossing.yaml --robot bot0 --probe"})
+final class DeployCheckCommand implements Callable<Integer> {
+
+  @Parameters(index = "0", paramLabel = "FILE", description = "A deployment file.")
+  private String file = "";
+
+  @Option(
+      names = "--robot",
+      paramLabel = "NAME",
+      description = "The robot whose machine this is: its device, address and port are looked at.")
+  private @Nullable String robot;
+
+  @Option(
+      names = "--probe",
+      description = "Also call what must listen on TCP: the world, the Creates' serial servers.")
+  private boolean probes;
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() {
+    CommandSpec command = Objects.requireNonNull(spec);
+    Deployment deployment = DeploymentFile.read(file);
+    RobotEntry here = entry(deployment, robot);
+    Blueprint blueprint = DeployedApp.of(deployment, Main.demos(command)).blueprint();
+    DeploymentFile.key(deployment);
+    List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
+    problems.addAll(DeploymentCheck.ofMotion(deployment, blueprint.settings().motionParameters(0)));
+    PrintWriter out = command.commandLine().getOut();
+    PrintWriter err = command.commandLine().getErr();
+    if (json.isOn()) {
+      Map<String, Object> result = new LinkedHashMap<>();
+      result.put("file", file);
+      result.put("app", deployment.app());
+      result.put("robots", deployment.robots().keySet().stream().map(String::valueOf).toList());
+      result.put("problems", problems);
+      out.println(Json.line(result));
+    } else {
+      problems.forEach(problem -> err.println("starl: " + problem));
+      if (problems.isEmpty()) {
+        tell(deployment).forEach(out::println);
+      }
+    }
+    return problems.isEmpty() ? ExitStatus.GOOD : ExitStatus.BAD_INPUT;
+  }
+
+  /** The robot that the user names, or null if none is named. */
+  static @Nullable RobotEntry entry(Deployment deployment, @Nullable String name) {
+    try {
+      return name == null ? null : deployment.robot(name);
+    } catch (DeploymentException e) {
+      throw new BadInput(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static List<String> tell(Deployment deployment) {
+    List<String> lines = new ArrayList<>();
+    for (RobotEntry entry : deployment.robots().values()) {
+      String wheels =
+          entry.wheels() instanceof Create create
+              ? create.model()
+                  + " at "
+                  + create.port()
+                  + (create.simulatedAt() == null ? "" : ", simulated at " + create.simulatedAt())
+              : "simulated";
+      lines.add(
+          entry.id()
+              + ": radio "
+              + (entry.address() == null ? "found by beacons" : entry.address())
+              + ", "
+              + wheels);
+    }
+    lines.add(
+        deployment.file()
+            + ": nothing is wrong: "
+            + deployment.app()
+            + " with "
+            + deployment.robots().size()
+            + (deployment.robots().size() == 1 ? " robot" : " robots")
+            + (deployment.key() == null
+                ? ", no key: anybody on the network can speak"
+                : ", sealed"));
+    return lines;
+  }
+}

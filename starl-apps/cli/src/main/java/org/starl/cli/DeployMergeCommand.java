@@ -1,0 +1,156 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Plan;
+import org.starl.deployment.Merge;
+import org.starl.sim.Blueprint;
+import org.starl.sim.SimObserver;
+import org.starl.sim.export.TraceRecorder;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code starl deploy merge}. */
+@Command(
+    name = "merge",
+    description =
+        "Merges what the processes of a deployment have left into one trace, in an order of causes, and"
+            + " judges it by the app's specifications. Where clocks leave several orders, or measured bodies"
+            + " several places, what is violated in some and not in all that are tried is called possible.",
+    mixinStandardHelpOptions = true,
+    footer = {"", "Example: starl deploy merge bot*.trace --out merged.trace"})
+final class DeployMergeCommand implements Callable<Integer> {
+
+  private static final int SHOWN = 20;
+
+  @Parameters(
+      arity = "1..*",
+      paramLabel = "TRACE",
+      description = "Traces of 'deploy run', 'world'.")
+  private List<String> files = new ArrayList<>();
+
+  @Option(
+      names = "--out",
+      paramLabel = "FILE",
+      description = "The merged trace, for 'starl replay'.")
+  private @Nullable String out;
+
+  @Option(
+      names = "--clock-error",
+      paramLabel = "TIME",
+      defaultValue = "1s",
+      description = "The date of each machine is right within this (default: 1s).")
+  private String clockError = "1s";
+
+  @Option(
+      names = "--drift",
+      paramLabel = "PPM",
+      defaultValue = "100",
+      description = "Two clocks drift apart by so many parts in a million at most (default: 100).")
+  private String drift = "100";
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    CommandSpec command = Objects.requireNonNull(spec);
+    Merge merge = Merge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
+    Plan plan = TraceFile.open(files.get(0), Main.demos(command)).plan();
+    Blueprint blueprint = plan.simulation().build().blueprint();
+    Merge.Result result;
+    try (ObserverFile file = ObserverFile.of("--out", out, TraceRecorder::new)) {
+      List<SimObserver> observers = new ArrayList<>(blueprint.observers());
+      observers.add(file.observer());
+      result = merge.judge(blueprint, observers);
+    }
+    if (json.isOn()) {
+      command.commandLine().getOut().println(Json.line(json(result)));
+    } else {
+      plan.story().lines().forEach(command.commandLine().getOut()::println);
+      lines(result).forEach(command.commandLine().getOut()::println);
+    }
+    return result.violations().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+  }
+
+  private long durationNs() {
+    try {
+      return Quantities.durationNs(clockError);
+    } catch (BadInput error) {
+      throw Quantities.in("--clock-error", error);
+    }
+  }
+
+  private static List<String> lines(Merge.Result result) {
+    List<String> lines = new ArrayList<>();
+    lines.add(
+        result.robots().size()
+            + " robots, "
+            + result.run().events()
+            + " events in "
+            + Outcome.seconds(result.run().endNs())
+            + ", "
+            + result.run().network().sent()
+            + " datagrams; "
+            + (result.orders() == 1
+                ? "all on one clock"
+                : result.orders()
+                    + " orders tried, clocks uncertain by "
+                    + Quantities.durationText(result.uncertaintyNs())));
+    if (result.withinMm() > 0) {
+      lines.add(
+          "bodies as their robots measured them, true within "
+              + Math.round(result.withinMm())
+              + " mm: smaller, larger and moved to each side by that, too");
+    }
+    result
+        .lostMs()
+        .forEach((robot, ms) ->
+            lines.add(
+                robot
+                    + " was not measured for up to "
+                    + Math.round(ms)
+                    + " ms at a time: nobody saw whether it was pushed then"));
+    result
+        .dead()
+        .forEach(robot -> lines.add(robot + "'s trace is cut off: its process was killed there"));
+    result.violations().stream()
+        .limit(SHOWN)
+        .forEach(violation -> lines.add("VIOLATED: " + violation));
+    result.possible().stream()
+        .limit(SHOWN)
+        .forEach(violation ->
+            lines.add("possible, within what clocks and measurements leave: " + violation));
+    if (result.violations().isEmpty() && result.possible().isEmpty()) {
+      lines.add("safe: " + Outcome.held(result.run().spec()));
+    }
+    return lines;
+  }
+
+  private static Map<String, Object> json(Merge.Result result) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("good", result.violations().isEmpty());
+    json.put("robots", result.robots().stream().map(String::valueOf).toList());
+    json.put("dead", result.dead().stream().map(String::valueOf).toList());
+    json.put("events", result.run().events());
+    json.put("orders", result.orders());
+    json.put("uncertainty_ns", result.uncertaintyNs());
+    json.put("bodies_within_mm", Math.round(result.withinMm()));
+    json.put("violations", result.violations().stream().map(String::valueOf).toList());
+    json.put("possible", result.possible().stream().map(String::valueOf).toList());
+    return json;
+  }
+}

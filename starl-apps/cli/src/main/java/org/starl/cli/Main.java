@@ -1,0 +1,154 @@
+package org.starl.cli;
+
+import java.io.PrintWriter;
+import java.nio.charset.StandardCharsets;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+import org.starl.Version;
+import org.starl.apps.Demos;
+import org.starl.input.BadInput;
+import org.starl.workload.PrimitiveWorkloads;
+import picocli.CommandLine;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.ScopeType;
+import picocli.CommandLine.Spec;
+import picocli.CommandLine.UnmatchedArgumentException;
+
+/** {@code starl}: programs, simulates and checks distributed robots. */
+@Command(
+    name = "starl",
+    description = "Programs, simulates and checks distributed robots.",
+    mixinStandardHelpOptions = true,
+    version = "StarL " + Version.STARL,
+    subcommands = {
+      ListCommand.class,
+      RunCommand.class,
+      CampaignCommand.class,
+      DeterminismCommand.class,
+      RecordCommand.class,
+      ReplayCommand.class,
+      SchemaCommand.class,
+      NewCommand.class,
+      BenchCommand.class,
+      DeployCommand.class,
+      KeygenCommand.class,
+      RobotCommand.class,
+      SimulatedCreateCommand.class
+    },
+    footer = {
+      "",
+      "Example: starl run intersection",
+      "Every test: starl test",
+      "Every proof: starl prove",
+      "The app for phones: starl apk"
+    })
+public final class Main implements Runnable {
+
+  /** What StarL brings: apps, and primitives with workloads of their own. */
+  static final Demos ALL = Demos.STANDARD.plus(PrimitiveWorkloads.ALL);
+
+  @Option(
+      names = "--stacktrace",
+      scope = ScopeType.INHERIT,
+      description = "Show where an error came from, for bug reports.")
+  private boolean stacktrace;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  private final Demos demos;
+
+  private Main(Demos demos) {
+    this.demos = demos;
+  }
+
+  public static void main(String[] args) {
+    PrintWriter out = new PrintWriter(System.out, true, StandardCharsets.UTF_8);
+    PrintWriter err = new PrintWriter(System.err, true, StandardCharsets.UTF_8);
+    System.exit(run(out, err, args));
+  }
+
+  /** Runs a command line, with the apps of the class path too, and returns its exit status. */
+  public static int run(PrintWriter out, PrintWriter err, String... args) {
+    Demos demos;
+    try {
+      demos = Demos.installed(ALL).plus(ALL.all());
+    } catch (BadInput error) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    return run(demos, out, err, args);
+  }
+
+  /** The same, with other apps. */
+  static int run(Demos demos, PrintWriter out, PrintWriter err, String... args) {
+    Main main = new Main(demos);
+    CommandLine commandLine = new CommandLine(main);
+    commandLine.setOut(out).setErr(err);
+    for (CommandLine command : commandLine.getSubcommands().values()) {
+      command.getCommandSpec().version(commandLine.getCommandSpec().version());
+    }
+    commandLine.setCaseInsensitiveEnumValuesAllowed(true);
+    commandLine.setParameterExceptionHandler(Main::refuse);
+    commandLine.setExecutionExceptionHandler(
+        (error, command, parsed) -> main.report(error, command.getErr()));
+    int status = commandLine.execute(args);
+    out.flush();
+    err.flush();
+    return status;
+  }
+
+  /** The apps that the command line of {@code spec} knows. */
+  static Demos demos(CommandSpec spec) {
+    return ((Main) spec.root().userObject()).demos;
+  }
+
+  @Override
+  public void run() {
+    if (spec != null) {
+      throw new ParameterException(spec.commandLine(), "no command");
+    }
+  }
+
+  private static int refuse(ParameterException error, String[] args) {
+    CommandSpec command = error.getCommandLine().getCommandSpec();
+    String line = String.valueOf(error.getMessage()).lines().findFirst().orElse("bad arguments");
+    String help = "; 'starl" + (command.parent() == null ? "" : " " + command.name()) + " --help'";
+    error.getCommandLine().getErr().println("starl: " + line + hint(error) + help + " tells more");
+    return ExitStatus.BAD_INPUT;
+  }
+
+  private static String hint(ParameterException error) {
+    if (error instanceof UnmatchedArgumentException unmatched) {
+      List<String> near = unmatched.getSuggestions();
+      if (!near.isEmpty()) {
+        return ": did you mean " + String.join(" or ", near) + "?";
+      }
+      Set<String> commands = error.getCommandLine().getSubcommands().keySet();
+      return ": expected "
+          + (commands.isEmpty() ? "nothing more" : "one of " + String.join(" ", commands));
+    }
+    return "";
+  }
+
+  private int report(Exception error, PrintWriter err) {
+    if (stacktrace) {
+      err.print(StackTraces.of(error));
+    }
+    if (error instanceof BadInput) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.BAD_INPUT;
+    }
+    if (error instanceof Lacking) {
+      err.println("starl: " + error.getMessage());
+      return ExitStatus.LACKING;
+    }
+    String message = error.getMessage();
+    String line = message == null ? error.toString() : message;
+    err.println("starl: " + line + (stacktrace ? "" : " (--stacktrace shows where)"));
+    return ExitStatus.VIOLATED;
+  }
+}

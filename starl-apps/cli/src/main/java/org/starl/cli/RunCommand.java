@@ -1,0 +1,261 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import org.starl.apps.Measures;
+import org.starl.apps.Plan;
+import org.starl.apps.Product;
+import org.starl.processes.FleetResult;
+import org.starl.proof.RunTheories;
+import org.starl.sim.Blueprint;
+import org.starl.sim.SimResult;
+import org.starl.sim.export.MessageTable;
+import org.starl.sim.export.PositionTable;
+import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.export.VariableTable;
+import org.starl.input.BadInput;
+import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.record.Moment;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code starl run}. */
+@Command(
+    name = "run",
+    description = "One run, with all monitors on; tells its story and draws its picture.",
+    mixinStandardHelpOptions = true,
+    footer = {
+      "",
+      "Example: starl run intersection --robots 8 --seed 7 --loss 0.1",
+      "         starl run search --seed 7 --view",
+      "         starl run intersection --seed 7 --pvs run.pvs && pvs/check run.pvs"
+    })
+final class RunCommand implements Callable<Integer> {
+
+  @Mixin private RunOptions options = new RunOptions();
+
+  @Mixin private SeedOption seed = new SeedOption();
+
+  @Option(names = "--trace", paramLabel = "FILE", description = "Write every event to FILE.")
+  private @Nullable String trace;
+
+  @Option(
+      names = "--csv",
+      paramLabel = "FILE",
+      description = "Write every change of the true motion to FILE.")
+  private @Nullable String csv;
+
+  @Option(
+      names = "--csv-messages",
+      paramLabel = "FILE",
+      description = "Write every message sent, delivered or dropped to FILE.")
+  private @Nullable String csvMessages;
+
+  @Option(
+      names = "--csv-variables",
+      paramLabel = "FILE",
+      description = "Write every new value of a variable to FILE.")
+  private @Nullable String csvVariables;
+
+  @Option(
+      names = "--pvs",
+      paramLabel = "FILE",
+      description =
+          "Write the run to FILE as theories: obligations that pvs/check proves, unless a primitive"
+              + " did what its theory in pvs/ does not allow.")
+  private @Nullable String pvs;
+
+  @Option(
+      names = "--png",
+      paramLabel = "FILE",
+      description = "Where the picture goes; out/APP-SEED.png unless given.")
+  private @Nullable String png;
+
+  @Option(
+      names = "--result",
+      paramLabel = "NAME",
+      description = "Write what the app has to give, where it has something: NAME.svg, NAME.png.")
+  private @Nullable String result;
+
+  @Option(
+      names = "--carrier",
+      paramLabel = "KIND",
+      description = "What carries robots that wait: virtual or platform (threads).")
+  private @Nullable CarrierKind carrier;
+
+  @Option(
+      names = "--view",
+      description = "Show it in a window while it goes on; closing the window ends the run.")
+  private boolean view;
+
+  @Mixin private Viewing viewing = new Viewing();
+
+  @Mixin private ProcessOptions processes = new ProcessOptions();
+
+  @Mixin private JsonOption json = new JsonOption();
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public Integer call() throws IOException {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter err = spec.commandLine().getErr();
+    if (view && processes.areOn()) {
+      throw new BadInput("--view: robots as processes have no window: expected one of the two");
+    }
+    if (view) {
+      Viewing.demandScreen();
+    }
+    Chosen chosen = options.chosen(Main.demos(spec));
+    long seedNumber = seed.value();
+    Plan plan = chosen.plan(seedNumber);
+    String app = chosen.demo().name();
+    if (result != null && plan.story().products().isEmpty()) {
+      throw new BadInput("--result: " + app + " has nothing to write: expected no --result");
+    }
+    String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
+    boolean areProcesses = processes.areOn();
+    String again = options.replay("run", seedNumber);
+    String replay =
+        areProcesses
+            ? "the same at other times: " + again + processes.replay()
+            : "replay: " + again;
+    Ran ran;
+    try {
+      ran = run(plan, pictureName, areProcesses, seedNumber, err);
+    } catch (BadInput e) {
+      throw e;
+    } catch (RuntimeException e) {
+      err.println(replay);
+      throw e;
+    }
+    if (json.isOn()) {
+      Map<String, Object> object = ran.json(app, plan.story().measures());
+      object.put("picture", pictureName);
+      out.println(Json.line(object));
+    } else {
+      out.println(app + ", seed " + seedNumber);
+      plan.story().lines().forEach(out::println);
+      ran.lines(plan.story().measures()).forEach(out::println);
+      out.println("picture: " + pictureName);
+    }
+    writeProducts(plan, out);
+    if (ran.isGood()) {
+      return ExitStatus.GOOD;
+    }
+    err.println(replay);
+    return ExitStatus.VIOLATED;
+  }
+
+  private void writeProducts(Plan plan, PrintWriter out) throws IOException {
+    if (result == null) {
+      return;
+    }
+    for (Product product : plan.story().products()) {
+      String name = result + product.ending();
+      try (OutputFile file = new OutputFile("--result", name)) {
+        product.content().write(file.stream());
+      }
+      if (!json.isOn()) {
+        out.println("result: " + name);
+      }
+    }
+  }
+
+  /** What came of it, simulated or as processes. */
+  private interface Ran {
+    List<String> lines(Measures measures);
+
+    Map<String, Object> json(String app, Measures measures);
+
+    boolean isGood();
+  }
+
+  /**
+   * Simulated.
+   *
+   * @param isStopped whether somebody closed the window before the end
+   */
+  private record Simulated(SimResult result, boolean isStopped) implements Ran {
+    @Override
+    public List<String> lines(Measures measures) {
+      List<String> lines = new ArrayList<>(Outcome.lines(result, measures));
+      if (isStopped) {
+        lines.add("stopped, because the window was closed");
+      }
+      return lines;
+    }
+
+    @Override
+    public Map<String, Object> json(String app, Measures measures) {
+      return Outcome.json(app, result, measures);
+    }
+
+    @Override
+    public boolean isGood() {
+      return isStopped ? result.spec().holds() : Outcome.isGood(result);
+    }
+  }
+
+  private record Processes(FleetResult result) implements Ran {
+    @Override
+    public List<String> lines(Measures measures) {
+      return ProcessOutcome.lines(result);
+    }
+
+    @Override
+    public Map<String, Object> json(String app, Measures measures) {
+      return ProcessOutcome.json(app, result, measures);
+    }
+
+    @Override
+    public boolean isGood() {
+      return result.isGood();
+    }
+  }
+
+  /** Runs it; the files that were asked for are there whatever comes of it. */
+  private Ran run(
+      Plan plan, String pictureName, boolean areProcesses, long seedNumber, PrintWriter err)
+      throws IOException {
+    try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
+        ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
+        ObserverFile messages = ObserverFile.of("--csv-messages", csvMessages, MessageTable::new);
+        ObserverFile variables =
+            ObserverFile.of("--csv-variables", csvVariables, VariableTable::new);
+        ObserverFile theories = ObserverFile.of("--pvs", pvs, RunTheories::new);
+        Picture picture = new Picture(plan, new Moment.Best(), "--png", pictureName)) {
+      plan.simulation()
+          .observer(traceFile.observer())
+          .observer(csvFile.observer())
+          .observer(messages.observer())
+          .observer(variables.observer())
+          .observer(theories.observer())
+          .observer(picture.recorder());
+      if (areProcesses) {
+        Blueprint blueprint = plan.simulation().build().blueprint();
+        return new Processes(processes.run(blueprint, options.words(seedNumber), err));
+      }
+      plan.simulation().carriers(Carriers.chosen(carrier, err));
+      if (view) {
+        Viewing.Watched watched = viewing.run(plan);
+        return new Simulated(watched.result(), watched.isStopped());
+      }
+      RunProgress progress = RunProgress.of(plan.simulation(), err);
+      try {
+        return new Simulated(plan.simulation().build().run(), false);
+      } finally {
+        progress.end();
+      }
+    }
+  }
+}

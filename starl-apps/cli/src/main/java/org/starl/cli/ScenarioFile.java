@@ -1,0 +1,98 @@
+package org.starl.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.starl.robot.file.DeploymentException;
+import org.starl.robot.file.Node;
+import org.starl.robot.file.YamlTree;
+import org.starl.input.BadInput;
+import org.starl.input.TextFile;
+
+/**
+ * A scenario in YAML: {@code app:} and then any settings and parameters, one a line.
+ *
+ * <pre>
+ * app: intersection
+ * robots: 8
+ * messageLoss: 0.3
+ * messageDelay: uniform(10ms,200ms)
+ * debris: 2
+ * faults: [crash(bot2,at=12s,restart=5s), loss(0.3,until=60s)]
+ * </pre>
+ *
+ * @param file empty if there is none
+ * @param values in the file's order, as text
+ * @param lines on which the values stand, and the app
+ */
+record ScenarioFile(
+    String file, String app, Map<String, String> values, Map<String, Integer> lines) {
+
+  static final String APP = "app";
+  private static final String FAULTS = "faults";
+
+  static boolean isOne(String what) {
+    return what.endsWith(".yaml") || what.endsWith(".yml");
+  }
+
+  static ScenarioFile ofApp(String app) {
+    return new ScenarioFile("", app, Map.of(), Map.of());
+  }
+
+  /** What stands before an error in the value of {@code key}: {@code my.yaml:3: }. */
+  String where(String key) {
+    return file.isEmpty() ? "" : file + ":" + lines.getOrDefault(key, 1) + ": ";
+  }
+
+  /** @throws BadInput if it is missing, no text, no YAML, or not as above */
+  static ScenarioFile read(String file) {
+    Map<String, String> values = new LinkedHashMap<>();
+    Map<String, Integer> lines = new LinkedHashMap<>();
+    mapping(file)
+        .parts()
+        .forEach((key, node) -> {
+          lines.put(key, node.line());
+          values.put(key, value(file, key, node));
+        });
+    String app = values.remove(APP);
+    if (app == null) {
+      throw new BadInput(file + ": has no 'app:'; " + YamlTree.EXPECTED);
+    }
+    return new ScenarioFile(file, app, values, lines);
+  }
+
+  private static Node.Mapping mapping(String file) {
+    try {
+      return YamlTree.read(file, TextFile.read(file, "a scenario file", YamlTree.EXPECTED));
+    } catch (DeploymentException e) {
+      throw new BadInput(String.valueOf(e.getMessage()));
+    }
+  }
+
+  private static String value(String file, String key, Node node) {
+    if (node instanceof Node.Listing list && key.equals(FAULTS)) {
+      return faults(file, list);
+    }
+    if (node instanceof Node.Text text && !text.value().isEmpty()) {
+      return text.value();
+    }
+    throw new BadInput(at(file, node) + key + ": expected one value, such as '" + key + ": 4'");
+  }
+
+  /** What a list says, with commas; those inside a fault may have taken it apart. */
+  private static String faults(String file, Node.Listing list) {
+    List<String> parts = new ArrayList<>();
+    for (Node item : list.items()) {
+      if (!(item instanceof Node.Text text)) {
+        throw new BadInput(at(file, item) + FAULTS + ": expected a list of faults");
+      }
+      parts.add(text.value());
+    }
+    return String.join(",", parts);
+  }
+
+  private static String at(String file, Node node) {
+    return file + ":" + node.line() + ": ";
+  }
+}

@@ -1,0 +1,115 @@
+package org.starl.cli;
+
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
+import org.starl.robot.create.CreateBody;
+import org.starl.robot.create.CreateHost;
+import org.starl.robot.create.CreateModel;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.serial.PseudoTerminal;
+import picocli.CommandLine.ArgGroup;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Spec;
+
+/** {@code starl simulated-create}. */
+@Command(
+    name = "simulated-create",
+    description =
+        "An iRobot Create that is not there: any program that drives one finds it behind a serial"
+            + " port (Linux, macOS) or at a TCP port, until this command is ended. It tells how fast"
+            + " its wheels turn, and stands on an open floor.",
+    mixinStandardHelpOptions = true,
+    footer = {"", "Example: starl simulated-create --pty create0"})
+final class SimulatedCreateCommand implements Runnable {
+
+  /** Where the robot is to be found. */
+  private static final class Line {
+    @Option(
+        names = "--pty",
+        paramLabel = "NAME",
+        required = true,
+        description = "Be a serial port of this name.")
+    private @Nullable String pty;
+
+    @Option(
+        names = "--tcp",
+        paramLabel = "PORT",
+        required = true,
+        description = "Listen at this port of the loopback interface; 0: any that is free.")
+    private int tcp;
+  }
+
+  @ArgGroup(multiplicity = "1")
+  private @Nullable Line line;
+
+  @Option(
+      names = "--model",
+      defaultValue = "CREATE_2",
+      description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
+  private CreateModel model = CreateModel.CREATE_2;
+
+  @Spec private @Nullable CommandSpec spec;
+
+  @Override
+  public void run() {
+    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    Line chosen = Objects.requireNonNull(line);
+    try (CreateHost host =
+        CreateHost.start(
+            "create",
+            model,
+            new OpenFloor(out),
+            new RealClock(),
+            end -> out.println("line ended: " + end.getMessage()))) {
+      out.println(model + " at " + open(host, chosen));
+      out.flush();
+      Thread.currentThread().join();
+    } catch (IOException e) {
+      throw new Lacking("no line for the robot: " + e.getMessage());
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private static String open(CreateHost host, Line line) throws IOException {
+    if (line.pty != null) {
+      PseudoTerminal terminal = PseudoTerminal.open(line.pty);
+      host.serve(terminal);
+      return terminal.path();
+    }
+    ServerSocket server = new ServerSocket(line.tcp, 1, InetAddress.getLoopbackAddress());
+    host.listen(server);
+    return "port " + server.getLocalPort();
+  }
+
+  /** Nothing to bump into; each change of the wheels is told. */
+  private static final class OpenFloor implements CreateBody {
+    private final PrintWriter out;
+    private String told = "";
+
+    OpenFloor(PrintWriter out) {
+      this.out = out;
+    }
+
+    @Override
+    public void drive(double leftMmPerS, double rightMmPerS, long atNs) {
+      String now = "wheels: left " + leftMmPerS + ", right " + rightMmPerS + " mm/s";
+      if (!now.equals(told)) {
+        told = now;
+        out.println(now);
+        out.flush();
+      }
+    }
+
+    @Override
+    public Senses senses(long atNs) {
+      return Senses.NOTHING;
+    }
+  }
+}

@@ -1,0 +1,75 @@
+package org.starl.deployment;
+
+import org.starl.robot.Wheelbase;
+import org.starl.geometry.Fix;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
+import org.starl.platform.Chassis;
+import org.starl.platform.Strand;
+
+/** Simulated wheels without a Create between them and the program. */
+final class WorldWheels implements Wheelbase, Chassis {
+
+  private final WorldBody body;
+  private final Strand strand;
+
+  // Set by any thread; read on the world's strand, so that no earlier command undoes a stop.
+  private volatile boolean isStopped;
+  private Runnable receiver = () -> {};
+
+  WorldWheels(WorldBody body, Strand strand) {
+    this.body = body;
+    this.strand = strand;
+    body.onBump(() -> strand.post(() -> receiver.run()));
+  }
+
+  @Override
+  public Chassis chassis() {
+    return this;
+  }
+
+  @Override
+  public void drive(WheelCommand command) {
+    body.drive(() -> isStopped ? WheelCommand.STOP : command);
+  }
+
+  @Override
+  public Bumps bumps() {
+    return body.bumps();
+  }
+
+  @Override
+  public void onBump(Runnable newReceiver) {
+    receiver = newReceiver;
+  }
+
+  /** Simulated wheels need no watchdog: their world is in their program's process. */
+  @Override
+  public void fixed(Fix fix) {}
+
+  @Override
+  public void emergencyStop() {
+    isStopped = true;
+    body.drive(() -> WheelCommand.STOP);
+  }
+
+  @Override
+  public void release() {
+    isStopped = false;
+  }
+
+  @Override
+  public String status() {
+    return isStopped ? "stopped" : "may drive";
+  }
+
+  @Override
+  public void close() {
+    emergencyStop();
+  }
+
+  @Override
+  public String toString() {
+    return strand + "'s simulated wheels";
+  }
+}

@@ -1,0 +1,85 @@
+package org.starl.proof;
+
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.regex.Pattern;
+import org.starl.id.ProcessId;
+
+/**
+ * The names of one theory's constants: identifiers of PVS, each for one thing only, as near to the
+ * thing's own name as may be. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of the
+ * first start of bot1 and its second one, is {@code bot1_1_2}.
+ */
+final class Identifiers {
+
+  private static final Set<String> KEYWORDS =
+      new TreeSet<>(
+          Arrays.asList(
+              ("and andthen array as assertion assuming assumption auto_rewrite axiom begin but by"
+                      + " cases challenge claim closure codatatype coinductive cond conjecture"
+                      + " containing conversion corollary datatype else elsif end endassuming"
+                      + " endcases endcond endif endtable exists exporting fact false forall formula"
+                      + " from function has_type if iff implies importing in inductive judgement"
+                      + " lambda law lemma let library macro measure nonempty_type not o obligation"
+                      + " of or orelse postulate proposition recursive sublemma subtype_of subtypes"
+                      + " table then theorem theory true type var when where with xor")
+                  .split(" ")));
+
+  /** What the theories' own text has: states, steps and their lemmas, bound variables, the library. */
+  private static final Pattern OURS =
+      Pattern.compile(
+          "[sa]_\\d+|(reached|step|result)_\\d+(_\\d+)?|begins|run_.*|[xi]|[A-Z]\\w*_decls|emptyset"
+              + "|up|bottom|bool|nat|start|enabled|trans|states|actions|reachable");
+
+  private final Set<String> taken = new TreeSet<>();
+  private final Map<Object, String> names = new LinkedHashMap<>();
+
+  /** A name for {@code thing}, the same whenever it is asked for. */
+  String of(Object thing) {
+    return names.computeIfAbsent(thing, this::fresh);
+  }
+
+  /** Takes {@code name}, which is not for any {@code thing}. */
+  void take(String name) {
+    taken.add(name);
+  }
+
+  /** The things, in the order in which they came, and their names. */
+  Map<Object, String> all() {
+    return Collections.unmodifiableMap(names);
+  }
+
+  private String fresh(Object thing) {
+    String plain = plain(thing instanceof ProcessId id ? text(id) : thing.toString());
+    String name = free(plain);
+    for (int i = 2; taken.contains(name); i++) {
+      name = free(plain + "_" + i);
+    }
+    taken.add(name);
+    return name;
+  }
+
+  /** No name that is said to be ours begins with n_. */
+  private static String free(String name) {
+    boolean isReserved =
+        KEYWORDS.contains(name.toLowerCase(Locale.ROOT)) || OURS.matcher(name).matches();
+    return isReserved ? "n_" + name : name;
+  }
+
+  /** {@code text} with nothing in it that an identifier must not have. */
+  static String plain(String text) {
+    String plain = text.replaceAll("[^A-Za-z0-9_]", "_");
+    return plain.matches("[A-Za-z].*") ? plain : "n" + plain;
+  }
+
+  private static String text(ProcessId id) {
+    long start = id.inc() >>> Integer.SIZE;
+    long ofStart = id.inc() & 0xffff_ffffL;
+    return id.robot() + (start == 0 ? "_" : "_" + start + "_") + ofStart;
+  }
+}

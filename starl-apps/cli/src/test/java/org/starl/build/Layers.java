@@ -1,0 +1,164 @@
+package org.starl.build;
+
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
+import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+
+import com.tngtech.archunit.base.DescribedPredicate;
+import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.lang.ArchRule;
+import java.util.List;
+
+/** The laws about who may import whom, each with a class that breaks it. */
+final class Layers {
+
+  /** A law, and a class in test scope that stands in its package and breaks it. */
+  record Law(String name, ArchRule rule, Class<?> brokenBy) {
+    @Override
+    public String toString() {
+      return name;
+    }
+  }
+
+  private static final String[] ABOVE_CORE = {
+    "org.starl.primitives..",
+    "org.starl.sim..",
+    "org.starl.deploy..",
+    "org.starl.apps..",
+    "org.starl.bench..",
+    "org.starl.cli..",
+    "org.starl.workload..",
+    "org.starl.proof..",
+    "org.starl.processes..",
+    "org.starl.deployment..",
+    "org.starl.android..",
+    "org.starl.build..",
+    "org.starl.docs.."
+  };
+  private static final String[] DESKTOP = {"java.awt..", "javax.swing..", "javax.imageio.."};
+  private static final String LOGIC = "org.starl.apps..logic..";
+  private static final String PRIMITIVES = "org.starl.primitives..";
+  private static final String SIM = "org.starl.sim..";
+  private static final String DEPLOY = "org.starl.deploy..";
+
+  private static final DescribedPredicate<JavaClass> CORE =
+      resideInAPackage("org.starl..").and(resideOutsideOfPackages(ABOVE_CORE)).as("core");
+
+  /** What a phone has, and nothing that needs a library. */
+  private static final DescribedPredicate<JavaClass> PLAIN_JAVA =
+      resideInAnyPackage("java..", "javax.crypto..", "org.jspecify..")
+          .or(DescribedPredicate.describe("primitive types", type -> type.isPrimitive()))
+          .and(resideOutsideOfPackages(DESKTOP))
+          .as("the JDK without its desktop");
+
+  static final List<Law> LAWS =
+      List.of(
+          new Law(
+              "core imports the JDK alone",
+              classes().that(CORE).should().onlyDependOnClassesThat(PLAIN_JAVA.or(CORE)),
+              org.starl.fixture.CoreImportsPrimitives.class),
+          new Law(
+              "primitives import core",
+              classes()
+                  .that()
+                  .resideInAPackage(PRIMITIVES)
+                  .should()
+                  .onlyDependOnClassesThat(
+                      PLAIN_JAVA
+                          .or(CORE)
+                          .or(resideInAnyPackage(PRIMITIVES, "org.locationtech.jts.."))),
+              org.starl.primitives.fixture.PrimitiveImportsSimulator.class),
+          new Law(
+              "the simulator imports core",
+              onlyOf(SIM, CORE.or(resideInAPackage(SIM))),
+              org.starl.sim.fixture.SimulatorImportsPrimitive.class),
+          new Law(
+              "the real platform imports core",
+              onlyOf(DEPLOY, CORE.or(resideInAPackage(DEPLOY))),
+              org.starl.robot.fixture.PlatformImportsSimulator.class),
+          new Law(
+              "an app's logic imports core and primitives",
+              classes()
+                  .that()
+                  .resideInAPackage(LOGIC)
+                  .should()
+                  .onlyDependOnClassesThat(
+                      PLAIN_JAVA.or(CORE).or(resideInAnyPackage(PRIMITIVES, LOGIC))),
+              org.starl.apps.fixture.logic.LogicImportsSimulator.class),
+          new Law(
+              "an app's logic runs on Android 8",
+              noClasses()
+                  .that()
+                  .resideInAPackage(LOGIC)
+                  .should()
+                  .accessTargetWhere(AndroidGaps.ACCESS),
+              org.starl.apps.fixture.logic.LogicUsesNewJava.class),
+          new Law(
+              "the kernel imports core alone: no robot, radio, world, fault or observer",
+              onlyOf("org.starl.sim.kernel..", CORE.or(resideInAPackage("org.starl.sim.kernel.."))),
+              org.starl.sim.kernel.fixture.KernelImportsObserver.class),
+          new Law(
+              "a part of the simulator does not know the facade that joins the parts",
+              noClasses()
+                  .that()
+                  .resideInAnyPackage(
+                      "org.starl.sim.input..",
+                      "org.starl.sim.net..",
+                      "org.starl.sim.world..",
+                      "org.starl.sim.fault..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.starl.sim"),
+              org.starl.sim.net.fixture.NetImportsFacade.class),
+          new Law(
+              "the air and the world know no fault by name",
+              noClasses()
+                  .that()
+                  .resideInAnyPackage(
+                      "org.starl.sim.input..", "org.starl.sim.net..", "org.starl.sim.world..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.starl.sim.fault.."),
+              org.starl.sim.net.fixture.NetImportsFault.class),
+          new Law(
+              "the desktop is drawn on in views alone",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackages(
+                      "org.starl.sim.view..", "org.starl.sim.record..", "org.starl.apps..view..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAnyPackage(DESKTOP),
+              org.starl.sim.fixture.SimulatorDraws.class),
+          new Law(
+              "JUnit is for tests alone",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackage("org.starl.sim.junit..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("org.junit.."),
+              org.starl.sim.fixture.SimulatorTests.class),
+          new Law(
+              "Android is the leaf's",
+              noClasses()
+                  .that()
+                  .resideOutsideOfPackage("org.starl.android..")
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAPackage("android.."),
+              org.starl.fixture.CoreImportsAndroid.class));
+
+  private Layers() {}
+
+  /** Of StarL's own packages only these; libraries are the module's business. */
+  private static ArchRule onlyOf(String packages, DescribedPredicate<JavaClass> allowed) {
+    return classes()
+        .that()
+        .resideInAPackage(packages)
+        .should()
+        .onlyDependOnClassesThat(allowed.or(resideOutsideOfPackages("org.starl..")));
+  }
+}

@@ -1,0 +1,59 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.PrintWriter;
+import java.io.StringWriter;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+
+class RunProgressTest {
+
+  private static final long S = 1_000_000_000;
+
+  private final StringWriter out = new StringWriter();
+  private long nowNs;
+
+  /** Events of 100 simulated seconds, of which each takes so many ns. */
+  private void run(boolean isTerminal, long perSecondNs) {
+    PrintWriter err = new PrintWriter(out, true);
+    ProgressLine line = new ProgressLine(err, "simulated seconds at most", isTerminal, () -> nowNs);
+    RunProgress progress = new RunProgress(line, 200 * S);
+    for (int second = 1; second <= 100; second++) {
+      nowNs += perSecondNs;
+      for (int i = 0; i < 1000; i++) {
+        progress.observed(new TraceEvent.Left(second * S, new RobotId("bot0")));
+      }
+    }
+    progress.end();
+    err.println("next");
+  }
+
+  @Test
+  void aLongRunIsToldOfInSimulatedTime() {
+    run(false, S / 2);
+    assertThat(out.toString().lines())
+        .containsExactly(
+            "20 of 200 simulated seconds at most; 2.0 a second, 1 min 30 s left",
+            "40 of 200 simulated seconds at most; 2.0 a second, 1 min 20 s left",
+            "60 of 200 simulated seconds at most; 2.0 a second, 1 min 10 s left",
+            "80 of 200 simulated seconds at most; 2.0 a second, 1 min 0 s left",
+            "100 of 200 simulated seconds at most; 2.0 a second, 50 s left",
+            "next");
+  }
+
+  @Test
+  void aShortRunIsNotToldOf() {
+    run(false, S / 100);
+    run(true, S / 100);
+    assertThat(out.toString().lines()).containsExactly("next", "next");
+  }
+
+  @Test
+  void whatComesNextBeginsOnALineOfItsOwn() {
+    run(true, S / 2);
+    assertThat(out.toString()).contains("[###############...............] 100 of 200");
+    assertThat(out.toString().lines().reduce((a, b) -> b)).contains("next");
+  }
+}

@@ -1,0 +1,82 @@
+package org.starl.workload;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.starl.id.RobotId;
+import org.starl.apps.Demo;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.sim.SimSettings;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+
+/** Runs of workloads, as the command line makes them. */
+final class Runs {
+
+  private Runs() {}
+
+  static Demo demo(String name) {
+    return PrimitiveWorkloads.ALL.stream()
+        .filter(demo -> demo.name().equals(name))
+        .findFirst()
+        .orElseThrow();
+  }
+
+  /**
+   * @param set parameters and settings alike, as {@code --set} takes them
+   */
+  static Plan plan(String name, long seed, Map<String, String> set) {
+    Demo demo = demo(name);
+    SortedMap<String, String> parameters = new TreeMap<>();
+    demo.parameters().forEach(p -> parameters.put(p.key(), p.defaultValue()));
+    SortedMap<String, String> settings = new TreeMap<>(Map.of("duration", "1200s"));
+    set.forEach(
+        (key, value) -> (parameters.containsKey(key) ? parameters : settings).put(key, value));
+    Request request = new Request(seed, OptionalInt.empty(), parameters);
+    SimSettings.Builder builder = demo.defaultSettings(request);
+    settings.forEach(builder::set);
+    Plan plan = demo.plan(request, builder.build());
+    plan.simulation().name(name).seed(seed);
+    return plan;
+  }
+
+  /**
+   * What came of a run.
+   *
+   * @param faults how many have begun
+   * @param servedAfterHealing how often each robot was served after the last fault
+   */
+  record Ended(SimResult result, long faults, SortedMap<RobotId, Integer> servedAfterHealing) {}
+
+  static Ended run(Plan plan) {
+    List<String> faults = new ArrayList<>();
+    SortedMap<RobotId, Integer> served = new TreeMap<>();
+    plan.simulation()
+        .observer(
+            new SimObserver() {
+              @Override
+              public void observed(TraceEvent event) {
+                if (event instanceof Fault fault) {
+                  if (fault.name().equals(Fault.BEGIN)) {
+                    faults.add(fault.detail());
+                  } else if (fault.name().equals(Fault.HEALED)) {
+                    served.clear();
+                  }
+                } else if (event instanceof Action action
+                    && action.source().equals(Client.SOURCE)
+                    && action.name().equals(Client.SERVED)) {
+                  served.merge(action.robot(), 1, Integer::sum);
+                }
+              }
+            });
+    SimResult result = plan.simulation().build().run();
+    return new Ended(result, faults.size(), served);
+  }
+}

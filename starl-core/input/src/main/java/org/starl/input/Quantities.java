@@ -1,0 +1,255 @@
+package org.starl.input;
+
+import java.math.BigDecimal;
+import java.math.BigInteger;
+import java.math.RoundingMode;
+import java.util.Collection;
+import java.util.Collections;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+
+/**
+ * Reads quantities as people write them: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
+ * throws {@link BadInput} with the text and what was expected; the caller knows where it stood, and
+ * says so with {@link #in}.
+ */
+public final class Quantities {
+
+  /** A number without its sign. */
+  static final String NUMBER = "[0-9]{1,19}(?:\\.[0-9]{1,18})?";
+
+  private static final Pattern NUMBER_AND_UNIT =
+      Pattern.compile("([+-]?" + NUMBER + ")\\s*([a-z]*)");
+
+  private static final Pattern WHOLE = Pattern.compile("[+-]?[0-9]{1,1000}");
+
+  private static final Map<String, BigDecimal> NS_PER_UNIT = new LinkedHashMap<>();
+  private static final Map<String, BigDecimal> MM_PER_UNIT = new LinkedHashMap<>();
+
+  static {
+    NS_PER_UNIT.put("ns", BigDecimal.ONE);
+    NS_PER_UNIT.put("us", BigDecimal.valueOf(1_000));
+    NS_PER_UNIT.put("ms", BigDecimal.valueOf(1_000_000));
+    NS_PER_UNIT.put("s", BigDecimal.valueOf(1_000_000_000));
+    NS_PER_UNIT.put("min", BigDecimal.valueOf(60_000_000_000L));
+    NS_PER_UNIT.put("h", BigDecimal.valueOf(3_600_000_000_000L));
+    MM_PER_UNIT.put("", BigDecimal.ONE);
+    MM_PER_UNIT.put("mm", BigDecimal.ONE);
+    MM_PER_UNIT.put("cm", BigDecimal.TEN);
+    MM_PER_UNIT.put("m", BigDecimal.valueOf(1_000));
+  }
+
+  private static final BigDecimal LONGEST_NS = BigDecimal.valueOf(Long.MAX_VALUE / 4);
+  static final BigDecimal LONGEST_MM = BigDecimal.valueOf(1_000_000_000);
+
+  private Quantities() {}
+
+  static Collection<String> durationUnits() {
+    return Collections.unmodifiableCollection(NS_PER_UNIT.keySet());
+  }
+
+  static Collection<String> distanceUnits() {
+    return Collections.unmodifiableCollection(MM_PER_UNIT.keySet());
+  }
+
+  /** Units of time that a rate counts by. */
+  static Collection<String> rateUnits() {
+    return NS_PER_UNIT.keySet().stream().filter(Quantities::isRateUnit).toList();
+  }
+
+  private static boolean isRateUnit(String unit) {
+    BigDecimal ns = NS_PER_UNIT.get(unit);
+    return ns != null && ns.compareTo(BigDecimal.valueOf(1_000_000_000)) >= 0;
+  }
+
+  /** A time span of at least 0, in ns: {@code 250us}, {@code 100ms}, {@code 1.5s}, {@code 0}. */
+  public static long durationNs(String text) {
+    String expected = "a duration with a unit (ns us ms s min h), such as 100ms";
+    Matcher matcher = match(text, expected);
+    BigDecimal number = new BigDecimal(matcher.group(1));
+    BigDecimal unit = NS_PER_UNIT.get(matcher.group(2));
+    if (unit == null && number.signum() == 0 && matcher.group(2).isEmpty()) {
+      return 0;
+    }
+    if (unit == null || number.signum() < 0) {
+      throw notA(text, expected);
+    }
+    BigDecimal ns = number.multiply(unit);
+    if (ns.compareTo(LONGEST_NS) > 0) {
+      throw notA(text, "a duration below 70 years");
+    }
+    return ns.setScale(0, RoundingMode.HALF_UP).longValueExact();
+  }
+
+  /** The shortest text that {@link #durationNs} reads as {@code ns}: {@code 15ms}. */
+  public static String durationText(long ns) {
+    if (ns == 0) {
+      return "0ms";
+    }
+    if (ns % 1_000_000_000 == 0) {
+      return ns / 1_000_000_000 + "s";
+    }
+    if (ns % 1_000_000 == 0) {
+      return ns / 1_000_000 + "ms";
+    }
+    return ns % 1_000 == 0 ? ns / 1_000 + "us" : ns + "ns";
+  }
+
+  /** A distance of at least 0, in mm: {@code 165}, {@code 20mm}, {@code 2.5cm}, {@code 3m}. */
+  public static double distanceMm(String text) {
+    String expected = "a distance of at least 0 (mm cm m; mm where no unit stands), such as 20mm";
+    Matcher matcher = match(text, expected);
+    BigDecimal number = new BigDecimal(matcher.group(1));
+    BigDecimal unit = MM_PER_UNIT.get(matcher.group(2));
+    if (unit == null || number.signum() < 0) {
+      throw notA(text, expected);
+    }
+    BigDecimal mm = number.multiply(unit);
+    if (mm.compareTo(LONGEST_MM) > 0) {
+      throw notA(text, "a distance below 1000 km");
+    }
+    return mm.doubleValue();
+  }
+
+  /** The text that {@link #distanceMm} reads as {@code mm}: {@code 165mm}. */
+  public static String distanceText(double mm) {
+    return numberText(mm) + "mm";
+  }
+
+  /** A speed of at least 0, in mm/s: {@code 500}, {@code 500mm/s}, {@code 0.5m/s}. */
+  public static double speedMmPerS(String text) {
+    String stripped = text.strip();
+    try {
+      return distanceMm(
+          stripped.endsWith("/s") ? stripped.substring(0, stripped.length() - 2) : stripped);
+    } catch (BadInput noDistance) {
+      throw notA(text, "a speed of at least 0 (mm/s m/s; mm/s where no unit stands)");
+    }
+  }
+
+  /** The text that {@link #speedMmPerS} reads as {@code mmPerS}: {@code 500mm/s}. */
+  public static String speedText(double mmPerS) {
+    return distanceText(mmPerS) + "/s";
+  }
+
+  /** A number of at least 0 without a unit. */
+  public static double number(String text) {
+    String expected = "a number of at least 0, such as 2.5";
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    if (!matcher.group(2).isEmpty() || number < 0) {
+      throw notA(text, expected);
+    }
+    return number;
+  }
+
+  /** How often something happens on average, above 0, in 1/s: {@code 20/min}, {@code 0.5/s}. */
+  public static double rateHz(String text) {
+    String expected = "a rate above 0 with a unit (/s /min /h), such as 20/min";
+    String stripped = text.strip();
+    int slash = stripped.indexOf('/');
+    String per = slash < 0 ? "" : stripped.substring(slash + 1).strip();
+    BigDecimal unit = NS_PER_UNIT.get(per);
+    if (unit == null || !isRateUnit(per)) {
+      throw notA(text, expected);
+    }
+    Matcher matcher = NUMBER_AND_UNIT.matcher(stripped.substring(0, slash).strip());
+    if (!matcher.matches() || !matcher.group(2).isEmpty()) {
+      throw notA(text, expected);
+    }
+    double number = Double.parseDouble(matcher.group(1));
+    if (number <= 0) {
+      throw notA(text, expected);
+    }
+    return number * 1e9 / unit.doubleValue();
+  }
+
+  /** An angle of at least 0, in radians: {@code 3deg}, {@code 0.05rad}, {@code 0}. */
+  public static double angleRad(String text) {
+    String expected = "an angle of at least 0 with a unit (deg rad), such as 3deg";
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    String unit = matcher.group(2);
+    if (number < 0 || (unit.isEmpty() && number != 0)) {
+      throw notA(text, expected);
+    }
+    return switch (unit) {
+      case "" -> 0;
+      case "rad" -> number;
+      case "deg" -> StrictMath.toRadians(number);
+      default -> throw notA(text, expected);
+    };
+  }
+
+  /** The text that {@link #angleRad} reads as {@code rad}: {@code 0.05rad}. */
+  public static String angleText(double rad) {
+    return numberText(rad) + "rad";
+  }
+
+  /** A probability from 0 to 1. */
+  public static double probability(String text) {
+    String expected = "a probability from 0 to 1, such as 0.05";
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    if (!matcher.group(2).isEmpty() || number < 0 || number > 1) {
+      throw notA(text, expected);
+    }
+    return number;
+  }
+
+  /** A whole number from {@code min} to {@code max}. */
+  public static long whole(String text, long min, long max) {
+    String bound =
+        max >= Integer.MAX_VALUE
+            ? (min == Long.MIN_VALUE ? "" : " of at least " + min)
+            : " from " + min + " to " + max;
+    String expected = "a whole number" + bound;
+    if (WHOLE.matcher(text.strip()).matches()
+        && new BigInteger(text.strip()).compareTo(BigInteger.valueOf(max)) > 0) {
+      throw notA(text, "a whole number from " + min + " to " + max);
+    }
+    long number;
+    try {
+      number = Long.parseLong(text.strip());
+    } catch (NumberFormatException notANumber) {
+      throw notA(text, expected);
+    }
+    if (number < min || number > max) {
+      throw notA(text, expected);
+    }
+    return number;
+  }
+
+  /** {@code true} or {@code false}. */
+  public static boolean yesOrNo(String text) {
+    return switch (text.strip()) {
+      case "true", "yes", "on" -> true;
+      case "false", "no", "off" -> false;
+      default -> throw notA(text, "true or false");
+    };
+  }
+
+  /** The same error with where it stood before it: {@code --loss: '2': expected ...}. */
+  public static BadInput in(String where, BadInput error) {
+    return new BadInput(where + ": " + error.getMessage());
+  }
+
+  /** A finite number without an exponent, so that every reader here reads it back. */
+  public static String numberText(double number) {
+    return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+  }
+
+  private static Matcher match(String text, String expected) {
+    Matcher matcher = NUMBER_AND_UNIT.matcher(text.strip());
+    if (!matcher.matches()) {
+      throw notA(text, expected);
+    }
+    return matcher;
+  }
+
+  private static BadInput notA(String text, String expected) {
+    return new BadInput(BadInput.quote(text) + ": expected " + expected);
+  }
+}

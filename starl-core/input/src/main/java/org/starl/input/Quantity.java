@@ -1,0 +1,53 @@
+package org.starl.input;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+
+/** What {@link Quantities} reads, as regular expressions that any language knows. */
+public enum Quantity {
+  /** {@link Quantities#number}. */
+  NUMBER("", Double.POSITIVE_INFINITY),
+  /** {@link Quantities#probability}: from 0 to 1. */
+  PROBABILITY("", 1),
+  /** {@link Quantities#durationNs}. */
+  DURATION(anyOf(Quantities.durationUnits()), 0),
+  /** {@link Quantities#distanceMm}. */
+  DISTANCE(anyOf(Quantities.distanceUnits()) + "?", Quantities.LONGEST_MM.doubleValue()),
+  /** {@link Quantities#speedMmPerS}. */
+  SPEED(anyOf(Quantities.distanceUnits()) + "?(/s)?", Quantities.LONGEST_MM.doubleValue()),
+  /** {@link Quantities#angleRad}. */
+  ANGLE("(deg|rad)", 0),
+  /** {@link Quantities#rateHz}. */
+  RATE("/\\s*" + anyOf(Quantities.rateUnits()), -1);
+
+  private final String unit;
+  private final double mostWithoutUnit;
+
+  Quantity(String unit, double mostWithoutUnit) {
+    this.unit = unit;
+    this.mostWithoutUnit = mostWithoutUnit;
+  }
+
+  /** The greatest number that may stand alone; 0 if none but that, below 0 if not even that. */
+  public double mostWithoutUnit() {
+    return mostWithoutUnit;
+  }
+
+  /** Matches every text of a value, as a whole. */
+  public String pattern() {
+    String bareZero = mostWithoutUnit != 0 ? "" : "|0+(\\.0+)?";
+    return "^\\s*(\\+?" + Quantities.NUMBER + "\\s*" + unit + bareZero + ")\\s*$";
+  }
+
+  /** Matches every text of a value above 0, as a whole: some digit is none. */
+  public String patternAbove0() {
+    return "^(?=[^1-9]*[1-9])\\s*\\+?" + Quantities.NUMBER + "\\s*" + unit + "\\s*$";
+  }
+
+  private static String anyOf(Collection<String> units) {
+    List<String> words = new ArrayList<>(units);
+    words.remove("");
+    return "(" + String.join("|", words) + ")";
+  }
+}

@@ -1,0 +1,50 @@
+package org.starl.gvh;
+
+import org.starl.id.RobotId;
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.platform.Clock;
+import org.starl.trace.TraceSink;
+import org.starl.trace.TraceEvent;
+
+/** {@code gvh.trace}: tells what this robot does, under the names that the paper and PVS use. */
+public final class Trace {
+
+  private final RobotId robot;
+  private final Clock clock;
+  private final TraceSink sink;
+
+  Trace(RobotId robot, Clock clock, TraceSink sink) {
+    this.robot = robot;
+    this.clock = clock;
+    this.sink = sink;
+  }
+
+  /** Whether anybody listens: ask before building costly arguments. */
+  public boolean isOn() {
+    return sink.isOn();
+  }
+
+  /**
+   * An atomic action, such as {@code mutex/crossing do_mutex A C}.
+   *
+   * @param source {@code app}, or a primitive and its instance
+   */
+  public void action(String source, String name, Object... args) {
+    if (sink.isOn()) {
+      List<String> texts = new ArrayList<>(args.length);
+      for (Object arg : args) {
+        texts.add(String.valueOf(arg));
+      }
+      sink.record(new TraceEvent.Action(clock.nowNs(), robot, source, name, List.copyOf(texts)));
+    }
+  }
+
+  /** A new value of a variable. */
+  public void variable(String source, String name, Object value) {
+    if (sink.isOn()) {
+      sink.record(
+          new TraceEvent.Variable(clock.nowNs(), robot, source, name, String.valueOf(value)));
+    }
+  }
+}

@@ -1,0 +1,42 @@
+package org.starl.id;
+
+/**
+ * A participant of a primitive: a robot and an incarnation number that this robot never uses twice.
+ * A robot that restarts, or registers again, is another participant; nobody ever revives an id.
+ *
+ * @param inc above 0; later ids of one robot have higher numbers
+ */
+public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId> {
+
+  public ProcessId {
+    if (inc <= 0) {
+      throw new IllegalArgumentException("incarnation " + inc + ": expected above 0");
+    }
+  }
+
+  @Override
+  public int compareTo(ProcessId other) {
+    int byRobot = robot.compareTo(other.robot);
+    return byRobot != 0 ? byRobot : Long.compare(inc, other.inc);
+  }
+
+  /** {@code bot3#4294967297}: robot, then incarnation. */
+  @Override
+  public String toString() {
+    return robot + "#" + inc;
+  }
+
+  /**
+   * Reads what {@link #toString} wrote.
+   *
+   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   */
+  public static ProcessId parse(String text) {
+    int hash = text.indexOf('#');
+    if (hash < 0) {
+      throw new IllegalArgumentException("participant '" + text + "': expected robot#incarnation");
+    }
+    return new ProcessId(
+        new RobotId(text.substring(0, hash)), Long.parseLong(text.substring(hash + 1)));
+  }
+}

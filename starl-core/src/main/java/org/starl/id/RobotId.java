@@ -1,0 +1,135 @@
+package org.starl.id;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A robot's name, unique in its deployment: 1 to 32 letters, digits, {@code _}, {@code -} or {@code
+ * .}, beginning with a letter. Ordered as people order them: {@code bot2} before {@code bot10}.
+ */
+public final class RobotId implements Comparable<RobotId> {
+
+  public static final int MAX_LENGTH = 32;
+
+  private final String name;
+
+  // Looked up and compared with every message: so the name itself, which is elsewhere in memory, is
+  // mostly not read.
+  private final int hash;
+
+  public RobotId(String name) {
+    if (!isValid(name)) {
+      throw new IllegalArgumentException(
+          "robot name '" + name + "': expected a letter, then up to 31 of A-Z a-z 0-9 _ - .");
+    }
+    this.name = name;
+    this.hash = name.hashCode();
+  }
+
+  public String name() {
+    return name;
+  }
+
+  public static boolean isValid(String name) {
+    if (name.isEmpty() || name.length() > MAX_LENGTH || !isLetter(name.charAt(0))) {
+      return false;
+    }
+    for (int i = 1; i < name.length(); i++) {
+      char c = name.charAt(i);
+      if (!isLetter(c) && !isDigit(c) && c != '_' && c != '-' && c != '.') {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Compares runs of digits by their value, everything else by character; total. */
+  @Override
+  public int compareTo(RobotId other) {
+    if (this == other) {
+      return 0;
+    }
+    String a = name;
+    String b = other.name;
+    int i = 0;
+    int j = 0;
+    while (i < a.length() && j < b.length()) {
+      if (isDigit(a.charAt(i)) && isDigit(b.charAt(j))) {
+        int iEnd = endOfDigits(a, i);
+        int jEnd = endOfDigits(b, j);
+        int byValue = compareDigits(a, i, iEnd, b, j, jEnd);
+        if (byValue != 0) {
+          return byValue;
+        }
+        i = iEnd;
+        j = jEnd;
+      } else {
+        int byCharacter = Character.compare(a.charAt(i), b.charAt(j));
+        if (byCharacter != 0) {
+          return byCharacter;
+        }
+        i++;
+        j++;
+      }
+    }
+    int byRest = Integer.compare(a.length() - i, b.length() - j);
+    // Equal values with unequal leading zeros are different names.
+    return byRest != 0 ? byRest : a.compareTo(b);
+  }
+
+  private static int compareDigits(String a, int i, int iEnd, String b, int j, int jEnd) {
+    int from = skipZeros(a, i, iEnd);
+    int otherFrom = skipZeros(b, j, jEnd);
+    int byLength = Integer.compare(iEnd - from, jEnd - otherFrom);
+    if (byLength != 0) {
+      return byLength;
+    }
+    for (int k = 0; k < iEnd - from; k++) {
+      int byDigit = Character.compare(a.charAt(from + k), b.charAt(otherFrom + k));
+      if (byDigit != 0) {
+        return byDigit;
+      }
+    }
+    return 0;
+  }
+
+  private static int skipZeros(String s, int from, int end) {
+    int i = from;
+    while (i < end - 1 && s.charAt(i) == '0') {
+      i++;
+    }
+    return i;
+  }
+
+  private static int endOfDigits(String s, int from) {
+    int i = from;
+    while (i < s.length() && isDigit(s.charAt(i))) {
+      i++;
+    }
+    return i;
+  }
+
+  private static boolean isLetter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+  }
+
+  private static boolean isDigit(char c) {
+    return c >= '0' && c <= '9';
+  }
+
+  @Override
+  public boolean equals(@Nullable Object other) {
+    return this == other
+        || (other instanceof RobotId that && hash == that.hash && name.equals(that.name));
+  }
+
+  /** That of the name. */
+  @Override
+  public int hashCode() {
+    return hash;
+  }
+
+  @Override
+  public String toString() {
+    return name;
+  }
+}

@@ -1,0 +1,65 @@
+package org.starl.gvh;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.starl.id.RobotId;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.starl.trace.TraceSink;
+import org.starl.trace.TraceEvent;
+
+class GvhCellTest {
+
+  private static final RobotId ROBOT = new RobotId("bot0");
+
+  private final List<TraceEvent> events = new ArrayList<>();
+  private long nowNs;
+
+  private final TraceSink sink =
+      new TraceSink() {
+        @Override
+        public boolean isOn() {
+          return true;
+        }
+
+        @Override
+        public void record(TraceEvent event) {
+          events.add(event);
+        }
+      };
+
+  private final GvhCell<Boolean> crit =
+      new GvhCell<>(new Trace(ROBOT, () -> nowNs, sink), "mutex/crossing", "crit", false);
+
+  private static TraceEvent variable(long timeNs, String value) {
+    return new TraceEvent.Variable(timeNs, ROBOT, "mutex/crossing", "crit", value);
+  }
+
+  @Test
+  void theFirstValueIsTraced() {
+    assertThat(crit.get()).isFalse();
+    assertThat(events).containsExactly(variable(0, "false"));
+  }
+
+  @Test
+  void onlyChangesAreTraced() {
+    nowNs = 5;
+    crit.set(true);
+    nowNs = 6;
+    crit.set(true);
+    nowNs = 7;
+    crit.set(false);
+    assertThat(events)
+        .containsExactly(variable(0, "false"), variable(5, "true"), variable(7, "false"));
+  }
+
+  @Test
+  void readersSeeTheNewestValueAndWhoseItIs() {
+    GvhVariable<Boolean> reader = crit;
+    crit.set(true);
+    assertThat(reader.get()).isTrue();
+    assertThat(reader.source()).isEqualTo("mutex/crossing");
+    assertThat(reader.name()).isEqualTo("crit");
+  }
+}

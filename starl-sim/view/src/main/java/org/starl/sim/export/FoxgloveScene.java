@@ -1,0 +1,166 @@
+package org.starl.sim.export;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ArrayNode;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import org.starl.id.RobotId;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.platform.LogSink.Level;
+import org.starl.spec.Bodies;
+
+/**
+ * What a run looks like in Foxglove's messages, as JSON
+ * (docs.foxglove.dev/docs/visualization/message-schemas). Everything is in one frame, {@code world},
+ * in metres; z points up from the floor.
+ */
+final class FoxgloveScene {
+
+  private static final String FRAME = "world";
+  private static final double MM_PER_M = 1000;
+  private static final long NS_PER_S = 1_000_000_000;
+  private static final double BODY_HEIGHT_M = 0.09; // an iRobot Create's
+  private static final double WALL_WIDTH_M = 0.02;
+  private static final int LINE_STRIP = 0;
+  private static final int LINE_LOOP = 1;
+
+  private final ObjectMapper json;
+
+  FoxgloveScene(ObjectMapper json) {
+    this.json = json;
+  }
+
+  /** A {@code foxglove.SceneUpdate} that changes nothing yet. */
+  ObjectNode update() {
+    ObjectNode update = json.createObjectNode();
+    update.putArray("deletions");
+    update.putArray("entities");
+    return update;
+  }
+
+  /** A {@code foxglove.SceneUpdate} that takes away what {@code id} stands for. */
+  ObjectNode deletion(long timeNs, String id) {
+    ObjectNode update = update();
+    ObjectNode deletion = update.withArray("deletions").addObject();
+    time(deletion.putObject("timestamp"), timeNs);
+    deletion.put("type", 0).put("id", id);
+    return update;
+  }
+
+  void addObstacle(ObjectNode update, String id, Obstacle obstacle) {
+    ObjectNode entity = entity(update, 0, id);
+    ObjectNode line = entity.withArray("lines").addObject();
+    line.put("type", obstacle.closed() ? LINE_LOOP : LINE_STRIP);
+    pose(line.putObject("pose"), 0, 0, 0, 0);
+    line.put("thickness", WALL_WIDTH_M).put("scale_invariant", false);
+    ArrayNode points = line.putArray("points");
+    for (Point point : obstacle.points()) {
+      xyz(points.addObject(), point.xMm() / MM_PER_M, point.yMm() / MM_PER_M, 0);
+    }
+    if (obstacle.hidden()) {
+      colour(line.putObject("color"), 0.69, 0.25, 0.13);
+    } else {
+      colour(line.putObject("color"), 0.33, 0.33, 0.33);
+    }
+    line.putArray("colors");
+    line.putArray("indices");
+  }
+
+  void addBody(ObjectNode update, long timeNs, String id, Bodies bodies, RobotId robot) {
+    ObjectNode entity = entity(update, timeNs, id);
+    Pose at = bodies.poseAt(robot, timeNs);
+    double diameterM = 2 * bodies.radiusMm(robot) / MM_PER_M;
+    double xM = at.xMm() / MM_PER_M;
+    double yM = at.yMm() / MM_PER_M;
+    ObjectNode disc = entity.withArray("cylinders").addObject();
+    pose(disc.putObject("pose"), xM, yM, BODY_HEIGHT_M / 2, 0);
+    xyz(disc.putObject("size"), diameterM, diameterM, BODY_HEIGHT_M);
+    disc.put("bottom_scale", 1).put("top_scale", 1);
+    colour(disc.putObject("color"), 0, 0.45, 0.7);
+    ObjectNode heading = entity.withArray("arrows").addObject();
+    pose(heading.putObject("pose"), xM, yM, BODY_HEIGHT_M, at.headingRad());
+    heading
+        .put("shaft_length", diameterM / 2)
+        .put("shaft_diameter", diameterM / 16)
+        .put("head_length", diameterM / 6)
+        .put("head_diameter", diameterM / 8);
+    colour(heading.putObject("color"), 0.9, 0.62, 0);
+    ObjectNode name = entity.withArray("texts").addObject();
+    pose(name.putObject("pose"), xM, yM, 2 * BODY_HEIGHT_M, 0);
+    name.put("billboard", true).put("font_size", 12).put("scale_invariant", true);
+    colour(name.putObject("color"), 0.13, 0.13, 0.13);
+    name.put("text", robot.name());
+  }
+
+  /** A {@code foxglove.PoseInFrame}. */
+  ObjectNode pose(long timeNs, Bodies bodies, RobotId robot) {
+    Pose at = bodies.poseAt(robot, timeNs);
+    ObjectNode message = json.createObjectNode();
+    time(message.putObject("timestamp"), timeNs);
+    message.put("frame_id", FRAME);
+    pose(message.putObject("pose"), at.xMm() / MM_PER_M, at.yMm() / MM_PER_M, 0, at.headingRad());
+    return message;
+  }
+
+  /** A {@code foxglove.Log}. */
+  ObjectNode log(long timeNs, Level level, String name, String text) {
+    ObjectNode message = json.createObjectNode();
+    time(message.putObject("timestamp"), timeNs);
+    int number =
+        switch (level) {
+          case DEBUG -> 1;
+          case INFO -> 2;
+          case WARN -> 3;
+          case ERROR -> 4;
+        };
+    return message
+        .put("level", number)
+        .put("message", text)
+        .put("name", name)
+        .put("file", "")
+        .put("line", 0);
+  }
+
+  private ObjectNode entity(ObjectNode update, long timeNs, String id) {
+    ObjectNode entity = update.withArray("entities").addObject();
+    time(entity.putObject("timestamp"), timeNs);
+    entity.put("frame_id", FRAME).put("id", id);
+    time(entity.putObject("lifetime"), 0); // until it is replaced
+    entity.put("frame_locked", false);
+    for (String kind :
+        new String[] {
+          "metadata",
+          "arrows",
+          "cubes",
+          "spheres",
+          "cylinders",
+          "lines",
+          "triangles",
+          "texts",
+          "models"
+        }) {
+      entity.putArray(kind);
+    }
+    return entity;
+  }
+
+  private static void time(ObjectNode node, long timeNs) {
+    node.put("sec", timeNs / NS_PER_S).put("nsec", timeNs % NS_PER_S);
+  }
+
+  private static void xyz(ObjectNode node, double x, double y, double z) {
+    node.put("x", x).put("y", y).put("z", z);
+  }
+
+  private static void pose(ObjectNode node, double xM, double yM, double zM, double headingRad) {
+    xyz(node.putObject("position"), xM, yM, zM);
+    ObjectNode turn = node.putObject("orientation");
+    xyz(turn, 0, 0, StrictMath.sin(headingRad / 2));
+    turn.put("w", StrictMath.cos(headingRad / 2));
+  }
+
+  private static void colour(ObjectNode node, double red, double green, double blue) {
+    node.put("r", red).put("g", green).put("b", blue).put("a", 1);
+  }
+}

@@ -1,0 +1,233 @@
+package org.starl.sim.export;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.io.UncheckedIOException;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.geometry.Obstacles;
+import org.starl.platform.LogSink.Level;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.spec.Bodies;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+
+/**
+ * Writes a run as an MCAP file, which Foxglove and other tools of roboticists open. Times are those of
+ * the run, in ns from its start; lengths are in metres, as such tools expect.
+ *
+ * <ul>
+ *   <li>{@code /scene}, {@code foxglove.SceneUpdate}: obstacles once, and bodies every 50 ms of their
+ *       movement, from the run's true motion;
+ *   <li>{@code /pose/ROBOT}, {@code foxglove.PoseInFrame}, as often;
+ *   <li>{@code /log}, {@code foxglove.Log}: actions, faults, what robots log, and what violates a
+ *       specification;
+ *   <li>{@code /variables}, {@code starl.Variable}: each change of a variable;
+ *   <li>{@code /messages}, {@code starl.Message}: each datagram sent, delivered or dropped.
+ * </ul>
+ */
+public final class McapRecorder implements SimObserver, Closeable {
+
+  private static final long STEP_NS = 50_000_000;
+
+  private final OutputStream out;
+  private final Obstacles obstacles;
+  private final ObjectMapper json = new ObjectMapper();
+  private final FoxgloveScene scene = new FoxgloveScene(json);
+  private final Bodies bodies = new Bodies();
+  private final SortedMap<RobotId, Integer> poseChannels = new TreeMap<>();
+  private final Set<RobotId> moved = new TreeSet<>();
+  private @Nullable McapWriter writer;
+  private int sceneChannel;
+  private int logChannel;
+  private int variables;
+  private int messages;
+  private int poseSchema;
+  private long nextStepNs;
+  private long lastNs;
+
+  /**
+   * @param out closed by {@link #close}
+   * @param obstacles of the world, hidden ones included
+   */
+  public McapRecorder(OutputStream out, Obstacles obstacles) {
+    this.out = out;
+    this.obstacles = obstacles;
+  }
+
+  @Override
+  public void started(TraceHeader header) {
+    try {
+      McapWriter begun = new McapWriter(out, "StarL " + header.starl());
+      writer = begun;
+      sceneChannel =
+          begun.channel(begun.schema("foxglove.SceneUpdate", McapSchemas.SCENE), "/scene");
+      logChannel = begun.channel(begun.schema("foxglove.Log", McapSchemas.LOG), "/log");
+      variables = begun.channel(begun.schema("starl.Variable", McapSchemas.VARIABLE), "/variables");
+      messages = begun.channel(begun.schema("starl.Message", McapSchemas.MESSAGE), "/messages");
+      poseSchema = begun.schema("foxglove.PoseInFrame", McapSchemas.POSE);
+    } catch (IOException e) {
+      throw unwritable(e);
+    }
+    ObjectNode update = scene.update();
+    for (int i = 0; i < obstacles.all().size(); i++) {
+      scene.addObstacle(update, "obstacle" + i, obstacles.all().get(i));
+    }
+    write(sceneChannel, 0, update);
+    log(0, Level.INFO, header.scenario(), "seed " + header.scenarioSeed());
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    advance(event.timeNs());
+    bodies.observe(event);
+    long timeNs = event.timeNs();
+    String robot = event.robot().name();
+    switch (event) {
+      case TraceEvent.Action action ->
+          log(timeNs, Level.INFO, robot, action.source() + " " + action.name() + action.args());
+      case TraceEvent.Variable variable ->
+          write(
+              variables,
+              timeNs,
+              json.createObjectNode()
+                  .put("robot", robot)
+                  .put("source", variable.source())
+                  .put("name", variable.name())
+                  .put("value", variable.value()));
+      case TraceEvent.Sent sent ->
+          write(
+              messages,
+              timeNs,
+              message("sent", robot, sent.to(), sent.channel(), sent.seq())
+                  .put("bytes", sent.bytes())
+                  .put("text", sent.message()));
+      case TraceEvent.Delivered delivered ->
+          write(
+              messages,
+              timeNs,
+              message(
+                      "delivered",
+                      delivered.from().name(),
+                      robot,
+                      delivered.channel(),
+                      delivered.seq())
+                  .put("text", delivered.message()));
+      case TraceEvent.Dropped dropped ->
+          write(
+              messages,
+              timeNs,
+              message("dropped", dropped.from(), robot, "", 0).put("why", dropped.why()));
+      case TraceEvent.Joined joined -> moved.add(joined.robot());
+      case TraceEvent.Moved motion -> moved.add(motion.robot());
+      case TraceEvent.Left left -> {
+        moved.remove(left.robot());
+        write(sceneChannel, timeNs, scene.deletion(timeNs, robot));
+      }
+      case TraceEvent.Fault fault ->
+          log(timeNs, Level.WARN, robot, fault.name() + " " + fault.detail());
+      case TraceEvent.Intervention intervention -> {
+        String what = intervention.name() + " " + intervention.detail();
+        log(timeNs, Level.WARN, robot, "a person: " + what);
+      }
+    }
+  }
+
+  @Override
+  public void violated(SpecReport.Violation violation) {
+    // What a specification finds may lie in the past; a file's times do not go back.
+    log(lastNs, Level.ERROR, "specification", violation.toString());
+  }
+
+  @Override
+  public void logged(long timeNs, RobotId robot, Level level, String tag, String line) {
+    advance(timeNs);
+    log(timeNs, level, robot.name(), tag + ": " + line);
+  }
+
+  @Override
+  public void finished(SimResult result) {
+    advance(result.endNs());
+  }
+
+  /**
+   * Writes the rest.
+   *
+   * @throws IOException if that cannot be written
+   */
+  @Override
+  public void close() throws IOException {
+    if (writer == null) {
+      out.close();
+    } else {
+      writer.close();
+    }
+  }
+
+  /** Writes where bodies were at each step before {@code timeNs}. */
+  private void advance(long timeNs) {
+    while (nextStepNs <= timeNs) {
+      ObjectNode update = null;
+      for (RobotId robot : List.copyOf(bodies.robots())) {
+        if (bodies.isMoving(robot) || moved.contains(robot)) {
+          update = update == null ? scene.update() : update;
+          scene.addBody(update, nextStepNs, robot.name(), bodies, robot);
+          write(poseChannel(robot), nextStepNs, scene.pose(nextStepNs, bodies, robot));
+        }
+      }
+      moved.clear();
+      if (update != null) {
+        write(sceneChannel, nextStepNs, update);
+      }
+      nextStepNs += STEP_NS;
+    }
+    lastNs = timeNs;
+  }
+
+  private int poseChannel(RobotId robot) {
+    return poseChannels.computeIfAbsent(
+        robot, id -> begun().channel(poseSchema, "/pose/" + id.name()));
+  }
+
+  private ObjectNode message(String fate, String from, String to, String channel, long seq) {
+    return json.createObjectNode()
+        .put("fate", fate)
+        .put("from", from)
+        .put("to", to)
+        .put("channel", channel)
+        .put("seq", seq);
+  }
+
+  private void log(long timeNs, Level level, String name, String text) {
+    write(logChannel, timeNs, scene.log(timeNs, level, name, text));
+  }
+
+  private void write(int channel, long timeNs, ObjectNode message) {
+    try {
+      begun().message(channel, timeNs, json.writeValueAsBytes(message));
+    } catch (IOException e) {
+      throw unwritable(e);
+    }
+  }
+
+  private McapWriter begun() {
+    if (writer == null) {
+      throw new IllegalStateException("an event before the start");
+    }
+    return writer;
+  }
+
+  private static UncheckedIOException unwritable(IOException e) {
+    return new UncheckedIOException("the MCAP file cannot be written", e);
+  }
+}

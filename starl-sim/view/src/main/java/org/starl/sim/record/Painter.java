@@ -1,0 +1,217 @@
+package org.starl.sim.record;
+
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Graphics2D;
+import java.awt.RenderingHints;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.util.List;
+import java.util.Optional;
+import org.starl.id.RobotId;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+
+/**
+ * Paints a {@link Scene} with its {@link Layer}, for windows and files alike. What lies outside the
+ * picture costs little, and many robots are painted with ready small pictures. One thread's own.
+ */
+public final class Painter {
+
+  /** Above this many in the picture, or below this size, robots are painted with sprites. */
+  private static final int MANY = 250;
+
+  private static final double LARGE_PX = 40;
+  private static final double SPECK_PX = 1.5;
+  private static final long BUMP_SHOWN_NS = 10_000_000_000L;
+
+  private final BodyPainter bodies = new BodyPainter();
+  private final Sprites sprites = new Sprites();
+  private final ObstaclePainter obstacles = new ObstaclePainter();
+  private final TrailPainter trails = new TrailPainter();
+  private final FlightPainter flights = new FlightPainter();
+
+  /** The same without messages. */
+  public void paint(Graphics2D page, Scene scene, Layer layer, Viewport viewport, Look look) {
+    paint(page, scene, layer, viewport, look, List.of());
+  }
+
+  /**
+   * Paints all of the viewport, paper included.
+   *
+   * @param page whose origin is the viewport's upper left corner; its clip, if any, is respected
+   * @param messages under way, or just arrived
+   */
+  public void paint(
+      Graphics2D page,
+      Scene scene,
+      Layer layer,
+      Viewport viewport,
+      Look look,
+      List<Flight> messages) {
+    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    page.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    page.setColor(look.theme().paper());
+    page.fillRect(0, 0, viewport.widthPx(), viewport.heightPx());
+    Look scaled = look.at(viewport);
+    if (look.shows(Part.APP)) {
+      Graphics2D floor = (Graphics2D) page.create();
+      floor.transform(viewport.transform());
+      layer.paintFloor(floor, scene, scaled);
+      floor.dispose();
+    }
+    obstacles.paint(page, scene, viewport, scaled);
+    if (look.shows(Part.TRAILS) && layer.showsTrails()) {
+      trails.paint(page, scene, viewport, look);
+    }
+    if (look.shows(Part.RANGE) && look.rangeMm() > 0 && look.selected() != null) {
+      range(page, scene, viewport, look, look.selected());
+    }
+    int shown = look.shows(Part.ROBOTS) ? robots(page, scene, viewport, look) : 0;
+    if (look.shows(Part.APP)) {
+      Graphics2D over = (Graphics2D) page.create();
+      over.transform(viewport.transform());
+      layer.paintOver(over, scene, scaled);
+      over.dispose();
+    }
+    if (look.shows(Part.BUMPS)) {
+      bumps(page, scene, viewport, look.theme());
+    }
+    if (look.shows(Part.MESSAGES)) {
+      flights.paint(page, messages, scene, viewport, look);
+    }
+    Labels.paint(page, scene, viewport, look, shown);
+  }
+
+  /** How many of them are in the picture. */
+  private int robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    int[] shown = new int[1];
+    double[] mostPx = new double[1];
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      if (viewport.shows(pose.at(), radiusMm)) {
+        shown[0]++;
+        mostPx[0] = Math.max(mostPx[0], radiusMm * viewport.pxPerMm());
+      }
+    });
+    if (shown[0] > MANY && mostPx[0] < LARGE_PX) {
+      many(page, scene, viewport, look.theme());
+    } else {
+      few(page, scene, viewport, look.theme());
+    }
+    marks(page, scene, viewport, look);
+    return shown[0];
+  }
+
+  private void few(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      if (viewport.shows(pose.at(), radiusMm)) {
+        bodies.paint(
+            page,
+            viewport.xPx(pose.at()),
+            viewport.yPx(pose.at()),
+            radiusMm * viewport.pxPerMm(),
+            pose.headingRad(),
+            theme.robot(number),
+            theme);
+      }
+    });
+  }
+
+  /** In the device's own pixels, so that sprites are copied and not scaled. */
+  private void many(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
+    Graphics2D device = (Graphics2D) page.create();
+    AffineTransform at = page.getTransform();
+    double scale = at.getScaleX();
+    double left = at.getTranslateX();
+    double top = at.getTranslateY();
+    device.setTransform(new AffineTransform());
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      Point point = pose.at();
+      if (viewport.shows(point, radiusMm)) {
+        double radiusPx = radiusMm * viewport.pxPerMm() * scale;
+        int x = (int) Math.round(left + scale * viewport.xPx(point));
+        int y = (int) Math.round(top + scale * viewport.yPx(point));
+        if (radiusPx < SPECK_PX) {
+          device.setColor(theme.robot(number));
+          device.fillRect(x - 1, y - 1, 2, 2);
+        } else {
+          sprites.prepare(theme, radiusPx);
+          device.drawImage(
+              sprites.of(number, pose.headingRad()),
+              x - sprites.halfPx(),
+              y - sprites.halfPx(),
+              null);
+        }
+      }
+    });
+    device.dispose();
+  }
+
+  /** On single robots: who has crashed, whom the picture is about. */
+  private void marks(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    for (RobotId robot : scene.down()) {
+      scene
+          .pose(robot)
+          .ifPresent(pose ->
+              bodies.paintCross(
+                  page,
+                  viewport.xPx(pose.at()),
+                  viewport.yPx(pose.at()),
+                  Math.max(4, scene.radiusMm(robot) * viewport.pxPerMm()),
+                  look.theme()));
+    }
+    RobotId selected = look.selected();
+    if (selected != null) {
+      scene
+          .pose(selected)
+          .ifPresent(pose ->
+              bodies.paintRing(
+                  page,
+                  viewport.xPx(pose.at()),
+                  viewport.yPx(pose.at()),
+                  scene.radiusMm(selected) * viewport.pxPerMm(),
+                  look.theme()));
+    }
+  }
+
+  private static void range(
+      Graphics2D page, Scene scene, Viewport viewport, Look look, RobotId robot) {
+    Optional<Pose> pose = scene.pose(robot);
+    if (pose.isPresent()) {
+      double x = viewport.xPx(pose.get().at());
+      double y = viewport.yPx(pose.get().at());
+      double r = look.rangeMm() * viewport.pxPerMm();
+      Ellipse2D disc = new Ellipse2D.Double(x - r, y - r, 2 * r, 2 * r);
+      Color colour = look.robot(scene, robot);
+      page.setColor(Theme.faded(colour, 12));
+      page.fill(disc);
+      page.setColor(Theme.faded(colour, 150));
+      float[] dashes = {6, 5};
+      page.setStroke(
+          new BasicStroke(1.2f, BasicStroke.CAP_BUTT, BasicStroke.JOIN_ROUND, 10, dashes, 0));
+      page.draw(disc);
+    }
+  }
+
+  /** A burst of short lines; it fades. */
+  private static void bumps(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
+    for (Scene.Bump bump : scene.bumps()) {
+      long ageNs = scene.nowNs() - bump.timeNs();
+      if (ageNs <= BUMP_SHOWN_NS) {
+        int alpha = (int) (255 - 200 * ageNs / BUMP_SHOWN_NS);
+        double x = viewport.xPx(bump.at());
+        double y = viewport.yPx(bump.at());
+        page.setColor(Theme.faded(theme.alarm(), alpha));
+        page.setStroke(new BasicStroke(2, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+        for (int i = 0; i < 8; i++) {
+          double cos = StrictMath.cos(i * Math.PI / 4);
+          double sin = StrictMath.sin(i * Math.PI / 4);
+          page.draw(new Line2D.Double(x + 4 * cos, y + 4 * sin, x + 9 * cos, y + 9 * sin));
+        }
+      }
+    }
+  }
+}

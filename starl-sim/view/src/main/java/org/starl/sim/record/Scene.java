@@ -1,0 +1,271 @@
+package org.starl.sim.record;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.Deque;
+import java.util.Iterator;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.id.RobotId;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.spec.Bodies;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * What a run looks like at one moment, put together from its events. Of the robots that have left the
+ * floor only the last ones are kept.
+ */
+public final class Scene {
+
+  private static final long TRAIL_STEP_NS = 100_000_000;
+  private static final int KEPT_GONE = 12;
+  private static final int KEPT_BUMPS = 64;
+
+  // As the motion automaton traces it.
+  private static final String MOTION = "motion";
+  private static final String FAILED = "failed";
+  private static final String BUMPED = "bumped into something";
+
+  /** A robot ran into something, and says so. */
+  public record Bump(long timeNs, RobotId robot, Point at) {}
+
+  /** A variable of a robot with its latest value. */
+  public record Value(String source, String name, String value) {}
+
+  /** Is shown the bodies that are on the floor. */
+  public interface Visitor {
+
+    /**
+     * @param number as of {@link Scene#number}
+     * @param pose the body's true one
+     */
+    void visit(RobotId robot, int number, Pose pose, double radiusMm);
+  }
+
+  private final Obstacles obstacles;
+  private final Bodies bodies;
+  private final SortedMap<RobotId, Trail> trails = new TreeMap<>();
+  private final Map<RobotId, Map<String, String>> variables = new TreeMap<>();
+  private final Map<RobotId, Integer> numbers = new TreeMap<>();
+  private final Set<RobotId> gone = new LinkedHashSet<>();
+  private final Set<RobotId> down = new TreeSet<>();
+  private final Deque<Bump> bumps = new ArrayDeque<>();
+  private final Extent extent;
+  private int came;
+  private long nowNs;
+  private long trailNs;
+
+  /**
+   * @param obstacles of the world, hidden ones included
+   */
+  public Scene(Obstacles obstacles) {
+    this(obstacles, new Bodies(), new Extent());
+    for (Obstacle obstacle : obstacles.all()) {
+      obstacle.points().forEach(extent::add);
+    }
+  }
+
+  private Scene(Obstacles obstacles, Bodies bodies, Extent extent) {
+    this.obstacles = obstacles;
+    this.bodies = bodies;
+    this.extent = extent;
+  }
+
+  /**
+   * The same at this moment: the copy and this one, which is left as it is, go on apart, maybe on two
+   * threads. What robots have left behind is not copied but shared.
+   */
+  public Scene copy() {
+    Scene copy = new Scene(obstacles, bodies.copy(), extent.copy());
+    // Sorted maps are taken over in linear time.
+    copy.trails.putAll(trails);
+    copy.trails.replaceAll((robot, trail) -> trail.copy());
+    copy.variables.putAll(variables);
+    copy.variables.replaceAll((robot, values) -> new TreeMap<>(values));
+    copy.numbers.putAll(numbers);
+    copy.gone.addAll(gone);
+    copy.down.addAll(down);
+    copy.bumps.addAll(bumps);
+    copy.came = came;
+    copy.nowNs = nowNs;
+    copy.trailNs = trailNs;
+    return copy;
+  }
+
+  /** Sees the next event. */
+  public void observe(TraceEvent event) {
+    advance(event.timeNs());
+    bodies.observe(event);
+    if (event instanceof Variable variable) {
+      variables
+          .computeIfAbsent(variable.robot(), robot -> new TreeMap<>())
+          .put(key(variable.source(), variable.name()), variable.value());
+    } else if (event instanceof TraceEvent.Joined joined) {
+      gone.remove(joined.robot());
+      numbers.computeIfAbsent(joined.robot(), robot -> came++);
+      trails.computeIfAbsent(joined.robot(), robot -> new Trail()).append(joined.pose().at());
+      extent.add(joined.pose().at());
+    } else if (event instanceof TraceEvent.Left left) {
+      gone.add(left.robot());
+      if (gone.size() > KEPT_GONE) {
+        forget(gone.iterator().next());
+      }
+    } else if (event instanceof TraceEvent.Fault fault) {
+      if (fault.name().equals(TraceEvent.Fault.CRASH)) {
+        down.add(fault.robot());
+      } else if (fault.name().equals(TraceEvent.Fault.RESTART)) {
+        down.remove(fault.robot());
+      }
+    } else if (event instanceof TraceEvent.Action action) {
+      noteBump(action);
+    }
+  }
+
+  private void noteBump(TraceEvent.Action action) {
+    if (action.source().equals(MOTION)
+        && action.name().equals(FAILED)
+        && action.args().contains(BUMPED)
+        && bodies.isOnFloor(action.robot())) {
+      Pose pose = bodies.poseAt(action.robot(), action.timeNs());
+      double radiusMm = bodies.radiusMm(action.robot());
+      Point ahead =
+          new Point(
+              radiusMm * StrictMath.cos(pose.headingRad()),
+              radiusMm * StrictMath.sin(pose.headingRad()));
+      bumps.add(new Bump(action.timeNs(), action.robot(), pose.at().plus(ahead)));
+      if (bumps.size() > KEPT_BUMPS) {
+        bumps.remove();
+      }
+    }
+  }
+
+  private void forget(RobotId robot) {
+    gone.remove(robot);
+    trails.remove(robot);
+    variables.remove(robot);
+    numbers.remove(robot);
+    down.remove(robot);
+  }
+
+  /** Time goes on to {@code timeNs}. */
+  public void advance(long timeNs) {
+    while (trailNs <= timeNs) {
+      Iterator<Map.Entry<RobotId, Trail>> all = trails.entrySet().iterator();
+      bodies.forEach(
+          trailNs,
+          (robot, pose, radiusMm, isMoving) -> {
+            // Both are in order, and who is on the floor has a trail.
+            Map.Entry<RobotId, Trail> entry = all.next();
+            while (!entry.getKey().equals(robot)) {
+              entry = all.next();
+            }
+            if (isMoving) {
+              entry.getValue().append(pose.at());
+              extent.add(pose.at());
+            }
+          });
+      trailNs += TRAIL_STEP_NS;
+    }
+    nowNs = timeNs;
+  }
+
+  public long nowNs() {
+    return nowNs;
+  }
+
+  public Obstacles obstacles() {
+    return obstacles;
+  }
+
+  /** The robots that are on the floor, and the last twelve that have left it, in order. */
+  public List<RobotId> robots() {
+    return List.copyOf(trails.keySet());
+  }
+
+  /** How many robots had come onto the floor before one of {@link #robots}: good for a colour. */
+  public int number(RobotId robot) {
+    return numbers.getOrDefault(robot, 0);
+  }
+
+  /** Where a robot's body is; empty if it is not on the floor. */
+  public Optional<Pose> pose(RobotId robot) {
+    return bodies.isOnFloor(robot) ? Optional.of(bodies.poseAt(robot, nowNs)) : Optional.empty();
+  }
+
+  /** Radius of a body that is on the floor. */
+  public double radiusMm(RobotId robot) {
+    return bodies.radiusMm(robot);
+  }
+
+  /** Shows every body that is on the floor as it is now, in order; fast for many. */
+  public void forEachBody(Visitor visitor) {
+    Iterator<Map.Entry<RobotId, Integer>> all = numbers.entrySet().iterator();
+    bodies.forEach(
+        nowNs,
+        (robot, pose, radiusMm, isMoving) -> {
+          Map.Entry<RobotId, Integer> entry = all.next();
+          while (!entry.getKey().equals(robot)) {
+            entry = all.next();
+          }
+          visitor.visit(robot, entry.getValue(), pose, radiusMm);
+        });
+  }
+
+  /** Whether a robot's program has crashed and was not started again. */
+  public boolean isDown(RobotId robot) {
+    return down.contains(robot);
+  }
+
+  /** Whose programs have crashed and were not started again, in order. */
+  Set<RobotId> down() {
+    return Collections.unmodifiableSet(down);
+  }
+
+  /** Where robots ran into something, oldest first; the last 64. */
+  public List<Bump> bumps() {
+    return List.copyOf(bumps);
+  }
+
+  /** All that stands or ever moved there; grows on as the scene does. */
+  Extent extent() {
+    return extent;
+  }
+
+  /** Where a robot's body has been, every 100 ms of its movement. */
+  public List<Point> trail(RobotId robot) {
+    Trail trail = trails.get(robot);
+    return trail == null ? Collections.emptyList() : trail;
+  }
+
+  /** The latest value of a variable as text; empty if it never had one. */
+  public String variable(RobotId robot, String source, String name) {
+    return variables.getOrDefault(robot, Map.of()).getOrDefault(key(source, name), "");
+  }
+
+  /** All variables of a robot that ever had a value, in the order of source and name. */
+  public List<Value> variables(RobotId robot) {
+    List<Value> values = new ArrayList<>();
+    variables
+        .getOrDefault(robot, Map.of())
+        .forEach((key, value) -> {
+          int space = key.indexOf(' ');
+          values.add(new Value(key.substring(0, space), key.substring(space + 1), value));
+        });
+    return values;
+  }
+
+  private static String key(String source, String name) {
+    return source + " " + name;
+  }
+}

@@ -1,0 +1,206 @@
+package org.starl.sim.replay;
+
+import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.sim.Bystander;
+import org.starl.sim.Intervening;
+import org.starl.sim.SimResult;
+import org.starl.sim.Simulation;
+import org.starl.sim.fault.FaultGrammar;
+import org.starl.input.BadInput;
+
+/**
+ * A simulation that runs on a thread of its own while somebody watches: into a {@link Recording}, and
+ * no farther than {@link #runUntil} allows, so that what a person does to it happens near what that
+ * person sees. All methods may be called from any thread; {@link #close} ends the run.
+ *
+ * <p>Nothing here changes the run but {@link #fault}, {@link #point} and {@link #close} before its end:
+ * these are events in it. Each takes effect between two steps, at the time that the run has come to, and
+ * while it waits as well as while it runs.
+ */
+public final class LiveRun implements AutoCloseable {
+
+  private final Simulation simulation;
+  private final Recording recording;
+  private final Thread thread;
+  private final Queue<Wish> wishes = new ConcurrentLinkedQueue<>();
+  private final Object newWish = new Object();
+  private volatile long limitNs;
+  // The run's thread's own.
+  private boolean isStopped;
+  private volatile @Nullable SimResult result;
+  private volatile @Nullable RuntimeException failure;
+
+  /** Something to be done to the run, and who waits for it. */
+  private record Wish(Consumer<Intervening> what, CompletableFuture<Long> whenDone) {}
+
+  /**
+   * The run stands at its beginning until {@link #start}.
+   *
+   * @param builder of the simulation, all observers but {@code recording} added; used up
+   */
+  public LiveRun(Simulation.Builder builder, Recording recording) {
+    this.recording = recording;
+    simulation = builder.observer(recording).bystander(new Pace()).build();
+    thread = new Thread(this::run, "simulation");
+    thread.setDaemon(true);
+  }
+
+  /** Lets it begin, once; it goes as far as {@link #runUntil} has said by then. */
+  public void start() {
+    thread.start();
+  }
+
+  /**
+   * From now on the run may go on until that time, and waits there; all the way with {@code
+   * Long.MAX_VALUE}. Where it has come farther already, it waits.
+   */
+  public void runUntil(long timeNs) {
+    limitNs = timeNs;
+    wake();
+  }
+
+  /**
+   * Lets something go wrong from now on.
+   *
+   * @param fault as {@code --fault} reads it; what it does not say of times counts from now
+   * @return when it happened, or {@link BadInput} if it names no robot of this run or ends before it
+   *     begins, or {@link IllegalStateException} if the run has ended
+   * @throws BadInput at once if it is no fault
+   */
+  public CompletableFuture<Long> fault(String fault) {
+    FaultGrammar.parse(fault);
+    return wish(hands -> hands.fault(fault));
+  }
+
+  /**
+   * Shows a robot's app a place.
+   *
+   * @return when it happened, or {@link BadInput} if there is no such robot, or {@link
+   *     IllegalStateException} if the run has ended
+   */
+  public CompletableFuture<Long> point(RobotId robot, int xMm, int yMm) {
+    return wish(hands -> hands.point(robot, xMm, yMm));
+  }
+
+  /** Whether the run has ended: {@link #result} or {@link #failure} tells how. */
+  public boolean isOver() {
+    return recording.isOver();
+  }
+
+  /** What came of the run; null before its end, and if an error ended it. */
+  public @Nullable SimResult result() {
+    return result;
+  }
+
+  /** The error that ended the run, or null. */
+  public @Nullable RuntimeException failure() {
+    return failure;
+  }
+
+  /**
+   * Ends the run where it is, unless it has ended, and waits until its thread is gone; if this thread is
+   * interrupted meanwhile, it stays so and waits no longer.
+   */
+  @Override
+  public void close() {
+    if (thread.getState() == Thread.State.NEW) {
+      return;
+    }
+    if (!isOver()) {
+      enqueue(
+          new Wish(
+              hands -> {
+                hands.stop();
+                isStopped = true;
+              },
+              new CompletableFuture<>()));
+    }
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private CompletableFuture<Long> wish(Consumer<Intervening> what) {
+    Wish wish = new Wish(what, new CompletableFuture<>());
+    enqueue(wish);
+    return wish.whenDone();
+  }
+
+  private void enqueue(Wish wish) {
+    wishes.add(wish);
+    wake();
+    if (isOver()) {
+      refuseAll();
+    }
+  }
+
+  private void wake() {
+    synchronized (newWish) {
+      newWish.notifyAll();
+    }
+  }
+
+  private void run() {
+    try {
+      result = simulation.run();
+    } catch (RuntimeException e) {
+      failure = e;
+      recording.failed("The simulation failed: " + e.getMessage());
+    } finally {
+      recording.over(recording.endNs());
+      refuseAll();
+    }
+  }
+
+  private void refuseAll() {
+    for (Wish wish = wishes.poll(); wish != null; wish = wishes.poll()) {
+      wish.whenDone().completeExceptionally(new IllegalStateException("the run has ended"));
+    }
+  }
+
+  /** Holds the run back, and does what is wished. */
+  private final class Pace implements Bystander {
+    @Override
+    public void look(Intervening hands) {
+      long nowNs = hands.nowNs();
+      recording.reached(nowNs);
+      while (!isStopped && (nowNs >= limitNs || !wishes.isEmpty())) {
+        Wish wish = wishes.poll();
+        if (wish != null) {
+          fulfil(wish, hands);
+        } else {
+          await(nowNs);
+        }
+      }
+    }
+
+    private void fulfil(Wish wish, Intervening hands) {
+      try {
+        wish.what().accept(hands);
+        wish.whenDone().complete(hands.nowNs());
+      } catch (BadInput e) {
+        wish.whenDone().completeExceptionally(e);
+      }
+    }
+
+    private void await(long nowNs) {
+      synchronized (newWish) {
+        try {
+          while (nowNs >= limitNs && wishes.isEmpty()) {
+            newWish.wait();
+          }
+        } catch (InterruptedException e) {
+          Thread.currentThread().interrupt();
+          throw new IllegalStateException("the run's thread was interrupted", e);
+        }
+      }
+    }
+  }
+}

@@ -1,0 +1,264 @@
+package org.starl.sim.replay;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.geometry.Obstacles;
+import org.starl.platform.LogSink.Level;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.input.BadInput;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Scene;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Intervention;
+import org.starl.trace.TraceHeader;
+
+/**
+ * All events of one run, kept while it runs or read from a trace, with what people look for in them.
+ * One thread fills it, as an observer of the run; any others may read it meanwhile, without waiting:
+ * what {@link #size} counts is there, and does not change.
+ */
+public final class Recording implements SimObserver {
+
+  /** Of what Java may use; the rest is for the run, and for those who look. */
+  private static final double SHARE_OF_MEMORY = 0.6;
+
+  private static final int ALL = Integer.MAX_VALUE;
+  private static final long BYTES_IN_MB = 1 << 20;
+  private static final long NS_PER_S = 1_000_000_000;
+
+  private final Obstacles obstacles;
+  private final Checkpoints checkpoints;
+  private final long mostBytes;
+  private final Compactor compactor = new Compactor();
+  private final Chunks<TraceEvent> events = new Chunks<>();
+  private final Chunks<Mark> marks = new Chunks<>();
+  private final Chunks<LogLine> logs = new Chunks<>();
+  private volatile @Nullable TraceHeader header;
+  private volatile boolean isOver;
+  private volatile long endNs;
+  private volatile int checked = ALL;
+  private volatile String failure = "";
+
+  /**
+   * @param obstacles of the world, hidden ones included
+   * @param layer that has seen no event; the recording's own
+   */
+  public Recording(Obstacles obstacles, Layer layer) {
+    this(obstacles, layer, (long) (SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory()));
+  }
+
+  /**
+   * The same, of a bounded size.
+   *
+   * @param mostBytes that its events may take, about
+   */
+  Recording(Obstacles obstacles, Layer layer, long mostBytes) {
+    this.obstacles = obstacles;
+    this.mostBytes = mostBytes;
+    checkpoints = new Checkpoints(new Scene(obstacles), layer);
+  }
+
+  @Override
+  public void started(TraceHeader newHeader) {
+    header = newHeader;
+  }
+
+  /**
+   * @throws BadInput if there are more events than memory for them
+   */
+  @Override
+  public void observed(TraceEvent event) {
+    int index = events.size();
+    events.add(compactor.compact(event));
+    if (compactor.bytes() > mostBytes) {
+      throw new BadInput(
+          "the run has too many events to be kept: "
+              + index
+              + " by "
+              + event.timeNs() / NS_PER_S
+              + " s take "
+              + mostBytes / BYTES_IN_MB
+              + " MB; expected a shorter run, or more memory for Java (STARL_JAVA_OPTS=-Xmx8g)");
+    }
+    if (event.timeNs() > endNs) {
+      endNs = event.timeNs();
+    }
+    if (event instanceof Fault fault) {
+      marks.add(new Mark(fault.timeNs(), index, kind(fault), text(fault)));
+    } else if (event instanceof Intervention done) {
+      String whom = done.robot().equals(Fault.WORLD) ? "" : " to " + done.robot();
+      String what = "a person: " + done.name() + " " + done.detail();
+      marks.add(new Mark(done.timeNs(), index, Mark.Kind.INTERVENTION, what.strip() + whom));
+    }
+  }
+
+  @Override
+  public void violated(SpecReport.Violation violation) {
+    violated(Math.max(0, events.size() - 1), violation);
+  }
+
+  /** Found at an event that may be long past. */
+  void violated(int index, SpecReport.Violation violation) {
+    marks.add(new Mark(violation.timeNs(), index, Mark.Kind.VIOLATION, violation.toString()));
+  }
+
+  @Override
+  public void logged(long timeNs, RobotId robot, Level level, String tag, String line) {
+    logs.add(new LogLine(timeNs, events.size(), robot, level, tag, line));
+  }
+
+  @Override
+  public void finished(SimResult result) {
+    over(result.endNs());
+  }
+
+  /** Nothing more will happen until {@code timeNs}: time goes on though no event tells so. */
+  public void reached(long timeNs) {
+    if (timeNs > endNs) {
+      endNs = timeNs;
+    }
+  }
+
+  /** The run ended so: from now on nothing happens. */
+  public void over(long timeNs) {
+    reached(timeNs);
+    isOver = true;
+  }
+
+  /**
+   * An error ended the run, or the reading of it, which is over by that.
+   *
+   * @param why one line
+   */
+  void failed(String why) {
+    failure = why;
+    over(endNs);
+  }
+
+  /** The specifications will look at the events later: all of {@link #checked} that follows is theirs. */
+  void toBeChecked() {
+    checked = 0;
+  }
+
+  /** The specifications have looked at so many events. */
+  void checked(int count) {
+    checked = count;
+  }
+
+  /** The specifications have looked at everything, the end too. */
+  void allChecked() {
+    checked = ALL;
+  }
+
+  private static Mark.Kind kind(Fault fault) {
+    return switch (fault.name()) {
+      case Fault.CRASH -> Mark.Kind.CRASH;
+      case Fault.RESTART -> Mark.Kind.RESTART;
+      default -> Mark.Kind.FAULT;
+    };
+  }
+
+  private static String text(Fault fault) {
+    String whom = fault.robot().equals(Fault.WORLD) ? "" : fault.robot() + " ";
+    String what = whom + fault.name();
+    return fault.detail().isEmpty() ? what : what + ": " + fault.detail();
+  }
+
+  /**
+   * What the run was.
+   *
+   * @throws IllegalStateException if it has not begun
+   */
+  public TraceHeader header() {
+    TraceHeader known = header;
+    if (known == null) {
+      throw new IllegalStateException("the run has not begun");
+    }
+    return known;
+  }
+
+  /** Whether {@link #header} is known. */
+  public boolean hasBegun() {
+    return header != null;
+  }
+
+  /** Of the world, hidden ones included. */
+  public Obstacles obstacles() {
+    return obstacles;
+  }
+
+  /** How many events there are so far. */
+  public int size() {
+    return events.size();
+  }
+
+  /** When the event of that number happened; never before the one of the number before. */
+  public long timeNs(int index) {
+    return events.get(index).timeNs();
+  }
+
+  public TraceEvent event(int index) {
+    return events.get(index);
+  }
+
+  /** The number of the first event that is later; {@link #size} if there is none. */
+  public int firstAfter(long timeNs) {
+    int from = 0;
+    int to = size();
+    while (from < to) {
+      int middle = (from + to) >>> 1;
+      if (timeNs(middle) <= timeNs) {
+        from = middle + 1;
+      } else {
+        to = middle;
+      }
+    }
+    return from;
+  }
+
+  /** How far the run has come; its end, once it is over. */
+  public long endNs() {
+    return endNs;
+  }
+
+  /** Whether nothing will happen any more; {@link #isChecked} tells whether more may be found in it. */
+  public boolean isOver() {
+    return isOver;
+  }
+
+  /** The error that ended the run, or the reading of it, in one line; empty if there is none. */
+  public String failure() {
+    return failure;
+  }
+
+  /**
+   * Whether the specifications have looked at all that has happened so far: always, but of a trace,
+   * which is read first.
+   */
+  public boolean isChecked() {
+    return checked == ALL;
+  }
+
+  /** How many events the specifications have looked at. */
+  public int checked() {
+    return Math.min(checked, size());
+  }
+
+  /** What stands on the timeline so far, in the order in which it was found. */
+  public List<Mark> marks() {
+    return marks.view();
+  }
+
+  /** What robots have written so far, in order; nothing in a recording of a trace. */
+  public List<LogLine> logs() {
+    return logs.view();
+  }
+
+  Checkpoints checkpoints() {
+    return checkpoints;
+  }
+}

@@ -1,0 +1,140 @@
+package org.starl.sim.replay;
+
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.SimObserver;
+import org.starl.input.BadInput;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
+import org.starl.trace.TraceEvent;
+
+/**
+ * A trace that is read on a thread of its own while somebody watches: into a {@link Recording}, all of
+ * it at once, which is quick. The same thread then lets the specifications look at what was read, which
+ * is not, and marks what they find: who watches waits for neither. All methods may be called from any
+ * thread.
+ */
+public final class TraceReading implements AutoCloseable {
+
+  private final Recording recording;
+  private final Consumer<List<SimObserver>> trace;
+  private final Supplier<List<Monitor>> monitors;
+  private final Thread thread;
+  private volatile boolean isClosed;
+  private volatile @Nullable RuntimeException failure;
+
+  /**
+   * Nothing is read until {@link #start}.
+   *
+   * @param recording to fill, of which nobody else is an observer
+   * @param trace shows all of it to observers, once; may end with {@link BadInput}, and then what came
+   *     before is kept, and checked
+   * @param monitors makes fresh ones of the specifications to check
+   */
+  public TraceReading(
+      Recording recording, Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
+    this.recording = recording;
+    this.trace = trace;
+    this.monitors = monitors;
+    thread = new Thread(this::run, "trace");
+    thread.setDaemon(true);
+    recording.toBeChecked();
+  }
+
+  /** Begins to read, once. */
+  public void start() {
+    thread.start();
+  }
+
+  /** What it fills. */
+  public Recording recording() {
+    return recording;
+  }
+
+  /** The error that ended the reading or the checking, or null. */
+  public @Nullable RuntimeException failure() {
+    return failure;
+  }
+
+  boolean isClosed() {
+    return isClosed;
+  }
+
+  /** Waits until all is read and checked. */
+  void await() throws InterruptedException {
+    thread.join();
+  }
+
+  /**
+   * Reads and checks no further, and waits until its thread is gone; if this thread is interrupted
+   * meanwhile, it stays so and waits no longer.
+   */
+  @Override
+  public void close() {
+    isClosed = true;
+    try {
+      thread.join();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void run() {
+    try {
+      read();
+      check();
+    } catch (CancellationException e) {
+      // Nobody watches any more; what is there stays.
+      recording.over(recording.endNs());
+    } catch (RuntimeException e) {
+      failed("The specifications could not be checked: ", e);
+    }
+  }
+
+  private void read() {
+    SimObserver guard =
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            stopIfClosed();
+          }
+        };
+    try {
+      trace.accept(List.of(guard, recording));
+    } catch (BadInput e) {
+      failed("", e);
+    }
+  }
+
+  private void failed(String what, RuntimeException error) {
+    failure = error;
+    recording.failed(what + error.getMessage());
+  }
+
+  private void check() {
+    Monitors checks = new Monitors(monitors.get());
+    int size = recording.size();
+    for (int index = 0; index < size; index++) {
+      stopIfClosed();
+      int at = index;
+      checks.observe(recording.event(index));
+      checks.news().forEach(violation -> recording.violated(at, violation));
+      recording.checked(index + 1);
+    }
+    if (failure == null) {
+      // Of a run that is cut off nobody knows what it still owes.
+      checks.finish(recording.endNs());
+      checks.news().forEach(recording::violated);
+    }
+    recording.allChecked();
+  }
+
+  private void stopIfClosed() {
+    if (isClosed) {
+      throw new CancellationException("nobody watches any more");
+    }
+  }
+}

@@ -1,0 +1,146 @@
+package org.starl.sim.replay;
+
+import java.io.IOException;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.input.BadInput;
+import org.starl.sim.net.NetStatistics;
+import org.starl.sim.world.Collisions;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEnd;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceReader;
+
+/**
+ * Shows a trace to observers, as if the run took place before them: nothing is simulated. Monitors
+ * check it again, and the observers are told of violations; what robots logged is in no trace.
+ */
+public final class TraceShow {
+
+  private final String file;
+  private final TraceReader reader;
+  private final Monitors monitors;
+  private final List<SimObserver> observers;
+  private final Set<RobotId> onFloor = new TreeSet<>();
+  private long events;
+  private long timeNs;
+  private long sent;
+  private long sentBytes;
+  private long delivered;
+  private long dropped;
+
+  private TraceShow(
+      String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
+    this.file = file;
+    this.reader = reader;
+    this.monitors = new Monitors(monitors);
+    this.observers = List.copyOf(observers);
+  }
+
+  /**
+   * Shows all that {@code reader} has still to give.
+   *
+   * @param file what errors call the trace
+   * @param monitors fresh ones, of the specifications to check
+   * @return the outcome, as far as a trace tells it: what the apps returned it does not
+   * @throws IOException if the trace cannot be read, or a line is no line of a trace
+   * @throws BadInput if it was cut off, or its events do not fit together
+   */
+  public static SimResult show(
+      String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers)
+      throws IOException {
+    return new TraceShow(file, reader, monitors, observers).show();
+  }
+
+  private SimResult show() throws IOException {
+    observers.forEach(observer -> observer.started(reader.header()));
+    for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
+      check(event);
+      count(event);
+      monitors.observe(event);
+      for (int i = 0; i < observers.size(); i++) {
+        observers.get(i).observed(event);
+      }
+      tellViolations();
+    }
+    @Nullable TraceEnd end = reader.end();
+    if (end == null) {
+      throw new BadInput(
+          file
+              + ": has no line of kind end: the trace was cut off, or its run was ended by an error");
+    }
+    if (end.timeNs() < timeNs) {
+      throw bad("an end that is not before the last event");
+    }
+    monitors.finish(end.timeNs());
+    tellViolations();
+    SimResult result = result(end.timeNs());
+    observers.forEach(observer -> observer.finished(result));
+    return result;
+  }
+
+  private void check(TraceEvent event) {
+    if (event.timeNs() < timeNs) {
+      throw bad("a time that is not before the one above");
+    }
+    timeNs = event.timeNs();
+    switch (event) {
+      case TraceEvent.Joined joined -> onFloor.add(joined.robot());
+      case TraceEvent.Moved moved -> {
+        if (!onFloor.contains(moved.robot())) {
+          throw bad("a robot that has joined and not left");
+        }
+      }
+      case TraceEvent.Left left -> onFloor.remove(left.robot());
+      default -> {
+        // Of any robot at any time.
+      }
+    }
+  }
+
+  private BadInput bad(String expected) {
+    return new BadInput(file + ":" + reader.lineNumber() + ": expected " + expected);
+  }
+
+  private void count(TraceEvent event) {
+    events++;
+    switch (event) {
+      case TraceEvent.Sent message -> {
+        sent++;
+        sentBytes += message.bytes();
+      }
+      case TraceEvent.Delivered message -> delivered++;
+      case TraceEvent.Dropped message -> dropped++;
+      default -> {
+        // Says nothing of messages.
+      }
+    }
+  }
+
+  private void tellViolations() {
+    for (SpecReport.Violation violation : monitors.news()) {
+      observers.forEach(observer -> observer.violated(violation));
+    }
+  }
+
+  private SimResult result(long endNs) {
+    return new SimResult(
+        reader.header().scenarioSeed(),
+        reader.header().behaviourSeed(),
+        endNs,
+        events,
+        new TreeMap<>(),
+        List.of(),
+        new NetStatistics(sent, sentBytes, delivered, dropped),
+        Collisions.NONE,
+        monitors.report());
+  }
+}

@@ -1,0 +1,257 @@
+package org.starl.sim.view;
+
+import com.formdev.flatlaf.FlatDarkLaf;
+import com.formdev.flatlaf.FlatLaf;
+import com.formdev.flatlaf.FlatLightLaf;
+import java.awt.BorderLayout;
+import java.awt.Dimension;
+import java.awt.Font;
+import java.awt.Graphics2D;
+import java.awt.event.MouseEvent;
+import java.awt.image.BufferedImage;
+import java.io.File;
+import java.io.IOException;
+import javax.imageio.ImageIO;
+import javax.swing.BorderFactory;
+import javax.swing.JComponent;
+import javax.swing.JFileChooser;
+import javax.swing.JLabel;
+import javax.swing.JMenu;
+import javax.swing.JMenuBar;
+import javax.swing.JPanel;
+import javax.swing.JSplitPane;
+import javax.swing.JTabbedPane;
+import javax.swing.KeyStroke;
+import javax.swing.UIManager;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.geometry.Point;
+import org.starl.sim.record.Theme;
+
+/** All that stands in a window, and what its commands do. It needs no screen to be built. */
+final class Content {
+
+  private static final int SIDE_PX = 380;
+  private static final long TOLD_NS = 8_000_000_000L;
+
+  private final Session session;
+  private final Runnable close;
+  private final JPanel panel = new JPanel(new BorderLayout());
+  private final Commands commands;
+  private final JMenuBar menus;
+  private final FloorView floor;
+  private final TimelineView timeline;
+  private final TransportBar transport;
+  private final RobotList robots;
+  private final SwitchView switches;
+  private final InspectorView inspector;
+  private final Interventions interventions;
+  private final JLabel told = new JLabel(" ");
+  private long toldForNs;
+
+  /**
+   * @param close closes the window
+   */
+  Content(Session session, Runnable close) {
+    this.session = session;
+    this.close = close;
+    commands = new Commands(session, new Owner());
+    interventions = new Interventions(session, panel, this::tell);
+    floor = new FloorView(session, new Clicks());
+    timeline = new TimelineView(session);
+    transport = new TransportBar(session, commands);
+    robots = new RobotList(session, session.view()::select);
+    switches = new SwitchView(session);
+    inspector = new InspectorView(session);
+    panel.add(above(), BorderLayout.CENTER);
+    panel.add(below(), BorderLayout.SOUTH);
+    menus = menuBar();
+    keys();
+  }
+
+  /** Colours of all components from now on; as the session's theme is to be. */
+  static void setLook(boolean isDark) {
+    if (isDark) {
+      FlatDarkLaf.setup();
+    } else {
+      FlatLightLaf.setup();
+    }
+    UIManager.put("SplitPaneDivider.style", "plain");
+    UIManager.put("ScrollBar.showButtons", false);
+  }
+
+  JPanel panel() {
+    return panel;
+  }
+
+  JMenuBar menus() {
+    return menus;
+  }
+
+  FloorView floor() {
+    return floor;
+  }
+
+  Commands commands() {
+    return commands;
+  }
+
+  private JComponent above() {
+    JTabbedPane top = new JTabbedPane();
+    top.setFocusable(false);
+    top.addTab("Robots", null, robots.pane(), "Every robot, and what it is doing");
+    top.addTab("Layers", null, switches.pane(), "What is shown");
+    JSplitPane side = new JSplitPane(JSplitPane.VERTICAL_SPLIT, top, inspector.panel());
+    top.setPreferredSize(new Dimension(SIDE_PX, 300));
+    inspector.panel().setPreferredSize(new Dimension(SIDE_PX, 460));
+    side.setResizeWeight(0.4);
+    side.setBorder(BorderFactory.createEmptyBorder());
+    side.setPreferredSize(new Dimension(SIDE_PX, 400));
+    side.setMinimumSize(new Dimension(220, 200));
+    JSplitPane across = new JSplitPane(JSplitPane.HORIZONTAL_SPLIT, floor.surface(), side);
+    across.setResizeWeight(1);
+    across.setBorder(BorderFactory.createEmptyBorder());
+    return across;
+  }
+
+  private JComponent below() {
+    JPanel below = new JPanel(new BorderLayout());
+    below.add(timeline.surface(), BorderLayout.NORTH);
+    below.add(transport.panel(), BorderLayout.CENTER);
+    told.setBorder(BorderFactory.createEmptyBorder(0, 16, 6, 16));
+    told.setFont(told.getFont().deriveFont(Font.PLAIN));
+    below.add(told, BorderLayout.SOUTH);
+    return below;
+  }
+
+  private JMenuBar menuBar() {
+    JMenuBar bar = new JMenuBar();
+    for (String group : Commands.groups()) {
+      JMenu menu = new JMenu(group);
+      for (Command command : commands.of(group)) {
+        menu.add(command).setToolTipText(null);
+      }
+      bar.add(menu);
+    }
+    return bar;
+  }
+
+  /** Keys that menus do not bring; all work wherever in the window one is. */
+  private void keys() {
+    panel
+        .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
+        .put(KeyStroke.getKeyStroke('?'), commands.help.name());
+    panel.getActionMap().put(commands.help.name(), commands.help);
+  }
+
+  /**
+   * Real time goes on.
+   *
+   * @param realNs of any clock that goes on
+   */
+  void tick(long realNs, long elapsedNs) {
+    session.tick(realNs, elapsedNs);
+    toldForNs += elapsedNs;
+    if (toldForNs > TOLD_NS) {
+      told.setText(" ");
+    }
+    read();
+  }
+
+  /** Shows how things stand. */
+  void read() {
+    floor.surface().repaint();
+    timeline.surface().repaint();
+    transport.read();
+    robots.read();
+    switches.read();
+    inspector.read();
+  }
+
+  private void tell(String line) {
+    told.setText(line);
+    toldForNs = 0;
+  }
+
+  private final class Clicks implements FloorView.Clicks {
+    @Override
+    public void menu(MouseEvent event) {
+      RobotId robot = session.view().robotAt(session.scene(), event.getX(), event.getY());
+      Point place = session.view().viewport().toWorld(event.getX(), event.getY());
+      interventions.menu(robot, place).show(floor.surface(), event.getX(), event.getY());
+    }
+
+    @Override
+    public void point(Point place) {
+      interventions.sendSelected(place);
+    }
+
+    @Override
+    public void selected(@Nullable RobotId robot) {
+      session.view().select(robot);
+    }
+  }
+
+  private final class Owner implements Commands.Owner {
+    @Override
+    public void sendPoint() {
+      interventions.askPoint();
+    }
+
+    @Override
+    public void injectFault() {
+      interventions.askFault();
+    }
+
+    @Override
+    public void turnInspector() {
+      inspector.turn();
+    }
+
+    @Override
+    public void switchTheme() {
+      boolean isDark = !session.view().look().theme().isDark();
+      session.view().paintIn(isDark ? Theme.DARK : Theme.LIGHT);
+      setLook(isDark);
+      FlatLaf.updateUI();
+    }
+
+    @Override
+    public void savePicture() {
+      session.playback().pause();
+      JFileChooser chooser = new JFileChooser(new File("."));
+      String name = session.recording().header().scenario().replaceAll("[^A-Za-z0-9]+", "-");
+      chooser.setSelectedFile(new File(name + ".png"));
+      if (chooser.showSaveDialog(panel) == JFileChooser.APPROVE_OPTION) {
+        save(chooser.getSelectedFile());
+      }
+    }
+
+    @Override
+    public void help() {
+      HelpSheet.show(panel, commands);
+    }
+
+    @Override
+    public void close() {
+      close.run();
+    }
+  }
+
+  /** Twice as fine as on the screen, for print. */
+  private void save(File file) {
+    int width = floor.surface().getWidth();
+    int height = floor.surface().getHeight();
+    BufferedImage image = new BufferedImage(2 * width, 2 * height, BufferedImage.TYPE_INT_RGB);
+    Graphics2D page = image.createGraphics();
+    page.scale(2, 2);
+    floor.render(page, width, height);
+    page.dispose();
+    try {
+      boolean isWritten = ImageIO.write(image, "png", file);
+      tell(isWritten ? "Written: " + file : file + ": no picture could be written");
+    } catch (IOException e) {
+      tell(file + ": " + e.getMessage());
+    }
+  }
+}

@@ -1,0 +1,82 @@
+package org.starl.sim.view;
+
+import java.awt.CardLayout;
+import java.util.List;
+import javax.swing.JLabel;
+import javax.swing.JPanel;
+import javax.swing.JTabbedPane;
+import javax.swing.SwingConstants;
+import org.starl.id.RobotId;
+
+/** The selected robot: its variables, its messages, its log. */
+final class InspectorView {
+
+  private static final String NOBODY = "nobody";
+  private static final String SOMEBODY = "somebody";
+
+  private final Session session;
+  private final CardLayout cards = new CardLayout();
+  private final JPanel panel = new JPanel(cards);
+  private final JTabbedPane tabs = new JTabbedPane();
+  private final Table state = new Table(104);
+  private final Table messages = new Table(74, 62);
+  private final Table log = new Table(74, 92);
+
+  InspectorView(Session session) {
+    this.session = session;
+    tabs.setFocusable(false);
+    tabs.addTab("State", null, state.pane(), "Body, and the variables of the gvh by primitive");
+    tabs.addTab("Messages", null, messages.pane(), "Sent and received, the latest first");
+    tabs.addTab("Log", null, log.pane(), "Actions, and lines of its program, the latest first");
+    JLabel hint =
+        new JLabel(
+            "<html><div style='text-align:center'>Click a robot, or press Tab,<br>"
+                + "to see its state, messages and log</div></html>",
+            SwingConstants.CENTER);
+    hint.setEnabled(false);
+    panel.add(hint, NOBODY);
+    panel.add(tabs, SOMEBODY);
+  }
+
+  JPanel panel() {
+    return panel;
+  }
+
+  /** To the next of its pages. */
+  void turn() {
+    tabs.setSelectedIndex((tabs.getSelectedIndex() + 1) % tabs.getTabCount());
+  }
+
+  /** Shows the selected robot as it is now. */
+  void read() {
+    RobotId robot = session.selected();
+    cards.show(panel, robot == null ? NOBODY : SOMEBODY);
+    if (robot == null) {
+      return;
+    }
+    int index = session.playback().index();
+    switch (tabs.getSelectedIndex()) {
+      case 0 ->
+          state.show(
+              Inspection.state(session.scene(), robot).stream().map(InspectorView::row).toList());
+      case 1 -> messages.show(rows(Inspection.messages(session.recording(), index, robot)));
+      default -> log.show(rows(Inspection.log(session.recording(), index, robot)));
+    }
+  }
+
+  private static Table.Row row(Inspection.Row row) {
+    return row.isTitle()
+        ? new Table.Row(true, List.of(row.name()), "")
+        : new Table.Row(false, List.of(row.name(), row.value()), row.name() + ": " + row.value());
+  }
+
+  private static List<Table.Row> rows(List<Inspection.Line> lines) {
+    return lines.stream()
+        .map(line ->
+            new Table.Row(
+                false,
+                List.of(Inspection.seconds(line.timeNs()), line.what(), line.text()),
+                line.more()))
+        .toList();
+  }
+}

@@ -1,0 +1,143 @@
+package org.starl.sim.view;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.sim.record.Extent;
+import org.starl.sim.record.Layer;
+import org.starl.sim.record.Look;
+import org.starl.sim.record.Part;
+import org.starl.sim.record.Scene;
+import org.starl.sim.record.Theme;
+import org.starl.sim.record.Viewport;
+
+/** What part of the floor the window shows, how, and who is selected. */
+final class ViewState {
+
+  private static final int MARGIN_PX = 28;
+  private static final double PICK_PX = 6;
+
+  private Look look;
+  private Viewport viewport = new Viewport(1, 1, new Point(0, 0), 0.1);
+  private final Extent extent = new Extent();
+  private boolean isFitted = true;
+  private boolean isFollowing;
+  private @Nullable RobotId selected;
+
+  ViewState(Look look) {
+    this.look = look;
+  }
+
+  Look look() {
+    return look;
+  }
+
+  Viewport viewport() {
+    return viewport;
+  }
+
+  boolean shows(Part part) {
+    return look.shows(part);
+  }
+
+  void show(Part part, boolean isOn) {
+    look = look.with(part, isOn);
+  }
+
+  void show(String part, boolean isOn) {
+    look = look.with(part, isOn);
+  }
+
+  void paintIn(Theme theme) {
+    look = look.in(theme);
+  }
+
+  @Nullable RobotId selected() {
+    return selected;
+  }
+
+  void select(@Nullable RobotId robot) {
+    selected = robot;
+    look = look.about(robot);
+    if (robot == null) {
+      isFollowing = false;
+    }
+  }
+
+  /** The next one on the floor, or the one before; the first or last if nobody is selected. */
+  void selectNeighbour(Scene scene, boolean isNext) {
+    List<RobotId> there = new ArrayList<>();
+    scene.forEachBody((robot, number, pose, radiusMm) -> there.add(robot));
+    if (there.isEmpty()) {
+      select(null);
+      return;
+    }
+    int at = selected == null ? -1 : there.indexOf(selected);
+    int next = isNext ? at + 1 : (at < 0 ? there.size() : at) - 1;
+    select(there.get(Math.floorMod(next, there.size())));
+  }
+
+  /** The robot whose body is there, or nearly; the nearest if several are; null if none is. */
+  @Nullable RobotId robotAt(Scene scene, double xPx, double yPx) {
+    RobotId[] best = new RobotId[1];
+    double[] bestPx = {Double.MAX_VALUE};
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      double dx = viewport.xPx(pose.at()) - xPx;
+      double dy = viewport.yPx(pose.at()) - yPx;
+      double px = Math.sqrt(dx * dx + dy * dy);
+      if (px <= radiusMm * viewport.pxPerMm() + PICK_PX && px < bestPx[0]) {
+        bestPx[0] = px;
+        best[0] = robot;
+      }
+    });
+    return best[0];
+  }
+
+  boolean isFollowing() {
+    return isFollowing;
+  }
+
+  /** Keeps the selected robot in the middle, or no longer. */
+  void follow(boolean isOn) {
+    isFollowing = isOn && selected != null;
+    if (isFollowing) {
+      isFitted = false;
+    }
+  }
+
+  /** All is to be seen, also when the window or the world grows. */
+  void fit() {
+    isFitted = true;
+    isFollowing = false;
+  }
+
+  void pan(double rightPx, double downPx) {
+    isFitted = false;
+    isFollowing = false;
+    viewport = viewport.panned(rightPx, downPx);
+  }
+
+  void zoom(double factor, double xPx, double yPx) {
+    isFitted = false;
+    viewport = viewport.zoomed(factor, xPx, yPx);
+  }
+
+  /** Before a picture of that size is painted. */
+  void arrange(Scene scene, Layer layer, int widthPx, int heightPx) {
+    int width = Math.max(1, widthPx);
+    int height = Math.max(1, heightPx);
+    if (isFitted) {
+      extent.include(Extent.of(scene, layer));
+      viewport = Viewport.fit(extent, width, height, MARGIN_PX);
+    } else if (width != viewport.widthPx() || height != viewport.heightPx()) {
+      viewport = viewport.resized(width, height);
+    }
+    RobotId followed = isFollowing ? selected : null;
+    if (followed != null) {
+      viewport = scene.pose(followed).map(Pose::at).map(viewport::around).orElse(viewport);
+    }
+  }
+}

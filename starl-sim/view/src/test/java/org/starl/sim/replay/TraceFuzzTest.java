@@ -1,0 +1,114 @@
+package org.starl.sim.replay;
+
+import java.io.ByteArrayInputStream;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.starl.id.RobotId;
+import org.starl.geometry.Pose;
+import org.starl.sim.SimObserver;
+import org.starl.sim.check.MalformedBytes;
+import org.starl.input.BadInput;
+import org.starl.trace.TraceCodec;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceReader;
+import org.starl.trace.TraceWriter;
+
+/**
+ * Any bytes as a trace: one line says what is wrong, or every event of it is written again and read as it
+ * was; no trace that was cut is taken for whole.
+ */
+public class TraceFuzzTest {
+
+  private static final String FILE = "fuzz.trace";
+
+  public static void fuzzerTestOneInput(byte[] input) {
+    List<TraceEvent> events = new ArrayList<>();
+    TraceHeader header = show(input, events);
+    if (header == null) {
+      return;
+    }
+    byte[] again = written(header, events);
+    List<TraceEvent> eventsAgain = new ArrayList<>();
+    require(header.equals(show(again, eventsAgain)), "another header");
+    require(events.equals(eventsAgain), "other events");
+    byte[] cut = Arrays.copyOf(input, input.length - 1);
+    require(show(cut, new ArrayList<>()) == null, "whole without its end");
+  }
+
+  /** Its header, and its events as they are shown; null if it is no whole trace. */
+  private static @Nullable TraceHeader show(byte[] bytes, List<TraceEvent> events) {
+    SimObserver observer =
+        new SimObserver() {
+          @Override
+          public void observed(TraceEvent event) {
+            events.add(event);
+          }
+        };
+    try (TraceReader reader = new TraceReader(FILE, new ByteArrayInputStream(bytes))) {
+      TraceShow.show(FILE, reader, List.of(), List.of(observer));
+      return reader.header();
+    } catch (IOException | BadInput refused) {
+      String line = String.valueOf(refused.getMessage());
+      require(line.startsWith(FILE + ":") && line.length() < 500, line);
+      require(line.chars().noneMatch(Character::isISOControl), "controls: " + line);
+      return null;
+    }
+  }
+
+  private static byte[] written(TraceHeader header, List<TraceEvent> events) {
+    ByteArrayOutputStream out = new ByteArrayOutputStream();
+    try (TraceWriter writer = new TraceWriter(out, header)) {
+      long lastNs = 0;
+      for (TraceEvent event : events) {
+        require(TraceCodec.rounded(event).equals(event), "not as it is written: " + event);
+        writer.record(event);
+        lastNs = event.timeNs();
+      }
+      writer.end(lastNs);
+    } catch (IOException e) {
+      throw new AssertionError(e);
+    }
+    return out.toByteArray();
+  }
+
+  private static void require(boolean holds, String otherwise) {
+    if (!holds) {
+      throw new AssertionError(otherwise);
+    }
+  }
+
+  @Test
+  void aTraceIsReadAsItIsWrittenOrRefused() {
+    RobotId bot = new RobotId("bot0");
+    TraceHeader header =
+        new TraceHeader("0.1.0", "walk", 7, -8, Map.of("loss", "0.1"), List.of(bot));
+    List<TraceEvent> events =
+        List.of(
+            new TraceEvent.Joined(0, bot, new Pose(1.5, -2, 0.25), 165),
+            new TraceEvent.Moved(5, bot, new Pose(1e12, -2, -3), 250, -0.5),
+            new TraceEvent.Action(6, bot, "mutex/a", "request", List.of("A", "\"\\\n\u2028")),
+            new TraceEvent.Variable(7, bot, "gvh", "mypos", "\u00e4\ud83d\ude00"),
+            new TraceEvent.Sent(8, bot, "bot1", "talk/1", 3, 40, "hi"),
+            new TraceEvent.Delivered(9, bot, bot, "talk/1", 3, "hi"),
+            new TraceEvent.Dropped(9, bot, "?", "loss"),
+            new TraceEvent.Fault(9, bot, TraceEvent.Fault.CRASH, ""),
+            new TraceEvent.Intervention(9, bot, 4, TraceEvent.Intervention.POINT, "1,2"),
+            new TraceEvent.Left(10, bot));
+    List<byte[]> samples = new ArrayList<>();
+    samples.add(written(header, events));
+    for (TraceEvent event : events.subList(2, 9)) {
+      samples.add(written(header, List.of(event)));
+    }
+    samples.add((TraceCodec.line(events.get(2)) + "\n").getBytes(StandardCharsets.UTF_8));
+
+    MalformedBytes.feed(samples, TraceFuzzTest::fuzzerTestOneInput);
+  }
+}
