@@ -1,14 +1,14 @@
 package org.starl;
 
-import org.starl.gvh.GvhCell;
-import org.starl.gvh.GvhVariable;
-import org.starl.gvh.Log;
-import org.starl.gvh.Trace;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.starl.comms.Comms;
 import org.starl.comms.Workspace;
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Log;
+import org.starl.gvh.Trace;
 import org.starl.motion.Gps;
 import org.starl.motion.MotionControl;
 import org.starl.platform.Platform;

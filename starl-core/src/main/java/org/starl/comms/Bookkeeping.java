@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
 import org.starl.platform.Platform;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /** Tells the trace and the log of datagrams, and counts those that are dropped. */
 final class Bookkeeping {

@@ -1,11 +1,11 @@
 package org.starl.gvh;
 
-import org.starl.id.RobotId;
 import java.util.ArrayList;
 import java.util.List;
+import org.starl.id.RobotId;
 import org.starl.platform.Clock;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /** {@code gvh.trace}: tells what this robot does, under the names that the paper and PVS use. */
 public final class Trace {

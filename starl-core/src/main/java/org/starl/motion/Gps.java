@@ -1,17 +1,17 @@
 package org.starl.motion;
 
-import org.starl.body.MotionParameters;
-import org.starl.body.WheelCommand;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhVariable;
-import org.starl.gvh.Trace;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Trace;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
 

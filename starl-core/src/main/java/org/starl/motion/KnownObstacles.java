@@ -1,7 +1,7 @@
 package org.starl.motion;
 
-import org.starl.body.Bumps;
 import java.util.List;
+import org.starl.body.Bumps;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;

@@ -1,7 +1,7 @@
 package org.starl.motion;
 
-import org.starl.body.WheelCommand;
 import java.util.Arrays;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Kinematics;
 
 /**

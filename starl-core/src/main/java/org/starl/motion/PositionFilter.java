@@ -1,7 +1,7 @@
 package org.starl.motion;
 
-import org.starl.body.WheelCommand;
 import org.jspecify.annotations.Nullable;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;

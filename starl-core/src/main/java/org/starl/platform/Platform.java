@@ -1,11 +1,11 @@
 package org.starl.platform;
 
-import org.starl.trace.TraceSink;
 import org.jspecify.annotations.Nullable;
+import org.starl.body.MotionParameters;
+import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.geometry.Obstacles;
-import org.starl.body.MotionParameters;
+import org.starl.trace.TraceSink;
 
 /**
  * All that one robot stands on. A platform is this bundle of ports and nothing else; {@link

@@ -1,8 +1,8 @@
 package org.starl.trace;
 
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /** One thing that happened to one robot. Times are ns from the start of the run. */
 public sealed interface TraceEvent {

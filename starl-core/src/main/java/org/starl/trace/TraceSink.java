@@ -1,6 +1,5 @@
 package org.starl.trace;
 
-
 /** Takes the run's events, in the order in which they happen. */
 public interface TraceSink {
 

@@ -2,13 +2,13 @@ package org.starl.body;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.starl.motion.MotionAutomaton;
-import org.starl.motion.MotionFlag;
-import org.starl.motion.MotionState;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.motion.MotionAutomaton;
+import org.starl.motion.MotionFlag;
+import org.starl.motion.MotionState;
 import org.starl.random.Rng;
 
 /** The original StarL's collision modes; a collision that ends the motion is FAIL here. */

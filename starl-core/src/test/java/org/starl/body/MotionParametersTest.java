@@ -4,13 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import org.starl.motion.KnownObstacles;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.motion.KnownObstacles;
 
 class MotionParametersTest {
 

@@ -2,12 +2,12 @@ package org.starl.gvh;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.starl.id.RobotId;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.trace.TraceSink;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 class GvhCellTest {
 

@@ -2,10 +2,10 @@ package org.starl.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Test;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
-import org.junit.jupiter.api.Test;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;

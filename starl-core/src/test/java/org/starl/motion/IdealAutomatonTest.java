@@ -3,14 +3,14 @@ package org.starl.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.starl.body.Bumps;
-import org.starl.body.MotionParameters;
-import org.starl.body.MotionStyle;
-import org.starl.body.WheelCommand;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.DoubleRange;
 import org.junit.jupiter.api.Test;
+import org.starl.body.Bumps;
+import org.starl.body.MotionParameters;
+import org.starl.body.MotionStyle;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;

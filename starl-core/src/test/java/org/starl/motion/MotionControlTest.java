@@ -3,12 +3,12 @@ package org.starl.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import org.starl.body.Bumps;
-import org.starl.body.MotionParameters;
-import org.starl.body.WheelCommand;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
+import org.starl.body.Bumps;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import org.starl.comms.Workspace;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Fix;

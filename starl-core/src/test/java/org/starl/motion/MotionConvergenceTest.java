@@ -2,15 +2,15 @@ package org.starl.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.starl.body.MotionParameters;
-import org.starl.body.MotionStyle;
-import org.starl.body.WheelCommand;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
+import org.starl.body.MotionParameters;
+import org.starl.body.MotionStyle;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;

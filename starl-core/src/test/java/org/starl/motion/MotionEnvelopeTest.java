@@ -2,11 +2,6 @@ package org.starl.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import org.starl.body.CollisionPolicy;
-import org.starl.body.MotionParameters;
-import org.starl.body.MotionStyle;
-import org.starl.body.RobotType;
-import org.starl.body.WheelCommand;
 import java.util.function.Consumer;
 import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
@@ -15,6 +10,11 @@ import org.junit.jupiter.api.Named;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
+import org.starl.body.MotionStyle;
+import org.starl.body.RobotType;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;

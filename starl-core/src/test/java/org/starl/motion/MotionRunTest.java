@@ -2,17 +2,17 @@ package org.starl.motion;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
+import java.util.List;
+import net.jqwik.api.ForAll;
+import net.jqwik.api.Property;
+import org.junit.jupiter.api.Test;
 import org.starl.body.Bumps;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.body.MotionStyle;
 import org.starl.body.RobotType;
 import org.starl.body.WheelCommand;
-import java.util.ArrayList;
-import java.util.List;
-import net.jqwik.api.ForAll;
-import net.jqwik.api.Property;
-import org.junit.jupiter.api.Test;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;

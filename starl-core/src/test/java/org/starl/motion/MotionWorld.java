@@ -1,10 +1,10 @@
 package org.starl.motion;
 
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
-import java.util.TreeMap;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;

@@ -3,10 +3,10 @@ package org.starl.motion;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import org.starl.body.WheelCommand;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;

@@ -8,12 +8,12 @@ import static org.starl.motion.MotionState.SMALLTURN;
 import static org.starl.motion.MotionState.STRAIGHT;
 import static org.starl.motion.MotionState.TURN;
 
-import org.starl.body.Bumps;
-import org.starl.body.MotionParameters;
-import org.starl.body.WheelCommand;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.body.Bumps;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Point;

@@ -1,7 +1,7 @@
 package org.starl.motion;
 
-import org.starl.body.WheelCommand;
 import java.util.ArrayDeque;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;

@@ -6,13 +6,13 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.Participants;
-import org.starl.id.RobotId;
-import org.starl.geometry.Fix;
-import org.starl.geometry.Obstacles;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Fix;
+import org.starl.geometry.Obstacles;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.platform.Chassis;
 import org.starl.platform.Platform;
 import org.starl.platform.Positioning;
@@ -20,9 +20,9 @@ import org.starl.platform.Radio;
 import org.starl.platform.Stable;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /** One robot's ports in a {@link FakeWorld}. Its strand's pieces are events of that world. */
 public final class FakePlatform {

@@ -4,8 +4,8 @@ import java.util.List;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Combinators;
-import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /** Events and headers with the nastiest contents that their types allow. */
 final class TraceArbitraries {

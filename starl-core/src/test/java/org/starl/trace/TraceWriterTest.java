@@ -11,8 +11,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 class TraceWriterTest {
 

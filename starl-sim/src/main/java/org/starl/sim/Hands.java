@@ -2,12 +2,12 @@ package org.starl.sim;
 
 import java.util.List;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.fault.FaultRun;
-import org.starl.input.BadInput;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;
 

@@ -3,8 +3,8 @@ package org.starl.sim;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /**
  * One robot of a simulation.

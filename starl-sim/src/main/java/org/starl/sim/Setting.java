@@ -6,15 +6,15 @@ import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
-import org.starl.id.RobotId;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
-import org.starl.sim.fault.Envelope;
-import org.starl.sim.fault.FaultPlan;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.input.Quantities;
 import org.starl.input.Quantity;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.net.Latency;
 
 /**

@@ -1,8 +1,8 @@
 package org.starl.sim;
 
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
 import org.starl.sim.net.SimNetwork;

@@ -7,7 +7,6 @@ import org.starl.RobotRunner;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.fault.ImpairedStrand;
 import org.starl.sim.fault.Impairment;
@@ -22,6 +21,7 @@ import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /**
  * One robot of a run in one incarnation: its program on a simulated platform, and its body while on

@@ -3,11 +3,11 @@ package org.starl.sim;
 import java.util.List;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink;
-import org.starl.trace.TraceSink;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceSink;
 
 /** Everybody who watches a run: the monitors first, then the observers, in the order given. */
 final class Watchers implements TraceSink {

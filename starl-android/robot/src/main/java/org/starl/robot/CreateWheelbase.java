@@ -2,6 +2,11 @@ package org.starl.robot;
 
 import java.io.IOException;
 import java.util.function.Consumer;
+import org.starl.geometry.Fix;
+import org.starl.platform.Chassis;
+import org.starl.platform.Clock;
+import org.starl.platform.LogSink;
+import org.starl.platform.LogSink.Level;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.CreateChassis;
 import org.starl.robot.create.CreateModel;
@@ -10,11 +15,6 @@ import org.starl.robot.create.CreateStatus;
 import org.starl.robot.create.OiMode;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels;
-import org.starl.geometry.Fix;
-import org.starl.platform.Chassis;
-import org.starl.platform.Clock;
-import org.starl.platform.LogSink;
-import org.starl.platform.LogSink.Level;
 
 /** An iRobot Create as a deployment file describes it. */
 public final class CreateWheelbase implements Wheelbase {

@@ -12,9 +12,16 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.RobotRunner;
+import org.starl.body.MotionParameters;
+import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.RobotRunner;
+import org.starl.platform.DeploymentKey;
+import org.starl.platform.LogSink;
+import org.starl.platform.LogSink.Level;
+import org.starl.platform.Platform;
+import org.starl.random.Rng;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Network;
@@ -31,15 +38,8 @@ import org.starl.robot.udp.LossyRadio;
 import org.starl.robot.udp.StartNumber;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.robot.udp.UdpStatistics;
-import org.starl.geometry.Obstacles;
-import org.starl.body.MotionParameters;
-import org.starl.platform.DeploymentKey;
-import org.starl.platform.LogSink;
-import org.starl.platform.LogSink.Level;
-import org.starl.platform.Platform;
-import org.starl.trace.TraceSink;
-import org.starl.random.Rng;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceSink;
 
 /**
  * One robot of a deployment, from {@link #open} to {@link #close}: an incarnation of its program on the

@@ -3,15 +3,15 @@ package org.starl.robot;
 import java.util.List;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.geometry.Fix;
+import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Positioning;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceSink;
 
 /**
  * Passes a robot's fixes on, and writes them into its trace as events of its body, which nobody else

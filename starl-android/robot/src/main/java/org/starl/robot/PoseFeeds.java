@@ -4,6 +4,8 @@ import java.io.IOException;
 import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
+import org.starl.platform.Clock;
+import org.starl.platform.LogSink;
 import org.starl.robot.file.Positions;
 import org.starl.robot.optitrack.Axes;
 import org.starl.robot.optitrack.BodyAxis;
@@ -14,8 +16,6 @@ import org.starl.robot.optitrack.NatNetClient;
 import org.starl.robot.optitrack.NatNetSettings;
 import org.starl.robot.optitrack.PoseFeed;
 import org.starl.robot.optitrack.UpAxis;
-import org.starl.platform.Clock;
-import org.starl.platform.LogSink;
 
 /** Opens what a deployment's {@link Positions} mean. */
 public final class PoseFeeds {

@@ -1,7 +1,7 @@
 package org.starl.robot;
 
-import org.starl.robot.file.Limits;
 import org.starl.body.MotionParameters;
+import org.starl.robot.file.Limits;
 
 /** How an app's robots move on real wheels. */
 public final class RealMotion {

@@ -5,15 +5,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.platform.Positioning;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceSink;
 
 /** What a robot writes of its own body, and how far it may be from the truth. */
 class MeasuredBodyTest {

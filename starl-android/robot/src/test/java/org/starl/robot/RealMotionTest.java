@@ -3,8 +3,8 @@ package org.starl.robot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.starl.robot.file.Limits;
 import org.starl.body.MotionParameters;
+import org.starl.robot.file.Limits;
 
 /** What a deployment says of its wheels, its robots' programs expect. */
 class RealMotionTest {

@@ -5,18 +5,18 @@ import java.util.List;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.input.BadInput;
 
 /**
  * B1: N robots, each 100 times: wait 100 ms, send one message to a random other robot with an

@@ -11,11 +11,11 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntConsumer;
+import org.starl.input.BadInput;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
-import org.starl.input.BadInput;
 
 /**
  * One run of a workload, in numbers. CPU time is that of the thread which ran the simulation: with

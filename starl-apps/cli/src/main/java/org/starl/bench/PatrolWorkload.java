@@ -3,7 +3,6 @@ package org.starl.bench;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
@@ -11,10 +10,11 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.input.BadInput;
 
 /**
  * B2, PATROL: the whole stack. N robots on a square grid 2 m apart drive to and fro 600 mm to either

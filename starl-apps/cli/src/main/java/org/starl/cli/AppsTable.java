@@ -14,12 +14,12 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Input;
+import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.check.Campaign;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
-import org.starl.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 
 /**

@@ -2,14 +2,14 @@ package org.starl.cli;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
-import org.starl.input.BadInput;
 
 /** The app that a deployment names, with its parameters. */
 final class DeployedApp {

@@ -9,6 +9,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.processes.Fleet;
 import org.starl.processes.FleetResult;
 import org.starl.processes.FleetSettings;
@@ -21,7 +22,6 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.TimeRange;
 import org.starl.sim.fault.Who;
-import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 
 /** What {@code run} takes where robots are processes. */

@@ -18,12 +18,12 @@ import org.starl.cli.report.Pictured;
 import org.starl.cli.report.Report;
 import org.starl.cli.report.RunFacts;
 import org.starl.cli.report.Subject;
+import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.fault.FaultPlan;
-import org.starl.input.BadInput;
 
 /**
  * The page about a campaign, if the user asked for one: collects what it needs of each run, on any

@@ -9,14 +9,14 @@ import java.util.SortedMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
+import org.starl.input.BadInput;
+import org.starl.input.NearMatches;
+import org.starl.input.Quantities;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
-import org.starl.input.BadInput;
-import org.starl.input.NearMatches;
-import org.starl.input.Quantities;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 

@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.starl.input.BadInput;
+import org.starl.input.TextFile;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.Node;
 import org.starl.robot.file.YamlTree;
-import org.starl.input.BadInput;
-import org.starl.input.TextFile;
 
 /**
  * A scenario in YAML: {@code app:} and then any settings and parameters, one a line.

@@ -9,11 +9,11 @@ import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
+import org.starl.input.Form;
+import org.starl.input.Quantity;
 import org.starl.sim.Setting;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
-import org.starl.input.Form;
-import org.starl.input.Quantity;
 
 /**
  * The JSON schema (draft 7) of {@link ScenarioFile}, for editors: which apps, settings and

@@ -2,8 +2,8 @@ package org.starl.cli;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
-import org.starl.sim.SimResult;
 import org.starl.input.BadInput;
+import org.starl.sim.SimResult;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 import org.starl.sim.replay.TraceReading;

@@ -13,6 +13,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.starl.body.MotionParameters;
+import org.starl.robot.RealMotion;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
@@ -20,8 +22,6 @@ import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import org.starl.robot.file.Wheels.Create;
-import org.starl.robot.RealMotion;
-import org.starl.body.MotionParameters;
 
 /**
  * What can be told of a deployment without running it: whether hosts have addresses; on the machine of

@@ -4,14 +4,14 @@ import java.io.IOException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
+import org.starl.input.TextFile;
+import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.DeploymentReader;
 import org.starl.robot.file.YamlTree;
 import org.starl.robot.udp.KeyFile;
-import org.starl.platform.DeploymentKey;
-import org.starl.input.BadInput;
-import org.starl.input.TextFile;
 
 /** A deployment in YAML. All errors are {@link BadInput}. */
 public final class DeploymentFile {

@@ -4,13 +4,13 @@ import java.io.IOException;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.id.RobotId;
-import org.starl.robot.DeployedRobot;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.Clock;
 import org.starl.processes.SoloControl;
 import org.starl.random.Rng;
+import org.starl.robot.DeployedRobot;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 

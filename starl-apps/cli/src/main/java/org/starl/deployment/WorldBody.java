@@ -2,13 +2,13 @@ package org.starl.deployment;
 
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
-import org.starl.robot.create.CreateBody;
-import org.starl.robot.optitrack.PoseSource;
-import org.starl.geometry.Pose;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.platform.Strand;
+import org.starl.robot.create.CreateBody;
+import org.starl.robot.optitrack.PoseSource;
 import org.starl.sim.world.Body;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;

@@ -1,11 +1,11 @@
 package org.starl.deployment;
 
-import org.starl.robot.Wheelbase;
-import org.starl.geometry.Fix;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Fix;
 import org.starl.platform.Chassis;
 import org.starl.platform.Strand;
+import org.starl.robot.Wheelbase;
 
 /** Simulated wheels without a Create between them and the program. */
 final class WorldWheels implements Wheelbase, Chassis {

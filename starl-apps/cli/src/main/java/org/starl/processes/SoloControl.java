@@ -1,9 +1,9 @@
 package org.starl.processes;
 
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;

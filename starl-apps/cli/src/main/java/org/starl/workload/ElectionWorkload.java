@@ -5,14 +5,14 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
+import org.starl.input.BadInput;
+import org.starl.input.Form;
 import org.starl.primitives.election.Election;
 import org.starl.primitives.election.ElectionSettings;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.election.ElectionStrategy;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.input.BadInput;
-import org.starl.input.Form;
 
 /** {@code starl campaign election}: in each round all robots take part in one more election. */
 final class ElectionWorkload extends PrimitiveDemo {

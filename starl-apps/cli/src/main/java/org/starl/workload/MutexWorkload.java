@@ -7,6 +7,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.apps.Request;
+import org.starl.input.BadInput;
+import org.starl.input.Form;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexBounds;
@@ -18,8 +20,6 @@ import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.input.BadInput;
-import org.starl.input.Form;
 
 /**
  * {@code starl campaign mutex}: robots register, enter one or two of a few sections again and again,

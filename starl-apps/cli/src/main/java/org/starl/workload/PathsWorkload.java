@@ -9,6 +9,8 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.input.BadInput;
+import org.starl.input.Form;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.PathPlanner;
@@ -20,8 +22,6 @@ import org.starl.random.Rng;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.input.BadInput;
-import org.starl.input.Form;
 
 /**
  * {@code starl campaign paths}: robots drive to places all over a floor with walls, each in a tube

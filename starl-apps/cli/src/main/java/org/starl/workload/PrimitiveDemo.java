@@ -4,21 +4,21 @@ import java.time.Duration;
 import java.util.OptionalInt;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
-import org.starl.id.RobotId;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
-import org.starl.sim.RobotSpec;
-import org.starl.sim.Setting;
-import org.starl.sim.SimSettings;
-import org.starl.sim.Simulation;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
 import org.starl.input.Quantities;
 import org.starl.input.Quantity;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
 import org.starl.sim.record.Layer;
 
 /** A primitive's workload as the command line knows it. */

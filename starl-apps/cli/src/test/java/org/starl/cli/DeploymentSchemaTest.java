@@ -23,12 +23,12 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demos;
+import org.starl.deployment.DeploymentFile;
+import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.Field;
 import org.starl.robot.file.Form;
 import org.starl.robot.file.Grammar;
-import org.starl.deployment.DeploymentFile;
-import org.starl.input.BadInput;
 
 /** What an editor takes in a deployment file is what {@code deploy check} takes. */
 class DeploymentSchemaTest {

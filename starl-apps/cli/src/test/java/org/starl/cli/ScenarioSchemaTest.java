@@ -21,10 +21,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
-import org.starl.sim.Setting;
-import org.starl.sim.SimSettings;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
 import picocli.CommandLine;
 
 /** What an editor takes in a scenario file is what a command takes. */

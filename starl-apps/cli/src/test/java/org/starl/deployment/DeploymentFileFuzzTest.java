@@ -9,9 +9,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.sim.check.MalformedBytes;
-import org.starl.input.BadInput;
 
 /** Any bytes as a deployment file: a deployment, or one line that names the file. */
 public class DeploymentFileFuzzTest {

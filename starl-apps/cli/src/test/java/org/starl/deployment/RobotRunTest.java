@@ -18,7 +18,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
+import org.starl.geometry.Fix;
 import org.starl.id.RobotId;
+import org.starl.platform.Chassis;
+import org.starl.robot.CreateWheelbase;
+import org.starl.robot.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
@@ -26,12 +32,6 @@ import org.starl.robot.file.Network;
 import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
-import org.starl.robot.CreateWheelbase;
-import org.starl.robot.Wheelbase;
-import org.starl.geometry.Fix;
-import org.starl.body.Bumps;
-import org.starl.body.WheelCommand;
-import org.starl.platform.Chassis;
 import org.starl.sim.Simulation;
 
 /** One robot of a deployment, alone on the loopback interface. */

@@ -13,10 +13,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.robot.trace.Outbox;
 import org.starl.robot.trace.Word;
 import org.starl.sim.Simulation;
-import org.starl.input.BadInput;
 import org.starl.trace.TraceEvent.Action;
 
 class RobotTraceTest {

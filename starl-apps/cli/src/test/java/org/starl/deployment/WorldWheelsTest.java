@@ -8,19 +8,19 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
 import org.starl.sim.world.WorldLimits;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceSink;
 
 /** The wheels of a robot that is simulated without a Create. */
 class WorldWheelsTest {

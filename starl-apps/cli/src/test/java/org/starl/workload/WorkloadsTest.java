@@ -13,10 +13,10 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
+import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.check.Determinism;
-import org.starl.input.BadInput;
 
 /** What all primitives' workloads have in common. */
 class WorkloadsTest {

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.id.RobotId;
 import org.starl.apps.Measures;
 import org.starl.apps.Story;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.sim.SimResult;
 

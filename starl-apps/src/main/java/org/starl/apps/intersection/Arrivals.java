@@ -2,8 +2,8 @@ package org.starl.apps.intersection;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Route;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**

@@ -1,8 +1,8 @@
 package org.starl.apps.intersection;
 
-import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /**
  * A car of a scenario.

@@ -2,11 +2,11 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Turn;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /** The cars of the intersection's own scenarios. */

@@ -5,7 +5,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.id.RobotId;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
@@ -19,8 +18,13 @@ import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.spec.Bounds;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
-import org.starl.geometry.Obstacles;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Obstacles;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.input.Form;
+import org.starl.input.Quantities;
+import org.starl.input.Quantity;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
@@ -28,10 +32,6 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.input.BadInput;
-import org.starl.input.Form;
-import org.starl.input.Quantities;
-import org.starl.input.Quantity;
 
 /** The paper's section 3: {@code starl run intersection}. */
 public final class IntersectionDemo implements Demo {

@@ -6,10 +6,10 @@ import java.util.Deque;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 

@@ -4,9 +4,9 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Trip;
+import org.starl.id.RobotId;
 
 /**
  * Where the cars of an open road are bound for, for pictures: drawn again from the seed that their

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import org.starl.id.RobotId;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
@@ -21,10 +20,13 @@ import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
 import org.starl.apps.lightpaint.spec.PaintSpec;
 import org.starl.apps.lightpaint.view.LightPaintLayer;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.body.MotionParameters;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.sim.RobotSpec;
@@ -32,8 +34,6 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
 public final class LightPaintDemo implements Demo {

@@ -11,12 +11,12 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
+import org.starl.input.BadInput;
 import org.starl.primitives.paths.Capsule;
 import org.starl.primitives.paths.LocalPlanner;
 import org.starl.primitives.paths.Plan;
 import org.starl.primitives.paths.PlanTask;
 import org.starl.random.Rng;
-import org.starl.input.BadInput;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 

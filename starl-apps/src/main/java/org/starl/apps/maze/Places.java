@@ -5,8 +5,8 @@ import java.util.BitSet;
 import java.util.List;
 import org.starl.apps.maze.logic.Goal;
 import org.starl.geometry.Pose;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
+import org.starl.random.Rng;
 
 /**
  * Draws starts and goals in the middle of cells: three of four goals within reach, the others cut

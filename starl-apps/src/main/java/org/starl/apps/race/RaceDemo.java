@@ -18,9 +18,11 @@ import org.starl.apps.race.logic.Scoreboard;
 import org.starl.apps.race.spec.RaceBounds;
 import org.starl.apps.race.spec.RaceSpec;
 import org.starl.apps.race.view.RaceLayer;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.body.MotionParameters;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.primitives.geocast.GeocastSpec;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.random.Rng;
@@ -28,8 +30,6 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 
 /** The paper's section 5.4, Race App: {@code starl run race}. */
 public final class RaceDemo implements Demo {

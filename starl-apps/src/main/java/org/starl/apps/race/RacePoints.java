@@ -6,12 +6,12 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.apps.race.logic.RacePoint;
-import org.starl.geometry.Point;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Point;
+import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
-import org.starl.input.BadInput;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 

@@ -8,7 +8,6 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.starl.id.RobotId;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
@@ -21,11 +20,14 @@ import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.SearchApp;
 import org.starl.apps.search.spec.SearchSpec;
 import org.starl.apps.search.view.SearchLayer;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.body.MotionParameters;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.motion.MotionSpec;
@@ -35,8 +37,6 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
-import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 
 /** The paper's Distributed Search (section 5.4): {@code starl run search}. */
 public final class SearchDemo implements Demo {

@@ -1,11 +1,11 @@
 package org.starl.apps.search;
 
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /**
  * A search to be simulated.

@@ -3,11 +3,11 @@ package org.starl.apps.search;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Sensing;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.starl.apps.hello.logic.Hello;
-import org.starl.motion.MotionFlag;
 import org.starl.body.MotionParameters;
+import org.starl.motion.MotionFlag;
 import org.starl.primitives.motion.MotionSpec;
 import org.starl.sim.Simulation;
 import org.starl.sim.junit.Afterwards;

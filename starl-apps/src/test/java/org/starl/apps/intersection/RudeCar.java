@@ -3,14 +3,14 @@ package org.starl.apps.intersection;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
-import org.starl.id.ProcessId;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.geometry.ItemPosition;
+import org.starl.gvh.GvhCell;
+import org.starl.id.ProcessId;
 import org.starl.motion.MotionFlag;
 
 /** A car that does not do as it should, in one way, and tells of what it does as others do. */

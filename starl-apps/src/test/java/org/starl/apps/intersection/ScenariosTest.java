@@ -9,8 +9,8 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.trace.TraceEvent;
 

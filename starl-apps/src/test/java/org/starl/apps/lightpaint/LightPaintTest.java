@@ -18,7 +18,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.id.RobotId;
 import org.starl.apps.Input;
 import org.starl.apps.Plan;
 import org.starl.apps.Product;
@@ -26,9 +25,10 @@ import org.starl.apps.Request;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
-import org.starl.input.BadInput;
 
 /** Whole runs of light painting. */
 class LightPaintTest {

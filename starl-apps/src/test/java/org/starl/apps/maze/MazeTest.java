@@ -16,12 +16,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.id.RobotId;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
-import org.starl.input.BadInput;
 
 class MazeTest {
 

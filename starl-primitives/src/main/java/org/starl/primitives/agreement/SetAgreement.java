@@ -1,11 +1,11 @@
 package org.starl.primitives.agreement;
 
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Channel;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.comms.Channel;
 import org.starl.primitives.StarLPrimitive;
 
 /**

@@ -1,10 +1,10 @@
 package org.starl.primitives.agreement;
 
 import org.jspecify.annotations.Nullable;
+import org.starl.comms.WireFormatException;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.comms.WireFormatException;
 import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Accepted;
 import org.starl.primitives.agreement.SynodMessage.Decided;

@@ -3,9 +3,9 @@ package org.starl.primitives.agreement;
 import java.util.function.LongConsumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.id.RobotId;
 import org.starl.platform.Stable;
 import org.starl.platform.Timer;
 

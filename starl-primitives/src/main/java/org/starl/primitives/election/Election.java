@@ -1,13 +1,13 @@
 package org.starl.primitives.election;
 
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.comms.Channel;
-import org.starl.comms.Endpoint;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodWire;
 

@@ -1,11 +1,11 @@
 package org.starl.primitives.election;
 
 import java.util.Arrays;
-import org.starl.id.ProcessId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
+import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.election.ElectionMessage.Candidacy;

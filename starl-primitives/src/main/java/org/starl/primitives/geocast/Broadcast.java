@@ -1,9 +1,9 @@
 package org.starl.primitives.geocast;
 
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhVariable;
 import org.starl.comms.Codec;
 import org.starl.geometry.Everywhere;
+import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
 /**

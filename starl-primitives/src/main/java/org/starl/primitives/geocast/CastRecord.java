@@ -8,8 +8,8 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.id.RobotId;
 import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
 /** What {@link Casts} and {@link GeocastSpec} know of one geocast whose interval is not over. */

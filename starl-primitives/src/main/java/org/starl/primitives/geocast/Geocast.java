@@ -1,10 +1,10 @@
 package org.starl.primitives.geocast;
 
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhVariable;
 import org.starl.comms.Codec;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Region;
+import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
 /**

@@ -1,7 +1,7 @@
 package org.starl.primitives.geocast;
 
-import org.starl.id.RobotId;
 import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 
 /** Where a {@link GeocastProtocol}'s effects go, and where it asks for its place. */
 interface GeocastPort<T> {

@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import org.starl.geometry.Region;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.geometry.Region;
 import org.starl.primitives.geocast.GeocastPort.Dismissal;
 
 /**

@@ -2,16 +2,16 @@ package org.starl.primitives.geocast;
 
 import java.util.Locale;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
-import org.starl.gvh.GvhVariable;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.motion.Location;
 import org.starl.platform.Timer;
 

@@ -1,8 +1,8 @@
 package org.starl.primitives.geocast;
 
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
 /**

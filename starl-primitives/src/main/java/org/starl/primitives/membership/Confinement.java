@@ -6,10 +6,10 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
-import org.starl.id.ProcessId;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
+import org.starl.id.ProcessId;
 
 /**
  * Somebody is to be given up: {@code who} holds no more than {@code sections} and never will. The next

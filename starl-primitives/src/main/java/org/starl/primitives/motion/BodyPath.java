@@ -1,9 +1,9 @@
 package org.starl.primitives.motion;
 
-import org.starl.id.RobotId;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
 /** Follows a true body between two events, and finds where it comes too near to a region. */

@@ -1,9 +1,9 @@
 package org.starl.primitives.motion;
 
 import org.jspecify.annotations.Nullable;
+import org.starl.body.MotionParameters;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
-import org.starl.body.MotionParameters;
 import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.spec.automaton.Conformance;

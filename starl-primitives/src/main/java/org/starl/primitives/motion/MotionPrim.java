@@ -1,8 +1,8 @@
 package org.starl.primitives.motion;
 
-import org.starl.gvh.GvhVariable;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Region;
+import org.starl.gvh.GvhVariable;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionTask;
 import org.starl.primitives.StarLPrimitive;

@@ -1,8 +1,8 @@
 package org.starl.primitives.motion;
 
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 
 /** One command to move, as {@link MotionBodies} follows it. */
 final class MotionRecord {

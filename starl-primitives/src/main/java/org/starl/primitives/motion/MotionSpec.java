@@ -2,13 +2,13 @@ package org.starl.primitives.motion;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
-import org.starl.body.CollisionPolicy;
+import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
-import org.starl.body.MotionParameters;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;

@@ -1,11 +1,11 @@
 package org.starl.primitives.motion;
 
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhVariable;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
+import org.starl.gvh.GvhVariable;
 import org.starl.motion.MotionControl;
 import org.starl.motion.MotionFlag;
 import org.starl.motion.MotionTask;

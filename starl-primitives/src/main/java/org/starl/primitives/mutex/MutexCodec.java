@@ -1,11 +1,11 @@
 package org.starl.primitives.mutex;
 
 import java.util.SortedSet;
-import org.starl.id.ProcessId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
+import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 
 /** The bytes of {@link MutexMessage}, as {@code docs/wire-format.md} has them. */

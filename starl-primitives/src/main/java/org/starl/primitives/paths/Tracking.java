@@ -6,12 +6,12 @@ import org.jspecify.annotations.Nullable;
 import org.locationtech.jts.geom.Coordinate;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Region;
 import org.starl.geometry.Segment;
 import org.starl.geometry.Union;
-import org.starl.body.MotionParameters;
 
 /** How wide a tube must be for a robot that follows its line, and how it is kept inside. */
 final class Tracking {

@@ -7,11 +7,11 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Channel;
+import org.starl.comms.Endpoint;
 import org.starl.gvh.GvhCell;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.comms.Channel;
-import org.starl.comms.Endpoint;
 import org.starl.platform.Timer;
 
 /**

@@ -2,10 +2,10 @@ package org.starl.primitives.paths;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
 import org.starl.motion.MotionControl;
 import org.starl.motion.MotionFlag;
-import org.starl.body.MotionParameters;
 import org.starl.platform.Timer;
 
 /**

@@ -9,10 +9,10 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.junit.jupiter.api.Test;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
 

@@ -4,11 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
+import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.spec.automaton.Fun;

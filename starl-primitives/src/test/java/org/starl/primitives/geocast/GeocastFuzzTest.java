@@ -3,8 +3,6 @@ package org.starl.primitives.geocast;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
@@ -18,6 +16,8 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
 import org.starl.geometry.Union;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
 

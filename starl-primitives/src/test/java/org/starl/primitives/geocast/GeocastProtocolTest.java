@@ -7,13 +7,13 @@ import static org.starl.primitives.geocast.GeocastWorld.MS;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.Participants;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Everywhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
+import org.starl.id.Participants;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
 class GeocastProtocolTest {
 

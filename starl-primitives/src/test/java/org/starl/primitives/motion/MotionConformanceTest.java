@@ -4,12 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
-import org.starl.body.MotionParameters;
+import org.starl.id.RobotId;
 import org.starl.primitives.conformance.ShownRun;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.trace.TraceEvent.Action;

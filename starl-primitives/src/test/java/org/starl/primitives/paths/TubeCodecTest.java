@@ -10,11 +10,11 @@ import net.jqwik.api.EdgeCasesMode;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.random.Rng;
 

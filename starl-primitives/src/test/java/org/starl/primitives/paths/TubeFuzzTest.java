@@ -3,8 +3,8 @@ package org.starl.primitives.paths;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
 

@@ -6,12 +6,12 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.RegionText;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**

@@ -7,10 +7,10 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**

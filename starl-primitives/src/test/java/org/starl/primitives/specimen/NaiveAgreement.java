@@ -5,9 +5,9 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.id.RobotId;
 
 /** Robots that propose a value each, and agree on one in ways that come to mind first. */
 final class NaiveAgreement extends LogicThread {

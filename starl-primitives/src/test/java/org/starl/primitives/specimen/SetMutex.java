@@ -9,9 +9,9 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.GlobalVarHolder;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**

@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedSet;
 import org.starl.GlobalVarHolder;
-import org.starl.id.RobotId;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**

@@ -2,8 +2,8 @@ package org.starl.sim.check;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.sim.fault.Fault;
 import org.starl.input.Quantities;
+import org.starl.sim.fault.Fault;
 
 /**
  * A run, in what {@link Shrink} can take from it.

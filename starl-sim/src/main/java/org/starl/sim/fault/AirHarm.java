@@ -2,8 +2,8 @@ package org.starl.sim.fault;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.random.Rng;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 import org.starl.sim.net.Latency;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Verdict;

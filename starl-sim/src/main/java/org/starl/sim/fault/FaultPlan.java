@@ -5,8 +5,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.id.RobotId;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
+import org.starl.random.Rng;
 
 /**
  * What goes wrong in a run. Its text is its faults with {@code ;} between them, as in the setting

@@ -4,9 +4,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.starl.id.RobotId;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
 
 /** Faults at work in one run: begins and ends them and tells of it. */

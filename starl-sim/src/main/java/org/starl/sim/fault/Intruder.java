@@ -1,11 +1,11 @@
 package org.starl.sim.fault;
 
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.world.Body;
 

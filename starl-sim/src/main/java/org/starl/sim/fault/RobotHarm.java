@@ -3,8 +3,8 @@ package org.starl.sim.fault;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.id.RobotId;
-import org.starl.random.Rng;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 import org.starl.sim.world.PositionNoise;
 
 /** A part of a robot does not do what it should; its program goes on. */

@@ -3,8 +3,8 @@ package org.starl.sim.fault;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.random.Rng;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 
 /**
  * When a fault begins and ends: {@code at=12s,for=5s}, {@code at=5s..20s,until=30s}. Without {@code

@@ -1,8 +1,8 @@
 package org.starl.sim.fault;
 
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 
 /**
  * A time or a time span in ns, drawn evenly from the least to the most: {@code 5s}, {@code 5s..20s}.

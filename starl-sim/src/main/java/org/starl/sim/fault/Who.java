@@ -5,8 +5,8 @@ import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.id.RobotId;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
+import org.starl.random.Rng;
 
 /**
  * Whom a fault befalls: {@code all}, those who come later included; {@code any}, one that is drawn

@@ -13,11 +13,11 @@ import org.junit.jupiter.api.extension.ParameterResolver;
 import org.junit.jupiter.api.extension.ReflectiveInvocationContext;
 import org.junit.platform.commons.support.AnnotationSupport;
 import org.junit.platform.commons.support.ReflectionSupport;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.FaultPlan;
-import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 
 /**
  * Runs the methods marked {@link StarlTest}. JUnit resolves a method's parameters once; its one

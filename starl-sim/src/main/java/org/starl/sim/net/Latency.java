@@ -2,10 +2,10 @@ package org.starl.sim.net;
 
 import java.util.Arrays;
 import java.util.List;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.input.Quantity;
+import org.starl.random.Rng;
 
 /**
  * How long a datagram takes: a distribution of delays in ns, none below 0. Its text is what {@link

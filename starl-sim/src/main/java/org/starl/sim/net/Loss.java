@@ -1,7 +1,7 @@
 package org.starl.sim.net;
 
-import org.starl.random.Rng;
 import org.starl.input.Quantities;
+import org.starl.random.Rng;
 
 /**
  * How often a datagram is lost: each copy to each recipient on its own.

@@ -6,11 +6,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.SimStrand;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /**
  * The air between all robots of a run. Robots come and go with {@link #attach} and {@link #detach};

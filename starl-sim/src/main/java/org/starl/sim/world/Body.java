@@ -3,12 +3,12 @@ package org.starl.sim.world;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
-import org.starl.body.Bumps;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 
 /**

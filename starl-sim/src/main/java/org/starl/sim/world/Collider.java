@@ -3,8 +3,8 @@ package org.starl.sim.world;
 import java.util.Arrays;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.geometry.Angles;
 import org.starl.body.Bumps;
+import org.starl.geometry.Angles;
 
 /**
  * Keeps bodies from overlapping, by conservative advancement on <em>budgets</em>: each body may

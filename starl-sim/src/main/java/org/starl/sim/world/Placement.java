@@ -7,8 +7,8 @@ import java.util.Map;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
+import org.starl.random.Rng;
 
 /** Draws free places for robots. The time it takes grows with their number, not its square. */
 public final class Placement {

@@ -3,17 +3,17 @@ package org.starl.sim.world;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import org.starl.id.RobotId;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Segment;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /**
  * The floor of one run: walls, and the bodies of all robots. Its time is the run's true time. Used

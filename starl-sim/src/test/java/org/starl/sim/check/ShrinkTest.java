@@ -13,10 +13,10 @@ import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
 import net.jqwik.api.constraints.Size;
 import org.junit.jupiter.api.Test;
+import org.starl.input.BadInput;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.FaultGrammar;
-import org.starl.input.BadInput;
 import org.starl.spec.SpecReport.Violation;
 
 class ShrinkTest {

@@ -7,12 +7,12 @@ import java.util.List;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import net.jqwik.api.constraints.IntRange;
-import org.starl.id.RobotId;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /** Random bodies under random commands, watched in fine steps. */

@@ -14,8 +14,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.random.Rng;
 import org.starl.input.BadInput;
+import org.starl.random.Rng;
 
 /** Grid maps: what they say, and that every bad line is named. */
 class GridMapsTest {

@@ -2,8 +2,8 @@ package org.starl.sim.world;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /** Keeps all events. */
 public final class TestTrace implements TraceSink {

@@ -7,13 +7,13 @@ import static org.assertj.core.api.Assertions.within;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
-import org.starl.body.Bumps;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 final class WorldTest {

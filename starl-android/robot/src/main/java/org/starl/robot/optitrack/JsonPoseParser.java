@@ -2,9 +2,9 @@ package org.starl.robot.optitrack;
 
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /**
  * Reads one line of the JSON feed: one object of RFC 8259 whose keys are those below, in any order,

@@ -1,8 +1,8 @@
 package org.starl.robot.trace;
 
 import java.util.function.Consumer;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /**
  * A trace whose time 0 is not that of the clock: it begins when its process does.

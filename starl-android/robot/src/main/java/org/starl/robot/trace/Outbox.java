@@ -7,9 +7,9 @@ import java.util.List;
 import java.util.concurrent.locks.ReentrantLock;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
-import org.starl.trace.TraceSink;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceSink;
 import org.starl.trace.TraceWriter;
 
 /**

@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
-import org.starl.robot.realtime.RealBackground;
 import org.starl.platform.Background;
 import org.starl.platform.Strand;
+import org.starl.robot.realtime.RealBackground;
 
 class BackgroundInRealTimeTest extends BackgroundContract {
 

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
-import org.starl.robot.realtime.RealClock;
-import org.starl.robot.realtime.RealStrand;
 import org.starl.platform.Clock;
 import org.starl.platform.Timers;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.realtime.RealStrand;
 
 /** A real strand in real time. */
 public final class RealGround implements Ground {

@@ -2,12 +2,11 @@ package org.starl.robot.contract;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.id.RobotId;
+import org.starl.body.WheelCommand;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
-import org.starl.body.WheelCommand;
+import org.starl.id.RobotId;
 import org.starl.platform.Positioning;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.Body;
@@ -16,6 +15,7 @@ import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.World;
 import org.starl.sim.world.WorldLimits;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 class SimPositioningTest extends PositioningContract {
 

@@ -3,13 +3,13 @@ package org.starl.robot.contract;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.platform.Radio;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.net.Latency;
 import org.starl.sim.net.Loss;
 import org.starl.sim.net.SimNetwork;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 class SimRadioTest extends RadioContract {
 

@@ -8,9 +8,9 @@ import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.starl.robot.create.CreateBody.Senses;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.robot.create.CreateBody.Senses;
 
 /** The driver on its own threads, against a simulated robot at the end of real lines. */
 class CreateChassisTest {

@@ -7,10 +7,10 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
-import org.starl.robot.create.CreateBody.Sense;
-import org.starl.robot.create.CreateBody.Senses;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.robot.create.CreateBody.Sense;
+import org.starl.robot.create.CreateBody.Senses;
 
 /** What the driver promises, held by the simulated robot over a line of its true speed. */
 class CreateDriverTest {

@@ -7,12 +7,12 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
-import org.starl.robot.contract.RealGround;
-import org.starl.geometry.Fix;
-import org.starl.geometry.Pose;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Fix;
+import org.starl.geometry.Pose;
 import org.starl.platform.Timer;
+import org.starl.robot.contract.RealGround;
 
 /** A driver on its threads, and a simulated robot on its own, over some line; and a program. */
 final class LiveRobot implements AutoCloseable, CreateChassis.Listener {

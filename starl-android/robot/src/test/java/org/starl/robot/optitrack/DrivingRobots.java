@@ -2,10 +2,10 @@ package org.starl.robot.optitrack;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.robot.contract.PositioningContract.Course;
-import org.starl.robot.realtime.RealClock;
 import org.starl.geometry.Pose;
 import org.starl.platform.Clock;
+import org.starl.robot.contract.PositioningContract.Course;
+import org.starl.robot.realtime.RealClock;
 
 /** Two robots that drive along x by one clock, as cameras with another clock see them. */
 final class DrivingRobots implements PoseSource {

@@ -2,11 +2,11 @@ package org.starl.robot.optitrack;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import org.starl.platform.Positioning;
+import org.starl.platform.Timer;
 import org.starl.robot.contract.Ground;
 import org.starl.robot.contract.PositioningContract;
 import org.starl.robot.contract.RealGround;
-import org.starl.platform.Positioning;
-import org.starl.platform.Timer;
 
 /** The contract, from a strand that sends JSON lines over the loopback interface. */
 class JsonFeedPositioningTest extends PositioningContract {

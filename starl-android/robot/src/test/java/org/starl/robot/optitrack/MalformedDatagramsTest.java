@@ -9,9 +9,9 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
-import org.starl.robot.realtime.RealClock;
 import org.starl.geometry.Pose;
 import org.starl.platform.Clock;
+import org.starl.robot.realtime.RealClock;
 import org.starl.sim.check.MalformedBytes;
 
 /** Malformed datagrams to the sockets of server and feed, which go on for those who behave. */

@@ -16,9 +16,9 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.robot.realtime.RealClock;
 import org.starl.geometry.Pose;
 import org.starl.platform.Clock;
+import org.starl.robot.realtime.RealClock;
 
 /**
  * The server as others decode it: PyPI's {@code natnet}, which shares nothing with this code. Runs

@@ -2,10 +2,10 @@ package org.starl.robot.optitrack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.starl.platform.Positioning;
 import org.starl.robot.contract.Ground;
 import org.starl.robot.contract.PositioningContract;
 import org.starl.robot.contract.RealGround;
-import org.starl.platform.Positioning;
 
 /** The contract, from a server over the loopback interface to a client. */
 class NatNetPositioningTest extends PositioningContract {

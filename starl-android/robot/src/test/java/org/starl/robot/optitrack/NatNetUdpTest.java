@@ -16,12 +16,12 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
-import org.starl.robot.contract.RealGround;
-import org.starl.robot.realtime.RealClock;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 import org.starl.platform.Clock;
+import org.starl.robot.contract.RealGround;
+import org.starl.robot.realtime.RealClock;
 
 /** Client and server over real sockets of the loopback interface. */
 class NatNetUdpTest {

@@ -13,9 +13,9 @@ import java.util.List;
 import javax.crypto.Mac;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.starl.comms.DropReason;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.comms.DropReason;
 import org.starl.platform.DeploymentKey;
 import org.starl.sim.check.MalformedBytes;
 

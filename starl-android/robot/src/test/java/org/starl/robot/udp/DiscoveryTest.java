@@ -18,10 +18,10 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.robot.realtime.RealClock;
-import org.starl.robot.realtime.RealStrand;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.realtime.RealStrand;
 
 class DiscoveryTest {
 

@@ -15,10 +15,10 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.platform.Stable;
 import org.starl.robot.contract.Ground;
 import org.starl.robot.contract.RealGround;
 import org.starl.robot.contract.StableContract;
-import org.starl.platform.Stable;
 
 /** Files: the contract, and what only a disk can do. */
 class FileStableTest extends StableContract {

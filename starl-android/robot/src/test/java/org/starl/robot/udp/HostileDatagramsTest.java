@@ -17,15 +17,15 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
-import org.starl.id.Participants;
-import org.starl.id.RobotId;
 import org.starl.comms.Comms;
 import org.starl.comms.DropReason;
 import org.starl.comms.Workspace;
-import org.starl.robot.contract.RealGround;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
+import org.starl.robot.contract.RealGround;
 import org.starl.sim.check.MalformedBytes;
 
 /**

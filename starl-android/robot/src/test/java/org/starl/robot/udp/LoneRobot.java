@@ -7,8 +7,9 @@ import java.util.Deque;
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.Participants;
-import org.starl.id.RobotId;
+import org.starl.body.Bumps;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
 import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Comms;
@@ -18,9 +19,8 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.comms.Workspace;
 import org.starl.geometry.Obstacles;
-import org.starl.body.Bumps;
-import org.starl.body.MotionParameters;
-import org.starl.body.WheelCommand;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
 import org.starl.platform.Chassis;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.Platform;
@@ -28,9 +28,9 @@ import org.starl.platform.Radio;
 import org.starl.platform.Stable;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
-import org.starl.trace.TraceSink;
 import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceSink;
 
 /**
  * A robot whose messages are real and all else is not: its strand runs what is posted at once, and what

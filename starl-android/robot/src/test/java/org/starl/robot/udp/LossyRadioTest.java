@@ -6,11 +6,11 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
-import org.starl.robot.contract.Ground;
-import org.starl.robot.contract.RadioContract;
 import org.starl.platform.Radio;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
+import org.starl.robot.contract.Ground;
+import org.starl.robot.contract.RadioContract;
 
 /** A radio in bad air keeps a radio's contract; and the air is as bad as it was told to be. */
 class LossyRadioTest extends RadioContract {

@@ -16,8 +16,8 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.starl.id.RobotId;
-import org.starl.robot.contract.RadioContract;
 import org.starl.platform.Radio;
+import org.starl.robot.contract.RadioContract;
 
 /** UDP on the loopback interface: the contract, and what only a network can do. */
 class UdpRadioTest extends RadioContract {

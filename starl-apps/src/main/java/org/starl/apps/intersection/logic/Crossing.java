@@ -4,12 +4,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
-import org.starl.body.MotionParameters;
 
 /**
  * The floor plan of Figure 2: a two by two square of critical zones, four arms of two lanes, with an

@@ -2,10 +2,10 @@ package org.starl.apps.intersection.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
-import org.starl.id.Participants;
 import org.starl.geometry.ItemPosition;
+import org.starl.gvh.GvhCell;
+import org.starl.id.Participants;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;

@@ -5,8 +5,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Predicate;
 import org.starl.GlobalVarHolder;
-import org.starl.id.Participants;
 import org.starl.geometry.ItemPosition;
+import org.starl.id.Participants;
 
 /**
  * A car's way up its arm, place by place, to the arrival zone. No two cars are in one place: a car

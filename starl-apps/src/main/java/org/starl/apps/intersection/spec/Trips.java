@@ -3,8 +3,8 @@ package org.starl.apps.intersection.spec;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import org.starl.id.RobotId;
 import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 

@@ -3,8 +3,8 @@ package org.starl.apps.lightpaint.logic;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.geometry.Point;
+import org.starl.gvh.GvhCell;
 
 /** The work that a painter has in hand, if any, and its note of that. Strand only. */
 final class InHand {

@@ -2,9 +2,9 @@ package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.Point;
+import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.TubeFlag;
 

@@ -2,9 +2,9 @@ package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Rectangle;
-import org.starl.body.MotionParameters;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.TubeSettings;

@@ -3,9 +3,9 @@ package org.starl.apps.lightpaint.spec;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 
 /** What one light has painted from when it went on until it went off. */
 public final class Pass {

@@ -2,10 +2,10 @@ package org.starl.apps.maze.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.RegionText;
+import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.Path;
 
 /** How one robot in a maze appears in a trace. Strand only. */

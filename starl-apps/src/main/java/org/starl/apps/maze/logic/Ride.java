@@ -3,12 +3,12 @@ package org.starl.apps.maze.logic;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.body.Contact;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
-import org.starl.body.Contact;
 import org.starl.motion.MotionFlag;
-import org.starl.body.MotionParameters;
 import org.starl.primitives.paths.Path;
 
 /** Drives along a path, point by point, and remembers what the body touched and where it has been. */

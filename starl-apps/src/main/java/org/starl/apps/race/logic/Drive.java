@@ -1,11 +1,11 @@
 package org.starl.apps.race.logic;
 
 import org.starl.GlobalVarHolder;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
-import org.starl.body.CollisionPolicy;
 import org.starl.motion.Location.Known;
-import org.starl.body.MotionParameters;
 import org.starl.random.Rng;
 
 /**

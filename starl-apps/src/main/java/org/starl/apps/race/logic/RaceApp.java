@@ -3,8 +3,8 @@ package org.starl.apps.race.logic;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
+import org.starl.gvh.GvhCell;
 import org.starl.motion.Location.Known;
 
 /**

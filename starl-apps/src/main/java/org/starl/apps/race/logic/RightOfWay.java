@@ -3,12 +3,12 @@ package org.starl.apps.race.logic;
 import java.util.Comparator;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.id.RobotId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.primitives.geocast.Geocast;
 
 /**

@@ -2,8 +2,8 @@ package org.starl.apps.race.spec;
 
 import java.util.List;
 import java.util.Objects;
-import org.starl.id.RobotId;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.id.RobotId;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;

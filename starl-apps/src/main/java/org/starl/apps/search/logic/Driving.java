@@ -1,8 +1,8 @@
 package org.starl.apps.search.logic;
 
 import org.starl.GlobalVarHolder;
-import org.starl.geometry.Rectangle;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Rectangle;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.LocalPlanner;
 import org.starl.primitives.paths.Tube;

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
+import org.starl.geometry.Point;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.geometry.Point;
 
 /**
  * All that a robot has to say, complete in itself: a newer one replaces an older one, so that losses,

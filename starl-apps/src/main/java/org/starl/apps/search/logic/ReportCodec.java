@@ -7,13 +7,13 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
 /**
  * The bytes of a {@link Report}: who (process), number (i64), whether there is a place (bool; x and y,

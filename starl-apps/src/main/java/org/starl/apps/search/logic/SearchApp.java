@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
+import org.starl.gvh.GvhCell;
 
 /**
  * A robot that searches a house with others (paper, section 5.4): a leader is elected and gives out

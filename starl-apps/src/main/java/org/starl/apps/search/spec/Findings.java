@@ -2,13 +2,13 @@ package org.starl.apps.search.spec;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
 import org.starl.apps.search.logic.SearchTrace;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;

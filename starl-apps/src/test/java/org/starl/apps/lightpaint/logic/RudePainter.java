@@ -2,10 +2,10 @@ package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.gvh.GvhCell;
 
 /** A painter that asks nobody for anything, right but for one bug. */
 public final class RudePainter extends LogicThread {

@@ -3,9 +3,9 @@ package org.starl.apps.race.logic;
 import java.util.List;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
+import org.starl.gvh.GvhCell;
 import org.starl.primitives.geocast.Broadcast;
 
 /** A racer without the scoreboard, right but for one bug. */

@@ -6,10 +6,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
+import org.starl.geometry.Point;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.geometry.Point;
 
 /** The leader gives rooms, takes them back, and knows when it is over. */
 class AssignerTest {

@@ -11,12 +11,12 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
-import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /** Reports travel unchanged, and grow into one another whatever their order. */

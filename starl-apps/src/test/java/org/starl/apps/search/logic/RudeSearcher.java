@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
 import org.starl.LogicThread;
+import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 
 /** A searcher that does one thing wrong: what is checked of a search must see it. */

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
 import org.starl.apps.search.logic.TwoRooms;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 

@@ -3,10 +3,10 @@ package org.starl.sim.export;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import org.starl.id.RobotId;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
 import org.starl.spec.Bodies;
 

@@ -2,8 +2,8 @@ package org.starl.sim.record;
 
 import java.awt.Graphics2D;
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 /**

@@ -9,9 +9,9 @@ import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.util.List;
 import java.util.Optional;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 
 /**
  * Paints a {@link Scene} with its {@link Layer}, for windows and files alike. What lies outside the

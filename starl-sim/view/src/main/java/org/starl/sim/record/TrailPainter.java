@@ -5,8 +5,8 @@ import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Path2D;
 import java.util.List;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 
 /** Paints where bodies have been. */
 final class TrailPainter {

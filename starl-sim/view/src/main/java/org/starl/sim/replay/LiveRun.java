@@ -6,12 +6,12 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.sim.Bystander;
 import org.starl.sim.Intervening;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.FaultGrammar;
-import org.starl.input.BadInput;
 
 /**
  * A simulation that runs on a thread of its own while somebody watches: into a {@link Recording}, and

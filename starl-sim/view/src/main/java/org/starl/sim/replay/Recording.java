@@ -2,12 +2,12 @@ package org.starl.sim.replay;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.geometry.Obstacles;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.platform.LogSink.Level;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
-import org.starl.input.BadInput;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.spec.SpecReport;

@@ -1,9 +1,9 @@
 package org.starl.sim.replay;
 
 import java.util.List;
+import org.starl.input.BadInput;
 import org.starl.sim.Bystander;
 import org.starl.sim.Intervening;
-import org.starl.input.BadInput;
 import org.starl.trace.TraceEvent.Intervention;
 
 /**

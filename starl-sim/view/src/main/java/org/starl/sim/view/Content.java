@@ -24,8 +24,8 @@ import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.sim.record.Theme;
 
 /** All that stands in a window, and what its commands do. It needs no screen to be built. */

@@ -11,8 +11,8 @@ import javax.swing.JOptionPane;
 import javax.swing.JPopupMenu;
 import javax.swing.SwingUtilities;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.geometry.Point;
+import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.sim.replay.LiveRun;
 

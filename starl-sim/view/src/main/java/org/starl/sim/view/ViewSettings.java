@@ -2,10 +2,10 @@ package org.starl.sim.view;
 
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
-import org.starl.sim.Setting;
-import org.starl.sim.SimSettings;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Part;
 import org.starl.trace.TraceHeader;

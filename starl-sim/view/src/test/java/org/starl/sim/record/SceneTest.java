@@ -3,10 +3,10 @@ package org.starl.sim.record;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
-import org.starl.id.RobotId;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 class SceneTest {

@@ -2,10 +2,10 @@ package org.starl.sim.view;
 
 import java.util.List;
 import java.util.Map;
-import org.starl.id.RobotId;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.sim.replay.Recording;
