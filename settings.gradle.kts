@@ -1,5 +1,12 @@
 // The build that users of StarL expect. Beside it stands a Maven build (pom.xml) for networks that
 // cannot fetch a Gradle distribution; the quality gates are there. A test compares the two.
+pluginManagement {
+    repositories {
+        mavenCentral()
+        gradlePluginPortal()
+    }
+}
+
 rootProject.name = "starl"
 
 dependencyResolutionManagement {
@@ -8,12 +15,10 @@ dependencyResolutionManagement {
     }
 }
 
-include(":starl-core")
-include(":starl-primitives")
-include(":starl-sim")
-include(":starl-android")
-include(":starl-apps")
-include(":starl-android-app")
-project(":starl-android-app").projectDir = rootDir.resolve("starl-android/app")
-include(":starl-android-apk")
-project(":starl-android-apk").projectDir = rootDir.resolve("starl-android/apk")
+// The modules of pom.xml: starl-sim/view is :starl-sim-view.
+Regex("<module>(.+)</module>").findAll(rootDir.resolve("pom.xml").readText()).forEach {
+    val folder = it.groupValues[1]
+    val name = ":" + folder.replace('/', '-')
+    include(name)
+    project(name).projectDir = rootDir.resolve(folder)
+}

@@ -3,17 +3,16 @@ plugins {
     id("maven-publish")
 }
 
-description = "Platform and physical layers, simulated"
+description = "Platform and physical layers, simulated; no window"
 
 dependencies {
     api(project(":starl-core"))
+    api(project(":starl-core-input"))
     api(libs.jspecify)
-    implementation(libs.jackson.databind)
-    implementation(libs.flatlaf)
-    // For users' tests alone: who runs simulations elsewhere does not have it.
+    // For the tests of users: a program that only simulates does not need it.
     compileOnly(libs.junit.jupiter.api)
-    testImplementation(libs.junit.jupiter)
     testImplementation(libs.junit.platform.testkit)
+    testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)
     testRuntimeOnly(libs.junit.platform.launcher)

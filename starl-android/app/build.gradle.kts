@@ -8,12 +8,12 @@ description = "The app for phones: an activity, and a service that runs one robo
 dependencies {
     implementation(project(":starl-core"))
     implementation(project(":starl-primitives"))
-    implementation(project(":starl-android"))
+    implementation(project(":starl-android-robot"))
     implementation(project(":starl-apps"))
     // Android itself, for compiling and for Robolectric; a phone has its own.
     compileOnly(libs.android.all)
     // What says a deployment file is bad to people at a computer.
-    testImplementation(project(":starl-sim"))
+    testImplementation(project(":starl-core-input"))
     testImplementation(libs.robolectric)
     // Robolectric's tests are JUnit 4's.
     testImplementation(libs.junit.vintage.engine)

@@ -3,16 +3,17 @@ plugins {
     id("maven-publish")
 }
 
-description = "Platform layer, real: clock, UDP, robots; plain JVM"
+description = "The real platform: clock, UDP radio, positioning, iRobot Create; plain JVM"
 
 dependencies {
     api(project(":starl-core"))
+    api(project(":starl-core-input"))
+    api(libs.jspecify)
     implementation(libs.jserialcomm)
     // Reads deployment files: its parser alone.
     implementation(libs.snakeyaml)
     testImplementation(project(":starl-primitives"))
     testImplementation(project(":starl-sim"))
-    api(libs.jspecify)
     testImplementation(libs.junit.jupiter)
     testImplementation(libs.assertj.core)
     testImplementation(libs.jqwik)

@@ -4,15 +4,16 @@ plugins {
     id("maven-publish")
 }
 
-group = "org.starl"
-version = "0.1.0-SNAPSHOT"
 description = "Simulations described in Kotlin, and an app in Kotlin"
 
 dependencies {
-    implementation("org.starl:starl-core:0.1.0-SNAPSHOT")
-    implementation("org.starl:starl-primitives:0.1.0-SNAPSHOT")
-    implementation("org.starl:starl-sim:0.1.0-SNAPSHOT")
-    implementation("org.starl:starl-apps:0.1.0-SNAPSHOT")
+    implementation(project(":starl-core"))
+    implementation(project(":starl-primitives"))
+    implementation(project(":starl-sim"))
+    implementation(project(":starl-sim-view"))
+    implementation(project(":starl-apps"))
+    // Runs the app; nothing here is compiled against it.
+    runtimeOnly(project(":starl-apps-cli"))
     implementation(libs.kotlin.stdlib)
     implementation(libs.jspecify)
     // Compiles what `starl new` writes.
@@ -26,6 +27,7 @@ dependencies {
 
 application {
     mainClass.set("org.starl.cli.Main")
+    applicationName = "starl"
     // The simulator schedules virtual threads itself; java.lang must be open for that.
     applicationDefaultJvmArgs = listOf("--add-opens", "java.base/java.lang=ALL-UNNAMED")
 }
@@ -40,19 +42,4 @@ kotlin {
 
 java {
     targetCompatibility = JavaVersion.VERSION_21
-    withSourcesJar()
-}
-
-publishing {
-    publications.create("maven", MavenPublication::class.java) {
-        from(components["java"])
-    }
-}
-
-tasks.withType<Test>().configureEach {
-    useJUnitPlatform()
-    // The simulator's carriers need java.lang; libraries under test may load agents.
-    jvmArgs("--add-opens", "java.base/java.lang=ALL-UNNAMED", "-XX:+EnableDynamicAgentLoading")
-    systemProperty("java.awt.headless", "true")
-    systemProperty("slf4j.internal.verbosity", "ERROR")
 }

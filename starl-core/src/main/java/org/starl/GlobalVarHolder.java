@@ -1,7 +1,5 @@
 package org.starl;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import org.starl.comms.Comms;
 import org.starl.comms.Workspace;
@@ -9,6 +7,7 @@ import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Log;
 import org.starl.gvh.Trace;
+import org.starl.gvh.Variables;
 import org.starl.motion.Gps;
 import org.starl.motion.MotionControl;
 import org.starl.platform.Platform;
@@ -27,7 +26,7 @@ public final class GlobalVarHolder {
   public final Log log;
   public final Trace trace;
 
-  private final List<GvhVariable<?>> variables = new ArrayList<>();
+  private final Variables variables;
 
   /**
    * @param boot how often this robot's program has started, from 1; no two gvh of a robot have the
@@ -37,12 +36,13 @@ public final class GlobalVarHolder {
   public GlobalVarHolder(Platform platform, int boot, Workspace workspace) {
     log = new Log(platform.clock(), platform.log());
     trace = new Trace(platform.id(), platform.clock(), platform.trace());
+    variables = new Variables(trace);
     id = new Identity(platform.id(), platform.deployment(), boot);
     comms = new Comms(platform, boot, workspace);
-    gps = new Gps(this, platform);
+    gps = new Gps(platform, trace, variables);
     plat =
         new Plat(
-            new MotionControl(this, platform, gps),
+            new MotionControl(platform, gps, log, trace, variables),
             platform.clock(),
             platform.timers(),
             platform.strand(),
@@ -53,9 +53,7 @@ public final class GlobalVarHolder {
 
   /** A new variable of the gvh, and the right to write it. */
   public <T> GvhCell<T> variable(String source, String name, T initial) {
-    GvhCell<T> cell = new GvhCell<>(trace, source, name, initial);
-    variables.add(cell);
-    return cell;
+    return variables.variable(source, name, initial);
   }
 
   /**
@@ -65,7 +63,7 @@ public final class GlobalVarHolder {
    * @throws IllegalStateException if this start of the robot's program has had {@code source} already
    */
   public void requireFirst(String source) {
-    for (GvhVariable<?> variable : variables) {
+    for (GvhVariable<?> variable : variables.all()) {
       if (variable.source().equals(source)) {
         throw new IllegalStateException(source + ": this robot has had this instance already");
       }
@@ -74,11 +72,11 @@ public final class GlobalVarHolder {
 
   /** Adds a variable whose owner computes its value when it is read. */
   public void register(GvhVariable<?> variable) {
-    variables.add(variable);
+    variables.register(variable);
   }
 
   /** Every variable of this robot, in the order in which they were made. */
   public List<GvhVariable<?>> variables() {
-    return Collections.unmodifiableList(variables);
+    return variables.all();
   }
 }

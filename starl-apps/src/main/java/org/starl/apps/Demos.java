@@ -5,12 +5,6 @@ import java.util.List;
 import java.util.Optional;
 import java.util.ServiceConfigurationError;
 import java.util.ServiceLoader;
-import org.starl.apps.hello.HelloDemo;
-import org.starl.apps.intersection.IntersectionDemo;
-import org.starl.apps.lightpaint.LightPaintDemo;
-import org.starl.apps.maze.MazeDemo;
-import org.starl.apps.race.RaceDemo;
-import org.starl.apps.search.SearchDemo;
 import org.starl.input.BadInput;
 
 /**
@@ -19,17 +13,6 @@ import org.starl.input.BadInput;
  * @param all in the order of their names
  */
 public record Demos(List<Demo> all) {
-
-  /** Those that StarL brings. */
-  public static final Demos STANDARD =
-      new Demos(
-          List.of(
-              new HelloDemo(),
-              new IntersectionDemo(),
-              new LightPaintDemo(),
-              new MazeDemo(),
-              new RaceDemo(),
-              new SearchDemo()));
 
   public Demos {
     all = List.copyOf(all);

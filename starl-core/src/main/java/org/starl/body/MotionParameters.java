@@ -129,12 +129,12 @@ public record MotionParameters(
   }
 
   /** A step's command may be in effect for so long. */
-  double horizonS() {
+  public double horizonS() {
     return (automatonPeriodMs + reactionMs) / 1e3;
   }
 
   /** What a command does in one step at most, in seconds at the commanded speed. */
-  double reachS() {
+  public double reachS() {
     return (1 + speedError) * horizonS();
   }
 

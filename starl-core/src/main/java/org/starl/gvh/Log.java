@@ -10,7 +10,7 @@ public final class Log {
   private final Clock clock;
   private final LogSink sink;
 
-  Log(Clock clock, LogSink sink) {
+  public Log(Clock clock, LogSink sink) {
     this.clock = clock;
     this.sink = sink;
   }

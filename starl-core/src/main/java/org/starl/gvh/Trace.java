@@ -14,7 +14,7 @@ public final class Trace {
   private final Clock clock;
   private final TraceSink sink;
 
-  Trace(RobotId robot, Clock clock, TraceSink sink) {
+  public Trace(RobotId robot, Clock clock, TraceSink sink) {
     this.robot = robot;
     this.clock = clock;
     this.sink = sink;

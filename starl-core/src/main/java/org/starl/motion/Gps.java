@@ -2,7 +2,6 @@ package org.starl.motion;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
@@ -12,6 +11,7 @@ import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Trace;
+import org.starl.gvh.Variables;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
 
@@ -39,11 +39,11 @@ public final class Gps {
   private boolean tracesFixes;
   private long fixes;
 
-  public Gps(GlobalVarHolder gvh, Platform platform) {
+  public Gps(Platform platform, Trace trace, Variables variables) {
     clock = platform.clock();
-    trace = gvh.trace;
+    this.trace = trace;
     knownObstacles = new KnownObstacles(platform.knownObstacles());
-    gvh.register(currentlocation);
+    variables.register(currentlocation);
     MotionParameters parameters = platform.motionParameters();
     assume(parameters);
     // Until then the wheels may follow what an earlier start of this program had told them.

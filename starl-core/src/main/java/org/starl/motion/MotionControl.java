@@ -2,10 +2,8 @@ package org.starl.motion;
 
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.starl.GlobalVarHolder;
 import org.starl.body.Bumps;
 import org.starl.body.CollisionPolicy;
-import org.starl.body.Contact;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.ItemPosition;
@@ -18,6 +16,7 @@ import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Log;
 import org.starl.gvh.Trace;
+import org.starl.gvh.Variables;
 import org.starl.platform.Chassis;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
@@ -56,18 +55,18 @@ public final class MotionControl {
   private long dueNs;
   private @Nullable MotionRun run;
 
-  public MotionControl(GlobalVarHolder gvh, Platform platform, Gps gps) {
+  public MotionControl(Platform platform, Gps gps, Log log, Trace trace, Variables variables) {
     this.gps = gps;
     parameters = platform.motionParameters();
     inUse = parameters;
     clock = platform.clock();
     chassis = platform.chassis();
-    log = gvh.log;
-    trace = gvh.trace;
+    this.log = log;
+    this.trace = trace;
     timer = platform.timers().timer(this::tick);
     rng = platform.entropy().fork(SOURCE);
-    task = gvh.variable(SOURCE, "(target, avoid)", new MotionTask.None());
-    motionflag = gvh.variable(SOURCE, "motionflag", MotionFlag.IDLE);
+    task = variables.variable(SOURCE, "(target, avoid)", new MotionTask.None());
+    motionflag = variables.variable(SOURCE, "motionflag", MotionFlag.IDLE);
     chassis.onBump(this::bumpsChanged);
     // A program that starts again must not inherit the speed of the one before.
     chassis.drive(WheelCommand.STOP);

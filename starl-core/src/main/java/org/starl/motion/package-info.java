@@ -19,7 +19,7 @@
  * PositionFilter}. {@link org.starl.motion.MotionControl} and {@link org.starl.motion.Gps} join them
  * to the ports.
  *
- * <p>May import: {@code org.starl} (gvh and value types), {@code org.starl.geometry}, {@code
+ * <p>May import: {@code org.starl.body}, {@code org.starl.geometry}, {@code org.starl.gvh}, {@code
  * org.starl.platform}, {@code org.starl.random}.
  */
 @NullMarked

@@ -8,8 +8,8 @@
  * call made to it. Time is in nanoseconds from the start of the run, distances in millimetres,
  * angles in radians, counter-clockwise from the x axis.
  *
- * <p>May import: {@code org.starl} value types, {@code org.starl.geometry}, {@code
- * org.starl.motion}, {@code org.starl.random}, {@code org.starl.trace}.
+ * <p>May import: {@code org.starl.body}, {@code org.starl.geometry}, {@code org.starl.id}, {@code
+ * org.starl.random}, {@code org.starl.trace}.
  */
 @NullMarked
 package org.starl.platform;

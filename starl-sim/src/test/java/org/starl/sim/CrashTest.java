@@ -25,7 +25,6 @@ import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.Unsynced;
 import org.starl.trace.TraceEvent;

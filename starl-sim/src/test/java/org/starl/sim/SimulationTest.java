@@ -22,7 +22,6 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
-import org.starl.sim.export.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.trace.TraceEvent;
 

@@ -14,7 +14,7 @@ import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;

@@ -7,6 +7,12 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 import org.starl.apps.Demos;
+import org.starl.apps.hello.HelloDemo;
+import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.apps.lightpaint.LightPaintDemo;
+import org.starl.apps.maze.MazeDemo;
+import org.starl.apps.race.RaceDemo;
+import org.starl.apps.search.SearchDemo;
 import org.starl.input.BadInput;
 import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
@@ -48,8 +54,19 @@ import picocli.CommandLine.UnmatchedArgumentException;
     })
 public final class Main implements Runnable {
 
-  /** What StarL brings: apps, and primitives with workloads of their own. */
-  static final Demos ALL = Demos.STANDARD.plus(PrimitiveWorkloads.ALL);
+  /** The apps that StarL brings. */
+  static final Demos APPS =
+      new Demos(
+          List.of(
+              new HelloDemo(),
+              new IntersectionDemo(),
+              new LightPaintDemo(),
+              new MazeDemo(),
+              new RaceDemo(),
+              new SearchDemo()));
+
+  /** These apps, and primitives with workloads of their own. */
+  static final Demos ALL = APPS.plus(PrimitiveWorkloads.ALL);
 
   @Option(
       names = "--stacktrace",

@@ -12,18 +12,18 @@ record Allowance(String rule, String path, String reason) {
 
   private static final String MAIN = "/src/main/java/org/starl/";
   private static final String KERNEL = "starl-sim" + MAIN + "sim/kernel/";
-  private static final String VIEW = "starl-sim" + MAIN + "sim/view/";
-  private static final String BUILD_TESTS = "starl-apps/src/test/java/org/starl/build/";
+  private static final String VIEW = "starl-sim/view" + MAIN + "sim/view/";
+  private static final String BUILD_TESTS = "starl-apps/cli/src/test/java/org/starl/build/";
 
   static List<Allowance> all() {
     return List.of(
         new Allowance(
             "wall clock",
-            "starl-android" + MAIN + "deploy/realtime/RealClock.java",
+            "starl-android/robot" + MAIN + "robot/realtime/RealClock.java",
             "it is the platform's clock"),
         new Allowance(
             "wall clock",
-            "starl-apps" + MAIN + "bench/Measurement.java",
+            "starl-apps/cli" + MAIN + "bench/Measurement.java",
             "a benchmark measures the machine, and decides nothing by it"),
         new Allowance(
             "wall clock",
@@ -31,7 +31,7 @@ record Allowance(String rule, String path, String reason) {
             "how long to wait for an app that blocks outside the kernel, before the run fails"),
         new Allowance(
             "wall clock",
-            "starl-apps" + MAIN + "cli/ProgressLine.java",
+            "starl-apps/cli" + MAIN + "cli/ProgressLine.java",
             "tells a person how long a campaign will take"),
         new Allowance(
             "wall clock",
@@ -59,31 +59,31 @@ record Allowance(String rule, String path, String reason) {
             "whole runs side by side, none sharing state with another"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-sim" + MAIN + "sim/replay/",
+            "starl-sim/view" + MAIN + "sim/replay/",
             "a recording is filled by its run's thread and read by who watches"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps" + MAIN + "cli/BySeed.java",
+            "starl-apps/cli" + MAIN + "cli/BySeed.java",
             "gathers what the runs of a campaign give"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps" + MAIN + "processes/",
+            "starl-apps/cli" + MAIN + "processes/",
             "pipes to real processes, whose robots have strands in real time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps" + MAIN + "deployment/",
+            "starl-apps/cli" + MAIN + "deployment/",
             "sockets and robots in real time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps" + MAIN + "cli/UntilStopped.java",
+            "starl-apps/cli" + MAIN + "cli/UntilStopped.java",
             "the process is stopped from outside, and its wheels first"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps" + MAIN + "cli/DeployWorldCommand.java",
+            "starl-apps/cli" + MAIN + "cli/DeployWorldCommand.java",
             "robots that run beside their world"),
         new Allowance(
             "writing to the console",
-            "starl-apps" + MAIN + "cli/Main.java",
+            "starl-apps/cli" + MAIN + "cli/Main.java",
             "where the command line's two writers are made"),
         new Allowance(
             "writing to the console",
@@ -91,11 +91,11 @@ record Allowance(String rule, String path, String reason) {
             "where that command's two writers are made"),
         new Allowance(
             "randomness without the run's seed",
-            "starl-apps" + MAIN + "cli/Seeds.java",
+            "starl-apps/cli" + MAIN + "cli/Seeds.java",
             "draws a run's seed when none is given; it is printed"),
         new Allowance(
             "randomness without the run's seed",
-            "starl-android" + MAIN + "deploy/udp/KeyFile.java",
+            "starl-android/robot" + MAIN + "robot/udp/KeyFile.java",
             "a key that a seed decides is no secret"),
         hash("starl-core" + MAIN + "comms/InboundWindows.java"),
         hash("starl-core" + MAIN + "comms/ReplayWindows.java"),

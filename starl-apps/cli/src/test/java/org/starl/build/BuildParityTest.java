@@ -27,14 +27,14 @@ class BuildParityTest {
   void aVersionThatDriftsIsTold() {
     assertThat(differencesWith(CATALOG, "picocli = \"", "picocli = \"9."))
         .anyMatch(line -> line.startsWith("version picocli: Maven has "))
-        .anyMatch(line -> line.startsWith("Gradle alone has Dependency[module=starl-apps"));
+        .anyMatch(line -> line.startsWith("Gradle alone has Dependency[module=starl-apps/cli"));
   }
 
   @Test
   void aScopeThatDriftsIsTold() {
     assertThat(
             differencesWith(
-                "starl-apps/build.gradle.kts",
+                "starl-apps/cli/build.gradle.kts",
                 "testImplementation(libs.arch",
                 "implementation(libs.arch"))
         .hasSize(2)
@@ -48,9 +48,9 @@ class BuildParityTest {
   }
 
   @Test
-  void aModuleThatIsMissingIsTold() {
-    assertThat(differencesWith("settings.gradle.kts", "include(\":starl-sim\")", ""))
-        .anyMatch(line -> line.startsWith("modules: "));
+  void settingsThatDoNotReadThePomAreRefused() {
+    assertThatThrownBy(() -> differencesWith("settings.gradle.kts", "pom.xml\")", "other.xml\")"))
+        .hasMessageContaining("does not include the modules of pom.xml");
   }
 
   @Test

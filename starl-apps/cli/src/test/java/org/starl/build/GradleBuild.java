@@ -18,10 +18,12 @@ final class GradleBuild {
   /** Maven's test plugin brings this by itself. */
   static final String GRADLE_ALONE = "org.junit.platform:junit-platform-launcher";
 
-  private static final Pattern INCLUDE = Pattern.compile("include\\(\":([\\w-]+)\"\\)");
-  private static final Pattern FOLDER =
+  /** Settings that take the modules from the pom, each named after its folder. */
+  private static final Pattern FROM_POM =
       Pattern.compile(
-          "project\\(\":([\\w-]+)\"\\)\\.projectDir = rootDir\\.resolve\\(\"([^\"]+)\"\\)");
+          "Regex\\(\"<module>\\(\\.\\+\\)</module>\"\\)\\.findAll\\(rootDir\\.resolve\\(\"pom\\.xml\"\\)");
+
+  private static final Pattern MODULE = Pattern.compile("<module>(.+)</module>");
   private static final Pattern ASSIGNED = Pattern.compile("\\s*(group|version) = \"([^\"]+)\"");
   private static final Pattern RELEASE = Pattern.compile("options\\.release\\.set\\((\\d+)\\)");
   private static final Pattern VERSION = Pattern.compile("([\\w-]+) = \"([^\"]+)\"");
@@ -31,12 +33,8 @@ final class GradleBuild {
   private static final Pattern DEPENDENCY =
       Pattern.compile(
           "(\\w+)\\((?:project\\(\":([\\w-]+)\"\\)|libs\\.([\\w.]+)"
-              + "|\"(org\\.starl:[\\w-]+):([^\"]+)\""
               + "|variantOf\\(libs\\.([\\w.]+)\\) \\{ artifactType\\(\"(\\w+)\"\\) \\})\\)");
   private static final Pattern KOTLIN = Pattern.compile("kotlin\\(\"jvm\"\\) version \"([^\"]+)\"");
-
-  /** Builds of their own over this one, since they need plugins that are not Gradle's. */
-  private static final List<String> BESIDE = List.of("starl-apps/kotlin");
 
   private final SortedMap<String, String> versions = new TreeMap<>();
 
@@ -87,28 +85,21 @@ final class GradleBuild {
     }
     TreeSet<String> modules = new TreeSet<>();
     List<Dependency> dependencies = new ArrayList<>();
-    String settings = files.apply("settings.gradle.kts");
-    SortedMap<String, String> folders = new TreeMap<>();
-    Matcher folder = FOLDER.matcher(settings);
-    while (folder.find()) {
-      folders.put(folder.group(1), folder.group(2));
+    if (!FROM_POM.matcher(files.apply("settings.gradle.kts")).find()) {
+      throw new IllegalStateException(
+          "settings.gradle.kts does not include the modules of pom.xml");
     }
-    Matcher include = INCLUDE.matcher(settings);
-    while (include.find()) {
-      String module = folders.getOrDefault(include.group(1), include.group(1));
-      modules.add(module);
-      addDependencies(dependencies, module, own, files);
+    Matcher module = MODULE.matcher(files.apply("pom.xml"));
+    while (module.find()) {
+      modules.add(module.group(1));
+      addDependencies(dependencies, module.group(1), own, files);
     }
-    for (String module : BESIDE) {
-      modules.add(module);
-      addDependencies(dependencies, module, own, files);
-      requireKotlin(files.apply(module + "/build.gradle.kts"));
-    }
+    requireKotlin(files.apply("starl-apps/kotlin/build.gradle.kts"));
     String coordinates = own.get("group") + ":" + own.get("version");
     return new Build(coordinates, release.group(1), modules, versions, dependencies);
   }
 
-  /** The plugin has the version of the library; and its build names its own as this one does. */
+  /** The plugin has the version of the library. */
   private void requireKotlin(String script) {
     Matcher plugin = KOTLIN.matcher(script);
     if (!plugin.find() || !plugin.group(1).equals(versions.get("kotlin"))) {
@@ -137,17 +128,13 @@ final class GradleBuild {
         found.add(new Dependency(module, needed, own.get("version"), scope));
         continue;
       }
-      if (dependency.group(4) != null) {
-        found.add(new Dependency(module, dependency.group(4), dependency.group(5), scope));
-        continue;
-      }
-      boolean isVariant = dependency.group(6) != null;
-      String[] library = libraries.get(dependency.group(isVariant ? 6 : 3));
+      boolean isVariant = dependency.group(4) != null;
+      String[] library = libraries.get(dependency.group(isVariant ? 4 : 3));
       if (library == null) {
         throw new IllegalStateException("no library for: " + line);
       }
       if (!library[0].equals(GRADLE_ALONE)) {
-        String needed = library[0] + (isVariant ? "@" + dependency.group(7) : "");
+        String needed = library[0] + (isVariant ? "@" + dependency.group(5) : "");
         found.add(new Dependency(module, needed, library[1], scope));
       }
     }

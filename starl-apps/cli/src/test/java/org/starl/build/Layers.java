@@ -5,46 +5,59 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyP
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
+import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
 import com.tngtech.archunit.lang.ArchRule;
 import java.util.List;
 
-/** The laws about who may import whom, each with a class that breaks it. */
+/** Which packages may import which, each law with a class that breaks it. */
 final class Layers {
 
-  /** A law, and a class in test scope that stands in its package and breaks it. */
-  record Law(String name, ArchRule rule, Class<?> brokenBy) {
+  /** A law, and the classes in test scope that stand in its packages and break it. */
+  record Law(String name, ArchRule rule, List<Class<?>> brokenBy) {
+
+    Law(String name, ArchRule rule, Class<?>... brokenBy) {
+      this(name, rule, List.of(brokenBy));
+    }
+
     @Override
     public String toString() {
       return name;
     }
   }
 
-  private static final String[] ABOVE_CORE = {
-    "org.starl.primitives..",
-    "org.starl.sim..",
-    "org.starl.deploy..",
-    "org.starl.apps..",
-    "org.starl.bench..",
-    "org.starl.cli..",
-    "org.starl.workload..",
-    "org.starl.proof..",
-    "org.starl.processes..",
-    "org.starl.deployment..",
-    "org.starl.android..",
-    "org.starl.build..",
-    "org.starl.docs.."
+  /** Core's packages. */
+  private static final String[] IN_CORE = {
+    "org.starl",
+    "org.starl.body..",
+    "org.starl.comms..",
+    "org.starl.fixture..",
+    "org.starl.geometry..",
+    "org.starl.gvh..",
+    "org.starl.id..",
+    "org.starl.motion..",
+    "org.starl.platform..",
+    "org.starl.random..",
+    "org.starl.spec..",
+    "org.starl.trace.."
   };
+
   private static final String[] DESKTOP = {"java.awt..", "javax.swing..", "javax.imageio.."};
   private static final String LOGIC = "org.starl.apps..logic..";
   private static final String PRIMITIVES = "org.starl.primitives..";
   private static final String SIM = "org.starl.sim..";
-  private static final String DEPLOY = "org.starl.deploy..";
+  private static final String INPUT = "org.starl.input..";
+  private static final String ROBOT = "org.starl.robot..";
+  private static final String[] VIEW = {
+    "org.starl.sim.view..",
+    "org.starl.sim.record..",
+    "org.starl.sim.replay..",
+    "org.starl.sim.export.."
+  };
 
-  private static final DescribedPredicate<JavaClass> CORE =
-      resideInAPackage("org.starl..").and(resideOutsideOfPackages(ABOVE_CORE)).as("core");
+  private static final DescribedPredicate<JavaClass> CORE = resideInAnyPackage(IN_CORE).as("core");
 
   /** What a phone has, and nothing that needs a library. */
   private static final DescribedPredicate<JavaClass> PLAIN_JAVA =
@@ -72,11 +85,19 @@ final class Layers {
               org.starl.primitives.fixture.PrimitiveImportsSimulator.class),
           new Law(
               "the simulator imports core",
-              onlyOf(SIM, CORE.or(resideInAPackage(SIM))),
+              onlyOf(SIM, CORE.or(resideInAnyPackage(INPUT, SIM))),
               org.starl.sim.fixture.SimulatorImportsPrimitive.class),
           new Law(
+              "the simulator runs without its viewer",
+              noClasses()
+                  .that(resideInAPackage(SIM).and(resideOutsideOfPackages(VIEW)))
+                  .should()
+                  .dependOnClassesThat()
+                  .resideInAnyPackage(VIEW),
+              org.starl.sim.fixture.SimulatorImportsViewer.class),
+          new Law(
               "the real platform imports core",
-              onlyOf(DEPLOY, CORE.or(resideInAPackage(DEPLOY))),
+              onlyOf(ROBOT, CORE.or(resideInAnyPackage(INPUT, ROBOT))),
               org.starl.robot.fixture.PlatformImportsSimulator.class),
           new Law(
               "an app's logic imports core and primitives",
@@ -104,10 +125,7 @@ final class Layers {
               noClasses()
                   .that()
                   .resideInAnyPackage(
-                      "org.starl.sim.input..",
-                      "org.starl.sim.net..",
-                      "org.starl.sim.world..",
-                      "org.starl.sim.fault..")
+                      "org.starl.sim.net..", "org.starl.sim.world..", "org.starl.sim.fault..")
                   .should()
                   .dependOnClassesThat()
                   .resideInAPackage("org.starl.sim"),
@@ -116,8 +134,7 @@ final class Layers {
               "the air and the world know no fault by name",
               noClasses()
                   .that()
-                  .resideInAnyPackage(
-                      "org.starl.sim.input..", "org.starl.sim.net..", "org.starl.sim.world..")
+                  .resideInAnyPackage("org.starl.sim.net..", "org.starl.sim.world..")
                   .should()
                   .dependOnClassesThat()
                   .resideInAPackage("org.starl.sim.fault.."),
@@ -141,6 +158,11 @@ final class Layers {
                   .dependOnClassesThat()
                   .resideInAPackage("org.junit.."),
               org.starl.sim.fixture.SimulatorTests.class),
+          new Law(
+              "no package imports itself through others",
+              slices().matching("(org.starl..)").should().beFreeOfCycles(),
+              org.starl.fixture.CoreInACycle.class,
+              org.starl.sim.fixture.SimulatorInACycle.class),
           new Law(
               "Android is the leaf's",
               noClasses()

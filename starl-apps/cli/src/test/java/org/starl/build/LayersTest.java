@@ -31,7 +31,7 @@ class LayersTest {
             "org.starl",
             "org.starl.primitives.mutex",
             "org.starl.sim.kernel",
-            "org.starl.deploy.udp",
+            "org.starl.robot.udp",
             "org.starl.cli");
   }
 

@@ -10,7 +10,6 @@ import java.util.Map;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.Demo;
-import org.starl.apps.Demos;
 import org.starl.apps.Input;
 
 /** {@code starl bench apps} on the files of the original StarL. */
@@ -48,7 +47,7 @@ class AppsTableTest {
 
   @Test
   void everyInputIsThereAndCanBePlanned() {
-    for (Demo demo : Demos.STANDARD.all()) {
+    for (Demo demo : Main.APPS.all()) {
       List<Input> inputs = demo.inputs(DATA);
       for (Input input : inputs) {
         assertThat(input.path()).as(demo.name() + " on " + input.name()).exists();

@@ -20,7 +20,7 @@ import org.starl.apps.Demo;
 import org.starl.apps.Plan;
 import org.starl.random.Rng;
 import org.starl.sim.SimResult;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.record.Extent;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;

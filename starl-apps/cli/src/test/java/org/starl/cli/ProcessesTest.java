@@ -18,7 +18,6 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Demo;
-import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.processes.Fleet;
 import org.starl.processes.FleetResult;
@@ -110,7 +109,7 @@ class ProcessesTest {
 
   /** What the words of the test above say. */
   private static Plan plan() {
-    Demo demo = Demos.STANDARD.byName("intersection").orElseThrow();
+    Demo demo = Main.APPS.byName("intersection").orElseThrow();
     SortedMap<String, String> parameters = new TreeMap<>();
     demo.parameters().forEach(each -> parameters.put(each.key(), each.defaultValue()));
     parameters.put("debris", "0");

@@ -15,7 +15,7 @@ import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.hello.HelloDemo;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 

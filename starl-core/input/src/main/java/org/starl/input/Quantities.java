@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * Reads quantities as people write them: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
@@ -56,7 +57,9 @@ public final class Quantities {
 
   /** Units of time that a rate counts by. */
   static Collection<String> rateUnits() {
-    return NS_PER_UNIT.keySet().stream().filter(Quantities::isRateUnit).toList();
+    return NS_PER_UNIT.keySet().stream()
+        .filter(Quantities::isRateUnit)
+        .collect(Collectors.toList());
   }
 
   private static boolean isRateUnit(String unit) {
@@ -120,7 +123,7 @@ public final class Quantities {
 
   /** A speed of at least 0, in mm/s: {@code 500}, {@code 500mm/s}, {@code 0.5m/s}. */
   public static double speedMmPerS(String text) {
-    String stripped = text.strip();
+    String stripped = text.trim();
     try {
       return distanceMm(
           stripped.endsWith("/s") ? stripped.substring(0, stripped.length() - 2) : stripped);
@@ -148,14 +151,14 @@ public final class Quantities {
   /** How often something happens on average, above 0, in 1/s: {@code 20/min}, {@code 0.5/s}. */
   public static double rateHz(String text) {
     String expected = "a rate above 0 with a unit (/s /min /h), such as 20/min";
-    String stripped = text.strip();
+    String stripped = text.trim();
     int slash = stripped.indexOf('/');
-    String per = slash < 0 ? "" : stripped.substring(slash + 1).strip();
+    String per = slash < 0 ? "" : stripped.substring(slash + 1).trim();
     BigDecimal unit = NS_PER_UNIT.get(per);
     if (unit == null || !isRateUnit(per)) {
       throw notA(text, expected);
     }
-    Matcher matcher = NUMBER_AND_UNIT.matcher(stripped.substring(0, slash).strip());
+    Matcher matcher = NUMBER_AND_UNIT.matcher(stripped.substring(0, slash).trim());
     if (!matcher.matches() || !matcher.group(2).isEmpty()) {
       throw notA(text, expected);
     }
@@ -206,13 +209,13 @@ public final class Quantities {
             ? (min == Long.MIN_VALUE ? "" : " of at least " + min)
             : " from " + min + " to " + max;
     String expected = "a whole number" + bound;
-    if (WHOLE.matcher(text.strip()).matches()
-        && new BigInteger(text.strip()).compareTo(BigInteger.valueOf(max)) > 0) {
+    if (WHOLE.matcher(text.trim()).matches()
+        && new BigInteger(text.trim()).compareTo(BigInteger.valueOf(max)) > 0) {
       throw notA(text, "a whole number from " + min + " to " + max);
     }
     long number;
     try {
-      number = Long.parseLong(text.strip());
+      number = Long.parseLong(text.trim());
     } catch (NumberFormatException notANumber) {
       throw notA(text, expected);
     }
@@ -224,7 +227,7 @@ public final class Quantities {
 
   /** {@code true} or {@code false}. */
   public static boolean yesOrNo(String text) {
-    return switch (text.strip()) {
+    return switch (text.trim()) {
       case "true", "yes", "on" -> true;
       case "false", "no", "off" -> false;
       default -> throw notA(text, "true or false");
@@ -242,7 +245,7 @@ public final class Quantities {
   }
 
   private static Matcher match(String text, String expected) {
-    Matcher matcher = NUMBER_AND_UNIT.matcher(text.strip());
+    Matcher matcher = NUMBER_AND_UNIT.matcher(text.trim());
     if (!matcher.matches()) {
       throw notA(text, expected);
     }

@@ -23,7 +23,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.Unsynced;
 

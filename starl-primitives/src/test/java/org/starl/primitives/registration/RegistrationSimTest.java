@@ -18,7 +18,7 @@ import org.starl.primitives.agreement.SetAgreement;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 
 /** Registration and agreement on simulated robots, through their gvh. */

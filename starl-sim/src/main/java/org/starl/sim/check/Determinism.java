@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 
 /**

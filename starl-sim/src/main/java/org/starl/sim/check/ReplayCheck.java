@@ -5,8 +5,8 @@ import java.io.InputStream;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.check.Determinism.Difference;
-import org.starl.sim.export.TraceRecorder;
 
 /**
  * Runs a simulation and compares it with a trace, byte by byte.

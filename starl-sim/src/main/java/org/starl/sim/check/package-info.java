@@ -8,7 +8,7 @@
  * <p>The one place of the simulator besides its carriers that uses threads: one simulation on each,
  * nothing shared.
  *
- * <p>May import: core, {@code org.starl.sim}, its {@code export}, {@code fault}, {@code
+ * <p>May import: core, {@code org.starl.sim}, its {@code fault}, {@code
  * input} and {@code kernel}.
  */
 @NullMarked

@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import org.starl.apps.Request;
 import org.starl.apps.intersection.IntersectionDemo;
 import org.starl.sim.Simulation;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 
 /** Simulates the paper's four cars (Figure 7), a tenth of their datagrams lost, and gives the trace. */
 public final class CrossingTrace implements Supplier<byte[]> {

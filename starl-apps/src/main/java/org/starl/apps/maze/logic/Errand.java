@@ -1,9 +1,9 @@
 package org.starl.apps.maze.logic;
 
 import java.util.List;
-import org.starl.body.Contact;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.motion.Contact;
 import org.starl.primitives.paths.Capsule;
 
 /**

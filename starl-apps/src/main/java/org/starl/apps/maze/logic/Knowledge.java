@@ -2,8 +2,8 @@ package org.starl.apps.maze.logic;
 
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.body.Contact;
 import org.starl.geometry.Point;
+import org.starl.motion.Contact;
 
 /**
  * What one robot knows of the maze, and how it comes to know more: its map at first, and what each

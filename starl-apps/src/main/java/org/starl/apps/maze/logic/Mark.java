@@ -4,10 +4,10 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
-import org.starl.body.Contact;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
+import org.starl.motion.Contact;
 
 /**
  * What a contact proves. The body's centre stood at {@code at}, and something touches the body

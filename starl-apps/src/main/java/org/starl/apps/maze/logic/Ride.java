@@ -3,11 +3,11 @@ package org.starl.apps.maze.logic;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.body.Contact;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.motion.Contact;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.paths.Path;
 

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.body.Bumps;
-import org.starl.body.Contact;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
+import org.starl.motion.Contact;
 import org.starl.motion.Location;
 import org.starl.primitives.paths.Capsule;
 

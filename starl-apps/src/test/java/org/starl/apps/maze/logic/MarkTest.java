@@ -8,11 +8,11 @@ import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.starl.body.Bumps;
-import org.starl.body.Contact;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Pose;
+import org.starl.motion.Contact;
 import org.starl.motion.Location;
 import org.starl.random.Rng;
 

@@ -26,7 +26,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.sim.Simulation;
-import org.starl.sim.export.TraceRecorder;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.record.Layer;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;

@@ -1,11 +1,9 @@
-package org.starl.sim.export;
+package org.starl.sim;
 
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
-import org.starl.sim.SimObserver;
-import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceWriter;

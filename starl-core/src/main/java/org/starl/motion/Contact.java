@@ -1,6 +1,6 @@
-package org.starl.body;
+package org.starl.motion;
 
-import org.starl.motion.Location;
+import org.starl.body.Bumps;
 
 /**
  * What the robot knew when it touched something: where it was, and which bump sensors were closed. Of

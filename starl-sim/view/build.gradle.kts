@@ -1,0 +1,19 @@
+plugins {
+    `java-library`
+    id("maven-publish")
+}
+
+description = "Window, pictures, replay and export of simulated runs"
+
+dependencies {
+    api(project(":starl-core"))
+    api(project(":starl-core-input"))
+    api(project(":starl-sim"))
+    api(libs.jspecify)
+    implementation(libs.jackson.databind)
+    implementation(libs.flatlaf)
+    testImplementation(libs.junit.jupiter)
+    testImplementation(libs.assertj.core)
+    testImplementation(libs.jqwik)
+    testRuntimeOnly(libs.junit.platform.launcher)
+}
