@@ -14,6 +14,8 @@ dependencies {
     compileOnly(libs.android.all)
     // What says a deployment file is bad to people at a computer.
     testImplementation(project(":starl-core-input"))
+    // Merges the traces that the phones of a test leave.
+    testImplementation(project(":starl-apps-cli"))
     testImplementation(libs.robolectric)
     // Robolectric's tests are JUnit 4's.
     testImplementation(libs.junit.vintage.engine)
