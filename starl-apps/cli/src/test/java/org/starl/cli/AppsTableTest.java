@@ -16,7 +16,7 @@ import org.starl.apps.Input;
 class AppsTableTest {
 
   private static final Path DATA =
-      Path.of(System.getProperty("starl.shared", "../../shared")).resolve("data");
+      Path.of(System.getProperty("starl.shared", "../../../shared")).resolve("data");
 
   @BeforeAll
   static void theFilesAreThere() {

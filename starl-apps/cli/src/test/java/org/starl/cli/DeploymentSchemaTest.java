@@ -33,7 +33,7 @@ import org.starl.robot.file.Grammar;
 /** What an editor takes in a deployment file is what {@code deploy check} takes. */
 class DeploymentSchemaTest {
 
-  private static final Path ROOT = Path.of("..");
+  private static final Path ROOT = Path.of("..", "..");
   private static final Path COMMITTED = ROOT.resolve("docs/deployment.schema.json");
   private static final YAMLMapper YAML = new YAMLMapper();
 

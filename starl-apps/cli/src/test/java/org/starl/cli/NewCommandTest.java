@@ -237,8 +237,8 @@ class NewCommandTest {
     try (Reader reader = Files.newBufferedReader(template)) {
       words.load(reader);
     }
-    String catalog = Files.readString(Path.of("../gradle/libs.versions.toml"));
-    String pom = Files.readString(Path.of("../pom.xml"));
+    String catalog = Files.readString(Path.of("../../gradle/libs.versions.toml"));
+    String pom = Files.readString(Path.of("../../pom.xml"));
     words.remove("fault");
     assertThat(words).hasSizeGreaterThan(7);
     words.forEach((key, version) -> {

@@ -30,7 +30,7 @@ import picocli.CommandLine;
 /** What an editor takes in a scenario file is what a command takes. */
 class ScenarioSchemaTest {
 
-  private static final Path ROOT = Path.of("..");
+  private static final Path ROOT = Path.of("..", "..");
   private static final Path COMMITTED = ROOT.resolve("docs/scenario.schema.json");
   private static final String FIRST_LINE =
       "# yaml-language-server: $schema=../docs/scenario.schema.json";

@@ -59,7 +59,7 @@ public class DeploymentFileFuzzTest {
 
   @Test
   void aFileIsADeploymentOrOneLineSaysWhyNot() throws IOException {
-    Path crossing = Path.of("..", "scenarios", "deployment", "crossing.yaml");
+    Path crossing = Path.of("..", "..", "scenarios", "deployment", "crossing.yaml");
     String small =
         "app: intersection\nkey: k\nworld: h:1\npositions: {source: natnet, server: h, dataPort: 9}\n"
             + "robots:\n  a: {address: 'x:1', chassis: {kind: simulated}}\n"

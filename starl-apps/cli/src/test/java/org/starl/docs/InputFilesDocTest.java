@@ -22,7 +22,7 @@ import org.starl.sim.world.WaypointFiles;
 /** What {@code docs/input-files.md} says of waypoint files is what they do. */
 class InputFilesDocTest {
 
-  private static final Path PAGE = Path.of("../docs/input-files.md");
+  private static final Path PAGE = Path.of("../../docs/input-files.md");
   private static final String FILE = "my.wpt";
   private static final Pattern REFUSED =
       Pattern.compile("\\| `([^`]+)` \\| `(my\\.wpt:1: [^`]+)` \\|");

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 /** {@code docs/paper-map.md} names what exists, and says so where something does not. */
 class PaperMapTest {
 
-  private static final Path DOCS = Path.of("..", "docs");
+  private static final Path DOCS = Path.of("..", "..", "docs");
   private static final Pattern LINK = Pattern.compile("\\]\\(([^)]+)\\)");
   private static final String NOT_YET = "*not yet*";
 
@@ -97,7 +97,7 @@ class PaperMapTest {
         List.of(
             "starl-primitives/src/main/java/org/starl/primitives",
             "starl-apps/src/main/java/org/starl/apps")) {
-      try (Stream<Path> children = Files.list(Path.of("..").resolve(parent))) {
+      try (Stream<Path> children = Files.list(Path.of("..", "..").resolve(parent))) {
         List<String> packages =
             children
                 .filter(Files::isDirectory)

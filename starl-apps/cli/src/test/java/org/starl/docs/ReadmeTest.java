@@ -15,14 +15,14 @@ import org.junit.jupiter.params.provider.MethodSource;
 /** What {@code README.md} shows is what is compiled and tested. */
 class ReadmeTest {
 
-  private static final Path ROOT = Path.of("..");
+  private static final Path ROOT = Path.of("..", "..");
   private static final String HELLO = "java/org/starl/apps/hello/";
   private static final Pattern JAVA = Pattern.compile("```java\n(.*?)```", Pattern.DOTALL);
 
   static Stream<Arguments> shown() {
     return Stream.of(
-        Arguments.of("Hello", Path.of("src/main/" + HELLO + "logic/Hello.java")),
-        Arguments.of("HelloTest", Path.of("src/test/" + HELLO + "HelloTest.java")));
+        Arguments.of("Hello", Path.of("../src/main/" + HELLO + "logic/Hello.java")),
+        Arguments.of("HelloTest", Path.of("../src/test/" + HELLO + "HelloTest.java")));
   }
 
   private static String readme() throws IOException {

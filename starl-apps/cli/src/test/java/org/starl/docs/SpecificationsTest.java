@@ -22,9 +22,16 @@ import org.junit.jupiter.api.Test;
  */
 class SpecificationsTest {
 
-  private static final Path ROOT = Path.of("..");
+  private static final Path ROOT = Path.of("..", "..");
   private static final List<String> MODULES =
-      List.of("starl-core", "starl-primitives", "starl-sim", "starl-apps", "starl-apps/kotlin");
+      List.of(
+          "starl-core",
+          "starl-primitives",
+          "starl-sim",
+          "starl-sim/view",
+          "starl-apps",
+          "starl-apps/cli",
+          "starl-apps/kotlin");
   private static final Pattern MONITOR =
       Pattern.compile(
           "(?<!abstract )\\bclass (\\w+)(?: extends Conformance |"

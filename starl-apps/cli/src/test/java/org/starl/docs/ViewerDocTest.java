@@ -32,7 +32,7 @@ class ViewerDocTest {
 
   @Test
   void theCodeIsTheOneThatRuns() throws IOException {
-    String page = Files.readString(Path.of("../docs/viewer.md"));
+    String page = Files.readString(Path.of("../../docs/viewer.md"));
     String shown = page.substring(page.indexOf("```java\n") + 8);
     shown = shown.substring(0, shown.indexOf("```"));
     assertThat(shown).contains("receivedPointInput");
