@@ -57,7 +57,13 @@ subprojects {
     }
 
     tasks.withType<Test>().configureEach {
-        useJUnitPlatform()
+        // realtime: needs real time, sockets or other processes. long: takes more than some seconds.
+        useJUnitPlatform {
+            if (!providers.gradleProperty("all").isPresent) {
+                excludeTags("realtime", "long")
+            }
+        }
+        maxParallelForks = 2
         // The simulator's carriers need java.lang; libraries under test may load agents.
         jvmArgs("--add-opens", "java.base/java.lang=ALL-UNNAMED", "-XX:+EnableDynamicAgentLoading")
         systemProperty("java.awt.headless", "true")

@@ -4,13 +4,20 @@ import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAPac
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideInAnyPackage;
 import static com.tngtech.archunit.core.domain.JavaClass.Predicates.resideOutsideOfPackages;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.classes;
+import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.methods;
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 import static com.tngtech.archunit.library.dependencies.SlicesRuleDefinition.slices;
 
 import com.tngtech.archunit.base.DescribedPredicate;
 import com.tngtech.archunit.core.domain.JavaClass;
+import com.tngtech.archunit.core.domain.JavaFieldAccess.AccessType;
+import com.tngtech.archunit.core.domain.JavaMethod;
+import com.tngtech.archunit.lang.ArchCondition;
 import com.tngtech.archunit.lang.ArchRule;
+import com.tngtech.archunit.lang.ConditionEvents;
+import com.tngtech.archunit.lang.SimpleConditionEvent;
 import java.util.List;
+import java.util.Set;
 
 /** Which packages may import which, each law with a class that breaks it. */
 final class Layers {
@@ -65,6 +72,21 @@ final class Layers {
           .or(DescribedPredicate.describe("primitive types", type -> type.isPrimitive()))
           .and(resideOutsideOfPackages(DESKTOP))
           .as("the JDK without its desktop");
+
+  private static final ArchCondition<JavaMethod> ONLY_ANSWER =
+      new ArchCondition<>("return a boolean and set no field") {
+        @Override
+        public void check(JavaMethod method, ConditionEvents events) {
+          boolean answers =
+              Set.of("boolean", "java.lang.Boolean").contains(method.getRawReturnType().getName());
+          boolean changes =
+              method.getFieldAccesses().stream()
+                  .anyMatch(access -> access.getAccessType() == AccessType.SET);
+          if (!answers || changes) {
+            events.add(SimpleConditionEvent.violated(method, method.getFullName()));
+          }
+        }
+      };
 
   static final List<Law> LAWS =
       List.of(
@@ -163,6 +185,10 @@ final class Layers {
               slices().matching("(org.starl..)").should().beFreeOfCycles(),
               org.starl.fixture.CoreInACycle.class,
               org.starl.sim.fixture.SimulatorInACycle.class),
+          new Law(
+              "a method called is... answers yes or no and changes nothing",
+              methods().that().haveNameMatching("is[A-Z].*").should(ONLY_ANSWER),
+              org.starl.fixture.CoreChangesInQuestion.class),
           new Law(
               "Android is the leaf's",
               noClasses()

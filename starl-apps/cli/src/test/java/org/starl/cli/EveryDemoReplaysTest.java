@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import java.awt.Graphics2D;
 import java.awt.image.BufferedImage;
 import java.awt.image.DataBufferInt;
@@ -35,6 +36,7 @@ import org.starl.sim.replay.Recording;
  * Of every app and every primitive: a trace is run again to the same bytes, watched or not; and any
  * moment of it looks the same, whichever way one comes there.
  */
+@Tag("long")
 class EveryDemoReplaysTest {
 
   private static final int LOOKS = 6;

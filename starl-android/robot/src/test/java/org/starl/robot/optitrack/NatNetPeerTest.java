@@ -3,6 +3,7 @@ package org.starl.robot.optitrack;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import org.junit.jupiter.api.Tag;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.InetSocketAddress;
@@ -25,6 +26,7 @@ import org.starl.robot.realtime.RealClock;
  * where the environment's {@code STARL_NATNET} is a folder that {@code pip install --target} has put
  * version 0.3.0 into.
  */
+@Tag("realtime")
 class NatNetPeerTest {
 
   private static final String PACKAGE = System.getenv("STARL_NATNET");

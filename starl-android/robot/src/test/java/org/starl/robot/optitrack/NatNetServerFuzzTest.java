@@ -1,5 +1,6 @@
 package org.starl.robot.optitrack;
 
+import org.junit.jupiter.api.Tag;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
@@ -17,6 +18,7 @@ import org.starl.sim.check.MalformedBytes;
  * Any datagrams to the server, from any of 256 clients: each input is datagrams, each behind its client's
  * number and its length. It answers or counts each, and remembers no more clients than it says.
  */
+@Tag("realtime")
 public class NatNetServerFuzzTest {
 
   /** Where all answers go: a socket of this test, on every loopback address. */

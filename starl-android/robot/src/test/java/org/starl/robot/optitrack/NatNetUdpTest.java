@@ -3,6 +3,7 @@ package org.starl.robot.optitrack;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.junit.jupiter.api.Tag;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.DatagramPacket;
@@ -24,6 +25,7 @@ import org.starl.robot.contract.RealGround;
 import org.starl.robot.realtime.RealClock;
 
 /** Client and server over real sockets of the loopback interface. */
+@Tag("realtime")
 class NatNetUdpTest {
 
   private static final Pose POSE = new Pose(1234.5, -678.25, 2.5);

@@ -2,6 +2,7 @@ package org.starl.robot.realtime;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
@@ -11,6 +12,7 @@ import org.starl.platform.Clock;
 import org.starl.platform.Timer;
 
 /** What only real time has: several threads, and pieces that take their time. */
+@Tag("realtime")
 class RealStrandTest {
 
   private final List<Throwable> errors = new CopyOnWriteArrayList<>();

@@ -2,6 +2,7 @@ package org.starl.robot.udp;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.net.InetAddress;
@@ -23,6 +24,7 @@ import org.starl.random.Rng;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 
+@Tag("realtime")
 class DiscoveryTest {
 
   private static final RobotId ME = new RobotId("bot0");

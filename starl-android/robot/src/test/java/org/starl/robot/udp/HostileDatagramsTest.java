@@ -2,6 +2,7 @@ package org.starl.robot.udp;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import org.junit.jupiter.api.Tag;
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
@@ -34,6 +35,7 @@ import org.starl.sim.check.MalformedBytes;
  *
  * <p>{@code -Dstarl.fuzz=1000000} sends so many, {@code -Dstarl.fuzz.seed=7} others.
  */
+@Tag("realtime")
 class HostileDatagramsTest {
 
   private static final int COUNT = Integer.getInteger("starl.fuzz", 100_000);

@@ -3,6 +3,7 @@ package org.starl.robot.udp;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import org.junit.jupiter.api.Tag;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.DatagramPacket;
@@ -20,6 +21,7 @@ import org.starl.platform.Radio;
 import org.starl.robot.contract.RadioContract;
 
 /** UDP on the loopback interface: the contract, and what only a network can do. */
+@Tag("realtime")
 class UdpRadioTest extends RadioContract {
 
   @Override
