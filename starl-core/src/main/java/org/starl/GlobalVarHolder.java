@@ -4,7 +4,6 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import org.starl.comms.Comms;
-import org.starl.comms.Workspace;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Log;
@@ -32,13 +31,12 @@ public final class GlobalVarHolder {
   /**
    * @param boot how often this robot's program has started, from 1; no two gvh of a robot have the
    *     same
-   * @param workspace not used by another robot at the same time
    */
-  public GlobalVarHolder(Platform platform, int boot, Workspace workspace) {
+  public GlobalVarHolder(Platform platform, int boot) {
     log = new Log(platform.clock(), platform.log());
     trace = new Trace(platform.id(), platform.clock(), platform.trace());
     id = new Identity(platform.id(), platform.deployment(), boot);
-    comms = new Comms(platform, boot, workspace);
+    comms = new Comms(platform, boot);
     gps = new Gps(this, platform);
     plat =
         new Plat(

@@ -4,7 +4,6 @@ import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.Workspace;
 import org.starl.platform.Platform;
 import org.starl.platform.Timer;
 
@@ -21,32 +20,20 @@ public final class RobotRunner {
   private static final long NS_PER_MS = 1_000_000;
 
   private final Platform platform;
-  private final Workspace workspace;
   private final Function<GlobalVarHolder, ? extends LogicThread> appFactory;
   private final Runnable whenFinished;
   private @Nullable GlobalVarHolder gvh;
   private @Nullable LogicThread app;
   private @Nullable List<Object> results;
 
-  /** A robot that shares nothing with others. */
-  public RobotRunner(
-      Platform platform,
-      Function<GlobalVarHolder, ? extends LogicThread> appFactory,
-      Runnable whenFinished) {
-    this(platform, new Workspace(), appFactory, whenFinished);
-  }
-
   /**
-   * @param workspace not used by another robot at the same time
    * @param whenFinished called on the strand when the app has come to its end
    */
   public RobotRunner(
       Platform platform,
-      Workspace workspace,
       Function<GlobalVarHolder, ? extends LogicThread> appFactory,
       Runnable whenFinished) {
     this.platform = platform;
-    this.workspace = workspace;
     this.appFactory = appFactory;
     this.whenFinished = whenFinished;
   }
@@ -86,9 +73,8 @@ public final class RobotRunner {
   }
 
   private void run(int boot) {
-    GlobalVarHolder holder = new GlobalVarHolder(platform, boot, workspace);
+    GlobalVarHolder holder = new GlobalVarHolder(platform, boot);
     LogicThread logic = appFactory.apply(holder);
-    platform.strand().uses(logic);
     gvh = holder;
     app = logic;
     if (logic.stepPeriodMs() > 0) {

@@ -19,13 +19,14 @@ import org.starl.trace.TraceSink;
  */
 public final class Comms {
 
+  private static final Spare<DatagramWriter> WRITERS = new Spare<>(DatagramWriter::new);
+
   private final Radio radio;
   private final RobotId self;
   private final int selfHash;
   private final byte[] selfName;
   private final int boot;
   private final LamportClock lamportClock = new LamportClock();
-  private final DatagramWriter writer;
   private final TraceSink trace;
   private final @Nullable Seal seal;
   private @Nullable ReliableSender reliable;
@@ -39,9 +40,8 @@ public final class Comms {
 
   /**
    * @param boot how often this robot's program has started, from 1
-   * @param workspace not used by another robot at the same time
    */
-  public Comms(Platform platform, int boot, Workspace workspace) {
+  public Comms(Platform platform, int boot) {
     if (boot <= 0) {
       throw new IllegalArgumentException("boot number " + boot + ": expected above 0");
     }
@@ -51,15 +51,12 @@ public final class Comms {
     this.selfName = self.name().getBytes(StandardCharsets.US_ASCII);
     this.radio = platform.radio();
     this.boot = boot;
-    this.writer = workspace.out;
     this.trace = platform.trace();
     this.books = new Bookkeeping(platform);
     DeploymentKey key = platform.key();
     this.seal = key == null ? null : new Seal(key);
-    this.inbound =
-        new Inbound(this, selfName, workspace, platform.deployment(), lamportClock, trace, seal);
+    this.inbound = new Inbound(this, selfName, platform.deployment(), lamportClock, trace, seal);
     radio.onReceive(inbound);
-    platform.strand().uses(radio, inbound, this, selfName, lamportClock);
   }
 
   /** The robot's logical clock; every datagram carries and witnesses it. */
@@ -78,7 +75,6 @@ public final class Comms {
     }
     OpenEndpoint<T> endpoint = new OpenEndpoint<>(this, channel, handler);
     inbound.open(endpoint);
-    platform.strand().uses(endpoint, handler);
     return endpoint;
   }
 
@@ -103,12 +99,14 @@ public final class Comms {
 
   <T> void send(OpenEndpoint<T> endpoint, @Nullable RobotId to, T message) {
     long number = ++lastNumber;
+    DatagramWriter writer = WRITERS.take();
     writer.begin(Header.PLAIN, selfName, boot, number, lamportClock.now(), to);
     int length = writer.message(endpoint, message, 0);
     if (trace.isOn()) {
       books.sent(to, endpoint.channel, number, length, message);
     }
     emit(to, writer.buffer(), length);
+    WRITERS.giveBack(writer);
   }
 
   <T> Receipt sendReliably(
@@ -118,9 +116,11 @@ public final class Comms {
     }
     long number = ++lastNumber;
     long order = reliable.nextOrder(to);
+    DatagramWriter writer = WRITERS.take();
     writer.begin(Header.RELIABLE, selfName, boot, number, lamportClock.now(), to);
     int length = writer.message(endpoint, message, order);
     byte[] datagram = Arrays.copyOf(writer.buffer(), length);
+    WRITERS.giveBack(writer);
     return reliable.send(to, new RetainedMessage(endpoint, message, number, datagram), reliability);
   }
 
@@ -138,12 +138,14 @@ public final class Comms {
       return;
     }
     long number = ++lastNumber;
+    DatagramWriter writer = WRITERS.take();
     writer.begin(Header.ACK, selfName, boot, number, lamportClock.now(), to);
     int length = writer.acknowledgement(ackedBoot, order);
     if (trace.isOn()) {
       books.sentAcknowledgement(to, order, number, length);
     }
     emit(to, writer.buffer(), length);
+    WRITERS.giveBack(writer);
   }
 
   /** {@code from} has handled message {@code order} of this robot's incarnation {@code ackedBoot}. */

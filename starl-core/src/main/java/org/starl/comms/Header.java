@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Radio;
 
 /**
- * Where the parts of a received datagram lie (docs/wire-format.md). One object parses one datagram
- * after another and allocates nothing.
+ * A received datagram's header: its fields, and where its names lie (docs/wire-format.md). One object
+ * parses one datagram after another.
  */
 final class Header {
 
@@ -29,6 +29,14 @@ final class Header {
   /** Clocks beyond are refused, so that no datagram can drive one to its overflow. */
   static final long MAX_CLOCK = (1L << 62) - 1;
 
+  /** The datagram's bytes: valid only while the radio hands them over. */
+  byte[] bytes = {};
+
+  /** Reads the header and, after {@link #parse}, the body. */
+  final WireReader in = new WireReader();
+
+  private int length;
+
   int kind;
   int boot;
   long number;
@@ -42,10 +50,13 @@ final class Header {
   int bodyAt;
 
   /**
-   * Reads all but the body, which {@code in} will read next; null if that is well-formed. The
-   * names' letters are not looked at.
+   * Reads everything before the body. Does not check the characters of the names.
+   *
+   * @return why the datagram is malformed, or null if it is well-formed
    */
-  @Nullable DropReason parse(byte[] bytes, int length, WireReader in) {
+  @Nullable DropReason parse(byte[] datagram, int datagramLength) {
+    bytes = datagram;
+    length = datagramLength;
     if (length < 3) {
       return DropReason.TRUNCATED;
     }
@@ -76,14 +87,14 @@ final class Header {
     if (boot <= 0 || number <= 0 || clock < 0 || clock > MAX_CLOCK) {
       return DropReason.BAD_FIELD;
     }
-    DropReason malformed = parseNames(bytes, length);
+    DropReason malformed = parseNames();
     if (malformed == null) {
       in.reset(bytes, bodyAt, length);
     }
     return malformed;
   }
 
-  private @Nullable DropReason parseNames(byte[] bytes, int length) {
+  private @Nullable DropReason parseNames() {
     senderAt = NAMES_AT + 1;
     if (senderAt > length) {
       return DropReason.TRUNCATED;

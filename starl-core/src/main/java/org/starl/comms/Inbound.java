@@ -10,14 +10,14 @@ import org.starl.trace.TraceSink;
 /** What arrives: looked through, counted, and handed to the endpoint that it is for. */
 final class Inbound implements Radio.Receiver {
 
+  private static final Spare<Header> HEADERS = new Spare<>(Header::new);
+
   private static final int FIRST_BOOT = 1;
   private static final long UNSEALED = 0;
   private static final long FROM_SELF = -1;
 
   private final Comms comms;
   private final byte[] selfName;
-  private final Header header;
-  private final WireReader in;
   private final Participants deployment;
   private final LamportClock lamportClock;
   private final TraceSink trace;
@@ -38,15 +38,12 @@ final class Inbound implements Radio.Receiver {
   Inbound(
       Comms comms,
       byte[] selfName,
-      Workspace workspace,
       Participants deployment,
       LamportClock lamportClock,
       TraceSink trace,
       @Nullable Seal seal) {
     this.comms = comms;
     this.selfName = selfName;
-    this.header = workspace.header;
-    this.in = workspace.in;
     this.deployment = deployment;
     this.lamportClock = lamportClock;
     this.trace = trace;
@@ -116,49 +113,55 @@ final class Inbound implements Radio.Receiver {
    * @param count the transmission's under its seal; or {@link #UNSEALED}, or {@link #FROM_SELF}
    */
   private void take(byte[] buffer, int length, long count) {
-    DropReason malformed = header.parse(buffer, length, in);
-    if (malformed != null) {
+    Header header = HEADERS.take();
+    DropReason malformed = header.parse(buffer, length);
+    if (malformed == null) {
+      take(header, count);
+    } else {
       drop(malformed, null, length + " bytes");
-      return;
     }
-    RobotId from = sender(buffer);
+    HEADERS.giveBack(header);
+  }
+
+  private void take(Header header, long count) {
+    RobotId from = sender(header);
     if (from == null) {
       drop(DropReason.BAD_NAME, null, "sender");
       return;
     }
-    DropReason refused = refusal(buffer, from, count);
+    DropReason refused = refusal(header, from, count);
     if (refused != null) {
       drop(refused, from, "");
       return;
     }
     lamportClock.witness(header.clock);
     if (header.kind == Header.ACK) {
-      acknowledged(from);
+      acknowledged(header, from);
     } else {
-      message(buffer, from);
+      message(header, from);
     }
   }
 
-  private @Nullable RobotId sender(byte[] buffer) {
-    RobotId known = deployment.find(buffer, header.senderAt, header.senderLength);
+  private @Nullable RobotId sender(Header header) {
+    RobotId known = deployment.find(header.bytes, header.senderAt, header.senderLength);
     if (known != null) {
       return known;
     }
     if (strangers == null) {
       strangers = new Strangers();
     }
-    return strangers.find(buffer, header.senderAt, header.senderLength);
+    return strangers.find(header.bytes, header.senderAt, header.senderLength);
   }
 
   // Names are compared as bytes: the sender's own object is mostly cold, and stays so.
-  private @Nullable DropReason refusal(byte[] buffer, RobotId from, long count) {
+  private @Nullable DropReason refusal(Header header, RobotId from, long count) {
     if (count != FROM_SELF
-        && ByteNames.equal(selfName, buffer, header.senderAt, header.senderLength)) {
+        && ByteNames.equal(selfName, header.bytes, header.senderAt, header.senderLength)) {
       return DropReason.OWN;
     }
     boolean isForUs =
         header.addresseeLength == 0
-            || ByteNames.equal(selfName, buffer, header.addresseeAt, header.addresseeLength);
+            || ByteNames.equal(selfName, header.bytes, header.addresseeAt, header.addresseeLength);
     if (!isForUs) {
       return DropReason.NOT_FOR_US;
     }
@@ -178,13 +181,13 @@ final class Inbound implements Radio.Receiver {
     return windows;
   }
 
-  private void acknowledged(RobotId from) {
+  private void acknowledged(Header header, RobotId from) {
     int ackedBoot;
     long order;
     try {
-      ackedBoot = in.i32();
-      order = in.i64();
-      in.expectEnd();
+      ackedBoot = header.in.i32();
+      order = header.in.i64();
+      header.in.expectEnd();
     } catch (WireFormatException e) {
       drop(DropReason.BAD_PAYLOAD, from, "acknowledgement: " + e.getMessage());
       return;
@@ -192,14 +195,14 @@ final class Inbound implements Radio.Receiver {
     comms.settle(from, ackedBoot, order);
   }
 
-  private void message(byte[] buffer, RobotId from) {
+  private void message(Header header, RobotId from) {
     long order = 0;
     if (header.kind == Header.RELIABLE) {
-      if (in.remaining() < Long.BYTES) {
+      if (header.in.remaining() < Long.BYTES) {
         drop(DropReason.TRUNCATED, from, "no order");
         return;
       }
-      order = in.i64();
+      order = header.in.i64();
       DropReason refused = order <= 0 ? DropReason.BAD_FIELD : windows().refusal(from, order);
       if (refused != null) {
         drop(refused, from, "");
@@ -209,17 +212,18 @@ final class Inbound implements Radio.Receiver {
         return;
       }
     }
-    OpenEndpoint<?> endpoint = listener(buffer, header.channelAt, header.channelLength);
+    OpenEndpoint<?> endpoint = listener(header.bytes, header.channelAt, header.channelLength);
     if (endpoint == null) {
-      dropUnheard(buffer, from);
+      dropUnheard(header, from);
     } else {
-      deliver(endpoint, from, order);
+      deliver(endpoint, header, from, order);
     }
   }
 
-  private void dropUnheard(byte[] buffer, RobotId from) {
+  private void dropUnheard(Header header, RobotId from) {
     String name =
-        new String(buffer, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
+        new String(
+            header.bytes, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
     if (Channel.isName(name)) {
       drop(DropReason.NO_LISTENER, from, name);
     } else {
@@ -227,25 +231,24 @@ final class Inbound implements Radio.Receiver {
     }
   }
 
-  private <T> void deliver(OpenEndpoint<T> endpoint, RobotId from, long order) {
+  private <T> void deliver(OpenEndpoint<T> endpoint, Header header, RobotId from, long order) {
     T message;
     try {
-      message = endpoint.channel.codec().read(in);
-      in.expectEnd();
+      message = endpoint.channel.codec().read(header.in);
+      header.in.expectEnd();
     } catch (WireFormatException | IllegalArgumentException e) {
       drop(DropReason.BAD_PAYLOAD, from, endpoint.channel.name() + ": " + e.getMessage());
       return;
     }
-    int senderBoot = header.boot;
     if (order > 0) {
-      windows().handle(from, senderBoot, order);
+      windows().handle(from, header.boot, order);
     }
     if (trace.isOn()) {
       comms.books().delivered(from, endpoint.channel, header.number, message);
     }
     endpoint.handler.received(from, message);
     if (order > 0) {
-      comms.acknowledge(from, senderBoot, order);
+      comms.acknowledge(from, header.boot, order);
     }
   }
 

@@ -18,13 +18,6 @@ public interface Strand {
    */
   void post(Runnable action);
 
-  /**
-   * A hint: most of what runs on this strand uses {@code parts}, small objects that stay with it. Whoever
-   * runs thousands of strands in turn may fetch some of them into the processor's cache ahead of their
-   * turn. Changes nothing that runs, and does nothing unless overridden.
-   */
-  default void uses(Object... parts) {}
-
   /** Whether the caller runs on this strand now. */
   boolean isCurrent();
 

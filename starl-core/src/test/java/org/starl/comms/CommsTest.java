@@ -36,7 +36,7 @@ class CommsTest {
   }
 
   private Comms comms(String name, int boot) {
-    return new Comms(world.boot(name).platform(), boot, new Workspace());
+    return new Comms(world.boot(name).platform(), boot);
   }
 
   private Endpoint<String> open(Comms comms, String as) {
@@ -383,7 +383,7 @@ class CommsTest {
   @Test
   void eachReasonIsLoggedOnce() {
     FakePlatform platform = world.boot("a");
-    Comms comms = new Comms(platform.platform(), 1, new Workspace());
+    Comms comms = new Comms(platform.platform(), 1);
 
     world.inject(A, new byte[] {1, 2, 3});
     world.inject(A, new byte[] {1, 2, 3, 4});

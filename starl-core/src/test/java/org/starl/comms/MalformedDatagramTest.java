@@ -60,9 +60,9 @@ class MalformedDatagramTest {
     world = new FakeWorld("a", "b");
     sent = new ArrayList<>();
     heard = new ArrayList<>();
-    Comms sender = new Comms(world.boot("a").platform(), 3, new Workspace());
+    Comms sender = new Comms(world.boot("a").platform(), 3);
     Endpoint<Even> endpoint = sender.open(EVEN, (from, message) -> {});
-    receiver = new Comms(world.boot("b").platform(), 1, new Workspace());
+    receiver = new Comms(world.boot("b").platform(), 1);
     receiver.open(EVEN, (from, message) -> heard.add(message));
     world.rule =
         (from, to, datagram) -> {

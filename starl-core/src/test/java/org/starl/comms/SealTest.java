@@ -53,7 +53,7 @@ class SealTest {
 
   private Comms boot(RobotId id, int boot, @Nullable DeploymentKey key) {
     world.key = key;
-    return new Comms(world.boot(id.name()).platform(), boot, new Workspace());
+    return new Comms(world.boot(id.name()).platform(), boot);
   }
 
   private Comms listener(@Nullable DeploymentKey key) {

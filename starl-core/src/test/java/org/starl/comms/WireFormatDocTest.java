@@ -55,8 +55,8 @@ class WireFormatDocTest {
           return new long[] {1};
         };
     Channel<String> talk = new Channel<>("talk", "1", new Text());
-    Comms bot1 = new Comms(world.boot("bot1").platform(), 3, new Workspace());
-    Comms bot2 = new Comms(world.boot("bot2").platform(), 1, new Workspace());
+    Comms bot1 = new Comms(world.boot("bot1").platform(), 3);
+    Comms bot2 = new Comms(world.boot("bot2").platform(), 1);
     bot2.open(talk, (from, message) -> {});
     Endpoint<String> endpoint = bot1.open(talk, (from, message) -> {});
     bot1.lamportClock().witness(42);

@@ -9,7 +9,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
-import org.starl.comms.Workspace;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Fix;
 import org.starl.geometry.ItemPosition;
@@ -30,7 +29,7 @@ class MotionControlTest {
 
   private final FakeWorld world = new FakeWorld("bot0");
   private final FakePlatform robot = world.boot("bot0");
-  private final GlobalVarHolder gvh = new GlobalVarHolder(robot.platform(), 1, new Workspace());
+  private final GlobalVarHolder gvh = new GlobalVarHolder(robot.platform(), 1);
   private final MotionControl moat = gvh.plat.moat;
 
   private void fix(double x, double y, double headingRad) {
@@ -224,7 +223,7 @@ class MotionControlTest {
     FakeWorld elsewhere = new FakeWorld("bot1");
     FakePlatform late = elsewhere.boot("bot1");
     MotionParameters lateWheels = MotionParameters.builder().reactionMs(50).build();
-    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1, new Workspace()).gps;
+    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1).gps;
     late.fix(new Fix(new Pose(0, 0, 0), 49_000_000, 4, 0));
     elsewhere.runMs(60);
     assertThat(gps.hasFix()).isFalse();
