@@ -1,10 +1,7 @@
 package org.starl.trace;
 
-import java.util.Iterator;
-import java.util.List;
 import java.util.Map;
 import org.starl.geometry.Pose;
-import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
@@ -77,13 +74,8 @@ public final class TraceCodec {
       text(out, ":", setting.getValue());
       comma = ",";
     }
-    out.ascii("},\"robots\":[");
-    comma = "";
-    for (RobotId robot : header.robots()) {
-      text(out, comma, robot.name());
-      comma = ",";
-    }
-    out.ascii("]}");
+    texts(out, "},\"robots\":[", header.robots());
+    out.ascii('}');
   }
 
   static void append(LineBuffer out, TraceEnd end) {
@@ -184,13 +176,12 @@ public final class TraceCodec {
     out.string(value);
   }
 
-  private static void texts(LineBuffer out, String key, List<String> values) {
+  private static void texts(LineBuffer out, String key, Iterable<?> values) {
     out.ascii(key);
-    for (Iterator<String> rest = values.iterator(); rest.hasNext(); ) {
-      out.string(rest.next());
-      if (rest.hasNext()) {
-        out.ascii(',');
-      }
+    String comma = "";
+    for (Object value : values) {
+      text(out, comma, value.toString());
+      comma = ",";
     }
     out.ascii(']');
   }

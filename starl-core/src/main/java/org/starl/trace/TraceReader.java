@@ -47,10 +47,8 @@ public final class TraceReader implements Closeable {
     if (end != null) {
       throw line.expected("nothing after the line of kind end");
     }
-    line.expect("{\"kind\":");
-    String kind = line.string();
-    line.expect(",\"timeNs\":");
-    long timeNs = line.number();
+    String kind = line.text("{\"kind\":");
+    long timeNs = line.number(",\"timeNs\":");
     if (kind.equals("end")) {
       end = parser.traceEnd(line, timeNs, events);
       return next();
