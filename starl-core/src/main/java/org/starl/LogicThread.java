@@ -1,5 +1,7 @@
 package org.starl;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.starl.platform.Clock;
@@ -14,8 +16,6 @@ import org.starl.platform.Strand;
  * nothing else: never {@code Thread.sleep}, a lock or input and output.
  */
 public abstract class LogicThread {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   protected final GlobalVarHolder gvh;
 

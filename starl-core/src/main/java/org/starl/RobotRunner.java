@@ -1,5 +1,7 @@
 package org.starl;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.function.Function;
@@ -17,7 +19,6 @@ import org.starl.platform.Timer;
 public final class RobotRunner {
 
   private static final String BOOT_KEY = "starl.boot";
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Platform platform;
   private final Function<GlobalVarHolder, ? extends LogicThread> appFactory;

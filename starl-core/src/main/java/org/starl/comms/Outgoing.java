@@ -1,13 +1,13 @@
 package org.starl.comms;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.id.RobotId;
 
 /** A reliable message on its sender's side, and its receipt. */
 final class Outgoing<P> implements Receipt {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   /** About 30 years: no sum of times overflows. */
   private static final long MAX_MS = 1_000_000_000_000L;

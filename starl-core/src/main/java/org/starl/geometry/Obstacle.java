@@ -1,5 +1,7 @@
 package org.starl.geometry;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
 
@@ -14,8 +16,6 @@ import java.util.List;
 public record Obstacle(List<Point> points, boolean closed, boolean hidden, long lifetimeMs) {
 
   public static final long FOREVER = -1;
-
-  private static final long NS_PER_MS = 1_000_000;
 
   public Obstacle {
     points = List.copyOf(points);

@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.body.Bumps;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
@@ -15,7 +17,6 @@ import org.starl.random.Rng;
  */
 final class CollisionManeuver {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final double FOLLOW_TURN_RAD = StrictMath.PI / 4;
   private static final double FOLLOW_RADIUS_MM = 320;
   private static final double RANDOM_TURN_RAD = StrictMath.PI / 2;

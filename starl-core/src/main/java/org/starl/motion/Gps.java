@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
@@ -26,8 +28,6 @@ import org.starl.platform.Platform;
  * on the robot's own clock.
  */
 public final class Gps {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Clock clock;
   private final Trace trace;

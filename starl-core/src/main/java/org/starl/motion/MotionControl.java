@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
@@ -36,7 +38,6 @@ import org.starl.random.Rng;
 public final class MotionControl {
 
   private static final String SOURCE = "motion";
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Gps gps;
   private final Clock clock;

@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
@@ -16,8 +18,6 @@ import org.starl.random.Rng;
  * a step returns depends on the arguments of the steps so far.
  */
 final class MotionRun {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Point target;
   private final MotionParameters p;

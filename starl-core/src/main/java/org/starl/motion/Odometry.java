@@ -3,6 +3,7 @@ package org.starl.motion;
 import java.util.Arrays;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Kinematics;
+import org.starl.time.Time;
 
 /**
  * What the commands would have done to a body that follows them: a pose in a frame of its own, and
@@ -16,7 +17,6 @@ import org.starl.geometry.Kinematics;
  */
 final class Odometry {
 
-  private static final double NS_PER_S = 1e9;
   private static final int KNOTS = 64;
 
   // The contact with what a body touches may turn it, as if it rolled on so small a wheel.
@@ -160,7 +160,7 @@ final class Odometry {
     atTurned = turned[knot];
     if (timeNs > atNs[knot]) {
       if (linear[knot] != 0 || angular[knot] != 0) {
-        drive(knot, (timeNs - atNs[knot]) / NS_PER_S);
+        drive(knot, Time.seconds(timeNs - atNs[knot]));
       }
       if (reactionNs > 0) {
         linger(knot, older, timeNs);
@@ -214,7 +214,7 @@ final class Odometry {
     if (mmPerS == 0 && radPerS == 0) {
       return;
     }
-    double most = (1 + speedError) * (ns / NS_PER_S);
+    double most = (1 + speedError) * Time.seconds(ns);
     atStray += most * mmPerS;
     atTurned += most * (touching[knot] ? radPerS + mmPerS / ROLLING_MM : radPerS);
   }

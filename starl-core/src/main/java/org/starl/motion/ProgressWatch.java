@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Pose;
@@ -9,8 +11,6 @@ import org.starl.geometry.Pose;
  * (held up without a bump, stuck wheels), or much driving without coming nearer. Pure.
  */
 final class ProgressWatch {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   /** What a held-up body seems to move between two fixes, because its wheels are told to. */
   private static final double STILL_MM = 40;

@@ -7,6 +7,7 @@ import java.util.TreeMap;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
@@ -17,8 +18,6 @@ import org.starl.trace.TraceEvent.Moved;
  * closed form, from its last {@code Moved}. For specifications, pictures and viewers alike.
  */
 public final class Bodies {
-
-  private static final double NS_PER_S = 1e9;
 
   private final SortedMap<RobotId, Body> onFloor = new TreeMap<>();
 
@@ -117,7 +116,7 @@ public final class Bodies {
     if (body.linearMmPerS == 0 && body.angularRadPerS == 0) {
       return body.from;
     }
-    double seconds = (timeNs - body.sinceNs) / NS_PER_S;
+    double seconds = Time.seconds(timeNs - body.sinceNs);
     return Kinematics.after(body.from, body.linearMmPerS, body.angularRadPerS, seconds);
   }
 

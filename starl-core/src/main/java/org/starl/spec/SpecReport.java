@@ -1,5 +1,8 @@
 package org.starl.spec;
 
+import static org.starl.time.Time.NS_PER_MS;
+import static org.starl.time.Time.NS_PER_S;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -16,9 +19,6 @@ public final class SpecReport implements Monitor.Report {
 
   /** Of one lemma no more violations are kept; all are counted. */
   public static final int MAX_KEPT_PER_LEMMA = 100;
-
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long NS_PER_S = 1_000_000_000;
 
   /**
    * One place where a lemma does not hold.

@@ -1,6 +1,7 @@
 package org.starl.comms;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,7 +19,6 @@ import org.starl.random.Rng;
 /** The two sides of reliable unicast over a network that loses, doubles, delays and reorders. */
 class ReliableUnicastTest {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final RobotId SENDER = new RobotId("s");
 
   /** One message of one incarnation of the sender. */
