@@ -1,6 +1,5 @@
 package org.starl.comms;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -48,10 +47,10 @@ final class InboundWindows {
     if (sender == null) {
       return senders.size() < MAX_SENDERS ? null : DropReason.TOO_MANY_SENDERS;
     }
-    if (order <= sender.highest - WINDOW) {
+    if (sender.handled.isTooOld(order)) {
       return DropReason.TOO_OLD;
     }
-    return sender.isHandled(order) ? DropReason.DUPLICATE : null;
+    return sender.handled.contains(order) ? DropReason.DUPLICATE : null;
   }
 
   /** Message {@code order}, which is not refused, is handled now. */
@@ -63,7 +62,7 @@ final class InboundWindows {
     if (sender == null) {
       throw new IllegalStateException("message " + order + " of " + from + " was refused");
     }
-    sender.handle(order);
+    sender.handled.add(order);
   }
 
   int size() {
@@ -81,8 +80,7 @@ final class InboundWindows {
 
   private static final class Sender {
     private int boot;
-    private long highest;
-    private final long[] handled = new long[WINDOW / Long.SIZE];
+    private SlidingWindow handled = new SlidingWindow(WINDOW);
 
     Sender(int boot) {
       this.boot = boot;
@@ -90,32 +88,7 @@ final class InboundWindows {
 
     void restart(int newBoot) {
       boot = newBoot;
-      highest = 0;
-      Arrays.fill(handled, 0);
-    }
-
-    boolean isHandled(long order) {
-      return order <= highest && (handled[word(order)] & bit(order)) != 0;
-    }
-
-    void handle(long order) {
-      if (order - highest >= WINDOW) {
-        Arrays.fill(handled, 0);
-      } else {
-        for (long skipped = highest + 1; skipped < order; skipped++) {
-          handled[word(skipped)] &= ~bit(skipped);
-        }
-      }
-      highest = Math.max(highest, order);
-      handled[word(order)] |= bit(order);
-    }
-
-    private static int word(long order) {
-      return (int) (order & (WINDOW - 1)) / Long.SIZE;
-    }
-
-    private static long bit(long order) {
-      return 1L << order;
+      handled = new SlidingWindow(WINDOW);
     }
   }
 }
