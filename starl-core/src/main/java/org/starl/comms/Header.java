@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Radio;
 
 /**
- * A received datagram's header: its fields, and where its names lie (docs/wire-format.md). One object
- * parses one datagram after another.
+ * The header of a received datagram: its fields, and the positions of its names
+ * (docs/wire-format.md). One object parses one datagram after another.
  */
 final class Header {
 
@@ -13,7 +13,7 @@ final class Header {
   static final int MAGIC_1 = 'L';
   static final int VERSION = 1;
 
-  /** A datagram's most, a seal not counted. */
+  /** Maximum length in bytes, without authentication. */
   static final int MAX_BYTES = Radio.MAX_BYTES - Seal.BYTES;
 
   static final int PLAIN = 1;
@@ -26,7 +26,7 @@ final class Header {
   static final int CLOCK_AT = 18;
   static final int NAMES_AT = 26;
 
-  /** Clocks beyond are refused, so that no datagram can drive one to its overflow. */
+  /** Datagrams with a larger clock are dropped, so that no datagram can make a clock overflow. */
   static final long MAX_CLOCK = (1L << 62) - 1;
 
   /** The datagram's bytes: valid only while the radio hands them over. */

@@ -6,17 +6,19 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
 /**
- * Which transmissions of which genuine senders have arrived, so that each counts once. Of a sender's
- * incarnation the {@link #WINDOW} highest counts are told apart; older ones are refused. Pure.
+ * Which transmissions of which authenticated senders have arrived, so that each is accepted once.
+ * For each sender's incarnation the {@link #WINDOW} highest counts are tracked individually; older
+ * ones are dropped. Pure.
  *
- * <p>It does not outlive a restart of this robot, who then takes old recordings once more: to what
- * lies above they are messages that were doubled and late, which they bear anyway.
+ * <p>This state is lost when this robot restarts, and old recordings are accepted once more: to the
+ * layers above they are duplicated and delayed messages, which they tolerate anyway.
  */
 final class ReplayWindows {
 
   static final int WINDOW = 1024;
 
-  // Looked up only, never iterated. Its keys hold the deployment's key, so nobody can fill it.
+  // Never iterated. Only holders of the deployment's key can add entries, so an attacker cannot
+  // fill it.
   private final Map<RobotId, Sender> senders = new HashMap<>();
 
   /**

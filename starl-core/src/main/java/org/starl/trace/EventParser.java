@@ -8,8 +8,8 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
 /**
- * The inverse of {@link TraceCodec}. Components are read in the order of their records, which is that
- * of the line. Events of one robot share its id.
+ * The inverse of {@link TraceCodec}. Reads components in the order of their records, which is their
+ * order in the line. Events of one robot share its id.
  */
 final class EventParser {
 
@@ -39,7 +39,7 @@ final class EventParser {
     return new TraceHeader(starl, scenario, scenarioSeed, behaviourSeed, settings, deployment);
   }
 
-  /** The rest of the line of kind end, after its time. */
+  /** Reads the rest of the last line, after its time. */
   TraceEnd traceEnd(LineParser line, long timeNs, long events) throws TraceFormatException {
     line.expect(",\"events\":");
     if (!line.take(events + "}")) {
@@ -49,7 +49,7 @@ final class EventParser {
     return new TraceEnd(timeNs, events);
   }
 
-  /** The rest of the line of an event, after its time. */
+  /** Reads the rest of an event's line, after its time. */
   TraceEvent event(LineParser line, String kind, long timeNs) throws TraceFormatException {
     RobotId robot = robot(line, ",\"robot\":");
     TraceEvent event =

@@ -7,12 +7,13 @@ import java.util.Map;
 import org.starl.id.RobotId;
 
 /**
- * Reads one line of a trace from left to right; anything unexpected is a {@link TraceFormatException}.
- * Methods with a {@code key} read that text first.
+ * Reads one line of a trace from left to right; anything unexpected is a {@link
+ * TraceFormatException}. Methods with a {@code key} read that text first.
  *
- * <p>By hand: a trace must be exactly as {@link TraceCodec} writes it (order of keys, number of
- * decimals, no white space), and an error names its column, which jackson-core offers neither of. Both
- * read 550 MB/s on one core (the trace of a run of the intersection).
+ * <p>Hand-written, because a trace must be exactly as {@link TraceCodec} writes it (order of keys,
+ * number of decimals, no white space) and errors name the column; a parser over jackson-core would
+ * need the same checks and gives no speed: both read about 550 MB/s on one core (trace of an
+ * intersection run).
  */
 final class LineParser {
 
@@ -30,18 +31,21 @@ final class LineParser {
     this.line = line;
   }
 
-  /** An error about what stands at this place. */
+  /** An error at the current position. */
   TraceFormatException expected(String what) {
     return at(position, what);
   }
 
-  /** An error about {@code value}, read just now, which no version of the format knows. */
+  /**
+   * An error about {@code value}, which was read just now and is unknown in this version of the
+   * format.
+   */
   TraceFormatException unknown(String what, String value) {
     return new TraceFormatException(
         file, lineNumber, "expected a known " + what + ", found " + printable(value));
   }
 
-  /** Takes {@code text}, which must stand here. */
+  /** Reads {@code text}, which must be next. */
   void expect(String text) throws TraceFormatException {
     if (!line.startsWith(text, position)) {
       throw expected(text);
@@ -49,7 +53,11 @@ final class LineParser {
     position += text.length();
   }
 
-  /** Takes {@code text} if it stands here. */
+  /**
+   * Reads {@code text} if it is next.
+   *
+   * @return whether it was
+   */
   boolean take(String text) {
     boolean stands = line.startsWith(text, position);
     if (stands) {
@@ -58,7 +66,7 @@ final class LineParser {
     return stands;
   }
 
-  /** The object that is the line ends here. */
+  /** Reads the end of the JSON object and of the line. */
   void expectEndOfObject() throws TraceFormatException {
     expect("}");
     expectEnd();
@@ -92,7 +100,7 @@ final class LineParser {
     return (int) value;
   }
 
-  /** A number with exactly {@code decimals} decimals. */
+  /** Reads a number with exactly {@code decimals} decimals. */
   double decimal(String key, int decimals) throws TraceFormatException {
     expect(key);
     int start = position;
@@ -155,7 +163,7 @@ final class LineParser {
     throw at(start, "a string that ends");
   }
 
-  /** A string that is a robot's name. */
+  /** Reads a string that is a robot's name. */
   String robotName(String key) throws TraceFormatException {
     expect(key);
     int start = position;
@@ -166,7 +174,7 @@ final class LineParser {
     return name;
   }
 
-  /** Strings in square brackets. */
+  /** Reads an array of strings. */
   List<String> texts(String key) throws TraceFormatException {
     expect(key);
     List<String> values = new ArrayList<>();
@@ -180,7 +188,7 @@ final class LineParser {
     return List.copyOf(values);
   }
 
-  /** An object whose values are strings, in its order; no key stands twice. */
+  /** Reads an object of strings, in its order; duplicate keys are refused. */
   Map<String, String> stringMap(String key) throws TraceFormatException {
     expect(key);
     Map<String, String> values = new LinkedHashMap<>();
@@ -258,7 +266,7 @@ final class LineParser {
         file, lineNumber, "column " + (place + 1) + ": expected " + what + ", found " + found);
   }
 
-  // A message is one line on a terminal, whatever bytes the file holds.
+  // Keeps a message on one line of a terminal, whatever bytes the file holds.
   private static String printable(String text) {
     StringBuilder shown = new StringBuilder(text.length());
     for (int i = 0; i < text.length(); i++) {

@@ -14,15 +14,15 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * The lines of a trace: one JSON object each, without white space, its keys in a fixed order, as
- * {@code docs/trace-format.md} lists them. Keys are the names of the events' components. The line of
- * an event depends on nothing but the event.
+ * The lines of a trace: one JSON object each, without white space, keys in a fixed order, as {@code
+ * docs/trace-format.md} lists them. Keys are the names of the record components. The line of an
+ * event depends only on the event.
  */
 public final class TraceCodec {
 
   private TraceCodec() {}
 
-  /** The line of {@code event}, without its line end. */
+  /** The line of {@code event}, without line end. */
   public static String line(TraceEvent event) {
     LineBuffer out = new LineBuffer();
     append(out, event);
@@ -30,8 +30,9 @@ public final class TraceCodec {
   }
 
   /**
-   * {@code event} as it is read back: lengths to 0.001 mm, angles to 0.000001 rad, halves away from
-   * zero. Equal events have equal lines, and events with equal lines are equal after this.
+   * {@code event} with the precision of the format: lengths to 0.001 mm, angles to 0.000001 rad,
+   * rounded half away from zero. Equal events have equal lines, and events with equal lines are
+   * equal after this.
    */
   public static TraceEvent rounded(TraceEvent event) {
     if (event instanceof Moved moved) {

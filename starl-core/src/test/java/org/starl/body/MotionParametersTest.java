@@ -41,7 +41,7 @@ class MotionParametersTest {
   }
 
   @Test
-  void whatMakesNoSenseIsRefusedByName() {
+  void invalidParametersAreRefusedByName() {
     assertThatThrownBy(() -> MotionParameters.builder().goalRadiusMm(0).build())
         .hasMessage("goalRadiusMm 0.0: expected above 0");
     assertThatThrownBy(() -> MotionParameters.builder().linSpeedMinMmPerS(300).build())
@@ -63,7 +63,7 @@ class MotionParametersTest {
   }
 
   @Test
-  void aContactIsLearnedOnceWhereTheBodyTouches() {
+  void aContactIsAddedOnceWhereTheBodyTouches() {
     KnownObstacles known = new KnownObstacles(Obstacles.of(Obstacle.wall(p(0, 0), p(9, 0))));
     Pose pose = new Pose(100, 100, StrictMath.PI / 2);
     Point ahead = KnownObstacles.contact(pose, Bumps.BOTH, 165);

@@ -21,7 +21,7 @@ class EndpointsTest {
   private final List<String> heard = new ArrayList<>();
 
   @Property(tries = 200)
-  void aMessageIsHeardOnItsChannelIfThatIsOpen(@ForAll long seed) {
+  void aMessageArrivesIfItsChannelIsOpen(@ForAll long seed) {
     Rng rng = new Rng(seed);
     FakeWorld world = new FakeWorld("a", "b");
     Comms sender = new Comms(world.boot("a").platform(), 1);

@@ -60,7 +60,7 @@ class ReliableSenderTest {
   }
 
   @Test
-  void theTimerStandsAtTheFirstThingToDoAndIsCancelledWhenThereIsNone() {
+  void theTimerIsSetToTheNextDueMessageAndCancelledWithoutOne() {
     send();
     nowNs = 100 * NS_PER_MS;
     send();

@@ -46,7 +46,7 @@ class WireFormatDocTest {
   }
 
   @Test
-  void itsExamplesAreWhatTheCodeSends() {
+  void theExamplesAreWhatTheCodeSends() {
     FakeWorld world = new FakeWorld("bot1", "bot2");
     List<String> sent = new ArrayList<>();
     world.rule =
@@ -73,7 +73,7 @@ class WireFormatDocTest {
   }
 
   @Test
-  void itsOffsetsKindsAndLimitsAreTheCodes() {
+  void theOffsetsKindsAndLimitsMatchTheCode() {
     assertThat(doc)
         .contains("| " + Header.LENGTH_AT + " | 2 | length |")
         .contains("| " + Header.BOOT_AT + " | 4 | boot |")
@@ -95,7 +95,7 @@ class WireFormatDocTest {
   }
 
   @Test
-  void itsReasonsAreTheCodes() {
+  void theDropReasonsMatchTheCode() {
     Matcher row =
         Pattern.compile("^\\| `([a-z-]+)` \\|", Pattern.MULTILINE)
             .matcher(doc.substring(doc.indexOf("## Bad input"), doc.indexOf("## Versions")));

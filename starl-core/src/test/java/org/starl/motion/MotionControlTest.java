@@ -53,7 +53,7 @@ class MotionControlTest {
   }
 
   @Test
-  void aProgramThatStartsStopsTheWheels() {
+  void aStartingProgramStopsTheWheels() {
     assertThat(robot.driven).containsExactly(WheelCommand.STOP);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);
     assertThat(moat.inMotion()).isFalse();
@@ -76,7 +76,7 @@ class MotionControlTest {
   }
 
   @Test
-  void theChassisHearsAtEachStepThatTheProgramLives() {
+  void eachStepRepeatsTheCommandToTheChassis() {
     fix(0, 0, 0);
     moat.doMove(new ItemPosition("far", 9000, 0));
     world.runMs(240);
@@ -131,7 +131,7 @@ class MotionControlTest {
   }
 
   @Test
-  void motionStopStopsAndForgets() {
+  void motionStopStopsAndCancels() {
     fix(0, 0, 0);
     moat.doMove(AHEAD);
     moat.motion_stop();
@@ -144,7 +144,7 @@ class MotionControlTest {
   }
 
   @Test
-  void theTraceTellsOfCommandsAndFlags() {
+  void commandsAndFlagsAreTraced() {
     fix(0, 0, 0);
     moat.doMove(AHEAD, new Circle(new Point(0, 900), 10));
     moat.motion_stop();
@@ -159,7 +159,7 @@ class MotionControlTest {
   }
 
   @Test
-  void parametersChosenByTheAppHoldForTheNextMotion() {
+  void newParametersApplyToTheNextMotion() {
     fix(0, 0, 0);
     moat.setParameters(moat.parameters().toBuilder().linSpeedMaxMmPerS(400).build());
     moat.doMove(new ItemPosition("far", 9000, 0));
@@ -193,7 +193,7 @@ class MotionControlTest {
   }
 
   @Test
-  void clearanceIsProvenOnlyBeyondTheErrorBound() {
+  void clearanceNeedsMoreThanTheErrorBound() {
     Region zone = Rectangle.around(new Point(0, 0), 500, 500);
     fix(418, 0, 0);
     assertThat(gvh.gps.clearanceMm(zone, 165)).isEqualTo(-1);
@@ -207,7 +207,7 @@ class MotionControlTest {
   }
 
   @Test
-  void clearanceShrinksWhileTheRobotMovesUnseen() {
+  void clearanceShrinksWhileTheRobotMovesWithoutFixes() {
     fix(500, 0, 0);
     Region zone = Rectangle.around(new Point(0, 0), 500, 500);
     moat.doMove(new ItemPosition("far", 9000, 0));
@@ -219,7 +219,7 @@ class MotionControlTest {
   }
 
   @Test
-  void aFixOfATimeWhenTheWheelsMayHaveFollowedAnEarlierProgramIsNotUsed() {
+  void aFixFromTheReactionTimeAfterARestartIsNotUsed() {
     FakeWorld elsewhere = new FakeWorld("bot1");
     FakePlatform late = elsewhere.boot("bot1");
     MotionParameters lateWheels = MotionParameters.builder().reactionMs(50).build();
@@ -234,7 +234,7 @@ class MotionControlTest {
   }
 
   @Test
-  void fixesAreTracedOnlyIfAskedFor() {
+  void fixesAreTracedOnlyOnRequest() {
     int[] heard = {0};
     gvh.gps.onFix(() -> heard[0]++);
     fix(0, 0, 0);

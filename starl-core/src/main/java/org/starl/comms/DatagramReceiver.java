@@ -7,8 +7,8 @@ import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.trace.TraceSink;
 
-/** What arrives: looked through, counted, and handed to the endpoint that it is for. */
-final class Inbound implements Radio.Receiver {
+/** Receives datagrams: checks and counts them, and passes messages to their endpoints. */
+final class DatagramReceiver implements Radio.Receiver {
 
   private static final Spare<Header> HEADERS = new Spare<>(Header::new);
 
@@ -24,18 +24,21 @@ final class Inbound implements Radio.Receiver {
   private final @Nullable Seal seal;
   private long received;
 
-  /** The open endpoints, linked, the one that heard last first: mostly it is the next as well. */
+  /**
+   * The open endpoints as a linked list. The one that received last is first, because it is usually
+   * the next to receive.
+   */
   private @Nullable OpenEndpoint<?> endpoints;
 
-  // Made when first needed.
+  // Created on first use.
   private @Nullable InboundWindows windows;
-  private @Nullable Strangers strangers;
+  private @Nullable UnknownSenders unknownSenders;
 
   /**
-   * @param selfName this robot's own on the wire
-   * @param seal where the deployment has a key
+   * @param selfName this robot's name as on the wire
+   * @param seal null if the deployment has no key
    */
-  Inbound(
+  DatagramReceiver(
       Comms comms,
       byte[] selfName,
       Participants deployment,
@@ -50,7 +53,7 @@ final class Inbound implements Radio.Receiver {
     this.seal = seal;
   }
 
-  /** Datagrams that arrived, dropped ones included. */
+  /** Number of datagrams received, including dropped ones. */
   long received() {
     return received;
   }
@@ -65,7 +68,7 @@ final class Inbound implements Radio.Receiver {
   }
 
   void close(OpenEndpoint<?> endpoint) {
-    // Comes first by being looked for.
+    // The search moves it to the front.
     if (listener(endpoint.name, 0, endpoint.name.length) == endpoint) {
       endpoints = endpoint.next;
       endpoint.next = null;
@@ -91,39 +94,40 @@ final class Inbound implements Radio.Receiver {
   public void received(byte[] buffer, int length) {
     received++;
     if (seal == null) {
-      take(buffer, length, UNSEALED);
+      handle(buffer, length, UNSEALED);
       return;
     }
-    // Counts begin with 1: what says less was not sealed by this code.
-    long count = seal.isGenuine(buffer, length) ? Seal.count(buffer, length) : 0;
+    // Counts start at 1: this code never seals a smaller one.
+    long count = seal.verify(buffer, length) ? Seal.count(buffer, length) : 0;
     if (count > 0) {
-      take(buffer, length - Seal.BYTES, count);
+      handle(buffer, length - Seal.BYTES, count);
     } else {
       drop(DropReason.FORGED, null, length + " bytes");
     }
   }
 
-  /** Takes in what this robot has sent to itself. */
+  /** Receives a datagram that this robot sent to itself. */
   void receivedFromSelf(byte[] datagram) {
     received++;
-    take(datagram, datagram.length, FROM_SELF);
+    handle(datagram, datagram.length, FROM_SELF);
   }
 
   /**
-   * @param count the transmission's under its seal; or {@link #UNSEALED}, or {@link #FROM_SELF}
+   * @param count the transmission count in the authentication; or {@link #UNSEALED}, or {@link
+   *     #FROM_SELF}
    */
-  private void take(byte[] buffer, int length, long count) {
+  private void handle(byte[] buffer, int length, long count) {
     Header header = HEADERS.take();
     DropReason malformed = header.parse(buffer, length);
     if (malformed == null) {
-      take(header, count);
+      handle(header, count);
     } else {
       drop(malformed, null, length + " bytes");
     }
     HEADERS.giveBack(header);
   }
 
-  private void take(Header header, long count) {
+  private void handle(Header header, long count) {
     RobotId from = sender(header);
     if (from == null) {
       drop(DropReason.BAD_NAME, null, "sender");
@@ -147,13 +151,14 @@ final class Inbound implements Radio.Receiver {
     if (known != null) {
       return known;
     }
-    if (strangers == null) {
-      strangers = new Strangers();
+    if (unknownSenders == null) {
+      unknownSenders = new UnknownSenders();
     }
-    return strangers.find(header.bytes, header.senderAt, header.senderLength);
+    return unknownSenders.find(header.bytes, header.senderAt, header.senderLength);
   }
 
-  // Names are compared as bytes: the sender's own object is mostly cold, and stays so.
+  // Compares names as bytes, without reading the sender's object, which is usually not in the
+  // cache.
   private @Nullable DropReason refusal(Header header, RobotId from, long count) {
     if (count != FROM_SELF
         && ByteNames.equal(selfName, header.bytes, header.senderAt, header.senderLength)) {
@@ -170,7 +175,7 @@ final class Inbound implements Radio.Receiver {
     if (replayed != null) {
       return replayed;
     }
-    // A first incarnation has no predecessor that must stay dead.
+    // A first incarnation has no dead predecessor to tell apart.
     return windows == null && header.boot == FIRST_BOOT ? null : windows().admit(from, header.boot);
   }
 
@@ -214,13 +219,13 @@ final class Inbound implements Radio.Receiver {
     }
     OpenEndpoint<?> endpoint = listener(header.bytes, header.channelAt, header.channelLength);
     if (endpoint == null) {
-      dropUnheard(header, from);
+      dropWithoutListener(header, from);
     } else {
       deliver(endpoint, header, from, order);
     }
   }
 
-  private void dropUnheard(Header header, RobotId from) {
+  private void dropWithoutListener(Header header, RobotId from) {
     String name =
         new String(
             header.bytes, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
@@ -244,7 +249,7 @@ final class Inbound implements Radio.Receiver {
       windows().handle(from, header.boot, order);
     }
     if (trace.isOn()) {
-      comms.books().delivered(from, endpoint.channel, header.number, message);
+      comms.log().delivered(from, endpoint.channel, header.number, message);
     }
     endpoint.handler.received(from, message);
     if (order > 0) {
@@ -253,6 +258,6 @@ final class Inbound implements Radio.Receiver {
   }
 
   private void drop(DropReason reason, @Nullable RobotId from, String detail) {
-    comms.books().dropped(reason, from, detail);
+    comms.log().dropped(reason, from, detail);
   }
 }
