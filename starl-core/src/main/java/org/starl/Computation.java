@@ -5,7 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Background;
 
 /**
- * The outcome, sooner or later, of a computation off the strand; an app waits with {@code
+ * The pending result of a computation off the strand. An app waits for it with {@code
  * await(computation::isDone)}. Strand only.
  */
 public final class Computation<T> {
@@ -17,13 +17,13 @@ public final class Computation<T> {
 
   static <T> Computation<T> start(Background background, Supplier<T> task) {
     Computation<T> computation = new Computation<>();
-    // Written off the strand, read in the piece that the port runs once it has been.
+    // Written off the strand; the port orders that write before the callback on the strand.
     Box<T> box = new Box<>();
     background.submit(() -> box.value = task.get(), () -> computation.complete(box));
     return computation;
   }
 
-  /** Whether the result is there. */
+  /** Whether the result is available. */
   public boolean isDone() {
     return result != null;
   }
@@ -31,7 +31,7 @@ public final class Computation<T> {
   /**
    * What the task returned.
    *
-   * @throws IllegalStateException if it is not there yet
+   * @throws IllegalStateException if the result is not available yet
    */
   public T result() {
     T there = result;
@@ -41,17 +41,21 @@ public final class Computation<T> {
     return there;
   }
 
-  /** Runs {@code listener} in the piece that brings the result; at most one, set before that. */
+  /**
+   * Sets the one listener, which runs on the strand as soon as the result is available.
+   *
+   * @throws IllegalStateException if the result is available already
+   */
   public void whenDone(Runnable listener) {
     if (isDone()) {
-      throw new IllegalStateException("done already");
+      throw new IllegalStateException("whenDone: the result is available already");
     }
     whenDone = listener;
   }
 
   private void complete(Box<T> box) {
     if (box.value == null) {
-      throw new IllegalStateException("a computation without result: expected anything but null");
+      throw new IllegalStateException("the task returned null: expected a result");
     }
     result = box.value;
     whenDone.run();

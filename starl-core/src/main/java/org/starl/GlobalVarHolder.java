@@ -2,7 +2,6 @@ package org.starl;
 
 import java.util.List;
 import org.starl.comms.Comms;
-import org.starl.comms.Workspace;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Log;
@@ -13,9 +12,9 @@ import org.starl.motion.MotionControl;
 import org.starl.platform.Platform;
 
 /**
- * The global variable holder {@code gvh} (paper, section 2 and Figure 1): the one object through
- * which an app and its primitives reach everything else of their robot. There is one class of it,
- * over whatever {@link Platform}: no simulated and no real one. Strand only.
+ * The global variable holder {@code gvh} (paper, section 2 and Figure 1): an app and its primitives
+ * reach everything else of their robot through it. The same class serves the simulator and
+ * hardware; only the {@link Platform} differs. Strand only.
  */
 public final class GlobalVarHolder {
 
@@ -29,16 +28,15 @@ public final class GlobalVarHolder {
   private final Variables variables;
 
   /**
-   * @param boot how often this robot's program has started, from 1; no two gvh of a robot have the
-   *     same
-   * @param workspace not used by another robot at the same time
+   * @param boot how often this robot's program has started, from 1; each start of a robot has its
+   *     own
    */
-  public GlobalVarHolder(Platform platform, int boot, Workspace workspace) {
+  public GlobalVarHolder(Platform platform, int boot) {
     log = new Log(platform.clock(), platform.log());
     trace = new Trace(platform.id(), platform.clock(), platform.trace());
     variables = new Variables(trace);
     id = new Identity(platform.id(), platform.deployment(), boot);
-    comms = new Comms(platform, boot, workspace);
+    comms = new Comms(platform, boot);
     gps = new Gps(platform, trace, variables);
     plat =
         new Plat(
@@ -51,21 +49,21 @@ public final class GlobalVarHolder {
             platform.background());
   }
 
-  /** A new variable of the gvh, and the right to write it. */
+  /** Adds a variable to the gvh. The returned cell is the only way to write it. */
   public <T> GvhCell<T> variable(String source, String name, T initial) {
     return variables.variable(source, name, initial);
   }
 
   /**
-   * For a primitive whose second instance would act under the same id without the memory of the
-   * first: asks this before it makes its variables.
+   * For a primitive of which each start of a program may have one instance: a second one would act
+   * under the same id without the memory of the first. Call it before creating variables.
    *
-   * @throws IllegalStateException if this start of the robot's program has had {@code source} already
+   * @throws IllegalStateException if {@code source} has variables already
    */
   public void requireFirst(String source) {
     for (GvhVariable<?> variable : variables.all()) {
       if (variable.source().equals(source)) {
-        throw new IllegalStateException(source + ": this robot has had this instance already");
+        throw new IllegalStateException(source + ": this robot has this instance already");
       }
     }
   }
@@ -75,7 +73,7 @@ public final class GlobalVarHolder {
     variables.register(variable);
   }
 
-  /** Every variable of this robot, in the order in which they were made. */
+  /** All variables of this robot, in the order of their creation. */
   public List<GvhVariable<?>> variables() {
     return variables.all();
   }

@@ -4,7 +4,7 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
-/** {@code gvh.id}: who this robot is, and which robots the deployment knows. */
+/** {@code gvh.id}: this robot's name, and the robots that the deployment knows. */
 public final class Identity {
 
   private final RobotId name;
@@ -25,17 +25,20 @@ public final class Identity {
     return name;
   }
 
-  /** All robots that the deployment knew at its start; who takes part now is Registration's. */
+  /**
+   * All robots that the deployment knows at its start. Robots that take part now are in the
+   * registration primitive's view.
+   */
   public Participants participants() {
     return participants;
   }
 
-  /** How often this robot's program has started, from 1; survives restarts. */
+  /** How often this robot's program has started, from 1; counted in stable storage. */
   public int boot() {
     return boot;
   }
 
-  /** An id that this robot has never used and will never use again. */
+  /** A process id that this robot has never used and will never use again. */
   public ProcessId freshProcess() {
     handedOut++;
     return new ProcessId(name, ((long) boot << 32) + handedOut);

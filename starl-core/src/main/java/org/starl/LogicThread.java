@@ -1,5 +1,7 @@
 package org.starl;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import java.util.function.BooleanSupplier;
 import org.starl.platform.Clock;
@@ -7,19 +9,17 @@ import org.starl.platform.Strand;
 
 /**
  * A robot's app. Override {@link #callStarL}, a blocking state machine as in the paper's Figure 4;
- * or pass a period and override {@link #step}, which is called once a period and never waits.
+ * or pass a period and override {@link #step}, which runs once per period and never waits.
  *
- * <p>All of it runs on the robot's strand, as do message handlers and timers: what lies between two
- * waits is one atomic action, and nothing needs a lock. A wait is {@link #sleep}, {@link #await} and
- * nothing else: never {@code Thread.sleep}, a lock or input and output.
+ * <p>The app, its message handlers and its timers run on the robot's strand, one at a time: the
+ * code between two waits is one atomic action, and no lock is needed. Wait only with {@link #sleep}
+ * or {@link #await}, never with {@code Thread.sleep}, a lock, or input and output.
  */
 public abstract class LogicThread {
 
-  private static final long NS_PER_MS = 1_000_000;
-
   protected final GlobalVarHolder gvh;
 
-  // As gvh.plat has them: what every wait needs lies at hand.
+  // Copies of gvh.plat's, so that a wait reads one object less.
   private final Strand strand;
   private final Clock clock;
   private final long stepPeriodMs;
@@ -35,7 +35,7 @@ public abstract class LogicThread {
   }
 
   /**
-   * An app that overrides {@link #step}, the first time at once.
+   * An app that overrides {@link #step}. The first step is at the start of the robot.
    *
    * @param stepPeriodMs above 0
    */
@@ -47,8 +47,8 @@ public abstract class LogicThread {
    * An app that overrides {@link #step}.
    *
    * @param stepPeriodMs above 0
-   * @param stepPhaseNs from the start of the robot to the first step, at least 0; robots of unequal
-   *     phases do not all step at once
+   * @param stepPhaseNs time from the start of the robot to the first step, at least 0; with
+   *     different phases, robots do not all step at once
    */
   protected LogicThread(GlobalVarHolder gvh, long stepPeriodMs, long stepPhaseNs) {
     if (stepPeriodMs <= 0 || stepPhaseNs < 0) {
@@ -66,32 +66,35 @@ public abstract class LogicThread {
     this.stepPhaseNs = stepPhaseNs;
   }
 
-  /** The app. When it returns, the robot goes on answering messages until it leaves. */
+  /**
+   * Runs the app. After it returns, the robot still answers messages until it leaves.
+   *
+   * @return the app's results
+   */
   public List<Object> callStarL() {
     throw new IllegalStateException(
         getClass().getName() + " overrides neither callStarL() nor, with a period, step()");
   }
 
   /**
-   * One round of an app that never waits.
+   * Runs one period of an app that never waits.
    *
-   * @return whether there is another round; where not, {@link #returnResults} are its results
+   * @return whether there is another step; if not, {@link #returnResults} gives the results
    */
   protected boolean step() {
     throw new IllegalStateException(getClass().getName() + " has a period but no step()");
   }
 
-  /** What the app has to say at its end; empty unless overridden. */
+  /** The results of an app that overrides {@link #step}; empty unless overridden. */
   protected List<Object> returnResults() {
     return List.of();
   }
 
   /**
-   * A person points at a place, for this robot: does nothing unless overridden. Called on the robot's
-   * strand between two of its actions, with {@link #callStarL} while that waits; not while the robot
-   * is down, nor before it is up.
+   * A person shows this robot a point; does nothing unless overridden. Runs on the strand between
+   * two actions, even while {@link #callStarL} waits; never while the robot is down or not started.
    *
-   * @param xMm in the world's frame, as is {@code yMm}
+   * @param xMm in the world frame, as is {@code yMm}
    */
   public void receivedPointInput(int xMm, int yMm) {}
 
@@ -100,23 +103,23 @@ public abstract class LogicThread {
     return stepPeriodMs;
   }
 
-  /** From the start of the robot to the first {@link #step}. */
+  /** Time from the start of the robot to the first {@link #step}, in ns. */
   public final long stepPhaseNs() {
     return stepPhaseNs;
   }
 
-  /** Gives up the strand for {@code ms} milliseconds; messages and timers are handled meanwhile. */
+  /** Waits {@code ms} milliseconds. Messages and timers are handled meanwhile. */
   protected final void sleep(long ms) {
     strand.sleepUntil(inMs(ms));
   }
 
-  /** Gives up the strand until {@code condition} holds. */
+  /** Waits until {@code condition} holds. Messages and timers are handled meanwhile. */
   protected final void await(BooleanSupplier condition) {
     strand.awaitUntil(condition, Long.MAX_VALUE);
   }
 
   /**
-   * Gives up the strand until {@code condition} holds or {@code timeoutMs} have passed.
+   * Waits until {@code condition} holds or {@code timeoutMs} have passed.
    *
    * @return whether the condition held
    */
@@ -124,7 +127,7 @@ public abstract class LogicThread {
     return strand.awaitUntil(condition, inMs(timeoutMs));
   }
 
-  /** The time {@code ms} from now; never, if that is beyond what a clock can show. */
+  /** The time {@code ms} from now; {@code Long.MAX_VALUE} (never) if that overflows. */
   private long inMs(long ms) {
     long nowNs = clock.nowNs();
     return ms > (Long.MAX_VALUE - nowNs) / NS_PER_MS ? Long.MAX_VALUE : nowNs + ms * NS_PER_MS;

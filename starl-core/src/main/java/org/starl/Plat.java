@@ -9,10 +9,10 @@ import org.starl.platform.Stable;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
 
-/** {@code gvh.plat}: the motion automaton, and the ports that primitives stand on. */
+/** {@code gvh.plat}: motion control, and the ports that primitives use. */
 public final class Plat {
 
-  /** The motion automaton (paper, section 3.2): {@code gvh.plat.moat.doMove(p)}. */
+  /** Motion control (paper, section 3.2): {@code gvh.plat.moat.doMove(p)}. */
   public final MotionControl moat;
 
   public final Clock clock;
@@ -41,7 +41,7 @@ public final class Plat {
 
   /**
    * Computes off the strand: {@code var path = gvh.plat.compute(() -> planner.plan(task));
-   * await(path::isDone);}. The task reads nothing but immutable values that it was given; it touches
+   * await(path::isDone);}. The task may read only immutable values that it was given; it must use
    * neither gvh nor primitives.
    */
   public <T> Computation<T> compute(Supplier<T> task) {

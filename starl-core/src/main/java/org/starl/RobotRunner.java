@@ -1,83 +1,71 @@
 package org.starl;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.starl.comms.Workspace;
 import org.starl.platform.Platform;
 import org.starl.platform.Timer;
 
 /**
- * Brings one robot up on a platform, simulated or real: counts its start in stable storage, builds
- * its gvh, makes its app and runs it.
+ * Starts one robot on a platform, simulated or real: counts the start in stable storage, builds the
+ * gvh, creates the app and runs it.
  *
- * <p>An exception of the app or of a handler is a bug: it leaves through the strand, whose owner
+ * <p>An exception in the app or a handler is a bug: it propagates through the strand, whose owner
  * ends the run.
  */
 public final class RobotRunner {
 
   private static final String BOOT_KEY = "starl.boot";
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Platform platform;
-  private final Workspace workspace;
   private final Function<GlobalVarHolder, ? extends LogicThread> appFactory;
   private final Runnable whenFinished;
   private @Nullable GlobalVarHolder gvh;
   private @Nullable LogicThread app;
   private @Nullable List<Object> results;
 
-  /** A robot that shares nothing with others. */
-  public RobotRunner(
-      Platform platform,
-      Function<GlobalVarHolder, ? extends LogicThread> appFactory,
-      Runnable whenFinished) {
-    this(platform, new Workspace(), appFactory, whenFinished);
-  }
-
   /**
-   * @param workspace not used by another robot at the same time
-   * @param whenFinished called on the strand when the app has come to its end
+   * @param whenFinished called on the strand when the app has finished
    */
   public RobotRunner(
       Platform platform,
-      Workspace workspace,
       Function<GlobalVarHolder, ? extends LogicThread> appFactory,
       Runnable whenFinished) {
     this.platform = platform;
-    this.workspace = workspace;
     this.appFactory = appFactory;
     this.whenFinished = whenFinished;
   }
 
-  /** Starts the robot. Callable from outside the strand, once. */
+  /** Starts the robot. Call it once, from any thread. */
   public void start() {
     platform.strand().post(this::boot);
   }
 
-  /** Whether the app has come to its end. Strand only, as is everything below. */
+  /** Whether the app has finished. Strand only, as is everything below. */
   public boolean isFinished() {
     return results != null;
   }
 
-  /** What the app returned, or null before its end. */
+  /** The app's results, or null before it has finished. */
   public @Nullable List<Object> results() {
     return results;
   }
 
-  /** The app, or null before the robot is up. */
+  /** The app, or null before the robot has started. */
   public @Nullable LogicThread app() {
     return app;
   }
 
-  /** The robot's gvh, or null before the robot is up. */
+  /** The robot's gvh, or null before the robot has started. */
   public @Nullable GlobalVarHolder gvh() {
     return gvh;
   }
 
-  // The number must be on disk before the first message bears it: after a crash in between, the
-  // next start would use it again, for another incarnation.
+  // The boot number must be in stable storage before the first message carries it: otherwise a
+  // crash in between would let the next start use the same number for another incarnation.
   private void boot() {
     byte[] stored = platform.stable().get(BOOT_KEY);
     int boot = (stored == null ? 0 : ByteBuffer.wrap(stored).getInt()) + 1;
@@ -86,9 +74,8 @@ public final class RobotRunner {
   }
 
   private void run(int boot) {
-    GlobalVarHolder holder = new GlobalVarHolder(platform, boot, workspace);
+    GlobalVarHolder holder = new GlobalVarHolder(platform, boot);
     LogicThread logic = appFactory.apply(holder);
-    platform.strand().uses(logic);
     gvh = holder;
     app = logic;
     if (logic.stepPeriodMs() > 0) {
@@ -103,7 +90,7 @@ public final class RobotRunner {
     whenFinished.run();
   }
 
-  /** Calls {@code step()} at fixed distances from the start, so that periods do not drift. */
+  /** Calls {@code step()} at multiples of the period after the start, so that it does not drift. */
   private final class Stepper implements Runnable {
     private final LogicThread logic;
     private final Timer timer = platform.timers().timer(this);

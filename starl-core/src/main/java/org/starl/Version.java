@@ -1,9 +1,9 @@
 package org.starl;
 
-/** Which StarL this is. */
+/** The version of StarL. */
 public final class Version {
 
-  /** As in the build; a test compares. */
+  /** Equal to the version in the build, which a test checks. */
   public static final String STARL = "0.1.0-SNAPSHOT";
 
   private Version() {}

@@ -1,8 +1,7 @@
 /**
- * What an app's author sees (paper, section 2): {@link org.starl.LogicThread}, the app's blocking
- * state machine, and {@link org.starl.GlobalVarHolder}, the {@code gvh} through which it reaches
- * everything else. Everything of one robot runs on that robot's strand; nothing here is for use
- * from other threads.
+ * The API of an app (paper, section 2): {@link org.starl.LogicThread}, the app's blocking state
+ * machine, and {@link org.starl.GlobalVarHolder}, the {@code gvh} that gives access to everything
+ * else. All code of a robot runs on that robot's strand; do not call it from other threads.
  *
  * <p>This module is the interface and the logic layer of Figure 1 and the ports below them.
  *

@@ -12,7 +12,7 @@ class ComputationTest {
   private final List<Runnable> pending = new ArrayList<>();
 
   @Test
-  void theResultIsThereFromThePieceOnThatBringsIt() {
+  void theResultIsAvailableFromItsPieceOn() {
     List<String> log = new ArrayList<>();
     Computation<String> computation = start("path");
     computation.whenDone(() -> log.add(computation.result()));
@@ -24,10 +24,11 @@ class ComputationTest {
   }
 
   @Test
-  void aListenerThatComesTooLateIsABug() {
+  void aListenerSetTooLateIsRefused() {
     Computation<String> computation = start("path");
     pending.remove(0).run();
-    assertThatThrownBy(() -> computation.whenDone(() -> {})).hasMessageContaining("done already");
+    assertThatThrownBy(() -> computation.whenDone(() -> {}))
+        .hasMessageContaining("available already");
   }
 
   private Computation<String> start(String outcome) {

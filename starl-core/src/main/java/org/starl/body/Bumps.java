@@ -1,6 +1,6 @@
 package org.starl.body;
 
-/** The two bump sensors on a robot's front half. */
+/** State of the two bump sensors on the robot's front half. */
 public enum Bumps {
   NONE,
   LEFT,

@@ -1,13 +1,16 @@
 package org.starl.body;
 
-/** What the motion automaton does when a bump sensor closes; the original StarL's four modes. */
+/** The motion automaton's reaction to a bump: the original StarL's four modes. */
 public enum CollisionPolicy {
-  /** Drives on as if nothing had happened. */
+  /** Ignores the bump. */
   BUMPERCARS,
-  /** Stops and fails. (The original stopped and said that it had arrived.) */
+  /** Stops and fails. (The original stopped and reported an arrival.) */
   STOP_ON_COLLISION,
-  /** Turns away until the sensors are clear, drives straight for a while, goes on to its target. */
+  /**
+   * Turns away until the sensors are clear, drives straight for some time, then continues to the
+   * target.
+   */
   USE_COLAVOID,
-  /** Backs off; what follows depends on the {@link RobotType}. */
+  /** Backs off; the next steps depend on the {@link RobotType}. */
   USE_COLBACK
 }

@@ -1,6 +1,6 @@
 package org.starl.body;
 
-/** Checks of {@link MotionParameters}; what fails names the parameter and what was expected. */
+/** Range checks of {@link MotionParameters}; an error names the parameter and what was expected. */
 final class MotionLimits {
 
   private MotionLimits() {}

@@ -3,44 +3,46 @@ package org.starl.body;
 import org.starl.geometry.Angles;
 
 /**
- * How a robot moves. Names are the original StarL's with their units; its degrees are radians here.
- * The defaults down to {@code collisionTurnMs} are the original's. Immutable; see {@link #builder}.
+ * Motion parameters of a robot. Names are the original StarL's plus units; its degrees are radians
+ * here. The defaults down to {@code collisionTurnMs} are the original's. Immutable; see {@link
+ * #builder}.
  *
- * @param style which automaton drives
+ * @param style the motion automaton
  * @param turnSpeedMaxRadPerS turning speed far from the wanted heading (110 degrees/s)
  * @param turnSpeedMinRadPerS turning speed at the wanted heading (25 degrees/s)
  * @param linSpeedMaxMmPerS forward speed far from the target
  * @param linSpeedMinMmPerS forward speed at the goal radius
- * @param goalRadiusMm nearer to the target than this is there
- * @param slowFwdRadiusMm nearer to the target than this is slower
- * @param smallTurnAngleRad a heading off by less is right (3 degrees)
- * @param slowTurnAngleRad a heading off by less is turned to more slowly (25 degrees)
- * @param straightAngleRad an arc ends in a straight below this angle (6 degrees)
- * @param arcExitAngleRad an arc is given up above this angle (30 degrees)
- * @param arcRadiusMm no arc begins farther from the target
- * @param arcAngleMaxRad no arc begins above this angle (25 degrees)
+ * @param goalRadiusMm the target is reached within this distance
+ * @param slowFwdRadiusMm slows down within this distance of the target
+ * @param smallTurnAngleRad tolerance of the heading (3 degrees)
+ * @param slowTurnAngleRad turns more slowly below this heading error (25 degrees)
+ * @param straightAngleRad an arc becomes a straight line below this angle (6 degrees)
+ * @param arcExitAngleRad an arc is abandoned above this angle (30 degrees)
+ * @param arcRadiusMm maximum distance at which an arc may begin
+ * @param arcAngleMaxRad maximum angle at which an arc may begin (25 degrees)
  * @param arcSpeedMaxMmPerS forward speed on an arc
- * @param enableArcing whether it may begin with an arc
- * @param stopAtDestination whether the wheels stop at the target, or drive on through it
+ * @param enableArcing whether a motion may begin with an arc
+ * @param stopAtDestination whether the wheels stop at the target; otherwise the robot drives on
  * @param robotRadiusMm radius of the body, a disc
- * @param automatonPeriodMs from one step to the next
- * @param collisionPolicy what a bump does
- * @param robotType what a bump does under USE_COLBACK
- * @param collisionStraightMs how long it drives straight after a collision
- * @param collisionBackMs how long it backs off after a collision
- * @param collisionTurnMs how long, at least, it turns away after a collision
- * @param speedError the body drives and turns from not at all (held up) to 1 + speedError times as
- *     fast as commanded, each on its own; the drift of the robot's clock is in it
- * @param reactionMs what a step commands is in effect, the old speed braked down, within this time
- *     from when the step was due: what the step is late, the way to the wheels and braking are in it
- * @param maxFixAgeMs an older fix stops the wheels until a newer one comes
- * @param maxErrorMm a position that is less certain stops the wheels until a fix makes it better
- * @param failFixAgeMs without a fix, or without a certain position, for so long the motion fails
- * @param stuckAfterMs wheels that turn but move nothing for so long fail
- * @param noProgressMs no nearer to the target for so long fails
- * @param slowestMmPerS slower on the whole than this fails; see {@link #longestMs}
- * @param avoidPatienceMs kept from moving for so long by the region to avoid fails
- * @param contactMarkMm side of the square that a contact leaves on the map
+ * @param automatonPeriodMs time between steps
+ * @param collisionPolicy reaction to a bump
+ * @param robotType reaction to a bump under USE_COLBACK
+ * @param collisionStraightMs time of driving straight after a collision
+ * @param collisionBackMs time of backing off after a collision
+ * @param collisionTurnMs minimum time of turning away after a collision
+ * @param speedError the body drives and turns between 0 (blocked) and 1 + speedError times the
+ *     commanded speed, independently of each other; includes the drift of the robot's clock
+ * @param reactionMs a step's command is in effect, braking included, within this time after the
+ *     step was due; includes the delay of the step, the transmission to the wheels and braking
+ * @param maxFixAgeMs an older fix stops the wheels until a newer one arrives
+ * @param maxErrorMm a larger position error bound stops the wheels until a fix improves it
+ * @param failFixAgeMs the motion fails after this time without a fix or a position that is certain
+ *     enough
+ * @param stuckAfterMs the motion fails if the wheels turn for this time but the robot does not move
+ * @param noProgressMs the motion fails after this time without coming nearer to the target
+ * @param slowestMmPerS the motion fails if its average speed is lower; see {@link #longestMs}
+ * @param avoidPatienceMs the motion fails if the region to avoid blocks it for this time
+ * @param contactMarkMm side of the square that a contact adds to the map
  */
 public record MotionParameters(
     MotionStyle style,
@@ -113,32 +115,32 @@ public record MotionParameters(
     MotionLimits.positive("contactMarkMm", contactMarkMm);
   }
 
-  /** The defaults, to be changed. */
+  /** A builder that starts with the defaults. */
   public static Builder builder() {
     return new Builder();
   }
 
-  /** These, to be changed. */
+  /** A builder that starts with these parameters. */
   public Builder toBuilder() {
     return new Builder(this);
   }
 
-  /** A motion over this distance has ended, DONE or FAIL, after this time at the latest. */
+  /** Time limit of a motion over this distance: DONE or FAIL after at most this time. */
   public long longestMs(double distanceMm) {
     return failFixAgeMs + noProgressMs + (long) StrictMath.ceil(1e3 * distanceMm / slowestMmPerS);
   }
 
-  /** A step's command may be in effect for so long. */
+  /** How long a step's command may be in effect. */
   public double horizonS() {
     return (automatonPeriodMs + reactionMs) / 1e3;
   }
 
-  /** What a command does in one step at most, in seconds at the commanded speed. */
+  /** Maximum effect of one step's command, in seconds at the commanded speed. */
   public double reachS() {
     return (1 + speedError) * horizonS();
   }
 
-  /** Collects parameters; {@link #build} checks them. */
+  /** Collects parameters. {@link #build} checks them. */
   public static final class Builder {
     private MotionStyle style = MotionStyle.UNICYCLE;
     private double turnSpeedMaxRadPerS = Angles.fromDegrees(110);
@@ -378,9 +380,9 @@ public record MotionParameters(
     }
 
     /**
-     * The parameters.
+     * Checks the parameters.
      *
-     * @throws IllegalArgumentException if one of them makes no sense
+     * @throws IllegalArgumentException if one is out of range
      */
     public MotionParameters build() {
       return new MotionParameters(

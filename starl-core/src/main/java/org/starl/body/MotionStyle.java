@@ -1,6 +1,6 @@
 package org.starl.body;
 
-/** Which motion automaton drives. */
+/** The motion automaton. */
 public enum MotionStyle {
   /** The original's automaton for a differential drive with bounded turning speed. */
   UNICYCLE,

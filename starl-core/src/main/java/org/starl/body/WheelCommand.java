@@ -1,8 +1,8 @@
 package org.starl.body;
 
 /**
- * What a differential drive shall do: a forward speed and a turning speed, counter-clockwise
- * positive. Any two wheel speeds are one such pair.
+ * A command for a differential drive: forward speed and turning speed, counter-clockwise positive.
+ * Every pair of wheel speeds corresponds to one command.
  */
 public record WheelCommand(double linearMmPerS, double angularRadPerS) {
 

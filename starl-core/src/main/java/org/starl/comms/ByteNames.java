@@ -1,6 +1,6 @@
 package org.starl.comms;
 
-/** Names as the bytes of a datagram: compared and hashed where they lie. */
+/** Hashes and compares names as bytes inside a datagram, without creating strings. */
 final class ByteNames {
 
   private ByteNames() {}
@@ -10,7 +10,7 @@ final class ByteNames {
     for (int i = from; i < from + length; i++) {
       hash = hash * 31 + bytes[i];
     }
-    // Names differ in their last letters: bring those bits down to where tables look.
+    // Names differ in their last letters: mix those bits into the low bits, which tables use.
     return hash ^ (hash >>> 15) ^ (hash >>> 7);
   }
 

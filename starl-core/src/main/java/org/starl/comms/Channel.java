@@ -3,15 +3,15 @@ package org.starl.comms;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Where messages of one kind meet: a primitive's name, the id of its instance, and the codec. Two
- * instances of one primitive never hear each other.
+ * A stream of messages of one type: a primitive's name, the id of its instance, and the codec. Two
+ * instances of one primitive have different channels.
  */
 public final class Channel<T> {
 
   private final String name;
   private final Codec<T> codec;
 
-  /** The name on the wire: of a channel that many robots share, it is one array for all. */
+  /** The name on the wire. Robots that share a channel object share this array. */
   final byte[] wireName;
 
   /**
@@ -26,7 +26,7 @@ public final class Channel<T> {
     this.wireName = name.getBytes(StandardCharsets.US_ASCII);
   }
 
-  /** {@code primitive/instance}, as on the wire and in the trace. */
+  /** The channel's name {@code primitive/instance}, as on the wire and in the trace. */
   public String name() {
     return name;
   }
@@ -40,7 +40,7 @@ public final class Channel<T> {
     return name;
   }
 
-  /** Whether {@code name} is that of a channel: two valid parts and a slash. */
+  /** Whether {@code name} is a valid channel name: two valid parts and a slash. */
   static boolean isName(String name) {
     int slash = name.indexOf('/');
     return slash >= 0 && isPart(name.substring(0, slash)) && isPart(name.substring(slash + 1));

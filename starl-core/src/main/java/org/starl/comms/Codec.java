@@ -1,10 +1,10 @@
 package org.starl.comms;
 
 /**
- * The bytes of one channel's messages. {@code read(write(m))} equals {@code m}; {@code read} throws
- * {@link WireFormatException} on anything that {@code write} cannot have written, as {@link
- * WireReader} does of itself. An {@link IllegalArgumentException}, with which a value's constructor
- * refuses its arguments, counts as the same.
+ * Encodes and decodes one channel's messages. {@code read(write(m))} equals {@code m}. {@code read}
+ * throws {@link WireFormatException} for bytes that {@code write} cannot have written, as {@link
+ * WireReader}'s methods do; an {@link IllegalArgumentException} from a value's constructor has the
+ * same effect.
  */
 public interface Codec<T> {
 

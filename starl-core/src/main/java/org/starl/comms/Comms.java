@@ -10,14 +10,17 @@ import org.starl.platform.Radio;
 import org.starl.trace.TraceSink;
 
 /**
- * {@code gvh.comms}: this robot's messages. Strand only.
+ * {@code gvh.comms}: sends and receives this robot's messages. Strand only.
  *
- * <p>What arrives and is no message for this robot is counted ({@link #dropped}), and logged once a
- * reason; it never throws. Plain messages are not de-duplicated; reliable ones are handled once by
- * each incarnation of the receiver, and acknowledged after their handler ran. Where the platform has a
- * key, every datagram is sealed with it, and what is not, or arrives again, is dropped.
+ * <p>A datagram that is not a valid message for this robot is counted ({@link #dropped}) and logged
+ * once per reason; it never causes an exception. Plain messages are not de-duplicated. Each
+ * incarnation of the receiver handles a reliable message once, and acknowledges it after the
+ * handler has run. If the platform has a key, every datagram is authenticated with it; forged and
+ * replayed datagrams are dropped.
  */
 public final class Comms {
+
+  private static final Spare<DatagramWriter> WRITERS = new Spare<>(DatagramWriter::new);
 
   private final Radio radio;
   private final RobotId self;
@@ -25,23 +28,21 @@ public final class Comms {
   private final byte[] selfName;
   private final int boot;
   private final LamportClock lamportClock = new LamportClock();
-  private final DatagramWriter writer;
   private final TraceSink trace;
   private final @Nullable Seal seal;
   private @Nullable ReliableSender reliable;
   private long lastNumber;
   private long sent;
 
-  // What a plain message does not need.
-  private final Inbound inbound;
-  private final Bookkeeping books;
+  // Not used by plain messages.
+  private final DatagramReceiver receiver;
+  private final DatagramLog log;
   private final Platform platform;
 
   /**
    * @param boot how often this robot's program has started, from 1
-   * @param workspace not used by another robot at the same time
    */
-  public Comms(Platform platform, int boot, Workspace workspace) {
+  public Comms(Platform platform, int boot) {
     if (boot <= 0) {
       throw new IllegalArgumentException("boot number " + boot + ": expected above 0");
     }
@@ -51,64 +52,70 @@ public final class Comms {
     this.selfName = self.name().getBytes(StandardCharsets.US_ASCII);
     this.radio = platform.radio();
     this.boot = boot;
-    this.writer = workspace.out;
     this.trace = platform.trace();
-    this.books = new Bookkeeping(platform);
+    this.log = new DatagramLog(platform);
     DeploymentKey key = platform.key();
     this.seal = key == null ? null : new Seal(key);
-    this.inbound =
-        new Inbound(this, selfName, workspace, platform.deployment(), lamportClock, trace, seal);
-    radio.onReceive(inbound);
-    platform.strand().uses(radio, inbound, this, selfName, lamportClock);
+    this.receiver =
+        new DatagramReceiver(this, selfName, platform.deployment(), lamportClock, trace, seal);
+    radio.onReceive(receiver);
   }
 
-  /** The robot's logical clock; every datagram carries and witnesses it. */
+  /**
+   * The robot's logical clock: every datagram sent carries its value, and every datagram received
+   * advances it.
+   */
   public LamportClock lamportClock() {
     return lamportClock;
   }
 
   /**
-   * Opens this robot's end of a channel; messages that come before are not acknowledged.
+   * Opens this robot's endpoint of a channel. Messages that arrive before are dropped and not
+   * acknowledged.
    *
    * @throws IllegalStateException if it is open already
    */
   public <T> Endpoint<T> open(Channel<T> channel, Endpoint.Handler<T> handler) {
-    if (inbound.isOpen(channel)) {
+    if (receiver.isOpen(channel)) {
       throw new IllegalStateException("channel " + channel.name() + " is open already");
     }
     OpenEndpoint<T> endpoint = new OpenEndpoint<>(this, channel, handler);
-    inbound.open(endpoint);
-    platform.strand().uses(endpoint, handler);
+    receiver.open(endpoint);
     return endpoint;
   }
 
-  /** Datagrams sent: messages, repeated ones, acknowledgements; those to this robot as well. */
+  /**
+   * Number of datagrams sent: messages, retransmissions and acknowledgements, including those to
+   * this robot.
+   */
   public long sent() {
     return sent;
   }
 
-  /** Datagrams that arrived, dropped ones included. */
+  /** Number of datagrams received, including dropped ones. */
   public long received() {
-    return inbound.received();
+    return receiver.received();
   }
 
-  /** Datagrams that arrived and were dropped for this reason. */
+  /** Number of received datagrams that were dropped for this reason. */
   public long dropped(DropReason reason) {
-    return books.dropped(reason);
+    return log.dropped(reason);
   }
 
-  Bookkeeping books() {
-    return books;
+  DatagramLog log() {
+    return log;
   }
 
   <T> void send(OpenEndpoint<T> endpoint, @Nullable RobotId to, T message) {
     long number = ++lastNumber;
+    DatagramWriter writer = WRITERS.take();
     writer.begin(Header.PLAIN, selfName, boot, number, lamportClock.now(), to);
     int length = writer.message(endpoint, message, 0);
     if (trace.isOn()) {
-      books.sent(to, endpoint.channel, number, length, message);
+      log.sent(to, endpoint.channel, number, length, message);
     }
     emit(to, writer.buffer(), length);
+    WRITERS.giveBack(writer);
   }
 
   <T> Receipt sendReliably(
@@ -118,14 +125,16 @@ public final class Comms {
     }
     long number = ++lastNumber;
     long order = reliable.nextOrder(to);
+    DatagramWriter writer = WRITERS.take();
     writer.begin(Header.RELIABLE, selfName, boot, number, lamportClock.now(), to);
     int length = writer.message(endpoint, message, order);
     byte[] datagram = Arrays.copyOf(writer.buffer(), length);
+    WRITERS.giveBack(writer);
     return reliable.send(to, new RetainedMessage(endpoint, message, number, datagram), reliability);
   }
 
   void close(OpenEndpoint<?> endpoint) {
-    inbound.close(endpoint);
+    receiver.close(endpoint);
     if (reliable != null) {
       reliable.fail(endpoint);
     }
@@ -138,19 +147,24 @@ public final class Comms {
       return;
     }
     long number = ++lastNumber;
+    DatagramWriter writer = WRITERS.take();
     writer.begin(Header.ACK, selfName, boot, number, lamportClock.now(), to);
     int length = writer.acknowledgement(ackedBoot, order);
     if (trace.isOn()) {
-      books.sentAcknowledgement(to, order, number, length);
+      log.sentAcknowledgement(to, order, number, length);
     }
     emit(to, writer.buffer(), length);
+    WRITERS.giveBack(writer);
   }
 
-  /** {@code from} has handled message {@code order} of this robot's incarnation {@code ackedBoot}. */
+  /**
+   * Handles an acknowledgement: {@code from} has handled message {@code order} of this robot's
+   * incarnation {@code ackedBoot}.
+   */
   void settle(RobotId from, int ackedBoot, long order) {
-    boolean isNews = ackedBoot == boot && reliable != null && reliable.acknowledged(from, order);
-    if (!isNews) {
-      books.dropped(DropReason.STALE_ACK, from, "");
+    boolean isNew = ackedBoot == boot && reliable != null && reliable.acknowledged(from, order);
+    if (!isNew) {
+      log.dropped(DropReason.STALE_ACK, from, "");
     }
   }
 
@@ -159,7 +173,7 @@ public final class Comms {
     byte[] datagram = retained.datagram;
     DatagramWriter.setClock(datagram, lamportClock.now());
     if (trace.isOn()) {
-      books.sent(
+      log.sent(
           outgoing.to,
           retained.endpoint.channel,
           retained.number,
@@ -173,7 +187,7 @@ public final class Comms {
     sent++;
     if (to != null && isSelf(to)) {
       byte[] datagram = Arrays.copyOf(buffer, length);
-      platform.strand().post(() -> inbound.receivedFromSelf(datagram));
+      platform.strand().post(() -> receiver.receivedFromSelf(datagram));
     } else if (seal == null) {
       radiate(to, buffer, length);
     } else {
@@ -182,7 +196,7 @@ public final class Comms {
     }
   }
 
-  // By the hash first: the robot's own id is mostly cold.
+  // Compares hashes first: the robot's own id is usually not in the cache.
   private boolean isSelf(RobotId robot) {
     return robot.hashCode() == selfHash && robot.equals(self);
   }

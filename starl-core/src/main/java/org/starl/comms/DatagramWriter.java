@@ -3,12 +3,15 @@ package org.starl.comms;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
-/** Writes datagrams (docs/wire-format.md), one after another into one buffer: begin, then the rest. */
+/**
+ * Writes datagrams (docs/wire-format.md) into one reused buffer: call {@link #begin}, then one
+ * other method.
+ */
 final class DatagramWriter {
 
   private final WireWriter out = new WireWriter();
 
-  /** The datagram last written; valid until the next one. */
+  /** The last datagram; valid until the next {@link #begin}. */
   byte[] buffer() {
     return out.buffer();
   }
@@ -16,9 +19,9 @@ final class DatagramWriter {
   /**
    * Begins a datagram.
    *
-   * @param kind a {@link Header}'s
-   * @param sender its name's letters
-   * @param to null for everyone
+   * @param kind one of {@link Header}'s kinds
+   * @param sender the sender's name in ASCII
+   * @param to null for a broadcast
    */
   void begin(int kind, byte[] sender, int boot, long number, long clock, @Nullable RobotId to) {
     out.reset(0);
@@ -40,9 +43,9 @@ final class DatagramWriter {
   }
 
   /**
-   * Ends a plain message ({@code order} 0) or a reliable one.
+   * Completes a plain message ({@code order} 0) or a reliable one.
    *
-   * @return the datagram's length
+   * @return the datagram's length in bytes
    */
   <T> int message(OpenEndpoint<T> from, T message, long order) {
     out.u8(from.name.length);
@@ -68,9 +71,10 @@ final class DatagramWriter {
   }
 
   /**
-   * Ends an acknowledgement of message {@code order} of the addressee's incarnation {@code ackedBoot}.
+   * Completes an acknowledgement of message {@code order} of the addressee's incarnation {@code
+   * ackedBoot}.
    *
-   * @return the datagram's length
+   * @return the datagram's length in bytes
    */
   int acknowledgement(int ackedBoot, long order) {
     out.u8(0);
@@ -79,7 +83,7 @@ final class DatagramWriter {
     return end();
   }
 
-  /** Gives a datagram that is transmitted again the clock of now. */
+  /** Updates the Lamport clock in a datagram that is transmitted again. */
   static void setClock(byte[] datagram, long clock) {
     WireWriter.putI64(datagram, Header.CLOCK_AT, clock);
   }

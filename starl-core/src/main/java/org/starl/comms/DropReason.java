@@ -2,43 +2,43 @@ package org.starl.comms;
 
 import java.util.Locale;
 
-/** Why a datagram that arrived came to nothing. */
+/** Why a received datagram was dropped. */
 public enum DropReason {
-  /** Not sealed with the deployment's key. */
+  /** Not authenticated with the deployment's key. */
   FORGED(true),
-  /** Sealed, but arrived before, or so long ago that nobody knows. */
+  /** Authenticated, but received before, or older than the replay window. */
   REPLAYED(false),
-  /** Shorter than it says, or than any datagram is. */
+  /** Shorter than its length field, or than any datagram. */
   TRUNCATED(true),
-  /** Longer than it says, or than any datagram may be. */
+  /** Longer than its length field, or than any datagram may be. */
   OVERLONG(true),
-  /** Not StarL's. */
+  /** Not a StarL datagram. */
   FOREIGN(true),
-  /** Of another version of the wire format. */
+  /** Another version of the wire format. */
   OTHER_VERSION(true),
-  /** Of a kind that this version does not have. */
+  /** A kind that this version does not have. */
   UNKNOWN_KIND(true),
-  /** A number in the header is out of its range. */
+  /** A number in the header is out of range. */
   BAD_FIELD(true),
-  /** The name of the sender or of the channel is none. */
+  /** The sender's or the channel's name is invalid. */
   BAD_NAME(true),
-  /** The channel's codec refuses the payload, or leaves bytes over. */
+  /** The channel's codec rejects the payload, or leaves bytes unread. */
   BAD_PAYLOAD(true),
-  /** More senders than the 65,536 that this robot keeps in mind. */
+  /** More senders than the 65,536 that this robot can track. */
   TOO_MANY_SENDERS(true),
   /** Addressed to another robot. */
   NOT_FOR_US(false),
-  /** This robot's own, echoed. */
+  /** Sent by this robot itself and echoed by the network. */
   OWN(false),
-  /** From an incarnation of its sender that has a successor. */
+  /** Sent by an incarnation that has a successor. */
   DEAD_SENDER(false),
   /** The channel is not open here. */
   NO_LISTENER(false),
   /** A reliable message that was handled before; it is acknowledged again. */
   DUPLICATE(false),
-  /** A reliable message so old that nobody knows whether it was handled. */
+  /** A reliable message older than the window: unknown whether it was handled. */
   TOO_OLD(false),
-  /** An acknowledgement of what is settled, or was sent before a restart. */
+  /** An acknowledgement of a message that is settled already, or was sent before a restart. */
   STALE_ACK(false);
 
   private final boolean suspicious;
@@ -49,12 +49,14 @@ public enum DropReason {
     this.text = name().toLowerCase(Locale.ROOT).replace('_', '-');
   }
 
-  /** Whether a network of well-behaved robots never shows it. */
+  /**
+   * Whether it indicates a faulty or foreign sender: a network of correct robots never causes it.
+   */
   boolean isSuspicious() {
     return suspicious;
   }
 
-  /** As in the trace and the log: {@code no-listener}. */
+  /** The reason's text in the trace and the log: {@code no-listener}. */
   @Override
   public String toString() {
     return text;

@@ -4,8 +4,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.Radio;
 
 /**
- * Where the parts of a received datagram lie (docs/wire-format.md). One object parses one datagram
- * after another and allocates nothing.
+ * The header of a received datagram: its fields, and the positions of its names
+ * (docs/wire-format.md). One object parses one datagram after another.
  */
 final class Header {
 
@@ -13,7 +13,7 @@ final class Header {
   static final int MAGIC_1 = 'L';
   static final int VERSION = 1;
 
-  /** A datagram's most, a seal not counted. */
+  /** Maximum length in bytes, without authentication. */
   static final int MAX_BYTES = Radio.MAX_BYTES - Seal.BYTES;
 
   static final int PLAIN = 1;
@@ -26,8 +26,16 @@ final class Header {
   static final int CLOCK_AT = 18;
   static final int NAMES_AT = 26;
 
-  /** Clocks beyond are refused, so that no datagram can drive one to its overflow. */
+  /** Datagrams with a larger clock are dropped, so that no datagram can make a clock overflow. */
   static final long MAX_CLOCK = (1L << 62) - 1;
+
+  /** The datagram's bytes: valid only while the radio hands them over. */
+  byte[] bytes = {};
+
+  /** Reads the header and, after {@link #parse}, the body. */
+  final WireReader in = new WireReader();
+
+  private int length;
 
   int kind;
   int boot;
@@ -42,10 +50,13 @@ final class Header {
   int bodyAt;
 
   /**
-   * Reads all but the body, which {@code in} will read next; null if that is well-formed. The
-   * names' letters are not looked at.
+   * Reads everything before the body. Does not check the characters of the names.
+   *
+   * @return why the datagram is malformed, or null if it is well-formed
    */
-  @Nullable DropReason parse(byte[] bytes, int length, WireReader in) {
+  @Nullable DropReason parse(byte[] datagram, int datagramLength) {
+    bytes = datagram;
+    length = datagramLength;
     if (length < 3) {
       return DropReason.TRUNCATED;
     }
@@ -76,14 +87,14 @@ final class Header {
     if (boot <= 0 || number <= 0 || clock < 0 || clock > MAX_CLOCK) {
       return DropReason.BAD_FIELD;
     }
-    DropReason malformed = parseNames(bytes, length);
+    DropReason malformed = parseNames();
     if (malformed == null) {
       in.reset(bytes, bodyAt, length);
     }
     return malformed;
   }
 
-  private @Nullable DropReason parseNames(byte[] bytes, int length) {
+  private @Nullable DropReason parseNames() {
     senderAt = NAMES_AT + 1;
     if (senderAt > length) {
       return DropReason.TRUNCATED;

@@ -1,6 +1,5 @@
 package org.starl.comms;
 
-import java.util.Arrays;
 import java.util.HashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
@@ -8,27 +7,31 @@ import org.starl.id.RobotId;
 
 /**
  * The receiver's side of reliable unicast: which messages of which incarnation of which sender were
- * handled. Pure: no clock, no radio. Each sender numbers its reliable messages to this robot 1, 2, 3
- * ...; of these the {@link #WINDOW} highest are told apart, and what is older is refused, since
- * nobody knows any more whether it was handled. So each is handled at most once.
+ * handled. Pure: no clock, no radio. Each sender numbers its reliable messages to this robot 1, 2,
+ * 3, ... The {@link #WINDOW} highest numbers are tracked individually; older messages are dropped,
+ * because it is unknown whether they were handled. So each message is handled at most once.
  *
- * <p>A sender's highest boot number is kept for ever, so that its dead incarnations stay dead; what
- * is kept does not outlive this robot's own restart.
+ * <p>A sender's highest boot number is kept for the whole run, so that messages of its earlier
+ * incarnations are dropped. This state is lost when this robot restarts.
  */
 final class InboundWindows {
 
-  /** The sender never has messages further apart than this under way: {@link OutboundQueue}. */
+  /** The sender's pending messages are never further apart than this: see {@link OutboundQueue}. */
   static final int WINDOW = 256;
 
-  /** A bound to memory, about 150 bytes each; those beyond are refused. */
+  /** Bounds the memory, about 150 bytes per sender; messages of further senders are dropped. */
   static final int MAX_SENDERS = 65_536;
 
-  // Looked up only, never iterated.
+  // Never iterated, so the order of hashes has no effect.
   private final Map<RobotId, Sender> senders = new HashMap<>();
 
-  /** Learns that an incarnation of {@code from} lives; null unless it has a successor. */
+  /**
+   * Records a message of an incarnation of {@code from}.
+   *
+   * @return why to drop it, or null unless the incarnation has a successor
+   */
   @Nullable DropReason admit(RobotId from, int boot) {
-    // First incarnations have no predecessors, and need no entry to be told from them.
+    // A first incarnation has no predecessor, so it needs no entry.
     Sender sender = senders.isEmpty() ? null : senders.get(from);
     if (sender == null) {
       return boot == 1 || remember(from, boot) != null ? null : DropReason.TOO_MANY_SENDERS;
@@ -42,19 +45,19 @@ final class InboundWindows {
     return null;
   }
 
-  /** Why not to handle message {@code order} of an admitted incarnation, or null to handle it. */
+  /** Why to drop message {@code order} of an admitted incarnation, or null to handle it. */
   @Nullable DropReason refusal(RobotId from, long order) {
     Sender sender = senders.get(from);
     if (sender == null) {
       return senders.size() < MAX_SENDERS ? null : DropReason.TOO_MANY_SENDERS;
     }
-    if (order <= sender.highest - WINDOW) {
+    if (sender.handled.isTooOld(order)) {
       return DropReason.TOO_OLD;
     }
-    return sender.isHandled(order) ? DropReason.DUPLICATE : null;
+    return sender.handled.contains(order) ? DropReason.DUPLICATE : null;
   }
 
-  /** Message {@code order}, which is not refused, is handled now. */
+  /** Marks message {@code order}, which is not refused, as handled. */
   void handle(RobotId from, int boot, long order) {
     Sender sender = senders.get(from);
     if (sender == null) {
@@ -63,7 +66,7 @@ final class InboundWindows {
     if (sender == null) {
       throw new IllegalStateException("message " + order + " of " + from + " was refused");
     }
-    sender.handle(order);
+    sender.handled.add(order);
   }
 
   int size() {
@@ -81,8 +84,7 @@ final class InboundWindows {
 
   private static final class Sender {
     private int boot;
-    private long highest;
-    private final long[] handled = new long[WINDOW / Long.SIZE];
+    private SlidingWindow handled = new SlidingWindow(WINDOW);
 
     Sender(int boot) {
       this.boot = boot;
@@ -90,32 +92,7 @@ final class InboundWindows {
 
     void restart(int newBoot) {
       boot = newBoot;
-      highest = 0;
-      Arrays.fill(handled, 0);
-    }
-
-    boolean isHandled(long order) {
-      return order <= highest && (handled[word(order)] & bit(order)) != 0;
-    }
-
-    void handle(long order) {
-      if (order - highest >= WINDOW) {
-        Arrays.fill(handled, 0);
-      } else {
-        for (long skipped = highest + 1; skipped < order; skipped++) {
-          handled[word(skipped)] &= ~bit(skipped);
-        }
-      }
-      highest = Math.max(highest, order);
-      handled[word(order)] |= bit(order);
-    }
-
-    private static int word(long order) {
-      return (int) (order & (WINDOW - 1)) / Long.SIZE;
-    }
-
-    private static long bit(long order) {
-      return 1L << order;
+      handled = new SlidingWindow(WINDOW);
     }
   }
 }

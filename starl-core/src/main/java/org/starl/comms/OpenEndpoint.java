@@ -3,14 +3,14 @@ package org.starl.comms;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
-/** An endpoint of {@link Comms}: its channel, its handler, and whether it is open. */
+/** An endpoint of {@link Comms}. */
 final class OpenEndpoint<T> implements Endpoint<T> {
 
   final Channel<T> channel;
   final byte[] name;
   final Handler<T> handler;
 
-  /** Of the robot's open endpoints. */
+  /** The next one in the robot's list of open endpoints. */
   @Nullable OpenEndpoint<?> next;
 
   private final Comms comms;

@@ -11,19 +11,19 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
 /**
- * The sender's side of reliable unicast. Pure and clock-driven: calls, acknowledgements and the time
- * go in, transmissions and settled receipts come out. Each message is transmitted until it is
- * acknowledged, its retries are used up or its deadline has come.
+ * The sender's side of reliable unicast. Pure: the caller passes calls, acknowledgements and the
+ * time, and receives transmissions and settled receipts. Each message is retransmitted until it is
+ * acknowledged, its retries are used up or its deadline has passed.
  *
- * <p>Messages to one receiver do not wait for each other, except that none is transmitted while one
- * that is {@link InboundWindows#WINDOW} or more older is unsettled: the receiver could not tell that
- * one from a duplicate any more.
+ * <p>Messages to one receiver are independent, with one exception: a message waits while another
+ * that is {@link InboundWindows#WINDOW} or more older is unsettled, because the receiver could no
+ * longer tell that one from a duplicate.
  *
- * @param <P> what a message consists of
+ * @param <P> the content of a message
  */
 final class OutboundQueue<P> {
 
-  /** Takes what is to be transmitted; settled receipts tell of themselves. */
+  /** Transmits messages. Receipts report their own settlement. */
   @FunctionalInterface
   interface Output<P> {
     void transmit(Outgoing<P> message);
@@ -37,7 +37,7 @@ final class OutboundQueue<P> {
     this.output = output;
   }
 
-  /** The order that the next message to {@code to} will have. */
+  /** The order of the next message to {@code to}. */
   long nextOrder(RobotId to) {
     Lane<P> lane = lanes.get(to);
     return lane == null ? 1 : lane.lastOrder + 1;
@@ -54,9 +54,9 @@ final class OutboundQueue<P> {
   }
 
   /**
-   * The receiver has handled message {@code order}.
+   * Handles an acknowledgement: the receiver has handled message {@code order}.
    *
-   * @return whether that was news
+   * @return whether the message was unsettled
    */
   boolean acknowledged(RobotId from, long order, long nowNs) {
     Lane<P> lane = lanes.get(from);
@@ -72,7 +72,7 @@ final class OutboundQueue<P> {
     return false;
   }
 
-  /** Does what is due. */
+  /** Retransmits or gives up the messages that are due. */
   void advance(long nowNs) {
     Outgoing<P> message = byDue.peek();
     while (message != null && message.dueNs() <= nowNs) {
@@ -85,7 +85,7 @@ final class OutboundQueue<P> {
     }
   }
 
-  /** Gives up every message of which {@code which} holds. */
+  /** Gives up every message whose content matches {@code which}. */
   void fail(Predicate<? super P> which, long nowNs) {
     List<Outgoing<P>> doomed = new ArrayList<>();
     for (Lane<P> lane : lanes.values()) {
@@ -101,7 +101,7 @@ final class OutboundQueue<P> {
     doomed.forEach(Outgoing::runActions);
   }
 
-  /** When {@link #advance} has something to do, or {@code Long.MAX_VALUE}. */
+  /** The time of the next due message, or {@code Long.MAX_VALUE}. */
   long nextDueNs() {
     Outgoing<P> first = byDue.peek();
     return first == null ? Long.MAX_VALUE : first.dueNs();
@@ -118,7 +118,7 @@ final class OutboundQueue<P> {
     output.transmit(message);
   }
 
-  // The receipt's actions come last: they may call in here again.
+  // The receipt's actions run last, because they may send again.
   private void settle(Lane<P> lane, Outgoing<P> message, boolean delivered, long nowNs) {
     message.settle(delivered);
     byDue.remove(message);
@@ -138,7 +138,7 @@ final class OutboundQueue<P> {
   private static final class Lane<P> {
     private long lastOrder;
 
-    /** From the oldest unsettled one on; may hold settled ones behind it. */
+    /** Transmitted messages, the oldest unsettled one first; settled ones may follow it. */
     private final ArrayDeque<Outgoing<P>> window = new ArrayDeque<>(2);
 
     private final ArrayDeque<Outgoing<P>> heldBack = new ArrayDeque<>(2);

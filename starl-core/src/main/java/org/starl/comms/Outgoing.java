@@ -1,15 +1,15 @@
 package org.starl.comms;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.id.RobotId;
 
-/** A reliable message on its sender's side, and its receipt. */
+/** A reliable message on the sender's side, and its receipt. */
 final class Outgoing<P> implements Receipt {
 
-  private static final long NS_PER_MS = 1_000_000;
-
-  /** About 30 years: no sum of times overflows. */
+  /** About 30 years, so that no sum of times overflows. */
   private static final long MAX_MS = 1_000_000_000_000L;
 
   private enum State {
@@ -42,7 +42,7 @@ final class Outgoing<P> implements Receipt {
     this.waitNs = ns(reliability.firstRetryMs());
   }
 
-  /** When something is to be done next: transmit again, or give up. */
+  /** The time of the next retransmission, or of giving up. */
   long dueNs() {
     return dueNs;
   }
@@ -86,7 +86,7 @@ final class Outgoing<P> implements Receipt {
     }
   }
 
-  /** By due time; of equal ones by receiver and order, so that the order is total. */
+  /** Orders by due time; of equal ones by receiver and order, so that the order is total. */
   static int compareByDue(Outgoing<?> a, Outgoing<?> b) {
     int byDue = Long.compare(a.dueNs, b.dueNs);
     if (byDue != 0) {

@@ -1,23 +1,29 @@
 package org.starl.comms;
 
-/** What became of a reliable message. Strand only; see {@link Endpoint#sendReliably}. */
+/** The state of a reliable message. Strand only; see {@link Endpoint#sendReliably}. */
 public interface Receipt {
 
   /**
-   * The other end's handler has run, exactly once in the incarnation that acknowledged it. A
-   * receiver that restarts forgets what it handled: the message may have been handled once by each
-   * of its incarnations.
+   * Whether the receiver has acknowledged the message: its handler has run exactly once in the
+   * incarnation that acknowledged. A receiver that restarts forgets what it handled, so each of its
+   * incarnations may have handled the message once.
    */
   boolean isDelivered();
 
-  /** Given up at the deadline; the other end may or may not have handled it, at most once. */
+  /**
+   * Whether the sender has given up. The receiver may or may not have handled the message, at most
+   * once per incarnation.
+   */
   boolean isFailed();
 
-  /** Delivered or failed; for {@code await(receipt::isSettled)}. */
+  /** Whether the message is delivered or failed; for {@code await(receipt::isSettled)}. */
   default boolean isSettled() {
     return isDelivered() || isFailed();
   }
 
-  /** Calls {@code action} on the strand when it settles; at once if it has. */
+  /**
+   * Calls {@code action} on the strand when the message is delivered or failed; at once if it is
+   * already.
+   */
   void whenSettled(Runnable action);
 }

@@ -1,14 +1,14 @@
 package org.starl.comms;
 
 /**
- * How long a reliable message is tried. The defaults are the original StarL's, 250 ms and 15
- * retries, with a backoff.
+ * Retransmission parameters of a reliable message. The defaults are the original StarL's (250 ms,
+ * 15 retries) plus a backoff.
  *
- * @param firstRetryMs wait for the first acknowledgement, in ms
+ * @param firstRetryMs time to the first retransmission, in ms
  * @param backoff factor from one wait to the next, at least 1
- * @param maxWaitMs no wait is longer
- * @param maxRetries transmissions after the first one
- * @param deadlineMs given up after this time, whatever the retries
+ * @param maxWaitMs maximum time between retransmissions
+ * @param maxRetries number of retransmissions
+ * @param deadlineMs time after which the message fails, whatever the retries
  */
 public record Reliability(
     long firstRetryMs, double backoff, long maxWaitMs, int maxRetries, long deadlineMs) {

@@ -5,7 +5,7 @@ import org.starl.platform.Clock;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
-/** Joins an {@link OutboundQueue} to the robot's clock and to one timer. */
+/** Runs an {@link OutboundQueue} on the robot's clock and one timer. */
 final class ReliableSender {
 
   private final Clock clock;
@@ -19,7 +19,7 @@ final class ReliableSender {
     this.queue = new OutboundQueue<>(output);
   }
 
-  /** The order that the next message to {@code to} will have. */
+  /** The order of the next message to {@code to}. */
   long nextOrder(RobotId to) {
     return queue.nextOrder(to);
   }
@@ -30,14 +30,18 @@ final class ReliableSender {
     return receipt;
   }
 
-  /** Whether it was news that {@code from} has handled message {@code order}. */
+  /**
+   * Handles an acknowledgement of message {@code order}.
+   *
+   * @return whether the message was unsettled
+   */
   boolean acknowledged(RobotId from, long order) {
-    boolean isNews = queue.acknowledged(from, order, clock.nowNs());
+    boolean isNew = queue.acknowledged(from, order, clock.nowNs());
     setTimer();
-    return isNews;
+    return isNew;
   }
 
-  /** Gives up what {@code endpoint} has under way. */
+  /** Gives up all pending messages of {@code endpoint}. */
   void fail(OpenEndpoint<?> endpoint) {
     queue.fail(message -> message.endpoint == endpoint, clock.nowNs());
     setTimer();

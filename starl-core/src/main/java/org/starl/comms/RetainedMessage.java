@@ -1,6 +1,6 @@
 package org.starl.comms;
 
-/** A reliable message under way: what is transmitted again, and what the trace tells of it. */
+/** A pending reliable message: the datagram to retransmit, and what the trace records. */
 final class RetainedMessage {
 
   final OpenEndpoint<?> endpoint;

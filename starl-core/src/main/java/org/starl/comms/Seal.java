@@ -8,15 +8,15 @@ import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 
 /**
- * Proves that a datagram comes from a robot of the deployment: appends a count of this robot's
- * transmissions, and the first half of HMAC-SHA256 (RFC 2104; truncated as its section 5 allows) over
- * all before. Strand only.
+ * Authenticates datagrams as sent by a robot of the deployment: appends a count of this robot's
+ * transmissions, and the first half of HMAC-SHA256 (RFC 2104; truncated as its section 5 allows)
+ * over everything before. Strand only.
  */
 final class Seal {
 
   private static final int TAG_BYTES = 16;
 
-  /** How much longer a sealed datagram is. */
+  /** Number of bytes that authentication adds. */
   static final int BYTES = Long.BYTES + TAG_BYTES;
 
   private final ReplayWindows replays = new ReplayWindows();
@@ -30,15 +30,15 @@ final class Seal {
     code = new byte[mac.getMacLength()];
   }
 
-  /** The sealed datagram; valid until the next one. */
+  /** The last sealed datagram; valid until the next one. */
   byte[] buffer() {
     return sealed;
   }
 
   /**
-   * Seals a datagram, with a count of its own even if it was sent before.
+   * Copies a datagram and appends its authentication, with a new count even if it was sent before.
    *
-   * @return the sealed datagram's length
+   * @return the sealed datagram's length in bytes
    */
   int seal(byte[] datagram, int length) {
     if (sealed.length < length + BYTES) {
@@ -52,8 +52,12 @@ final class Seal {
     return length + BYTES;
   }
 
-  /** Whether a holder of the key sealed these bytes. Takes the same time wherever they differ. */
-  boolean isGenuine(byte[] datagram, int length) {
+  /**
+   * Checks that a holder of the key sealed these bytes. Takes the same time wherever they differ.
+   *
+   * @return whether the authentication is correct
+   */
+  boolean verify(byte[] datagram, int length) {
     if (length < BYTES) {
       return false;
     }
@@ -65,12 +69,16 @@ final class Seal {
     return difference == 0;
   }
 
-  /** Takes a genuine datagram in; null if it arrives for the first time. */
+  /**
+   * Accepts an authenticated datagram.
+   *
+   * @return why to drop it, or null if it arrives for the first time
+   */
   @Nullable DropReason admit(RobotId from, int boot, long count) {
     return replays.admit(from, boot, count);
   }
 
-  /** Which transmission of its sender's a genuine datagram is, from 1. */
+  /** The transmission count of an authenticated datagram, from 1. */
   static long count(byte[] datagram, int length) {
     return WireReader.getI64(datagram, length - BYTES);
   }

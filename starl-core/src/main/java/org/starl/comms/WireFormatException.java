@@ -1,6 +1,6 @@
 package org.starl.comms;
 
-/** Bytes that are no message. Thrown by readers, caught where datagrams arrive. */
+/** The bytes are not a valid message. Thrown by readers, caught where datagrams arrive. */
 public final class WireFormatException extends RuntimeException {
 
   private static final long serialVersionUID = 1L;

@@ -8,7 +8,10 @@ import java.util.Arrays;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
-/** Reads what {@link WireWriter} wrote; anything else is a {@link WireFormatException}. */
+/**
+ * Reads the fields that {@link WireWriter} wrote; invalid bytes cause a {@link
+ * WireFormatException}.
+ */
 public final class WireReader {
 
   private static final byte[] NOTHING = new byte[0];
@@ -23,7 +26,7 @@ public final class WireReader {
     reset(bytes, 0, bytes.length);
   }
 
-  /** Begins anew at {@code from}; what lies at and after {@code to} does not exist. */
+  /** Starts reading at {@code from}; {@code to} is the end. */
   void reset(byte[] bytes, int from, int to) {
     buffer = bytes;
     position = from;
@@ -74,7 +77,7 @@ public final class WireReader {
     return value;
   }
 
-  /** Reads the eight bytes from {@code at} on, as {@link WireWriter#putI64} wrote them. */
+  /** Reads the eight bytes at {@code at}, big-endian. */
   static long getI64(byte[] bytes, int at) {
     long value = 0;
     for (int i = 0; i < Long.BYTES; i++) {
@@ -83,7 +86,7 @@ public final class WireReader {
     return value;
   }
 
-  /** A number; neither infinite nor NaN. */
+  /** Reads a double; infinities and NaN are invalid. */
   public double f64() {
     double value = Double.longBitsToDouble(i64());
     if (!Double.isFinite(value)) {
@@ -148,7 +151,7 @@ public final class WireReader {
     return true;
   }
 
-  /** Fails unless everything was read. */
+  /** Checks that everything was read. */
   void expectEnd() {
     if (position != end) {
       throw new WireFormatException(remaining() + " bytes too many");

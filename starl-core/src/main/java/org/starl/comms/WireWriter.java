@@ -9,8 +9,8 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
 /**
- * Writes a message's fields, big-endian. A field that the format cannot hold, or a message that does
- * not fit the buffer, is the sender's bug: {@link IllegalArgumentException}.
+ * Writes a message's fields, big-endian. A value that the format cannot represent, or a message
+ * longer than the buffer, is a bug of the sender: {@link IllegalArgumentException}.
  */
 public final class WireWriter {
 
@@ -26,29 +26,29 @@ public final class WireWriter {
     this.grows = false;
   }
 
-  /** Writes into a buffer of its own, which grows. */
+  /** Writes into its own buffer, which grows. */
   WireWriter() {
     this.buffer = new byte[FIRST_SIZE];
     this.grows = true;
   }
 
-  /** Begins anew at {@code position}. */
+  /** Continues at {@code position}. */
   void reset(int position) {
     length = position;
   }
 
-  /** Gives back the memory of a message that was far too long. */
+  /** Releases the memory of a message that was too long, and starts again. */
   void shrink() {
     buffer = new byte[FIRST_SIZE];
     length = 0;
   }
 
-  /** What was written lies in its first {@link #length} bytes; valid until the next write. */
+  /** The buffer: its first {@link #length} bytes are written. Valid until the next write. */
   byte[] buffer() {
     return buffer;
   }
 
-  /** Bytes written so far. */
+  /** Number of bytes written so far. */
   public int length() {
     return length;
   }
@@ -83,14 +83,14 @@ public final class WireWriter {
     length += Long.BYTES;
   }
 
-  /** Writes the eight bytes from {@code at} on of an array that somebody else keeps. */
+  /** Writes eight bytes at {@code at} into {@code bytes}, big-endian. */
   static void putI64(byte[] bytes, int at, long value) {
     for (int i = 0; i < Long.BYTES; i++) {
       bytes[at + i] = (byte) (value >>> (56 - 8 * i));
     }
   }
 
-  /** A number; neither infinite nor NaN. */
+  /** Writes a double; infinities and NaN are refused. */
   public void f64(double value) {
     if (!Double.isFinite(value)) {
       throw new IllegalArgumentException("f64 cannot be " + value);
@@ -98,7 +98,7 @@ public final class WireWriter {
     i64(Double.doubleToLongBits(value));
   }
 
-  /** A string of at most 255 bytes in UTF-8, its length first. */
+  /** Writes a string of at most 255 bytes in UTF-8, after its length in one byte. */
   public void string(String value) {
     int chars = value.length();
     if (chars > 0xFF) {
@@ -120,7 +120,7 @@ public final class WireWriter {
 
   private void encoded(String value) {
     try {
-      // A fresh encoder reports half a surrogate pair, where String.getBytes would write a '?'.
+      // An encoder reports half a surrogate pair; String.getBytes would write a '?'.
       ByteBuffer utf8 = StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(value));
       int bytes = utf8.remaining();
       check(bytes <= 0xFF, "string length", bytes);
@@ -133,7 +133,7 @@ public final class WireWriter {
     }
   }
 
-  /** At most 65,535 bytes, their number first. */
+  /** Writes at most 65,535 bytes, after their number in two bytes. */
   public void bytes(byte[] value) {
     u16(value.length);
     raw(value);
@@ -148,7 +148,7 @@ public final class WireWriter {
     i64(id.inc());
   }
 
-  /** The bytes alone, without their number. */
+  /** Writes the bytes without their number. */
   void raw(byte[] bytes) {
     room(bytes.length);
     System.arraycopy(bytes, 0, buffer, length, bytes.length);

@@ -7,7 +7,7 @@ public final class Angles {
 
   private Angles() {}
 
-  /** The same direction in (-pi, pi]. */
+  /** The same angle, normalized to (-pi, pi]. */
   public static double normalize(double angleRad) {
     if (angleRad > -StrictMath.PI && angleRad <= StrictMath.PI) {
       return angleRad;
@@ -17,17 +17,17 @@ public final class Angles {
     return rest <= -StrictMath.PI ? StrictMath.PI : rest;
   }
 
-  /** The shorter turn that leads from direction {@code from} to direction {@code to}. */
+  /** The turn from direction {@code from} to direction {@code to}, in (-pi, pi]. */
   public static double difference(double to, double from) {
     return normalize(to - from);
   }
 
-  /** Degrees, as in the files and settings of people, to radians. */
+  /** Converts degrees, as in files and settings, to radians. */
   public static double fromDegrees(double degrees) {
     return degrees * (StrictMath.PI / 180);
   }
 
-  /** Radians to degrees, for people. */
+  /** Converts radians to degrees. */
   public static double toDegrees(double angleRad) {
     return angleRad * (180 / StrictMath.PI);
   }

@@ -1,10 +1,10 @@
 package org.starl.geometry;
 
 /**
- * One measurement of a robot's pose.
+ * A measured pose of a robot.
  *
- * @param timeNs when the pose was true, on the robot's own clock
- * @param errorMm the true position lay within this distance of the measured one
- * @param errorRad the true heading lay within this angle of the measured one
+ * @param timeNs time of the measurement, on the robot's own clock
+ * @param errorMm upper bound of the position error
+ * @param errorRad upper bound of the heading error
  */
 public record Fix(Pose pose, long timeNs, double errorMm, double errorRad) {}

@@ -1,6 +1,6 @@
 package org.starl.geometry;
 
-/** A named pose on the floor: a waypoint, a start, a goal. Nothing more. */
+/** A named pose on the floor: a waypoint, a start or a goal. */
 public record ItemPosition(String name, Pose pose) {
 
   public ItemPosition(String name, double xMm, double yMm) {

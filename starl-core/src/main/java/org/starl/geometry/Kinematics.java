@@ -1,19 +1,19 @@
 package org.starl.geometry;
 
 /**
- * Where a body goes that drives with constant forward speed v and constant turning speed w: an arc,
- * in closed form. In the time t it turns by a = w t, and its displacement is a chord of length v t
- * sinc(a/2) in the direction heading + a/2 (Siegwart, Nourbakhsh, "Autonomous Mobile Robots",
- * section 3.2). In this form a small w loses no digits, and w = 0 needs no case of its own.
+ * Motion with constant forward speed v and constant turning speed w: an arc, in closed form. In the
+ * time t the body turns by a = w t, and its displacement is a chord of length v t sinc(a/2) in the
+ * direction heading + a/2 (Siegwart, Nourbakhsh, "Autonomous Mobile Robots", section 3.2). In this
+ * form a small w loses no precision, and w = 0 is not a special case.
  */
 public final class Kinematics {
 
-  /** Below this, 1 - x^2/6 is sin(x)/x to the last bit. */
+  /** Below this, 1 - x^2/6 equals sin(x)/x to the last bit. */
   private static final double SMALL = 1e-4;
 
   private Kinematics() {}
 
-  /** The pose after {@code seconds}; they may be below 0: where it came from. */
+  /** The pose after {@code seconds}; negative values give earlier poses. */
   public static Pose after(Pose start, double linearMmPerS, double angularRadPerS, double seconds) {
     double turn = angularRadPerS * seconds;
     double chordMm = chordMm(linearMmPerS, turn, seconds);
@@ -27,7 +27,9 @@ public final class Kinematics {
         Angles.normalize(start.headingRad() + turn));
   }
 
-  /** Length of the chord of an arc that turns by {@code turnRad}, below 0 backwards. */
+  /**
+   * Length of the chord of an arc that turns by {@code turnRad}; negative when driving backwards.
+   */
   public static double chordMm(double linearMmPerS, double turnRad, double seconds) {
     return linearMmPerS == 0 ? 0 : linearMmPerS * seconds * sinc(turnRad / 2);
   }

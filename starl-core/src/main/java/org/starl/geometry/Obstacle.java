@@ -1,21 +1,21 @@
 package org.starl.geometry;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
 
 /**
- * A thing that stands on the floor and in the way.
+ * An obstacle on the floor.
  *
- * @param points at least two: a wall along the lines between them, or the corners of a body
- * @param closed whether the last point is joined to the first one and the inside is solid
- * @param hidden in the world, but on no robot's map until the robot runs into it
- * @param lifetimeMs how long it stands from the start of the run, or {@link #FOREVER}
+ * @param points at least two: the line of a wall, or the corners of a solid body
+ * @param closed whether the last point is joined to the first and the inside is solid
+ * @param hidden present in the world, but on no robot's map until the robot bumps into it
+ * @param lifetimeMs how long it exists from the start of the run, or {@link #FOREVER}
  */
 public record Obstacle(List<Point> points, boolean closed, boolean hidden, long lifetimeMs) {
 
   public static final long FOREVER = -1;
-
-  private static final long NS_PER_MS = 1_000_000;
 
   public Obstacle {
     points = List.copyOf(points);
@@ -34,29 +34,29 @@ public record Obstacle(List<Point> points, boolean closed, boolean hidden, long 
     }
   }
 
-  /** A known wall that stands for ever. */
+  /** A known wall that always exists. */
   public static Obstacle wall(Point... points) {
     return new Obstacle(List.of(points), false, false, FOREVER);
   }
 
-  /** A known solid body that stands for ever. */
+  /** A known solid body that always exists. */
   public static Obstacle body(Point... corners) {
     return new Obstacle(List.of(corners), true, false, FOREVER);
   }
 
-  /** Whether it still stands. */
+  /** Whether it still exists. */
   public boolean standsAt(long timeNs) {
     return lifetimeMs == FOREVER || timeNs < lifetimeMs * NS_PER_MS;
   }
 
-  /** Distance from the nearest point of it; 0 inside a solid one. */
+  /** Distance to the nearest point of the obstacle; 0 inside a solid one. */
   public double distanceMm(Point point) {
     return closed && Outlines.contains(points, point)
         ? 0
         : Outlines.borderDistanceMm(points, closed, point);
   }
 
-  /** Its lines, in order. */
+  /** Its line segments, in order. */
   public List<Segment> sides() {
     List<Segment> sides = new ArrayList<>(points.size());
     for (int i = 1; i < points.size(); i++) {

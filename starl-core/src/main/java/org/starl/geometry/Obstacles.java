@@ -3,7 +3,7 @@ package org.starl.geometry;
 import java.util.ArrayList;
 import java.util.List;
 
-/** All obstacles of a floor, or those that a robot knows. Immutable. */
+/** All obstacles of a floor, or all that a robot knows. Immutable. */
 public record Obstacles(List<Obstacle> all) {
 
   public static final Obstacles NONE = new Obstacles(List.of());
@@ -16,7 +16,7 @@ public record Obstacles(List<Obstacle> all) {
     return new Obstacles(List.of(all));
   }
 
-  /** Those that are not hidden: what every robot's map shows at the start. */
+  /** The obstacles that are not hidden: every robot's map at the start. */
   public Obstacles known() {
     List<Obstacle> known = new ArrayList<>();
     for (Obstacle obstacle : all) {
@@ -27,7 +27,7 @@ public record Obstacles(List<Obstacle> all) {
     return new Obstacles(known);
   }
 
-  /** Those that still stand. */
+  /** The obstacles that still exist. */
   public Obstacles standingAt(long timeNs) {
     List<Obstacle> standing = new ArrayList<>();
     for (Obstacle obstacle : all) {
@@ -48,7 +48,7 @@ public record Obstacles(List<Obstacle> all) {
     return all.isEmpty();
   }
 
-  /** Distance from the nearest of them; infinite if there is none. */
+  /** Distance to the nearest obstacle; infinite if there is none. */
   public double distanceMm(Point point) {
     double best = Double.POSITIVE_INFINITY;
     for (Obstacle obstacle : all) {

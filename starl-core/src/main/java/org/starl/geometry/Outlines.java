@@ -2,12 +2,12 @@ package org.starl.geometry;
 
 import java.util.List;
 
-/** Functions on lists of points that are joined by lines. */
+/** Functions on polylines and outlines, given as lists of points. */
 final class Outlines {
 
   private Outlines() {}
 
-  /** Whether a closed outline has {@code point} inside (even-odd rule) or on its border. */
+  /** Whether {@code point} is inside a closed outline (even-odd rule) or on its border. */
   static boolean contains(List<Point> outline, Point point) {
     double px = point.xMm();
     double py = point.yMm();
@@ -30,7 +30,7 @@ final class Outlines {
     return inside;
   }
 
-  /** Distance from the nearest line of the outline. */
+  /** Distance to the nearest segment of the outline. */
   static double borderDistanceMm(List<Point> outline, boolean closed, Point point) {
     double best = Double.POSITIVE_INFINITY;
     int last = outline.size() - 1;

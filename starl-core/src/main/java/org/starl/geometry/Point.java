@@ -36,7 +36,7 @@ public record Point(double xMm, double yMm) {
     return StrictMath.atan2(yMm, xMm);
   }
 
-  /** Whether both numbers are numbers, neither infinite. */
+  /** Whether both coordinates are finite. */
   public boolean isFinite() {
     return Double.isFinite(xMm) && Double.isFinite(yMm);
   }

@@ -3,10 +3,10 @@ package org.starl.geometry;
 import java.util.List;
 
 /**
- * The inside and the border of a simple polygon, convex or not.
+ * A simple polygon, convex or not, with its border.
  *
- * @param vertices at least three, in either sense of rotation, the first one not repeated; no two
- *     sides meet except neighbours in their common vertex
+ * @param vertices at least three, in either orientation, the first one not repeated; sides meet
+ *     only at common vertices of neighbours
  */
 public record Polygon(List<Point> vertices) implements Region {
 
@@ -19,7 +19,7 @@ public record Polygon(List<Point> vertices) implements Region {
     return new Polygon(List.of(vertices));
   }
 
-  /** The side that leads from vertex {@code i} to the next one. */
+  /** The side from vertex {@code i} to the next one. */
   public Segment side(int i) {
     return side(vertices, i);
   }
@@ -68,7 +68,7 @@ public record Polygon(List<Point> vertices) implements Region {
     }
   }
 
-  /** Whether neighbouring sides have more than their common vertex in common. */
+  /** Whether neighbouring sides share more than their common vertex. */
   private static boolean foldsBack(Segment a, Segment b) {
     Point u = a.to().minus(a.from());
     Point v = b.to().minus(b.from());

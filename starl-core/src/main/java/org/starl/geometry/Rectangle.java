@@ -2,7 +2,7 @@ package org.starl.geometry;
 
 import java.util.List;
 
-/** A rectangle along the axes; a line or a point if its sides say so. */
+/** An axis-parallel rectangle; degenerate to a line or a point if its sides are. */
 public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMaxMm)
     implements Region {
 
@@ -26,7 +26,7 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
     }
   }
 
-  /** The rectangle of this size with {@code center} in its middle. */
+  /** The rectangle of this size around {@code center}. */
   public static Rectangle around(Point center, double widthMm, double heightMm) {
     return new Rectangle(
         center.xMm() - widthMm / 2,
@@ -35,7 +35,7 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
         center.yMm() + heightMm / 2);
   }
 
-  /** The smallest one that holds all of {@code points}, at least one. */
+  /** The bounding rectangle of {@code points}, at least one. */
   public static Rectangle around(List<Point> points) {
     double xMin = Double.POSITIVE_INFINITY;
     double yMin = Double.POSITIVE_INFINITY;
@@ -50,7 +50,7 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
     return new Rectangle(xMin, yMin, xMax, yMax);
   }
 
-  /** Wider by {@code byMm} on each side. */
+  /** The rectangle extended by {@code byMm} on each side. */
   public Rectangle widened(double byMm) {
     return new Rectangle(xMinMm - byMm, yMinMm - byMm, xMaxMm + byMm, yMaxMm + byMm);
   }

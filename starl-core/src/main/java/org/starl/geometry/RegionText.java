@@ -5,8 +5,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * Regions as the trace writes them: {@code everywhere}, {@code circle(0.0 0.0 500.0)}, {@code
- * union(rectangle(0.0 0.0 1.0 1.0) nowhere)}; numbers in mm, to the last bit.
+ * Regions as text in the trace: {@code everywhere}, {@code circle(0.0 0.0 500.0)}, {@code
+ * union(rectangle(0.0 0.0 1.0 1.0) nowhere)}; numbers in mm, exact to the last bit.
  */
 public final class RegionText {
 
@@ -41,9 +41,9 @@ public final class RegionText {
   }
 
   /**
-   * The region that {@link #format} wrote.
+   * Parses the text of {@link #format}.
    *
-   * @throws IllegalArgumentException on anything else
+   * @throws IllegalArgumentException if {@code text} has another form
    */
   public static Region parse(String text) {
     RegionText parser = new RegionText(text);
@@ -124,7 +124,7 @@ public final class RegionText {
     return text.substring(start, position);
   }
 
-  /** Goes over one bracket or blank. */
+  /** Skips one bracket or blank. */
   private void skip() {
     expect(position < text.length());
     position++;

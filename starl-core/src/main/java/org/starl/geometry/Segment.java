@@ -1,9 +1,9 @@
 package org.starl.geometry;
 
-/** The closed line between two points; one point if they are equal. */
+/** A line segment including its ends; a single point if they are equal. */
 public record Segment(Point from, Point to) {
 
-  /** The point of the segment that is nearest to {@code point}. */
+  /** The point of the segment nearest to {@code point}. */
   public Point nearest(Point point) {
     Point along = to.minus(from);
     double square = along.dot(along);
@@ -21,7 +21,7 @@ public record Segment(Point from, Point to) {
     return distanceMm(from.xMm(), from.yMm(), to.xMm(), to.yMm(), point.xMm(), point.yMm());
   }
 
-  /** 0 where they have a point in common. */
+  /** The distance between two segments; 0 if they have a common point. */
   public double distanceMm(Segment other) {
     if (crosses(other)) {
       return 0;
@@ -31,7 +31,7 @@ public record Segment(Point from, Point to) {
         Math.min(other.distanceMm(from), other.distanceMm(to)));
   }
 
-  /** Whether the two have a point in common, an end included. */
+  /** Whether two segments have a common point, ends included. */
   public boolean crosses(Segment other) {
     double a = side(other.from);
     double b = side(other.to);
@@ -46,7 +46,7 @@ public record Segment(Point from, Point to) {
         || (d == 0 && other.boxContains(to));
   }
 
-  /** Whether {@code point} lies on the segment, up to rounding of one product. */
+  /** Whether {@code point} lies on the segment, up to the rounding error of one product. */
   public boolean contains(Point point) {
     return side(point) == 0 && boxContains(point);
   }
@@ -63,7 +63,7 @@ public record Segment(Point from, Point to) {
         && p.yMm() <= Math.max(from.yMm(), to.yMm());
   }
 
-  /** Distance of (px, py) from the segment (ax, ay), (bx, by), for loops that make no objects. */
+  /** Distance of (px, py) from the segment (ax, ay), (bx, by); for loops that must not allocate. */
   static double distanceMm(double ax, double ay, double bx, double by, double px, double py) {
     double dx = bx - ax;
     double dy = by - ay;

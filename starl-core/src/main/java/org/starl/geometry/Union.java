@@ -3,7 +3,7 @@ package org.starl.geometry;
 import java.util.List;
 
 /**
- * All points of its parts.
+ * The union of its parts.
  *
  * @param parts at least one; an empty region is {@link Nowhere}
  */

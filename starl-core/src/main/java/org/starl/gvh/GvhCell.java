@@ -1,7 +1,8 @@
 package org.starl.gvh;
 
 /**
- * The writer's side of a {@link GvhVariable}. Its owner keeps it private and hands out the variable.
+ * The writable side of a {@link GvhVariable}: its owner keeps the cell private and publishes the
+ * variable.
  */
 public final class GvhCell<T> implements GvhVariable<T> {
 
@@ -23,7 +24,7 @@ public final class GvhCell<T> implements GvhVariable<T> {
     return value;
   }
 
-  /** Writes; the trace sees it only if the value differs from the one before. */
+  /** Sets the value; the trace records it if it differs from the previous one. */
   public void set(T newValue) {
     if (!newValue.equals(value)) {
       value = newValue;

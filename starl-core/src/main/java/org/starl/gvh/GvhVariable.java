@@ -1,9 +1,9 @@
 package org.starl.gvh;
 
 /**
- * A write-one, read-many object of the gvh (paper, section 2): written by the one primitive that
- * owns it, read by the app, traced on change. What is null or fail in the paper is a value of its
- * own here, never a Java null.
+ * A single-writer, multi-reader variable of the gvh (paper, section 2): the primitive that owns it
+ * writes it, the app reads it, the trace records each change. Where the paper has null or fail, the
+ * type has a value of its own, never a Java null.
  */
 public interface GvhVariable<T> {
 

@@ -4,7 +4,7 @@ import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
 import org.starl.platform.LogSink.Level;
 
-/** {@code gvh.log}: lines for people. */
+/** {@code gvh.log}: log lines for people. */
 public final class Log {
 
   private final Clock clock;

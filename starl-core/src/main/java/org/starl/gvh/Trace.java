@@ -7,7 +7,10 @@ import org.starl.platform.Clock;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
-/** {@code gvh.trace}: tells what this robot does, under the names that the paper and PVS use. */
+/**
+ * {@code gvh.trace}: records what this robot does, under the names of the paper and the PVS
+ * theories.
+ */
 public final class Trace {
 
   private final RobotId robot;
@@ -20,13 +23,13 @@ public final class Trace {
     this.sink = sink;
   }
 
-  /** Whether anybody listens: ask before building costly arguments. */
+  /** Whether events are recorded: ask before building costly arguments. */
   public boolean isOn() {
     return sink.isOn();
   }
 
   /**
-   * An atomic action, such as {@code mutex/crossing do_mutex A C}.
+   * Records an atomic action, such as {@code mutex/crossing do_mutex A C}.
    *
    * @param source {@code app}, or a primitive and its instance
    */
@@ -40,7 +43,7 @@ public final class Trace {
     }
   }
 
-  /** A new value of a variable. */
+  /** Records a new value of a variable. */
   public void variable(String source, String name, Object value) {
     if (sink.isOn()) {
       sink.record(

@@ -8,13 +8,13 @@ import java.util.List;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
-/** A set of robots in the order of their names. Immutable. */
+/** An immutable set of robots, sorted by name. */
 public final class Participants implements Iterable<RobotId> {
 
   private final List<RobotId> ids;
 
-  // Made when first asked for: most sets are never asked. Two threads may both make it, and get
-  // equal ones: it is immutable.
+  // Created on first use: most sets are never searched. Two threads may both create it; the results
+  // are equal and immutable.
   private @Nullable Names names;
 
   private Participants(Collection<RobotId> ids) {
@@ -33,7 +33,7 @@ public final class Participants implements Iterable<RobotId> {
     return ids.contains(id);
   }
 
-  /** The robot whose name in ASCII these bytes are, or null if it is none of these. */
+  /** The robot whose name in ASCII is these bytes, or null if it is not in the set. */
   public @Nullable RobotId find(byte[] bytes, int from, int length) {
     Names found = names;
     if (found == null) {
@@ -73,16 +73,19 @@ public final class Participants implements Iterable<RobotId> {
   }
 
   /**
-   * A hash table with open addressing, at most two thirds full, over all names in one array: with
-   * thousands of robots their own strings would be cold.
+   * A hash table with open addressing, at most two thirds full. All names are in one array: with
+   * thousands of robots, their strings would not be in the cache.
    */
   private static final class Names {
     private static final int GOLDEN_RATIO = 0x9E3779B9;
 
-    /** The robot in each slot. */
+    /** The robot in each slot, or null. */
     private final @Nullable RobotId[] ids;
 
-    /** The names in the order of their slots: each from {@code starts[slot]} to the next start. */
+    /**
+     * The names in slot order: slot {@code i} has the bytes from {@code starts[i]} to {@code
+     * starts[i + 1]}.
+     */
     private final byte[] letters;
 
     private final int[] starts;
@@ -109,7 +112,7 @@ public final class Participants implements Iterable<RobotId> {
     @Nullable RobotId find(byte[] bytes, int from, int length) {
       int hash = 0;
       for (int i = from; i < from + length; i++) {
-        hash = 31 * hash + bytes[i]; // as a name's
+        hash = 31 * hash + bytes[i]; // as String.hashCode
       }
       int slot = slot(hash);
       while (starts[slot + 1] > starts[slot]) {
@@ -126,7 +129,7 @@ public final class Participants implements Iterable<RobotId> {
       if (starts[slot + 1] - start != length) {
         return false;
       }
-      // Names differ in their last letters: from there, most comparisons end at once.
+      // Names differ in their last letters: compared from there, most comparisons end at once.
       for (int i = length - 1; i >= 0; i--) {
         if (letters[start + i] != bytes[from + i]) {
           return false;
@@ -136,8 +139,9 @@ public final class Participants implements Iterable<RobotId> {
     }
 
     /**
-     * Fibonacci hashing (Knuth, "The Art of Computer Programming", section 6.4): names that differ in
-     * their last digits have neighbouring hashes, which would fill long runs of slots.
+     * Fibonacci hashing (Knuth, "The Art of Computer Programming", section 6.4): names that differ
+     * only in their last digits have neighbouring hashes, which would form long runs of occupied
+     * slots.
      */
     private int slot(int hash) {
       return (hash * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(ids.length) + 1);

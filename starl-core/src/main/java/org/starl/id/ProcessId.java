@@ -2,9 +2,9 @@ package org.starl.id;
 
 /**
  * A participant of a primitive: a robot and an incarnation number that this robot never uses twice.
- * A robot that restarts, or registers again, is another participant; nobody ever revives an id.
+ * A robot that restarts or registers again gets a new id; an old id never becomes valid again.
  *
- * @param inc above 0; later ids of one robot have higher numbers
+ * @param inc incarnation number above 0; later ids of one robot have higher numbers
  */
 public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId> {
 
@@ -27,14 +27,14 @@ public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId
   }
 
   /**
-   * Reads what {@link #toString} wrote.
+   * Parses the text of {@link #toString}.
    *
-   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   * @throws IllegalArgumentException if {@code text} has another form
    */
   public static ProcessId parse(String text) {
     int hash = text.indexOf('#');
     if (hash < 0) {
-      throw new IllegalArgumentException("participant '" + text + "': expected robot#incarnation");
+      throw new IllegalArgumentException("process id '" + text + "': expected robot#incarnation");
     }
     return new ProcessId(
         new RobotId(text.substring(0, hash)), Long.parseLong(text.substring(hash + 1)));

@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * A robot's name, unique in its deployment: 1 to 32 letters, digits, {@code _}, {@code -} or {@code
- * .}, beginning with a letter. Ordered as people order them: {@code bot2} before {@code bot10}.
+ * .}, starting with a letter. Natural order: {@code bot2} before {@code bot10}.
  */
 public final class RobotId implements Comparable<RobotId> {
 
@@ -12,8 +12,7 @@ public final class RobotId implements Comparable<RobotId> {
 
   private final String name;
 
-  // Looked up and compared with every message: so the name itself, which is elsewhere in memory, is
-  // mostly not read.
+  // Compared before the name, which is another object and usually not in the cache.
   private final int hash;
 
   public RobotId(String name) {
@@ -42,7 +41,7 @@ public final class RobotId implements Comparable<RobotId> {
     return true;
   }
 
-  /** Compares runs of digits by their value, everything else by character; total. */
+  /** Compares runs of digits by value, other characters one by one; a total order. */
   @Override
   public int compareTo(RobotId other) {
     if (this == other) {
@@ -72,7 +71,7 @@ public final class RobotId implements Comparable<RobotId> {
       }
     }
     int byRest = Integer.compare(a.length() - i, b.length() - j);
-    // Equal values with unequal leading zeros are different names.
+    // Equal values with different leading zeros are different names.
     return byRest != 0 ? byRest : a.compareTo(b);
   }
 
@@ -122,7 +121,7 @@ public final class RobotId implements Comparable<RobotId> {
         || (other instanceof RobotId that && hash == that.hash && name.equals(that.name));
   }
 
-  /** That of the name. */
+  /** The hash code of the name. */
   @Override
   public int hashCode() {
     return hash;

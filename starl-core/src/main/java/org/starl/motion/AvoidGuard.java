@@ -10,19 +10,22 @@ import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 
 /**
- * Keeps the whole body out of a region (paper, section 4.1, safety). A command is let through only
- * if the disc around every position that it can lead to, until the next step's is in effect for
- * certain, lies outside. In it are: the error bounds of position and heading, the wheels' speed
- * error, what they may still do of older commands, and sliding along what the body touches. Stopping
- * is always safe: whatever the wheels may do until it is in effect was in the check of the commands
- * that they follow. Pure.
+ * Keeps the whole body out of a region (paper, section 4.1, safety). It accepts a command only if
+ * the disc around every position that the command can lead to, until the next step's command is
+ * certainly in effect, is outside the region. This includes the error bounds of position and
+ * heading, the wheels' speed error, the lingering effect of older commands, and sliding along a
+ * touched object. Stopping is always safe: the check of the earlier commands covered everything
+ * that the wheels may do until it is in effect. Pure.
  */
 final class AvoidGuard {
 
-  /** Positions between which the distance from the region is bounded by how far apart they are. */
+  /**
+   * Number of sampled positions on the arc; between them, the distance to the region is bounded by
+   * their spacing.
+   */
   private static final int SAMPLES = 4;
 
-  /** Commands of the same arc at these parts of the speed are tried in turn. */
+  /** Fractions of the commanded speed, tried in this order on the same arc. */
   private static final double[] SLOWER = {1, 0.5, 0.25, 0.1};
 
   private final Region avoid;
@@ -39,13 +42,14 @@ final class AvoidGuard {
     this.mostSpeed = 1 + p.speedError();
   }
 
-  /** Whether the body would be in the region at {@code target}. */
+  /** Whether the body would touch the region at {@code target}. */
   boolean forbids(Point target) {
     return avoid.distanceMm(target) <= bodyMm;
   }
 
-  /** The command, or a slower one of the same arc, or STOP. */
-  WheelCommand limit(WheelCommand command, Location.Known at, Bumps bumps, Lingering lingering) {
+  /** The command, a slower one on the same arc, or STOP. */
+  WheelCommand limit(
+      WheelCommand command, Location.Known at, Bumps bumps, LingeringSpeeds lingering) {
     if (avoid instanceof Nowhere || command.linearMmPerS() == 0) {
       return command;
     }
@@ -63,10 +67,15 @@ final class AvoidGuard {
   }
 
   private boolean isSafe(
-      WheelCommand command, Location.Known at, double nearMm, Bumps bumps, Lingering lingering) {
+      WheelCommand command,
+      Location.Known at,
+      double nearMm,
+      Bumps bumps,
+      LingeringSpeeds lingering) {
     double mmPerS = Math.abs(command.linearMmPerS());
     double pathMm = mostSpeed * mmPerS * horizonS;
-    // Without a contact now it slides at most from the next one until the stop that it brings.
+    // Without a contact now, it slides at most from the next contact until the stop that this
+    // triggers.
     double slideMm = mostSpeed * mmPerS * (bumps.any() ? horizonS : reactionS);
     double lateMm = mostSpeed * lingering.beyondMmPerS(command.linearMmPerS()) * reactionS;
     double neededMm = bodyMm + at.errorMm() + slideMm + lateMm;
@@ -76,11 +85,11 @@ final class AvoidGuard {
     double turnRad = Math.abs(command.angularRadPerS()) * horizonS;
     double lateRad = lingering.beyondRadPerS(command.angularRadPerS()) * reactionS;
     double offRad = at.errorRad() + mostSpeed * (turnRad + lateRad);
-    return isWayClear(command, at.pose(), nearMm, pathMm, neededMm, offRad);
+    return isPathClear(command, at.pose(), nearMm, pathMm, neededMm, offRad);
   }
 
-  /** Along the commanded arc, each point of which the body reaches with its heading so far off. */
-  private boolean isWayClear(
+  /** Checks the commanded arc, when the body may reach each point with this heading error. */
+  private boolean isPathClear(
       WheelCommand command,
       Pose from,
       double nearMm,
@@ -95,7 +104,7 @@ final class AvoidGuard {
       Pose ahead =
           Kinematics.after(from, command.linearMmPerS(), command.angularRadPerS(), stepS * i);
       double after = avoid.distanceMm(ahead.at());
-      // Turned by the heading's error, this position lies off by at most its chord.
+      // With the heading error, this position is off by at most its chord.
       double swingMm = chord * stepMm * i;
       if ((before + after - stepMm) / 2 - swingMm <= neededMm) {
         return false;

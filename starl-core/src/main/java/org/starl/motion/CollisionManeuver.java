@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.body.Bumps;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
@@ -10,12 +12,11 @@ import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
 /**
- * What a robot does after a bump, by its {@link CollisionPolicy}: a short sequence of phases, begun
- * anew by a bump on the way. Pure, as a part of its automaton.
+ * The reaction to a bump, by its {@link CollisionPolicy}: a short sequence of phases, restarted by
+ * another bump. Pure, as part of its automaton.
  */
 final class CollisionManeuver {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final double FOLLOW_TURN_RAD = StrictMath.PI / 4;
   private static final double FOLLOW_RADIUS_MM = 320;
   private static final double RANDOM_TURN_RAD = StrictMath.PI / 2;
@@ -46,7 +47,10 @@ final class CollisionManeuver {
     return failed;
   }
 
-  /** Begins, goes on, or ends: then {@link #isUnderWay} is false and the command means nothing. */
+  /**
+   * Starts, continues or ends the manoeuvre; once {@link #isUnderWay} is false, the returned
+   * command has no meaning.
+   */
   WheelCommand step(Pose pose, Bumps bumps, long nowNs) {
     if (bumps.any() && phase != MotionState.COLLISION_BACK && phase != MotionState.COLLISION_TURN) {
       begin(bumps, nowNs);
@@ -119,7 +123,7 @@ final class CollisionManeuver {
       return new WheelCommand(0, StrictMath.copySign(speed, offRad));
     }
     if (p.robotType() == RobotType.DISCOVERY) {
-      // Back towards the obstacle's side, by twice the turn.
+      // Turns back towards the obstacle, by twice the turn.
       wantedRad = pose.headingRad() - awayFromSide() * 2 * FOLLOW_TURN_RAD;
       enter(MotionState.COLLISION_ARC, nowNs);
       return arc(pose, nowNs);
@@ -147,7 +151,10 @@ final class CollisionManeuver {
     return WheelCommand.STOP;
   }
 
-  /** 1 where the obstacle is to the right or ahead: then counter-clockwise is away from it. */
+  /**
+   * Turning direction away from the obstacle: 1 (counter-clockwise) if it is to the right or ahead,
+   * else -1.
+   */
   private double awayFromSide() {
     return side == Bumps.LEFT ? -1 : 1;
   }

@@ -3,10 +3,10 @@ package org.starl.motion;
 import org.starl.body.Bumps;
 
 /**
- * What the robot knew when it touched something: where it was, and which bump sensors were closed. Of
- * what it touched that says: a closed sensor has something before it, not where.
+ * What the robot knew at a contact: its location, and which bump sensors were closed. A closed
+ * sensor shows that something was touched, not exactly where.
  *
- * @param at the robot's place, with its error bounds
+ * @param at the robot's location with error bounds
  * @param bumps not {@code NONE}
  */
 public record Contact(Location.Known at, Bumps bumps) {

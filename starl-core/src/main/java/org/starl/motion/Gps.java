@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.body.MotionParameters;
@@ -16,18 +18,16 @@ import org.starl.platform.Clock;
 import org.starl.platform.Platform;
 
 /**
- * {@code gvh.gps}: where this robot is, filtered from the fixes of its positioning system and from
- * what its wheels are told (paper, section 5.1). Strand only.
+ * {@code gvh.gps}: this robot's location, filtered from the fixes of its positioning system and the
+ * wheel commands (paper, section 5.1). Strand only.
  *
- * <p>Every position comes with a bound that holds for certain as long as each fix's own bound does
- * and the body follows its commands as {@link MotionParameters} states: {@code speedError}, {@code
- * reactionMs}; see {@link #errorMm}. A fix that contradicts all before is counted and not believed,
- * and until one fits again the bound holds its place as well. Millimetres, radians counter-clockwise,
- * on the robot's own clock.
+ * <p>Every position has an error bound that is certain as long as each fix's own bound is correct
+ * and the body follows its commands within {@code speedError} and {@code reactionMs} of {@link
+ * MotionParameters}; see {@link #errorMm}. A fix that contradicts all earlier ones is counted and
+ * not used, and the bound also covers its position until a fix agrees again. Millimetres, radians
+ * counter-clockwise, times on the robot's own clock.
  */
 public final class Gps {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Clock clock;
   private final Trace trace;
@@ -46,76 +46,76 @@ public final class Gps {
     variables.register(currentlocation);
     MotionParameters parameters = platform.motionParameters();
     assume(parameters);
-    // Until then the wheels may follow what an earlier start of this program had told them.
+    // Until then the wheels may still follow commands of an earlier start of this program.
     knownFromNs = clock.nowNs() + parameters.reactionMs() * NS_PER_MS;
     platform.positioning().onFix(this::fixed);
   }
 
-  /** Whether there was any fix yet. */
+  /** Whether a fix was accepted yet. */
   public boolean hasFix() {
     return filter.hasFix();
   }
 
-  /** All that is known now: {@link Location.Unknown} before the first fix. */
+  /** The current location: {@link Location.Unknown} before the first fix. */
   public Location location() {
     Location.Known known = filter.at(clock.nowNs());
     return known == null ? new Location.Unknown() : known;
   }
 
-  /** {@link #location} as the gvh's variable {@code currentlocation}. */
+  /** {@link #location} as the gvh variable {@code currentlocation}. */
   public GvhVariable<Location> currentlocation() {
     return currentlocation;
   }
 
-  /** The same under the name that it has in the paper's Figure 3. */
+  /** The same variable under its name in the paper's Figure 3. */
   public GvhVariable<Location> mypos() {
     return currentlocation;
   }
 
   /**
-   * Where the robot is now, as far as it knows.
+   * The estimated pose.
    *
-   * @throws IllegalStateException without any fix yet
+   * @throws IllegalStateException before the first fix
    */
   public Pose pose() {
     return known().pose();
   }
 
   /**
-   * The true position lies within this distance of {@link #pose}: the fixes' bounds, and whatever
-   * the wheels were told since the last one. Infinite without any fix yet.
+   * Bound of the distance between the true position and {@link #pose}, from the fixes' bounds and
+   * the commands since the last one. Infinite before the first fix.
    */
   public double errorMm() {
     Location.Known known = filter.at(clock.nowNs());
     return known == null ? Double.POSITIVE_INFINITY : known.errorMm();
   }
 
-  /** Age of the newest fix that was believed; {@code Long.MAX_VALUE} without any. */
+  /** Age of the newest accepted fix; {@code Long.MAX_VALUE} before the first. */
   public long ageNs() {
     return hasFix() ? clock.nowNs() - filter.fixNs() : Long.MAX_VALUE;
   }
 
-  /** Calls {@code listener} on the strand after each fix that was believed. */
+  /** Calls {@code listener} on the strand after each accepted fix. */
   public void onFix(Runnable listener) {
     listeners.add(listener);
   }
 
-  /** Whether each fix writes {@code currentlocation} to the trace; at first it does not. */
+  /** Sets whether each fix writes {@code currentlocation} to the trace; off at first. */
   public void traceFixes(boolean on) {
     tracesFixes = on;
   }
 
   /**
-   * Whether a disc around this robot is outside {@code zone} for certain, border included: what
-   * has to hold before a zone is given back. False without a fix.
+   * Whether a disc around this robot is certainly outside {@code zone}, border included: the
+   * condition for releasing a zone. False before the first fix.
    */
   public boolean isClearOf(Region zone, double radiusMm) {
     return clearanceMm(zone, radiusMm) > 0;
   }
 
   /**
-   * A disc around this robot is at least this far from {@code zone}; below 0 if that is not certain
-   * even of a touch, minus infinity without a fix.
+   * Lower bound of the distance between {@code zone} and a disc around this robot; below 0 if they
+   * may overlap, minus infinity before the first fix.
    */
   public double clearanceMm(Region zone, double radiusMm) {
     Location.Known known = filter.at(clock.nowNs());
@@ -127,13 +127,16 @@ public final class Gps {
         : zone.distanceMm(known.pose().at()) - known.errorMm() - radiusMm;
   }
 
-  /** Whether this robot's centre is in {@code area} for certain. False without a fix. */
+  /** Whether this robot's centre is certainly in {@code area}. False before the first fix. */
   public boolean isSurelyIn(Region area) {
     Location.Known known = filter.at(clock.nowNs());
     return known != null && area.depthMm(known.pose().at()) > known.errorMm();
   }
 
-  /** This robot's centre is at most this far from {@code point}; infinite without a fix. */
+  /**
+   * Upper bound of the distance from this robot's centre to {@code point}; infinite before the
+   * first fix.
+   */
   public double farthestMm(Point point) {
     Location.Known known = filter.at(clock.nowNs());
     return known == null
@@ -141,54 +144,62 @@ public final class Gps {
         : known.pose().distanceMm(point) + known.errorMm();
   }
 
-  /** This robot's centre is at least this far from {@code point}; 0 without a fix. */
+  /**
+   * Lower bound of the distance from this robot's centre to {@code point}; 0 before the first fix.
+   */
   public double nearestMm(Point point) {
     Location.Known known = filter.at(clock.nowNs());
     return known == null ? 0 : Math.max(0, known.pose().distanceMm(point) - known.errorMm());
   }
 
-  /** The obstacles that this robot believes in. */
+  /** The obstacles that this robot knows. */
   public KnownObstacles knownObstacles() {
     return knownObstacles;
   }
 
-  /** Fixes received. */
+  /** Number of fixes received. */
   public long fixes() {
     return fixes;
   }
 
-  /** Fixes that contradicted all before, in position or heading, and were not believed at once. */
+  /**
+   * Number of fixes that contradicted all earlier ones, in position or heading, and were not
+   * accepted at once.
+   */
   public long contradictions() {
     return filter.contradictions();
   }
 
-  /** Fixes not used because a newer one was there before, or because they come from the future. */
+  /**
+   * Number of fixes not used because a newer one arrived before, or because their time is in the
+   * future.
+   */
   public long outdated() {
     return filter.outdated();
   }
 
-  /** The body is one that these parameters speak of, from now on. */
+  /** From now on, assumes a body with these parameters. */
   void assume(MotionParameters parameters) {
     filter.assume(parameters.speedError(), parameters.reactionMs() * NS_PER_MS);
   }
 
-  /** The wheels are told this now, while a bump sensor is closed or not. */
+  /** Records a wheel command, and whether a bump sensor is closed. */
   void commanded(WheelCommand command, boolean bumped) {
     filter.commanded(command, bumped, clock.nowNs());
   }
 
-  /** What the wheels may go on doing when they are told something else now. */
-  Lingering lingering() {
+  /** The commands that may still be in effect if a new one is given now. */
+  LingeringSpeeds lingering() {
     return filter.lingering(clock.nowNs());
   }
 
   private void fixed(Fix fix) {
     fixes++;
-    boolean believed = fix.timeNs() >= knownFromNs && filter.fixed(fix, clock.nowNs());
+    boolean accepted = fix.timeNs() >= knownFromNs && filter.fixed(fix, clock.nowNs());
     if (tracesFixes && trace.isOn()) {
       trace.variable(currentlocation.source(), currentlocation.name(), location());
     }
-    if (believed) {
+    if (accepted) {
       for (int i = 0; i < listeners.size(); i++) {
         listeners.get(i).run();
       }

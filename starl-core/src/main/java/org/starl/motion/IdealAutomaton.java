@@ -9,13 +9,13 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 
 /**
- * Ideal motion: one period to turn, whatever the angle; straight at full speed; the last period at
- * just the speed that ends on the target. A bump fails, except under BUMPERCARS.
+ * Ideal motion: one period to turn by any angle; straight at full speed; in the last period exactly
+ * the speed that ends on the target. A bump fails, except under BUMPERCARS.
  */
 final class IdealAutomaton implements MotionAutomaton {
 
-  // With exact fixes one turn is enough. With noisy ones, another one is worth its period only if
-  // the line misses the target by this part of its radius, and by this angle.
+  // With exact fixes one turn is enough. With noisy fixes, another turn is worth its period only if
+  // the path misses the target by this fraction of the goal radius, and by this angle.
   private static final double MISS = 0.5;
   private static final double OFF_RAD = 0.1;
 

@@ -8,8 +8,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 
 /**
- * The obstacles that one robot believes in: those on its map at the start, and a small square where
- * it ran into something. Strand only.
+ * The obstacles that one robot knows: its map at the start, and a small square for each contact.
+ * Strand only.
  */
 public final class KnownObstacles {
 
@@ -22,17 +22,17 @@ public final class KnownObstacles {
     this.obstacles = atStart;
   }
 
-  /** All of them now; an immutable value, for planners that work on it elsewhere. */
+  /** The current obstacles; immutable, so planners may use it off the strand. */
   public Obstacles all() {
     return obstacles;
   }
 
-  /** How many contacts it has learned. */
+  /** Number of contacts added. */
   public int learned() {
     return learned;
   }
 
-  /** Learns that there is something at {@code contact}, known to within {@code sideMm}. */
+  /** Adds a square of {@code sideMm} around {@code contact}. */
   public void learn(Point contact, double sideMm) {
     double x = StrictMath.floor(contact.xMm() / sideMm) * sideMm;
     double y = StrictMath.floor(contact.yMm() / sideMm) * sideMm;
@@ -49,7 +49,7 @@ public final class KnownObstacles {
     }
   }
 
-  /** Where a body at {@code pose} touches what its bump sensors tell of. */
+  /** The point at which a body at {@code pose} touches the object, judged by its bump sensors. */
   static Point contact(Pose pose, Bumps bumps, double radiusMm) {
     double side =
         switch (bumps) {

@@ -3,7 +3,7 @@ package org.starl.motion;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Pose;
 
-/** What a robot knows of its own place: the paper's {@code currentlocation}. */
+/** The robot's knowledge of its own position: the paper's {@code currentlocation}. */
 public sealed interface Location {
 
   /** Before the first fix. */
@@ -17,10 +17,10 @@ public sealed interface Location {
   /**
    * A pose with its error bounds.
    *
-   * @param errorMm the true position lies within this distance of the pose's
-   * @param errorRad the true heading lies within this angle of the pose's
-   * @param timeNs when this holds
-   * @param fixNs when the newest fix that it rests on was measured
+   * @param errorMm bound of the position error
+   * @param errorRad bound of the heading error
+   * @param timeNs time of the pose and its bounds
+   * @param fixNs measurement time of the newest fix that was used
    */
   record Known(Pose pose, double errorMm, double errorRad, long timeNs, long fixNs)
       implements Location {

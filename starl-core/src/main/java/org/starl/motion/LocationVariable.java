@@ -2,7 +2,7 @@ package org.starl.motion;
 
 import org.starl.gvh.GvhVariable;
 
-/** {@code currentlocation}: evaluated when it is read, so that a fix costs no object. */
+/** {@code currentlocation}: computed when it is read, so that a fix allocates nothing. */
 record LocationVariable(Gps gps) implements GvhVariable<Location> {
 
   @Override

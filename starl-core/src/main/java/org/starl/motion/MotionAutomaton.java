@@ -8,13 +8,13 @@ import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
 /**
- * One motion command, from its start to DONE or FAIL, as a state machine that knows no port: what
- * {@link #step} returns depends on the arguments of all steps so far and on the generator alone. It
- * believes the pose that it is given; {@link MotionRun} is what doubts it.
+ * One motion command, from its start to DONE or FAIL, as a state machine without ports: the result
+ * of {@link #step} depends only on the arguments of all steps so far and on the generator. It
+ * trusts the pose that it is given; {@link MotionRun} adds the safety checks.
  */
 public sealed interface MotionAutomaton permits UnicycleAutomaton, IdealAutomaton {
 
-  /** A command to go to {@code target}, in the style that {@code parameters} ask for. */
+  /** Creates the automaton for going to {@code target}, in the style of {@code parameters}. */
   static MotionAutomaton goTo(Point target, MotionParameters parameters, Rng rng) {
     return switch (parameters.style()) {
       case UNICYCLE -> new UnicycleAutomaton(target, false, parameters, rng);
@@ -22,7 +22,7 @@ public sealed interface MotionAutomaton permits UnicycleAutomaton, IdealAutomato
     };
   }
 
-  /** A command to turn on the spot until the robot faces {@code target}. */
+  /** Creates the automaton for turning on the spot until the robot faces {@code target}. */
   static MotionAutomaton turnTo(Point target, MotionParameters parameters, Rng rng) {
     return switch (parameters.style()) {
       case UNICYCLE -> new UnicycleAutomaton(target, true, parameters, rng);
@@ -31,12 +31,12 @@ public sealed interface MotionAutomaton permits UnicycleAutomaton, IdealAutomato
   }
 
   /**
-   * What the wheels shall do until the next step, which comes a period later or as soon as the bump
+   * Computes the wheel command until the next step, which comes one period later or when the bump
    * sensors change.
    */
   WheelCommand step(Pose pose, Bumps bumps, long nowNs);
 
-  /** MOVING, DONE or FAIL, as of the last step. */
+  /** MOVING, DONE or FAIL, after the last step. */
   MotionFlag status();
 
   MotionState state();

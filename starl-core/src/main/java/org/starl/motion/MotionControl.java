@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
@@ -24,18 +26,17 @@ import org.starl.platform.Timer;
 import org.starl.random.Rng;
 
 /**
- * {@code gvh.plat.moat}: brings the robot to a target (paper, section 4.1). Strand only.
+ * {@code gvh.plat.moat}: drives the robot to a target (paper, section 4.1). Strand only.
  *
- * <p>Safety: the body, a disc, stays outside the region to avoid, within the bounds that {@link Gps}
- * states. Progress: DONE means within the goal radius of the target by the robot's own position,
- * hence within goal radius plus error bound in truth; FAIL, with a {@link #failure}, means that the
- * wheels are stopped and the target was not reached. While a motion is under way a timer steps the
- * automaton once a period, and a bump at once; an idle robot costs nothing.
+ * <p>Safety: the body, a disc, stays outside the region to avoid, within the bounds of {@link Gps}.
+ * Progress: DONE means that the estimated position is within the goal radius of the target, so the
+ * true one is within goal radius plus error bound; FAIL, with a {@link #failure}, means that the
+ * wheels are stopped and the target was not reached. During a motion a timer steps the automaton
+ * once per period, and a bump steps it at once; an idle robot needs no computation.
  */
 public final class MotionControl {
 
   private static final String SOURCE = "motion";
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Gps gps;
   private final Clock clock;
@@ -68,18 +69,18 @@ public final class MotionControl {
     task = variables.variable(SOURCE, "(target, avoid)", new MotionTask.None());
     motionflag = variables.variable(SOURCE, "motionflag", MotionFlag.IDLE);
     chassis.onBump(this::bumpsChanged);
-    // A program that starts again must not inherit the speed of the one before.
+    // A restarted program must not continue with the speed of the one before.
     chassis.drive(WheelCommand.STOP);
   }
 
-  /** Goes to {@code target}, in place of whatever it did before. */
+  /** Goes to {@code target}, replacing any earlier command. */
   public void doMove(ItemPosition target) {
     doMove(target, new Nowhere());
   }
 
   /**
-   * Goes to {@code target} with the whole body outside {@code avoid}, or stops and says FAIL; in
-   * place of whatever it did before. The target's heading is of no account.
+   * Goes to {@code target} with the whole body outside {@code avoid}, or stops with FAIL; replaces
+   * any earlier command. The target's heading is ignored.
    */
   public void doMove(ItemPosition target, Region avoid) {
     if (trace.isOn()) {
@@ -90,7 +91,7 @@ public final class MotionControl {
         MotionRun.goTo(target.at(), avoid, parameters, rng, clock.nowNs()));
   }
 
-  /** Turns on the spot until the robot faces {@code target}, in place of what it did before. */
+  /** Turns on the spot until the robot faces {@code target}, replacing any earlier command. */
   public void turnTo(ItemPosition target) {
     trace.action(SOURCE, "turnTo", MotionTask.text(target));
     begin(
@@ -98,7 +99,7 @@ public final class MotionControl {
         MotionRun.turnTo(target.at(), new Nowhere(), parameters, rng, clock.nowNs()));
   }
 
-  /** Stops the wheels and forgets the target. */
+  /** Stops the wheels and cancels the motion. */
   public void motion_stop() {
     trace.action(SOURCE, "motion_stop");
     run = null;
@@ -108,17 +109,17 @@ public final class MotionControl {
     motionflag.set(MotionFlag.IDLE);
   }
 
-  /** Whether the last motion is still under way: neither done nor failed nor stopped. */
+  /** Whether the last motion is still going on: not done, failed or stopped. */
   public boolean inMotion() {
     return motionflag.get() == MotionFlag.MOVING;
   }
 
-  /** The paper's {@code mc.failed}: whether the last motion came to nothing. */
+  /** The paper's {@code mc.failed}: whether the last motion failed. */
   public boolean failed() {
     return motionflag.get() == MotionFlag.FAIL;
   }
 
-  /** Why the last motion failed, in words for people; empty unless it did. */
+  /** Why the last motion failed, in words for people; empty if it did not. */
   public String failure() {
     return run == null ? "" : run.failure();
   }
@@ -127,12 +128,12 @@ public final class MotionControl {
     return motionflag;
   }
 
-  /** The pair {@code (target, avoid)}: what the robot was told to do last. */
+  /** The pair {@code (target, avoid)} of the last command. */
   public GvhVariable<MotionTask> target() {
     return task;
   }
 
-  /** The parameters of the next motion; the one under way keeps its own. */
+  /** Sets the parameters of the next motion; the current one keeps its own. */
   public void setParameters(MotionParameters newParameters) {
     parameters = newParameters;
   }
@@ -142,8 +143,9 @@ public final class MotionControl {
   }
 
   /**
-   * Sets the one listener that is told, on the strand and before the wheels react, whenever a bump
-   * sensor changes during a motion and one is closed, under whatever collision policy.
+   * Sets the one listener for contacts. It is called on the strand, before the wheels react,
+   * whenever a bump sensor changes during a motion and at least one is closed, under any collision
+   * policy.
    */
   public void onContact(Consumer<Contact> listener) {
     contactListener = listener;
@@ -179,12 +181,12 @@ public final class MotionControl {
     }
     drive(run.step(gps.location(), chassis.bumps(), gps.lingering(), nowNs));
     if (motionflag.get() == MotionFlag.MOVING && run.status() != MotionFlag.MOVING) {
-      tellTheEnd(run);
+      reportEnd(run);
     }
     motionflag.set(run.status());
   }
 
-  private void tellTheEnd(MotionRun ended) {
+  private void reportEnd(MotionRun ended) {
     if (ended.status() == MotionFlag.FAIL) {
       log.i(SOURCE, "failed: " + ended.failure());
       trace.action(SOURCE, "failed", ended.failure());
@@ -199,7 +201,7 @@ public final class MotionControl {
       commanded = command;
       gps.commanded(command, bumped);
     }
-    // Said again at each step: it also tells the chassis that the program lives.
+    // Repeated at each step: it also shows the chassis that the program is alive.
     chassis.drive(command);
   }
 
@@ -209,7 +211,7 @@ public final class MotionControl {
     gps.commanded(commanded, bumped);
     if (run != null && run.needsSteps()) {
       if (bumped && gps.location() instanceof Location.Known known) {
-        touched(new Contact(known, bumps));
+        handleContact(new Contact(known, bumps));
       }
       step(clock.nowNs());
       if (run != null && !run.needsSteps()) {
@@ -223,7 +225,7 @@ public final class MotionControl {
         || inUse.collisionPolicy() == CollisionPolicy.USE_COLBACK;
   }
 
-  private void touched(Contact contact) {
+  private void handleContact(Contact contact) {
     if (marksContacts()) {
       Pose pose = contact.at().pose();
       Point guess = KnownObstacles.contact(pose, contact.bumps(), inUse.robotRadiusMm());

@@ -1,13 +1,13 @@
 package org.starl.motion;
 
-/** How the last motion command stands (paper, section 4.1: {@code motionflag}). */
+/** State of the last motion command (paper, section 4.1: {@code motionflag}). */
 public enum MotionFlag {
-  /** No command was given yet, or the last one was stopped by {@code motion_stop}. */
+  /** No command yet, or the last one was stopped by {@code motion_stop}. */
   IDLE,
-  /** On the way. */
+  /** The motion is going on. */
   MOVING,
-  /** Within the goal radius of the target, and stopped. */
+  /** Stopped within the goal radius of the target. */
   DONE,
-  /** The motion controller cannot bring the robot to the target; it has stopped. */
+  /** The robot cannot reach the target; it has stopped. */
   FAIL
 }

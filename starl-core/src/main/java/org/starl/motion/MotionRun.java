@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
@@ -10,14 +12,12 @@ import org.starl.geometry.Region;
 import org.starl.random.Rng;
 
 /**
- * One motion command with all that doubts it: the automaton believes its pose; this class stops the
- * wheels while there is no recent fix or no certain position, keeps the body out of the region to
- * avoid, and fails where the robot gets nowhere or is too slow, so that every motion ends. Pure: what
- * a step returns depends on the arguments of the steps so far.
+ * One motion command with its safety checks: the automaton trusts its pose; this class stops the
+ * wheels without a recent fix or a certain position, keeps the body out of the region to avoid, and
+ * fails if the robot is stuck or too slow, so that every motion ends. Pure: the result of a step
+ * depends only on the arguments of the steps so far.
  */
 final class MotionRun {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Point target;
   private final MotionParameters p;
@@ -67,22 +67,24 @@ final class MotionRun {
     return automaton.state();
   }
 
-  /** Why it failed, in words; empty unless it did. */
+  /** Why it failed, in words; empty if it did not. */
   String failure() {
     return failure;
   }
 
-  /** Whether there is anything left to do: moving, or driving on through the target. */
+  /**
+   * Whether more steps are needed: the motion is going on, or the robot drives on past the target.
+   */
   boolean needsSteps() {
     return status == MotionFlag.MOVING || wheelsTurn;
   }
 
   /**
-   * What the wheels shall do until the next step.
+   * Computes the wheel command until the next step.
    *
-   * @param lingering what they may still do of earlier commands
+   * @param lingering earlier commands that may still be in effect
    */
-  WheelCommand step(Location location, Bumps bumps, Lingering lingering, long nowNs) {
+  WheelCommand step(Location location, Bumps bumps, LingeringSpeeds lingering, long nowNs) {
     WheelCommand command =
         status == MotionFlag.FAIL ? WheelCommand.STOP : decide(location, bumps, lingering, nowNs);
     if (command.isStop()) {
@@ -93,7 +95,8 @@ final class MotionRun {
     return command;
   }
 
-  private WheelCommand decide(Location location, Bumps bumps, Lingering lingering, long nowNs) {
+  private WheelCommand decide(
+      Location location, Bumps bumps, LingeringSpeeds lingering, long nowNs) {
     if (status == MotionFlag.DONE && (!wheelsTurn || bumps.any())) {
       return WheelCommand.STOP;
     }
@@ -120,7 +123,7 @@ final class MotionRun {
     if (status == MotionFlag.MOVING) {
       status = automaton.status();
     }
-    return status == MotionFlag.MOVING && isStuck(at)
+    return status == MotionFlag.MOVING && updateWatch(at)
         ? fail("no progress")
         : keepOut(guard.limit(wanted, at, bumps, lingering), wanted, nowNs);
   }
@@ -131,11 +134,12 @@ final class MotionRun {
         : WheelCommand.STOP;
   }
 
-  private boolean isStuck(Location.Known at) {
+  /** Returns whether the motion is stuck. */
+  private boolean updateWatch(Location.Known at) {
     Pose pose = at.pose();
     Point way = target.minus(pose.at());
     double bearingRad = Angles.difference(way.angleRad(), pose.headingRad());
-    return watch.isStuck(at, way.normMm(), bearingRad);
+    return watch.update(at, way.normMm(), bearingRad);
   }
 
   private WheelCommand keepOut(WheelCommand limited, WheelCommand wanted, long nowNs) {
@@ -147,7 +151,7 @@ final class MotionRun {
       heldBack = true;
       heldBackNs = nowNs;
     }
-    // The bound of a body that stands shrinks with the next fix: wait for it before giving up.
+    // The error bound of a standing body shrinks with the next fix: wait for it before failing.
     return nowNs - heldBackNs >= p.avoidPatienceMs() * NS_PER_MS && status == MotionFlag.MOVING
         ? fail("the region to avoid is in the way")
         : WheelCommand.STOP;

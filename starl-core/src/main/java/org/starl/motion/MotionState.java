@@ -1,6 +1,6 @@
 package org.starl.motion;
 
-/** Where a motion automaton is in its work. The first six are the original StarL's. */
+/** State of a motion automaton. The first six are the original StarL's. */
 public enum MotionState {
   INIT,
   TURN,
@@ -14,8 +14,8 @@ public enum MotionState {
   COLLISION_TURN,
   /** Follows an obstacle on an arc. */
   COLLISION_ARC,
-  /** Drives straight, away from where it collided. */
+  /** Drives straight, away from the collision. */
   COLLISION_STRAIGHT,
-  /** Given up. */
+  /** The motion has failed. */
   FAILED
 }

@@ -4,10 +4,10 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Region;
 import org.starl.geometry.RegionText;
 
-/** What the robot was told to do last: the paper's pair {@code (target, avoid)}. */
+/** The last motion command: the paper's pair {@code (target, avoid)}. */
 public sealed interface MotionTask {
 
-  /** Nothing yet, or to stop. */
+  /** No command yet, or the robot was stopped. */
   record None() implements MotionTask {
     @Override
     public String toString() {
@@ -15,7 +15,7 @@ public sealed interface MotionTask {
     }
   }
 
-  /** To go to {@code target} with the whole body outside {@code avoid}. */
+  /** Go to {@code target} with the whole body outside {@code avoid}. */
   record GoTo(ItemPosition target, Region avoid) implements MotionTask {
     @Override
     public String toString() {
@@ -23,7 +23,7 @@ public sealed interface MotionTask {
     }
   }
 
-  /** To face {@code target}. */
+  /** Turn to face {@code target}. */
   record TurnTo(ItemPosition target) implements MotionTask {
     @Override
     public String toString() {
@@ -31,7 +31,7 @@ public sealed interface MotionTask {
     }
   }
 
-  /** A target as the trace writes it: {@code name@x,y}. */
+  /** A target as text in the trace: {@code name@x,y}. */
   static String text(ItemPosition target) {
     return target.name() + "@" + target.pose().xMm() + "," + target.pose().yMm();
   }

@@ -3,26 +3,25 @@ package org.starl.motion;
 import java.util.Arrays;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Kinematics;
+import org.starl.time.Time;
 
 /**
- * What the commands would have done to a body that follows them: a pose in a frame of its own, and
- * how far a true body may have come off. Remembers the last commands, because a fix tells of the
- * past.
+ * Dead reckoning from the commands: the pose of an ideal body in a frame of its own, and bounds of
+ * a true body's deviation. Stores the last commands, because a fix refers to the past.
  *
- * <p>What is known of a true body: at any time it follows one of the commands that may be in effect,
- * from none of it (held up) to {@code 1 + speedError} times of it, driving and turning each on its
- * own. A command is in effect for certain from {@code reactionNs} after it was given, until the next
- * one is given; commands take effect in their order.
+ * <p>Model of a true body: at any time it follows one of the commands that may be in effect, at
+ * between 0 (blocked) and {@code 1 + speedError} times its speed, driving and turning
+ * independently. A command is certainly in effect from {@code reactionNs} after it was given until
+ * the next one is given; commands take effect in their order.
  */
 final class Odometry {
 
-  private static final double NS_PER_S = 1e9;
   private static final int KNOTS = 64;
 
-  // The contact with what a body touches may turn it, as if it rolled on so small a wheel.
+  // Contact with an object may turn the body, as if it rolled on a wheel of this radius.
   private static final double ROLLING_MM = 100;
 
-  // These grow up to KNOTS: most robots of a swarm never drive.
+  // These arrays grow up to KNOTS: most robots of a swarm never drive.
   private long[] atNs = {Long.MIN_VALUE};
   private double[] x = {0};
   private double[] y = {0};
@@ -36,7 +35,7 @@ final class Odometry {
   private int newest;
   private int used = 1;
 
-  // Properties of the wheels: the worst that was ever stated.
+  // Properties of the wheels: the worst values ever assumed.
   private double speedError;
   private long reactionNs;
 
@@ -47,7 +46,7 @@ final class Odometry {
   private double strayMm;
   private double turnedRad;
 
-  // The pose that seek() has found.
+  // The result of seek().
   private double atX;
   private double atY;
   private double atHeading;
@@ -55,7 +54,7 @@ final class Odometry {
   private double atStray;
   private double atTurned;
 
-  /** The wheels are known to be so bad, from now on. */
+  /** Assumes wheels of this quality from now on; the worst values so far count. */
   void assume(double newSpeedError, long newReactionNs) {
     speedError = Math.max(speedError, newSpeedError);
     reactionNs = Math.max(reactionNs, newReactionNs);
@@ -99,18 +98,18 @@ final class Odometry {
     touching = Arrays.copyOf(touching, knots);
   }
 
-  /** Whether it still knows what was in effect at {@code timeNs}. */
+  /** Whether the stored commands cover {@code timeNs}. */
   boolean reaches(long timeNs) {
     return atNs[(newest - used + 1 + KNOTS) % KNOTS] + reactionNs <= timeNs;
   }
 
-  /** What the wheels may go on doing when they are told something else at {@code nowNs}. */
-  Lingering lingering(long nowNs) {
+  /** The commands that may still be in effect if a new one is given at {@code nowNs}. */
+  LingeringSpeeds lingering(long nowNs) {
     if (reactionNs == 0) {
-      return Lingering.NONE;
+      return LingeringSpeeds.NONE;
     }
     int knot = newest;
-    Lingering all = Lingering.NONE.with(new WheelCommand(linear[knot], angular[knot]));
+    LingeringSpeeds all = LingeringSpeeds.NONE.with(new WheelCommand(linear[knot], angular[knot]));
     for (int i = 1; i < used && atNs[knot] + reactionNs > nowNs; i++) {
       knot = (knot - 1 + KNOTS) % KNOTS;
       all = all.with(new WheelCommand(linear[knot], angular[knot]));
@@ -118,7 +117,7 @@ final class Odometry {
     return all;
   }
 
-  /** Finds the motion from one time to a later one, seen from the pose at the first. */
+  /** Computes the motion between two times, relative to the pose at the first. */
   void locate(long fromNs, long toNs) {
     seek(fromNs);
     double fromX = atX;
@@ -160,7 +159,7 @@ final class Odometry {
     atTurned = turned[knot];
     if (timeNs > atNs[knot]) {
       if (linear[knot] != 0 || angular[knot] != 0) {
-        drive(knot, (timeNs - atNs[knot]) / NS_PER_S);
+        drive(knot, Time.seconds(timeNs - atNs[knot]));
       }
       if (reactionNs > 0) {
         linger(knot, older, timeNs);
@@ -179,7 +178,7 @@ final class Odometry {
     atTurned += Math.abs(turn);
     double lengthMm = Math.abs(linear[knot]) * seconds;
     if (touching[knot]) {
-      // It may slide along what it touches, whatever way, no faster than its wheels turn.
+      // The body may slide along the object in any direction, no faster than its wheels turn.
       atStray += (2 + speedError) * lengthMm;
       atTurned += (1 + speedError) * lengthMm / ROLLING_MM;
     } else {
@@ -188,8 +187,9 @@ final class Odometry {
   }
 
   /**
-   * Adds what the {@code older} commands before {@code knot}'s may have done beyond it since it was
-   * given: each is out of effect {@code reactionNs} after its successor was given, the oldest first.
+   * Adds the deviation that the {@code older} commands before {@code knot} may have caused since
+   * its command was given: each may be in effect until {@code reactionNs} after its successor was
+   * given; the oldest ends first.
    */
   private void linger(int knot, int older, long timeNs) {
     double mmPerS = 0;
@@ -204,8 +204,8 @@ final class Odometry {
       strayBy(knot, mmPerS, radPerS, untilNs - outNs);
       untilNs = outNs;
       successor = (successor - 1 + KNOTS) % KNOTS;
-      mmPerS = Math.max(mmPerS, Lingering.beyond(linear[knot], linear[successor]));
-      radPerS = Math.max(radPerS, Lingering.beyond(angular[knot], angular[successor]));
+      mmPerS = Math.max(mmPerS, LingeringSpeeds.beyond(linear[knot], linear[successor]));
+      radPerS = Math.max(radPerS, LingeringSpeeds.beyond(angular[knot], angular[successor]));
     }
     strayBy(knot, mmPerS, radPerS, untilNs - atNs[knot]);
   }
@@ -214,7 +214,7 @@ final class Odometry {
     if (mmPerS == 0 && radPerS == 0) {
       return;
     }
-    double most = (1 + speedError) * (ns / NS_PER_S);
+    double most = (1 + speedError) * Time.seconds(ns);
     atStray += most * mmPerS;
     atTurned += most * (touching[knot] ? radPerS + mmPerS / ROLLING_MM : radPerS);
   }
@@ -231,17 +231,17 @@ final class Odometry {
     return turnRad;
   }
 
-  /** Length of the commanded path, where nothing was touched. */
+  /** Length of the commanded path without contact. */
   double pathMm() {
     return pathMm;
   }
 
-  /** A body may be off by so much more, whatever way. */
+  /** Bound of the further deviation in any direction. */
   double strayMm() {
     return strayMm;
   }
 
-  /** A body's heading may be off by so much. */
+  /** Bound of the heading deviation. */
   double turnedRad() {
     return turnedRad;
   }

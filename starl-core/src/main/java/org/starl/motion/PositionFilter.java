@@ -7,130 +7,134 @@ import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 
 /**
- * Where a robot is, from its fixes and from what its wheels were told: a set-membership filter
- * (Schweppe, "Recursive state estimation: unknown but bounded errors and system inputs", 1968) whose
- * sets are discs. The belief is a disc that holds the true position for certain. It moves with the
- * commands and grows by what a true body may do otherwise (see {@link Odometry}); a fix is a disc
- * too, and the new belief is the smallest disc around what the two have in common. The heading is an
- * interval in the same manner.
+ * Estimates a robot's position from its fixes and its wheel commands: a set-membership filter
+ * (Schweppe, "Recursive state estimation: unknown but bounded errors and system inputs", 1968)
+ * whose sets are discs. The estimate is a disc that certainly contains the true position. It moves
+ * with the commands and grows by a true body's possible deviation (see {@link Odometry}); a fix is
+ * a disc too, and the new estimate is the smallest disc around the intersection of both. The
+ * heading is an interval, treated in the same way.
  *
- * <p>The bound is true if each fix's bound is, and if the body follows its commands as {@link
- * Odometry} says.
+ * <p>The bound is correct if each fix's bound is, and if the body follows its commands as {@link
+ * Odometry} describes.
  *
- * <p>A fix that has nothing in common with the belief, in position or in heading, breaks one of
- * these. It is counted and not believed; but until a fix fits the belief again, the bound holds the
- * place that it tells of as well. Where fixes contradict the belief and confirm each other for
- * {@link #SETTLE_NS}, the belief was wrong (somebody carried the robot), and they replace it.
+ * <p>A fix that does not intersect the estimate, in position or in heading, violates one of these
+ * assumptions. It is counted and not used; but until a fix agrees with the estimate again, the
+ * bound also covers the fix's position. If fixes contradict the estimate and agree with each other
+ * for {@link #SETTLE_NS}, the estimate was wrong (someone carried the robot), and they replace it.
  *
- * <p>Pure: knows no port. Allocates the locations that are asked for, and a belief now and then.
+ * <p>Pure: uses no port. Allocates only the locations that are asked for, and rarely an estimate.
  */
 final class PositionFilter {
 
-  /** So long must contradicting fixes confirm each other to be believed. */
+  /** Contradicting fixes are accepted after they have agreed with each other for this time. */
   static final long SETTLE_NS = 30_000_000_000L;
 
   private final Odometry odometry = new Odometry();
 
-  private @Nullable Belief belief;
+  private @Nullable PoseEstimate estimate;
   private long fixNs;
 
-  // What the fixes say that contradict the belief, since the last one that fitted it.
-  private @Nullable Belief rival;
+  // The estimate from the fixes that contradict the main one, since the last fix that agreed with
+  // it.
+  private @Nullable PoseEstimate rival;
   private long rivalSinceNs;
 
   private long contradictions;
   private long outdated;
 
-  /** The wheels are known to be so bad, from now on; the worst that was ever stated counts. */
+  /** Assumes wheels of this quality from now on; the worst values so far count. */
   void assume(double speedError, long reactionNs) {
     odometry.assume(speedError, reactionNs);
   }
 
   /**
-   * From {@code nowNs} on the wheels are told this, while a bump sensor is closed or not; not before
-   * the time of any earlier call.
+   * Records a wheel command, and whether a bump sensor is closed. Times must not decrease from call
+   * to call.
    */
   void commanded(WheelCommand command, boolean bumped, long nowNs) {
     odometry.commanded(command, bumped, nowNs);
   }
 
-  /** What the wheels may go on doing when they are told something else at {@code nowNs}. */
-  Lingering lingering(long nowNs) {
+  /** The commands that may still be in effect if a new one is given at {@code nowNs}. */
+  LingeringSpeeds lingering(long nowNs) {
     return odometry.lingering(nowNs);
   }
 
   boolean hasFix() {
-    return belief != null;
+    return estimate != null;
   }
 
-  /** When the newest fix that was believed was measured. */
+  /** Measurement time of the newest accepted fix. */
   long fixNs() {
     return fixNs;
   }
 
-  /** Fixes that contradict the belief. */
+  /** Number of fixes that contradicted the estimate. */
   long contradictions() {
     return contradictions;
   }
 
-  /** Fixes that were older than one before, or from the future. */
+  /** Number of fixes that were older than an earlier one, or from the future. */
   long outdated() {
     return outdated;
   }
 
   /**
-   * Learns a measurement.
+   * Processes a fix.
    *
-   * @return whether it was believed
+   * @return whether it was accepted
    */
   boolean fixed(Fix fix, long nowNs) {
-    Belief known = belief;
+    PoseEstimate known = estimate;
     if (fix.timeNs() > nowNs || (known != null && fix.timeNs() < known.atNs())) {
       outdated++;
       return false;
     }
     if (known == null || !odometry.reaches(known.atNs())) {
-      believe(new Belief(fix), fix);
+      accept(new PoseEstimate(fix), fix);
       return true;
     }
     known.advanceTo(fix.timeNs(), odometry);
-    if (known.meet(fix)) {
-      believe(known, fix);
+    if (known.intersect(fix)) {
+      accept(known, fix);
       return true;
     }
     contradictions++;
-    Belief other = confirmed(fix);
+    PoseEstimate other = updateRival(fix);
     if (fix.timeNs() - rivalSinceNs >= SETTLE_NS) {
-      believe(other, fix);
+      accept(other, fix);
       return true;
     }
     return false;
   }
 
-  private void believe(Belief newBelief, Fix fix) {
-    belief = newBelief;
+  private void accept(PoseEstimate newEstimate, Fix fix) {
+    estimate = newEstimate;
     fixNs = fix.timeNs();
     rival = null;
   }
 
-  /** The rival belief, made anew if the fix contradicts this one too. */
-  private Belief confirmed(Fix fix) {
-    Belief other = rival;
+  /** Updates the rival estimate; a fix that contradicts it too starts a new one. */
+  private PoseEstimate updateRival(Fix fix) {
+    PoseEstimate other = rival;
     if (other != null && odometry.reaches(other.atNs())) {
       other.advanceTo(fix.timeNs(), odometry);
-      if (other.meet(fix)) {
+      if (other.intersect(fix)) {
         return other;
       }
     }
-    other = new Belief(fix);
+    other = new PoseEstimate(fix);
     rival = other;
     rivalSinceNs = fix.timeNs();
     return other;
   }
 
-  /** The belief at {@code nowNs}, which is not before the last fix or command; null without one. */
+  /**
+   * The location at {@code nowNs}, which is not before the last fix or command; null before the
+   * first fix.
+   */
   Location.@Nullable Known at(long nowNs) {
-    Belief known = belief;
+    PoseEstimate known = estimate;
     if (known == null) {
       return null;
     }
@@ -138,7 +142,7 @@ final class PositionFilter {
     return rival == null ? at : around(at, ahead(rival, nowNs));
   }
 
-  private Location.Known ahead(Belief from, long nowNs) {
+  private Location.Known ahead(PoseEstimate from, long nowNs) {
     odometry.locate(from.atNs(), nowNs);
     Pose pose = new Pose(from.aheadXMm(odometry), from.aheadYMm(odometry), from.aheadRad(odometry));
     double errorMm =
@@ -146,7 +150,7 @@ final class PositionFilter {
     return new Location.Known(pose, errorMm, from.aheadSpreadRad(odometry), nowNs, fixNs);
   }
 
-  /** The pose of the one, with bounds that hold both. */
+  /** The pose of {@code one}, with bounds that cover both. */
   private static Location.Known around(Location.Known one, Location.Known other) {
     double offRad = Angles.difference(other.pose().headingRad(), one.pose().headingRad());
     double errorRad = Math.abs(offRad) + other.errorRad();

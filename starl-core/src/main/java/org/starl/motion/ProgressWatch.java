@@ -1,18 +1,18 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Pose;
 
 /**
- * Tells a motion that goes nowhere: wheels that are told to turn and a pose that stays the same
- * (held up without a bump, stuck wheels), or much driving without coming nearer. Pure.
+ * Detects a motion without progress: the wheels should turn but the pose stays the same (blocked
+ * without a bump, stuck wheels), or the robot drives without coming nearer. Pure.
  */
 final class ProgressWatch {
 
-  private static final long NS_PER_MS = 1_000_000;
-
-  /** What a held-up body seems to move between two fixes, because its wheels are told to. */
+  /** Apparent movement of a blocked body between two fixes, because its wheels are commanded. */
   private static final double STILL_MM = 40;
 
   private static final double STILL_RAD = Angles.fromDegrees(15);
@@ -31,24 +31,25 @@ final class ProgressWatch {
     this.p = parameters;
   }
 
-  /** Time passed in which the wheels were stopped on purpose: who stands then is not stuck. */
+  /** Excludes a time in which the wheels were stopped on purpose. */
   void excuse(long ns) {
     movedNs += ns;
   }
 
   /**
-   * Whether it goes nowhere.
+   * Processes the location of a step.
    *
    * @param bearingRad angle between the heading and the target
+   * @return whether the motion is stuck
    */
-  boolean isStuck(Location.Known at, double distanceMm, double bearingRad) {
+  boolean update(Location.Known at, double distanceMm, double bearingRad) {
     long nowNs = at.timeNs();
     if (!begun || hasMoved(at)) {
       begun = true;
       anchor = at.pose();
       movedNs = nowNs;
     }
-    if (isNearer(distanceMm, Math.abs(bearingRad))) {
+    if (updateBest(distanceMm, Math.abs(bearingRad))) {
       nearerNs = nowNs;
     }
     return nowNs - movedNs >= p.stuckAfterMs() * NS_PER_MS
@@ -61,8 +62,13 @@ final class ProgressWatch {
         || Math.abs(turned) > STILL_RAD + 2 * at.errorRad();
   }
 
-  /** Turning towards the target is progress too, as long as it leads on to coming nearer. */
-  private boolean isNearer(double distanceMm, double offRad) {
+  /**
+   * Updates the smallest distance and bearing. Turning towards the target counts as progress too, as
+   * long as the robot then comes nearer.
+   *
+   * @return whether either improved
+   */
+  private boolean updateBest(double distanceMm, double offRad) {
     if (distanceMm < bestMm - NEARER_MM) {
       bestMm = distanceMm;
       bestRad = offRad;

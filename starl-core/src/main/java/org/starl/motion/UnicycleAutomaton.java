@@ -10,11 +10,11 @@ import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
 /**
- * The original StarL's motion automaton: turn on the spot, then straight on, with small turns on the
- * way, or an arc from near by. Its states, parameters and transitions are kept. Differences: no step
- * commands more than what leads to the target or to the wanted heading, because 175 mm/s for 60 ms
- * are 10.5 mm and would orbit a goal radius of 10 mm, the wheels' error and reaction being in it; a
- * bump is never an arrival.
+ * The original StarL's motion automaton: turn on the spot, then drive straight with small
+ * corrections, or start near the target with an arc. States, parameters and transitions are the
+ * original's. Differences: no step commands more than is needed to reach the target or the wanted
+ * heading, wheel error and reaction time included (175 mm/s for 60 ms are 10.5 mm, which would
+ * orbit a goal radius of 10 mm); and a bump is never an arrival.
  */
 final class UnicycleAutomaton implements MotionAutomaton {
 
@@ -26,11 +26,12 @@ final class UnicycleAutomaton implements MotionAutomaton {
   private MotionState state = MotionState.INIT;
   private MotionFlag status = MotionFlag.MOVING;
   private WheelCommand last = WheelCommand.STOP;
-  // Bumped since before the command was given: what one has to be able to turn away from.
+  // Bumped since before the command was given: the robot must be able to turn away from that
+  // object.
   private boolean bumpedFromStart;
   private boolean stepped;
 
-  // Seen from the robot, as of this step: distance of the target, and its bearing.
+  // Distance and bearing of the target from the robot, in this step.
   private double distanceMm;
   private double bearingRad;
 
@@ -84,7 +85,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
         && p.collisionPolicy() != CollisionPolicy.BUMPERCARS;
   }
 
-  /** Against what it touched from the start it may turn, not drive. */
+  /** If it touched an object at the start, it may turn, but not drive. */
   private boolean mayNot(WheelCommand command, Bumps bumps) {
     return bumps.any()
         && bumpedFromStart
@@ -160,7 +161,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
     return off <= p.smallTurnAngleRad() ? MotionState.STRAIGHT : MotionState.TURN;
   }
 
-  /** From the maximum far from the wanted heading to the minimum at it, and never past it. */
+  /** From the maximum speed far from the wanted heading to the minimum at it, never past it. */
   private double turnSpeed() {
     double off = Math.abs(bearingRad);
     double speed =
@@ -173,7 +174,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
     return StrictMath.copySign(Math.min(speed, off / p.reachS()), bearingRad);
   }
 
-  /** From the maximum far from the target to the minimum at it, and never past it. */
+  /** From the maximum speed far from the target to the minimum at it, never past it. */
   private double forwardSpeed(double maxMmPerS) {
     double speed =
         ramp(
@@ -185,7 +186,7 @@ final class UnicycleAutomaton implements MotionAutomaton {
     return Math.min(Math.min(speed, maxMmPerS), distanceMm / p.reachS());
   }
 
-  /** On a circle whose radius is {@code part} of that of the circle which leads to the target. */
+  /** Drives on a circle of {@code part} times the radius of the circle that leads to the target. */
   private WheelCommand arc(double part, double maxMmPerS) {
     double speed = forwardSpeed(maxMmPerS);
     double turn = speed * 2 * StrictMath.sin(bearingRad) / (distanceMm * part);

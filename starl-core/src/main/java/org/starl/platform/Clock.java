@@ -4,8 +4,8 @@ package org.starl.platform;
 public interface Clock {
 
   /**
-   * Time now, in ns from the start of the run; never runs backwards. On the strand it stands still
-   * in the simulator and moves on hardware; no safety argument may rest on either.
+   * The time in ns since the start of the run; never decreases. While strand code runs, it stands
+   * still in the simulator and advances on hardware; no safety argument may depend on either.
    */
   long nowNs();
 }

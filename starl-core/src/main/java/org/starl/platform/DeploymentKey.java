@@ -6,12 +6,12 @@ import javax.crypto.Mac;
 import javax.crypto.spec.SecretKeySpec;
 
 /**
- * The secret that the robots of one deployment share: who has it is one of them. Never printed, and
- * without a way to read it back. Immutable.
+ * The secret that all robots of one deployment share; holding it proves membership. It is never
+ * printed and cannot be read back. Immutable.
  */
 public final class DeploymentKey {
 
-  /** Bytes of a key: as many as HMAC-SHA256 gives (RFC 2104, section 3). */
+  /** Length of a key: the output length of HMAC-SHA256 (RFC 2104, section 3). */
   public static final int BYTES = 32;
 
   private static final String ALGORITHM = "HmacSHA256";
@@ -19,7 +19,7 @@ public final class DeploymentKey {
   private final byte[] secret;
 
   /**
-   * @throws IllegalArgumentException unless there are {@link #BYTES} of it
+   * @throws IllegalArgumentException if {@code secret} is not {@link #BYTES} long
    */
   public DeploymentKey(byte[] secret) {
     if (secret.length != BYTES) {
@@ -28,14 +28,14 @@ public final class DeploymentKey {
     this.secret = secret.clone();
   }
 
-  /** A generator of authentication codes under this key, for one strand. */
+  /** Creates a message authentication code with this key, for one strand. */
   public Mac newMac() {
     try {
       Mac mac = Mac.getInstance(ALGORITHM);
       mac.init(new SecretKeySpec(secret, ALGORITHM));
       return mac;
     } catch (GeneralSecurityException e) {
-      // Every Java platform has it (java.security.Mac's documentation), and takes any key.
+      // Every Java platform has HmacSHA256 (java.security.Mac) and accepts any key.
       throw new IllegalStateException(ALGORITHM, e);
     }
   }

@@ -2,12 +2,14 @@ package org.starl.platform;
 
 import org.starl.random.Rng;
 
-/** The robot's source of randomness: in the simulator the run's seed, forked by stable names. */
+/**
+ * The robot's random generators. In the simulator they derive from the run's seed and stable names.
+ */
 public interface Entropy {
 
   /**
-   * A generator of its own for {@code name}; the same name gives the same stream in equal runs,
-   * whatever other names are asked for.
+   * An independent generator for {@code name}. In runs with equal seeds, equal names give equal
+   * streams, whichever other names are used.
    */
   Rng fork(String name);
 }

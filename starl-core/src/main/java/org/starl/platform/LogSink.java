@@ -1,9 +1,9 @@
 package org.starl.platform;
 
-/** Takes log lines for people. Nothing that decides reads them. */
+/** Receives log lines for people. The program's decisions never depend on them. */
 public interface LogSink {
 
-  /** How serious a line is. */
+  /** The severity of a line. */
   enum Level {
     DEBUG,
     INFO,

@@ -8,14 +8,14 @@ import org.starl.id.RobotId;
 import org.starl.trace.TraceSink;
 
 /**
- * All that one robot stands on. A platform is this bundle of ports and nothing else; {@link
- * org.starl.RobotRunner} builds the robot's {@link org.starl.GlobalVarHolder} over it.
+ * The ports under one robot, and nothing else; {@link org.starl.RobotRunner} builds the robot's
+ * {@link org.starl.GlobalVarHolder} on it.
  *
- * @param id who this robot is
+ * @param id this robot's name
  * @param deployment all robots that the deployment knows at its start; others may join later
- * @param knownObstacles the map that the robot has at its start; hidden obstacles are not on it
- * @param motionParameters how this robot moves unless its app says otherwise
- * @param key what this deployment's datagrams are sealed with; null for none
+ * @param knownObstacles the robot's map at its start, without hidden obstacles
+ * @param motionParameters the motion parameters until the app sets others
+ * @param key authenticates this deployment's datagrams; null for no authentication
  */
 public record Platform(
     RobotId id,

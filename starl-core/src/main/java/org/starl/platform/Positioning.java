@@ -2,13 +2,13 @@ package org.starl.platform;
 
 import org.starl.geometry.Fix;
 
-/** Where the robot is, as an outside system measures it: OptiTrack, GPS, or the simulated world. */
+/** Position measurements (fixes) from an external system: OptiTrack, GPS or the simulated world. */
 public interface Positioning {
 
-  /** Sets the one receiver of this robot's fixes, each on the strand. Called once. */
+  /** Sets the one receiver of this robot's fixes; it is called on the strand. Call it once. */
   void onFix(Receiver receiver);
 
-  /** Takes a fix, on the strand. */
+  /** Receives a fix, on the strand. */
   @FunctionalInterface
   interface Receiver {
     void fixed(Fix fix);

@@ -3,34 +3,27 @@ package org.starl.platform;
 import java.util.function.BooleanSupplier;
 
 /**
- * Where everything that a robot does runs, at most one piece at a time: its app, its message
- * handlers, its timers. The app alone may wait, and gives up the strand only while it waits, so
- * what lies between two waits is one atomic action. Handlers and timers run to completion.
+ * Executes all code of a robot (app, message handlers, timers), one piece at a time. Only the app
+ * may wait, and it releases the strand only while it waits: the code between two waits is one
+ * atomic action. Handlers and timers run to completion.
  */
 public interface Strand {
 
-  /** Starts the robot's app as the strand's one piece that may wait. Called once. */
+  /** Starts the robot's app, the only piece of the strand that may wait. Call it once. */
   void start(Runnable app);
 
   /**
-   * Runs {@code action} on this strand as one atomic piece, later, after what was posted before it.
-   * The only call that is allowed from outside the strand.
+   * Runs {@code action} on this strand later, as one atomic piece, after all actions posted before
+   * it. The only method that may be called from outside the strand.
    */
   void post(Runnable action);
 
-  /**
-   * A hint: most of what runs on this strand uses {@code parts}, small objects that stay with it. Whoever
-   * runs thousands of strands in turn may fetch some of them into the processor's cache ahead of their
-   * turn. Changes nothing that runs, and does nothing unless overridden.
-   */
-  default void uses(Object... parts) {}
-
-  /** Whether the caller runs on this strand now. */
+  /** Whether the calling code runs on this strand. */
   boolean isCurrent();
 
   /**
-   * Gives up the strand until {@code atNs}; returns at once, yet after everything else that is due
-   * now, if that is not in the future. Only the app may call it.
+   * Releases the strand until {@code atNs}. If that is not in the future, first runs everything
+   * else that is due now, then returns. Only the app may call it.
    *
    * @throws StrandClosed if the run ends meanwhile
    * @throws IllegalStateException if the caller is not the app of this strand
@@ -38,9 +31,9 @@ public interface Strand {
   void sleepUntil(long atNs);
 
   /**
-   * Gives up the strand until {@code condition} holds or it is {@code deadlineNs} ({@code
+   * Releases the strand until {@code condition} holds or it is {@code deadlineNs} ({@code
    * Long.MAX_VALUE}: no deadline). The condition is evaluated at once, and then on the strand after
-   * each piece that ran on it; it must be cheap and without side effects. Only the app may call it.
+   * each piece; it must be cheap and without side effects. Only the app may call it.
    *
    * @return whether the condition held
    * @throws StrandClosed if the run ends meanwhile

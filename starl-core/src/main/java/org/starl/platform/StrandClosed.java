@@ -1,8 +1,8 @@
 package org.starl.platform;
 
 /**
- * Unwinds an app that waits when its run ends, {@code finally} blocks included. An app does not
- * catch it. It carries no stack trace: it is no error.
+ * Ends an app that waits when its run ends; {@code finally} blocks run. An app must not catch it.
+ * It has no stack trace, because it is not an error.
  */
 public final class StrandClosed extends RuntimeException {
 

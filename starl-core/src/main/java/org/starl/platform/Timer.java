@@ -1,19 +1,21 @@
 package org.starl.platform;
 
 /**
- * One alarm, used again and again: setting it allocates nothing. Strand only.
+ * A reusable timer: setting it allocates nothing. Strand only.
  *
- * <p>A timer that was cancelled or set anew never runs its action for the older setting, even if
- * that setting had expired already and waited for the strand.
+ * <p>A timer that was cancelled or set again never runs its action for the older setting, even if
+ * that had expired and was waiting for the strand.
  */
 public interface Timer {
 
-  /** Expires once at {@code atNs} (at once, but not inside this call, if that is past). */
+  /**
+   * Expires once at {@code atNs}; if that is past, as soon as possible, but not inside this call.
+   */
   void set(long atNs);
 
-  /** Forgets the setting, if any. */
+  /** Cancels the pending expiry, if any. */
   void cancel();
 
-  /** Whether an expiry is still to come. */
+  /** Whether an expiry is pending. */
   boolean isSet();
 }

@@ -1,8 +1,8 @@
 package org.starl.platform;
 
-/** Makes timers whose actions run on the robot's strand. */
+/** Creates timers whose actions run on the robot's strand. */
 public interface Timers {
 
-  /** A new timer, not set. {@code action} runs on the strand each time the timer expires. */
+  /** Creates a timer that is not set. {@code action} runs on the strand at each expiry. */
   Timer timer(Runnable action);
 }

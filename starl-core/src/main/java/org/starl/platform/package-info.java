@@ -1,12 +1,12 @@
 /**
- * The seam between one robot's portable layers and the platform under it (paper, Figure 1 and
- * section 5): small interfaces that the simulator and the real platform both implement, bundled in
- * {@link org.starl.platform.Platform}.
+ * The ports between one robot's portable layers and the platform below (paper, Figure 1 and section
+ * 5): small interfaces that the simulator and the real platform implement, collected in {@link
+ * org.starl.platform.Platform}.
  *
- * <p>Contract, the same on both sides: every callback that a port makes into the layers above runs
- * on the robot's {@link org.starl.platform.Strand}, one at a time; no port calls back from inside a
- * call made to it. Time is in nanoseconds from the start of the run, distances in millimetres,
- * angles in radians, counter-clockwise from the x axis.
+ * <p>Contract, the same on both sides: every callback runs on the robot's {@link
+ * org.starl.platform.Strand}, one at a time; no port calls back from inside a call to it. Time is
+ * in nanoseconds since the start of the run, distances in millimetres, angles in radians,
+ * counter-clockwise from the x axis.
  *
  * <p>May import: {@code org.starl.body}, {@code org.starl.geometry}, {@code org.starl.id}, {@code
  * org.starl.random}, {@code org.starl.trace}.

@@ -1,12 +1,12 @@
 package org.starl.random;
 
 /**
- * A pseudo-random generator whose numbers depend on its seed alone, on every JVM: SplitMix64
+ * A pseudo-random generator whose numbers depend only on its seed, on every JVM: SplitMix64
  * (Steele, Lea, Flood: "Fast splittable pseudorandom number generators", OOPSLA 2014).
  *
- * <p>{@link #fork(String)} gives a generator for a stable name ({@code robot7/radio}): it depends on
- * this generator's seed and on the name, never on what was drawn before, so that one more consumer
- * shifts nobody else's draws. Not for secrets. Not safe for use by several threads.
+ * <p>{@link #fork(String)} gives an independent generator for a stable name ({@code robot7/radio}).
+ * It depends only on this generator's seed and the name, not on the numbers drawn before, so an
+ * additional user of random numbers changes no other user's. Not for cryptography; not thread-safe.
  */
 public final class Rng {
 
@@ -22,7 +22,7 @@ public final class Rng {
     this.state = mix(seed);
   }
 
-  /** A generator of its own for {@code name}. */
+  /** An independent generator for {@code name}. */
   public Rng fork(String name) {
     long hash = FNV_OFFSET;
     for (int i = 0; i < name.length(); i++) {

@@ -1,6 +1,6 @@
 /**
- * Randomness that is the same on every JVM: one small generator, forked by name, with samplers over
- * {@code StrictMath}.
+ * Random numbers that are equal on every JVM: one small generator, forked by name, with samplers
+ * based on {@code StrictMath}.
  *
  * <p>May import: the JDK.
  */

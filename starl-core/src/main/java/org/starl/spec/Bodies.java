@@ -7,18 +7,17 @@ import java.util.TreeMap;
 import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Where the robots' true bodies are, at any time between two events: each moves along an arc, in
- * closed form, from its last {@code Moved}. For specifications, pictures and viewers alike.
+ * The true poses of all robots at any time between two events: each body moves along an arc, in
+ * closed form, from its last {@code Moved}. For specifications, pictures and viewers.
  */
 public final class Bodies {
-
-  private static final double NS_PER_S = 1e9;
 
   private final SortedMap<RobotId, Body> onFloor = new TreeMap<>();
 
@@ -43,16 +42,16 @@ public final class Bodies {
     }
   }
 
-  /** The same at this moment, from now on apart. */
+  /** An independent copy of the current state. */
   public Bodies copy() {
     Bodies copy = new Bodies();
-    // A sorted map is taken over in linear time.
+    // Copying a sorted map takes linear time.
     copy.onFloor.putAll(onFloor);
     copy.onFloor.replaceAll((robot, body) -> body.copy());
     return copy;
   }
 
-  /** Sees the next event. */
+  /** Processes the next event. */
   public void observe(TraceEvent event) {
     switch (event) {
       case Joined joined ->
@@ -66,12 +65,12 @@ public final class Bodies {
       }
       case Left left -> onFloor.remove(left.robot());
       default -> {
-        // Says nothing of bodies.
+        // Does not concern bodies.
       }
     }
   }
 
-  /** The robots whose bodies are on the floor, in order. */
+  /** The robots whose bodies are on the floor, sorted. */
   public Set<RobotId> robots() {
     return Collections.unmodifiableSet(onFloor.keySet());
   }
@@ -80,26 +79,26 @@ public final class Bodies {
     return onFloor.containsKey(robot);
   }
 
-  /** Is shown bodies. */
+  /** Visits bodies. */
   public interface Visitor {
 
     /**
-     * @param pose the true one
-     * @param isMoving whether the body changes its place
+     * @param pose the true pose
+     * @param isMoving whether the body's position changes
      */
     void visit(RobotId robot, Pose pose, double radiusMm, boolean isMoving);
   }
 
   /**
-   * Shows every body that is on the floor, in order, as it is at {@code timeNs}, not before the last
-   * event.
+   * Visits every body on the floor, sorted, with its pose at {@code timeNs}, which is not before
+   * the last event.
    */
   public void forEach(long timeNs, Visitor visitor) {
     onFloor.forEach((robot, body) ->
         visitor.visit(robot, poseAt(body, timeNs), body.radiusMm, body.linearMmPerS != 0));
   }
 
-  /** Whether a body on the floor changes its place now. */
+  /** Whether the position of any body on the floor changes now. */
   public boolean isMoving(RobotId robot) {
     return body(robot).linearMmPerS != 0;
   }
@@ -108,7 +107,7 @@ public final class Bodies {
     return body(robot).radiusMm;
   }
 
-  /** The true pose of a body on the floor at {@code timeNs}, not before its last event. */
+  /** The true pose of a body on the floor at {@code timeNs}, which is not before its last event. */
   public Pose poseAt(RobotId robot, long timeNs) {
     return poseAt(body(robot), timeNs);
   }
@@ -117,7 +116,7 @@ public final class Bodies {
     if (body.linearMmPerS == 0 && body.angularRadPerS == 0) {
       return body.from;
     }
-    double seconds = (timeNs - body.sinceNs) / NS_PER_S;
+    double seconds = Time.seconds(timeNs - body.sinceNs);
     return Kinematics.after(body.from, body.linearMmPerS, body.angularRadPerS, seconds);
   }
 

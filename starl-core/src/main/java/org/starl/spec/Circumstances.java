@@ -11,16 +11,16 @@ import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 
 /**
- * What the faults of a run leave of the assumptions under which progress is promised: whose program
- * is there, and whether the world behaves. For specifications; feed it every event.
+ * The state of a run's faults, as far as specifications need it: which robots' programs run, and
+ * whether a fault is active. Progress is required only without faults. Pass it every event.
  */
 public final class Circumstances {
 
   private final Set<RobotId> down = new TreeSet<>();
-  // The faults that do harm, each by whom it befalls and what it is; two may be equal.
+  // Active faults, each as affected robot and text. A fault may be in the list twice.
   private final List<String> underWay = new ArrayList<>();
 
-  /** The same at this moment, from now on apart. */
+  /** An independent copy of the current state. */
   public Circumstances copy() {
     Circumstances copy = new Circumstances();
     copy.down.addAll(down);
@@ -29,9 +29,9 @@ public final class Circumstances {
   }
 
   /**
-   * Sees the next event.
+   * Processes the next event.
    *
-   * @return whether anything asked here may have another answer now
+   * @return whether the answer of any method here may have changed
    */
   public boolean observe(TraceEvent event) {
     return switch (event) {
@@ -42,12 +42,12 @@ public final class Circumstances {
     };
   }
 
-  /** Whether the robot has neither crashed for now nor left. */
+  /** Whether the robot runs: it has neither crashed without restart nor left. */
   public boolean isUp(RobotId robot) {
     return !down.contains(robot);
   }
 
-  /** Whether no fault but crashes is under way. */
+  /** Whether no fault except crashes is active. */
   public boolean isFair() {
     return underWay.isEmpty();
   }

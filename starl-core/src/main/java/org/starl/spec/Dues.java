@@ -5,12 +5,12 @@ import java.util.function.LongFunction;
 import org.starl.id.RobotId;
 
 /**
- * What each robot owes in each instance of a primitive under one lemma: a {@link Within} that
- * reports what was not met. Without a bound, nothing is ever owed.
+ * Progress deadlines per robot and instance of a primitive, under one lemma: a {@link Within} that
+ * reports missed deadlines as violations. Without a bound, there are no deadlines.
  */
 public final class Dues {
 
-  /** No bound: for a specification of safety only. */
+  /** No bound: only safety is checked. */
   public static final long NO_BOUND = Long.MAX_VALUE;
 
   private final String lemma;
@@ -18,8 +18,8 @@ public final class Dues {
   private final Within<Seat> within;
 
   /**
-   * @param boundNs as {@link Within} has it, or {@link #NO_BOUND}
-   * @param complaint what is wrong, of a debt since so many ns
+   * @param boundNs as in {@link Within}, or {@link #NO_BOUND}
+   * @param complaint text of a violation, given the start of the deadline in ns
    */
   public Dues(String lemma, long boundNs, LongFunction<String> complaint) {
     this.lemma = lemma;
@@ -28,7 +28,7 @@ public final class Dues {
   }
 
   /**
-   * One robot's part in one instance.
+   * The key of a deadline: one robot in one instance.
    *
    * @param source the instance, as in the trace
    */
@@ -50,7 +50,7 @@ public final class Dues {
     return within.settle(seat);
   }
 
-  /** What was owed, if it was, has come: the lemma holds once more. */
+  /** Ends a deadline, if there is one, as met: the lemma has held once more. */
   public void meet(Seat seat, Monitor.Report report) {
     if (within.settle(seat)) {
       report.checked(lemma);
@@ -62,7 +62,10 @@ public final class Dues {
     within.assume(seat, holds, nowNs);
   }
 
-  /** Reports every debt whose bound has passed before {@code nowNs}; call as {@link Within#expire}. */
+  /**
+   * Reports every deadline that passed before {@code nowNs} as a violation; see {@link
+   * Within#expire} for when to call it.
+   */
   public void expire(long nowNs, Monitor.Report report) {
     within.expire(
         nowNs,

@@ -5,53 +5,55 @@ import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 /**
- * One executable specification, over one run. It sees every event in order, has no side effect, and
- * needs nothing but the events: it works alike on a live run and on a recorded one. Safety is checked
- * whatever the world does; progress is owed while {@link Circumstances#isFair}.
+ * An executable specification that checks one run. It sees every event in order, has no side
+ * effect, and needs only the events, so it works on a live run as on a recorded one. Safety is
+ * always checked; progress is required only while {@link Circumstances#isFair}.
  */
 public interface Monitor {
 
   /** The lemmas that this monitor checks, by their names in the paper, in PVS or in the models. */
   List<String> lemmas();
 
-  /** What one of the {@link #lemmas} says, in a sentence for people; empty where nobody wrote it. */
+  /**
+   * The meaning of one of the {@link #lemmas}, as a sentence for people; empty if there is none.
+   */
   default String says(String lemma) {
     return "";
   }
 
   /**
-   * Those that are to watch a run that this one watches: with {@code MutexSpec}, {@code
-   * MutexConformance}.
+   * Further monitors for every run that this one checks: {@code MutexConformance} with {@code
+   * MutexSpec}.
    */
   default List<Monitor> companions() {
     return List.of();
   }
 
   /**
-   * Those {@link #lemmas} that are about each robot by itself, or forbid what several do, so that over
-   * the events of one robot alone, from a start of its program on and without those of bodies, they
-   * are violated only where they are over everybody's. A deployed robot watches them as it runs.
+   * The {@link #lemmas} that one robot can check alone. Checked on the events of one robot, from a
+   * start of its program and without events of bodies, they are violated only if they are violated
+   * on the events of all robots. A deployed robot checks them while it runs.
    */
   default List<String> ownLemmas() {
     return List.of();
   }
 
-  /** Sees the next event. */
+  /** Processes the next event. */
   void observe(TraceEvent event, Report report);
 
-  /** Sees the end of the run. */
+  /** Processes the end of the run. */
   default void finish(long endNs, Report report) {}
 
-  /** Takes what a monitor finds. */
+  /** Receives the results of a monitor. */
   interface Report {
 
-    /** {@code lemma} was looked at once more, and held unless a violation is reported as well. */
+    /** {@code lemma} was checked once more; it held unless a violation is reported as well. */
     void checked(String lemma);
 
     /**
-     * {@code lemma} does not hold.
+     * {@code lemma} is violated.
      *
-     * @param robots those involved, in order
+     * @param robots the robots involved, in order
      * @param detail one line with the values
      */
     void violated(String lemma, long timeNs, List<RobotId> robots, String detail);

@@ -8,7 +8,7 @@ import java.util.function.Supplier;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 
-/** Several monitors over one run, and what they find. Feed it every event in order, then the end. */
+/** Several monitors on one run, and their results. Pass every event in order, then the end. */
 public final class Monitors {
 
   private final List<Monitor> monitors;
@@ -16,7 +16,7 @@ public final class Monitors {
   private boolean finished;
   private int told;
 
-  /** These alone. */
+  /** Exactly these monitors, without companions. */
   public Monitors(List<? extends Monitor> monitors) {
     this.monitors = List.copyOf(monitors);
     for (Monitor monitor : this.monitors) {
@@ -24,7 +24,10 @@ public final class Monitors {
     }
   }
 
-  /** Those who are made, and then their {@link Monitor#companions}, of each class one at most. */
+  /**
+   * The monitors that {@code makers} create, followed by their {@link Monitor#companions}, at most
+   * one of each class.
+   */
   public static Monitors of(List<? extends Supplier<? extends Monitor>> makers) {
     List<Monitor> monitors = new ArrayList<>();
     makers.forEach(maker -> monitors.add(maker.get()));
@@ -40,12 +43,12 @@ public final class Monitors {
     return new Monitors(monitors);
   }
 
-  /** All of them. */
+  /** All monitors. */
   public List<Monitor> all() {
     return monitors;
   }
 
-  /** All lemmas, monitor by monitor. */
+  /** The lemmas of all monitors. */
   public List<String> lemmas() {
     List<String> lemmas = new ArrayList<>();
     for (Monitor monitor : monitors) {
@@ -55,7 +58,7 @@ public final class Monitors {
   }
 
   /**
-   * Sees the next event.
+   * Processes the next event.
    *
    * @throws IllegalStateException after {@link #finish}
    */
@@ -67,7 +70,7 @@ public final class Monitors {
   }
 
   /**
-   * Sees the end of the run, once.
+   * Processes the end of the run, once.
    *
    * @throws IllegalStateException the second time
    */
@@ -79,7 +82,7 @@ public final class Monitors {
     }
   }
 
-  /** The violations that were found since this was asked last. */
+  /** The violations found since the last call. */
   public List<Violation> news() {
     List<Violation> found = report.violations();
     if (found.size() == told) {
@@ -90,14 +93,14 @@ public final class Monitors {
     return news;
   }
 
-  /** What was found so far. */
+  /** The results so far. */
   public SpecReport report() {
     return report;
   }
 
   private void requireRunning() {
     if (finished) {
-      throw new IllegalStateException("the run has ended already for these monitors");
+      throw new IllegalStateException("these monitors have processed the end of the run already");
     }
   }
 }

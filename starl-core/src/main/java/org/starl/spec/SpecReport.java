@@ -1,5 +1,8 @@
 package org.starl.spec;
 
+import static org.starl.time.Time.NS_PER_MS;
+import static org.starl.time.Time.NS_PER_S;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.Collections;
@@ -9,21 +12,18 @@ import java.util.TreeMap;
 import org.starl.id.RobotId;
 
 /**
- * What the monitors of one run found: how often each lemma was checked, and where it did not hold.
- * Lemmas are in the order of their names, violations in the order in which they were found.
+ * The results of the monitors of one run: how often each lemma was checked, and its violations.
+ * Lemmas are sorted by name, violations are in the order of their detection.
  */
 public final class SpecReport implements Monitor.Report {
 
-  /** Of one lemma no more violations are kept; all are counted. */
+  /** Maximum number of violations kept per lemma; all are counted. */
   public static final int MAX_KEPT_PER_LEMMA = 100;
 
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long NS_PER_S = 1_000_000_000;
-
   /**
-   * One place where a lemma does not hold.
+   * A violation of a lemma.
    *
-   * @param robots those involved, in order
+   * @param robots the robots involved, in order
    * @param detail one line with the values
    */
   public record Violation(String lemma, long timeNs, List<RobotId> robots, String detail) {
@@ -55,7 +55,7 @@ public final class SpecReport implements Monitor.Report {
   private final Map<String, Tally> tallies = new TreeMap<>();
   private final List<Violation> violations = new ArrayList<>();
 
-  /** Names lemmas that are to appear in the report even if nothing ever checks them. */
+  /** Adds lemmas that must be in the report even if they are never checked. */
   public void expect(Collection<String> lemmas) {
     lemmas.forEach(this::tally);
   }
@@ -74,29 +74,29 @@ public final class SpecReport implements Monitor.Report {
     }
   }
 
-  /** Whether every lemma held wherever it was checked. */
+  /** Whether no violation was reported. */
   public boolean holds() {
     return violations.isEmpty();
   }
 
-  /** The lemmas that were expected, checked or violated, in order. */
+  /** The lemmas that were expected, checked or violated, sorted. */
   public List<String> lemmas() {
     return List.copyOf(tallies.keySet());
   }
 
-  /** How often {@code lemma} was checked. */
+  /** Number of checks of {@code lemma}. */
   public long checks(String lemma) {
     Tally tally = tallies.get(lemma);
     return tally == null ? 0 : tally.checks;
   }
 
-  /** How often {@code lemma} did not hold, kept or not. */
+  /** Number of violations of {@code lemma}, kept or not. */
   public long violations(String lemma) {
     Tally tally = tallies.get(lemma);
     return tally == null ? 0 : tally.violations;
   }
 
-  /** The first violations of each lemma, in the order in which they were found. */
+  /** The kept violations, in the order of their detection. */
   public List<Violation> violations() {
     return Collections.unmodifiableList(violations);
   }
@@ -105,7 +105,7 @@ public final class SpecReport implements Monitor.Report {
     return tallies.computeIfAbsent(lemma, name -> new Tally());
   }
 
-  /** One line a lemma, then one line a violation; no line ending after the last. */
+  /** One line per lemma, then one line per kept violation; no line end after the last. */
   @Override
   public String toString() {
     List<String> lines = new ArrayList<>();

@@ -7,25 +7,27 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Bounded progress: what is owed within a bound, as long as its assumption holds. Each debt has a
- * key. A debt whose assumption breaks is suspended, and owed anew, with the whole bound, once the
- * assumption holds again: progress is promised only if the assumption holds throughout.
+ * Bounded progress: deadlines that apply as long as their assumption holds. Each deadline has a
+ * key. A deadline whose assumption breaks is suspended, and starts again with the full bound once
+ * the assumption holds again, because progress is required only if the assumption holds throughout.
  *
- * <p>Time must not run backwards from call to call. Call {@link #expire} at every event, before the
- * event itself is looked at, and at the end of the run. A step costs constant time.
+ * <p>Times must not decrease from call to call. Call {@link #expire} at every event, before
+ * processing the event, and at the end of the run. Each call takes constant time per affected
+ * deadline.
  *
  * @param <K> compared by {@code equals}
  */
 public final class Within<K> {
 
   private final long boundNs;
-  // All bounds are equal and time never runs backwards, so this order is that of the deadlines.
+  // All bounds are equal and times never decrease, so this is the order of the deadlines.
   private final Map<K, Long> sinceNs = new LinkedHashMap<>();
   private final Set<K> suspended = new LinkedHashSet<>();
   private boolean allSuspended;
 
   /**
-   * @param boundNs not negative; what happens exactly this long after it is owed is in time
+   * @param boundNs at least 0; an event exactly this long after the start of its deadline is in
+   *     time
    */
   public Within(long boundNs) {
     if (boundNs < 0) {
@@ -38,7 +40,7 @@ public final class Within<K> {
     return boundNs;
   }
 
-  /** {@code key} is owed from now on, unless it is already, suspended or not. */
+  /** Starts a deadline for {@code key}, unless it has one, suspended or not. */
   public void owe(K key, long nowNs) {
     if (!suspended.contains(key)) {
       sinceNs.putIfAbsent(key, nowNs);
@@ -46,15 +48,17 @@ public final class Within<K> {
   }
 
   /**
-   * {@code key} has come, or is wanted no more.
+   * Ends the deadline of {@code key}: it was met, or is no longer required.
    *
-   * @return whether it was owed, suspended or not
+   * @return whether there was one, suspended or not
    */
   public boolean settle(K key) {
     return sinceNs.remove(key) != null || suspended.remove(key);
   }
 
-  /** Says whether the assumption behind {@code key}'s debt holds; without a debt, nothing. */
+  /**
+   * Sets whether the assumption of {@code key}'s deadline holds; without a deadline, does nothing.
+   */
   public void assume(K key, boolean holds, long nowNs) {
     if (holds) {
       if (suspended.remove(key)) {
@@ -66,8 +70,8 @@ public final class Within<K> {
   }
 
   /**
-   * Says whether what all debts assume holds, those that come later too: that the world behaves
-   * ({@link Circumstances#isFair}). While it does not, nothing expires.
+   * Sets whether the assumption of all deadlines, including later ones, holds: that no fault is
+   * active ({@link Circumstances#isFair}). While it does not hold, no deadline expires.
    */
   public void assumeAll(boolean holds, long nowNs) {
     if (holds && allSuspended) {
@@ -76,17 +80,19 @@ public final class Within<K> {
     allSuspended = !holds;
   }
 
-  /** Whether {@code key} is owed, suspended or not. */
+  /** Whether {@code key} has a deadline, suspended or not. */
   public boolean isOwed(K key) {
     return sinceNs.containsKey(key) || suspended.contains(key);
   }
 
-  /** How much is owed and not suspended. */
+  /** Number of deadlines that are not suspended. */
   public int running() {
     return allSuspended ? 0 : sinceNs.size();
   }
 
-  /** Ends every debt whose bound has passed before {@code nowNs}, and tells of each. */
+  /**
+   * Removes every deadline that passed before {@code nowNs}, and reports each to {@code expired}.
+   */
   public void expire(long nowNs, Expired<? super K> expired) {
     if (allSuspended) {
       return;
@@ -104,7 +110,7 @@ public final class Within<K> {
     }
   }
 
-  /** Takes a debt that was not met; must not call back. */
+  /** Receives a missed deadline; must not call back. */
   @FunctionalInterface
   public interface Expired<K> {
     void expired(K key, long sinceNs, long deadlineNs);

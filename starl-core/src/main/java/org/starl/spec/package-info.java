@@ -1,9 +1,10 @@
 /**
- * What a specification is: a {@link org.starl.spec.Monitor} that reads a run's trace events, decides
- * nothing in the run, and reports where a lemma fails. Safety is a check at an event; bounded
- * progress is owed while its assumption holds.
+ * Specifications: a {@link org.starl.spec.Monitor} reads a run's trace events, does not influence
+ * the run, and reports violated lemmas. Safety is checked at each event; progress has a deadline
+ * that applies while its assumption holds.
  *
- * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}, {@code org.starl.trace}.
+ * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}, {@code org.starl.time}, {@code
+ * org.starl.trace}.
  */
 @NullMarked
 package org.starl.spec;

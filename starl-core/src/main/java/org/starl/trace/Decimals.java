@@ -4,8 +4,8 @@ import java.math.BigDecimal;
 import java.math.RoundingMode;
 
 /**
- * Numbers with a fixed count of decimals, half away from zero. The text depends on the number's bits
- * alone, on every JVM and in every locale, and {@code round} is idempotent.
+ * Numbers with a fixed count of decimals, rounded half away from zero. The text depends only on the
+ * number's bits, on every JVM and in every locale, and {@code round} is idempotent.
  */
 final class Decimals {
 
@@ -17,7 +17,7 @@ final class Decimals {
 
   private static final long[] POWERS = {1, 10, 100, 1_000, 10_000, 100_000, 1_000_000};
 
-  // Below it a scaled number and its half are exact in a double, and its digits fit a long.
+  // Below this, a scaled number and its half are exact in a double, and its digits fit a long.
   private static final double EXACT = 1e15;
 
   private Decimals() {}
@@ -34,7 +34,8 @@ final class Decimals {
   /**
    * Writes {@code value} with exactly {@code decimals} decimals; zero has no sign.
    *
-   * @throws IllegalArgumentException if it is infinite or NaN: no event of a sound run holds such
+   * @throws IllegalArgumentException if it is infinite or NaN: no event of a correct run has such a
+   *     number
    */
   static void append(LineBuffer out, double value, int decimals) {
     double scaled = scaled(value, decimals);
@@ -54,7 +55,7 @@ final class Decimals {
     }
   }
 
-  /** {@code units} of 10^-decimals each; the nearest double. */
+  /** {@code units} times 10^-decimals, as the nearest double. */
   static double fromUnits(long units, int decimals) {
     return (double) units / POWERS[decimals];
   }
@@ -66,7 +67,7 @@ final class Decimals {
     return Math.abs(value) * POWERS[decimals];
   }
 
-  // Adding 0.5 and cutting off would lift 0.49999999999999994 to 1.
+  // Adding 0.5 and truncating would round 0.49999999999999994 up to 1.
   private static long units(double scaled) {
     long whole = (long) scaled;
     return scaled - whole >= 0.5 ? whole + 1 : whole;

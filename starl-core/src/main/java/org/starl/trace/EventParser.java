@@ -7,7 +7,10 @@ import java.util.Map;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
-/** The inverse of {@link TraceCodec}. Robots of one trace share their ids. */
+/**
+ * The inverse of {@link TraceCodec}. Reads components in the order of their records, which is their
+ * order in the line. Events of one robot share its id.
+ */
 final class EventParser {
 
   private final Map<String, RobotId> robots = new HashMap<>();
@@ -19,12 +22,11 @@ final class EventParser {
     if (!line.take(TraceHeader.FORMAT + ",")) {
       throw line.expected("format " + TraceHeader.FORMAT);
     }
-    String starl = text(line, "\"starl\":");
-    String scenario = text(line, ",\"scenario\":");
-    long scenarioSeed = number(line, ",\"scenarioSeed\":");
-    long behaviourSeed = number(line, ",\"behaviourSeed\":");
-    line.expect(",\"settings\":");
-    Map<String, String> settings = line.stringMap();
+    String starl = line.text("\"starl\":");
+    String scenario = line.text(",\"scenario\":");
+    long scenarioSeed = line.number(",\"scenarioSeed\":");
+    long behaviourSeed = line.number(",\"behaviourSeed\":");
+    Map<String, String> settings = line.stringMap(",\"settings\":");
     List<RobotId> deployment = new ArrayList<>();
     line.expect(",\"robots\":[");
     if (!line.take("]")) {
@@ -33,11 +35,11 @@ final class EventParser {
       } while (line.take(","));
       line.expect("]");
     }
-    end(line);
+    line.expectEndOfObject();
     return new TraceHeader(starl, scenario, scenarioSeed, behaviourSeed, settings, deployment);
   }
 
-  /** The rest of the line of kind end, after its time. */
+  /** Reads the rest of the last line, after its time. */
   TraceEnd traceEnd(LineParser line, long timeNs, long events) throws TraceFormatException {
     line.expect(",\"events\":");
     if (!line.take(events + "}")) {
@@ -47,127 +49,80 @@ final class EventParser {
     return new TraceEnd(timeNs, events);
   }
 
-  /** The rest of the line of an event, after its time. */
+  /** Reads the rest of an event's line, after its time. */
   TraceEvent event(LineParser line, String kind, long timeNs) throws TraceFormatException {
     RobotId robot = robot(line, ",\"robot\":");
     TraceEvent event =
         switch (kind) {
-          case "action" -> action(line, timeNs, robot);
-          case "variable" -> variable(line, timeNs, robot);
-          case "sent" -> sent(line, timeNs, robot);
-          case "delivered" -> delivered(line, timeNs, robot);
-          case "dropped" -> dropped(line, timeNs, robot);
-          case "moved" -> moved(line, timeNs, robot);
-          case "joined" -> joined(line, timeNs, robot);
+          case "action" ->
+              new TraceEvent.Action(
+                  timeNs,
+                  robot,
+                  line.text(",\"source\":"),
+                  line.text(",\"name\":"),
+                  line.texts(",\"args\":"));
+          case "variable" ->
+              new TraceEvent.Variable(
+                  timeNs,
+                  robot,
+                  line.text(",\"source\":"),
+                  line.text(",\"name\":"),
+                  line.text(",\"value\":"));
+          case "sent" ->
+              new TraceEvent.Sent(
+                  timeNs,
+                  robot,
+                  line.text(",\"to\":"),
+                  line.text(",\"channel\":"),
+                  line.number(",\"seq\":"),
+                  line.smallNumber(",\"bytes\":"),
+                  line.text(",\"message\":"));
+          case "delivered" ->
+              new TraceEvent.Delivered(
+                  timeNs,
+                  robot,
+                  robot(line, ",\"from\":"),
+                  line.text(",\"channel\":"),
+                  line.number(",\"seq\":"),
+                  line.text(",\"message\":"));
+          case "dropped" ->
+              new TraceEvent.Dropped(
+                  timeNs, robot, line.text(",\"from\":"), line.text(",\"why\":"));
+          case "moved" ->
+              new TraceEvent.Moved(
+                  timeNs,
+                  robot,
+                  pose(line),
+                  line.decimal(",\"linearMmPerS\":", Decimals.MM),
+                  line.decimal(",\"angularRadPerS\":", Decimals.RAD));
+          case "joined" ->
+              new TraceEvent.Joined(
+                  timeNs, robot, pose(line), line.decimal(",\"radiusMm\":", Decimals.MM));
           case "left" -> new TraceEvent.Left(timeNs, robot);
-          case "fault" -> fault(line, timeNs, robot);
-          case "intervention" -> intervention(line, timeNs, robot);
+          case "fault" ->
+              new TraceEvent.Fault(
+                  timeNs, robot, line.text(",\"name\":"), line.text(",\"detail\":"));
+          case "intervention" ->
+              new TraceEvent.Intervention(
+                  timeNs,
+                  robot,
+                  line.number(",\"step\":"),
+                  line.text(",\"name\":"),
+                  line.text(",\"detail\":"));
           default -> throw line.unknown("kind", kind);
         };
-    end(line);
+    line.expectEndOfObject();
     return event;
   }
 
-  private static TraceEvent action(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    String source = text(line, ",\"source\":");
-    String name = text(line, ",\"name\":");
-    line.expect(",\"args\":");
-    return new TraceEvent.Action(timeNs, robot, source, name, line.strings());
-  }
-
-  private static TraceEvent variable(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    String source = text(line, ",\"source\":");
-    String name = text(line, ",\"name\":");
-    String value = text(line, ",\"value\":");
-    return new TraceEvent.Variable(timeNs, robot, source, name, value);
-  }
-
-  private static TraceEvent sent(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    String to = text(line, ",\"to\":");
-    String channel = text(line, ",\"channel\":");
-    long seq = number(line, ",\"seq\":");
-    line.expect(",\"bytes\":");
-    int bytes = line.smallNumber();
-    String message = text(line, ",\"message\":");
-    return new TraceEvent.Sent(timeNs, robot, to, channel, seq, bytes, message);
-  }
-
-  private TraceEvent delivered(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    RobotId from = robot(line, ",\"from\":");
-    String channel = text(line, ",\"channel\":");
-    long seq = number(line, ",\"seq\":");
-    String message = text(line, ",\"message\":");
-    return new TraceEvent.Delivered(timeNs, robot, from, channel, seq, message);
-  }
-
-  private static TraceEvent dropped(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    String from = text(line, ",\"from\":");
-    String why = text(line, ",\"why\":");
-    return new TraceEvent.Dropped(timeNs, robot, from, why);
-  }
-
-  private static TraceEvent moved(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    Pose pose = pose(line);
-    double linearMmPerS = decimal(line, ",\"linearMmPerS\":", Decimals.MM);
-    double angularRadPerS = decimal(line, ",\"angularRadPerS\":", Decimals.RAD);
-    return new TraceEvent.Moved(timeNs, robot, pose, linearMmPerS, angularRadPerS);
-  }
-
-  private static TraceEvent joined(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    Pose pose = pose(line);
-    double radiusMm = decimal(line, ",\"radiusMm\":", Decimals.MM);
-    return new TraceEvent.Joined(timeNs, robot, pose, radiusMm);
-  }
-
-  private static TraceEvent fault(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    String name = text(line, ",\"name\":");
-    return new TraceEvent.Fault(timeNs, robot, name, text(line, ",\"detail\":"));
-  }
-
-  private static TraceEvent intervention(LineParser line, long timeNs, RobotId robot)
-      throws TraceFormatException {
-    long step = number(line, ",\"step\":");
-    String name = text(line, ",\"name\":");
-    return new TraceEvent.Intervention(timeNs, robot, step, name, text(line, ",\"detail\":"));
-  }
-
   private static Pose pose(LineParser line) throws TraceFormatException {
-    double xMm = decimal(line, ",\"xMm\":", Decimals.MM);
-    double yMm = decimal(line, ",\"yMm\":", Decimals.MM);
-    return new Pose(xMm, yMm, decimal(line, ",\"headingRad\":", Decimals.RAD));
+    return new Pose(
+        line.decimal(",\"xMm\":", Decimals.MM),
+        line.decimal(",\"yMm\":", Decimals.MM),
+        line.decimal(",\"headingRad\":", Decimals.RAD));
   }
 
   private RobotId robot(LineParser line, String key) throws TraceFormatException {
-    line.expect(key);
-    return robots.computeIfAbsent(line.robotName(), RobotId::new);
-  }
-
-  private static String text(LineParser line, String key) throws TraceFormatException {
-    line.expect(key);
-    return line.string();
-  }
-
-  private static long number(LineParser line, String key) throws TraceFormatException {
-    line.expect(key);
-    return line.number();
-  }
-
-  private static double decimal(LineParser line, String key, int decimals)
-      throws TraceFormatException {
-    line.expect(key);
-    return line.decimal(decimals);
-  }
-
-  private static void end(LineParser line) throws TraceFormatException {
-    line.expect("}");
-    line.expectEnd();
+    return robots.computeIfAbsent(line.robotName(key), RobotId::new);
   }
 }

@@ -5,7 +5,7 @@ import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
-/** Bytes of JSON under construction, in UTF-8; grows, and is used again without allocation. */
+/** A growing buffer of JSON in UTF-8, reused without allocation. */
 final class LineBuffer {
 
   private static final String HEX = "0123456789abcdef";
@@ -25,7 +25,7 @@ final class LineBuffer {
     out.write(bytes, 0, length);
   }
 
-  /** What was written since {@code from}. */
+  /** The text written since {@code from}. */
   String textFrom(int from) {
     return new String(bytes, from, length - from, StandardCharsets.UTF_8);
   }
@@ -42,7 +42,7 @@ final class LineBuffer {
     }
   }
 
-  /** A decimal integer. */
+  /** Writes a decimal integer. */
   void number(long value) {
     if (value == Long.MIN_VALUE) {
       ascii("-9223372036854775808");
@@ -65,7 +65,7 @@ final class LineBuffer {
     length += digits;
   }
 
-  /** A JSON string with its quotes. */
+  /** Writes a JSON string with its quotes. */
   void string(String text) {
     ascii('"');
     for (int i = 0; i < text.length(); i++) {
@@ -89,8 +89,8 @@ final class LineBuffer {
     ascii('"');
   }
 
-  // Beyond what JSON asks for: whatever some reader takes for the end of a line (U+0085, U+2028,
-  // U+2029), and halves of a surrogate pair, which UTF-8 cannot hold.
+  // Escapes more than JSON requires: characters that some readers take as line ends (U+0085,
+  // U+2028, U+2029), and halves of surrogate pairs, which UTF-8 cannot represent.
   private static boolean needsEscape(char c) {
     return c < 0xA0 || c == 0x2028 || c == 0x2029 || Character.isSurrogate(c);
   }
@@ -109,7 +109,7 @@ final class LineBuffer {
     }
   }
 
-  // Above U+007F; everything below is ASCII.
+  // Only for code points above U+007F.
   private void utf8(int codePoint) {
     room(4);
     if (codePoint < 0x800) {

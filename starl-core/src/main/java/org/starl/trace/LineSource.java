@@ -10,7 +10,7 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
-/** Cuts a stream into lines at {@code \n}, and insists on UTF-8 and on a last line that ends. */
+/** Splits a stream into lines at {@code \n}; requires UTF-8 and a line end after the last line. */
 final class LineSource implements Closeable {
 
   private static final int MAX_LINE_BYTES = 1 << 26;
@@ -29,12 +29,12 @@ final class LineSource implements Closeable {
     this.in = in;
   }
 
-  /** The number of the line that {@link #next} gave last, from 1. */
+  /** The number of the last line read, from 1. */
   long lineNumber() {
     return lineNumber;
   }
 
-  /** The next line, or null after the last. */
+  /** Reads the next line; null after the last. */
   @Nullable String next() throws IOException {
     length = 0;
     while (true) {

@@ -1,10 +1,7 @@
 package org.starl.trace;
 
-import java.util.Iterator;
-import java.util.List;
 import java.util.Map;
 import org.starl.geometry.Pose;
-import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
@@ -17,15 +14,15 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * The lines of a trace: one JSON object each, without white space, its keys in a fixed order, as
- * {@code docs/trace-format.md} lists them. Keys are the names of the events' components. The line of
- * an event depends on nothing but the event.
+ * The lines of a trace: one JSON object each, without white space, keys in a fixed order, as {@code
+ * docs/trace-format.md} lists them. Keys are the names of the record components. The line of an
+ * event depends only on the event.
  */
 public final class TraceCodec {
 
   private TraceCodec() {}
 
-  /** The line of {@code event}, without its line end. */
+  /** The line of {@code event}, without line end. */
   public static String line(TraceEvent event) {
     LineBuffer out = new LineBuffer();
     append(out, event);
@@ -33,8 +30,9 @@ public final class TraceCodec {
   }
 
   /**
-   * {@code event} as it is read back: lengths to 0.001 mm, angles to 0.000001 rad, halves away from
-   * zero. Equal events have equal lines, and events with equal lines are equal after this.
+   * {@code event} with the precision of the format: lengths to 0.001 mm, angles to 0.000001 rad,
+   * rounded half away from zero. Equal events have equal lines, and events with equal lines are
+   * equal after this.
    */
   public static TraceEvent rounded(TraceEvent event) {
     if (event instanceof Moved moved) {
@@ -77,13 +75,8 @@ public final class TraceCodec {
       text(out, ":", setting.getValue());
       comma = ",";
     }
-    out.ascii("},\"robots\":[");
-    comma = "";
-    for (RobotId robot : header.robots()) {
-      text(out, comma, robot.name());
-      comma = ",";
-    }
-    out.ascii("]}");
+    texts(out, "},\"robots\":[", header.robots());
+    out.ascii('}');
   }
 
   static void append(LineBuffer out, TraceEnd end) {
@@ -184,13 +177,12 @@ public final class TraceCodec {
     out.string(value);
   }
 
-  private static void texts(LineBuffer out, String key, List<String> values) {
+  private static void texts(LineBuffer out, String key, Iterable<?> values) {
     out.ascii(key);
-    for (Iterator<String> rest = values.iterator(); rest.hasNext(); ) {
-      out.string(rest.next());
-      if (rest.hasNext()) {
-        out.ascii(',');
-      }
+    String comma = "";
+    for (Object value : values) {
+      text(out, comma, value.toString());
+      comma = ",";
     }
     out.ascii(']');
   }

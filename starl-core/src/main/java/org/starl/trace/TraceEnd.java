@@ -1,9 +1,9 @@
 package org.starl.trace;
 
 /**
- * The last line of a trace that was written whole.
+ * The last line of a complete trace.
  *
- * @param timeNs when the run ended, in ns from its start
- * @param events how many events stand between header and end
+ * @param timeNs end of the run, in ns from its start
+ * @param events number of events in the trace
  */
 public record TraceEnd(long timeNs, long events) {}

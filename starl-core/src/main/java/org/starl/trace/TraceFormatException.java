@@ -2,7 +2,7 @@ package org.starl.trace;
 
 import java.io.IOException;
 
-/** A line that is no line of a trace. The message names file, line, column and what was expected. */
+/** A line is not valid in a trace. The message names file, line, column and what was expected. */
 public final class TraceFormatException extends IOException {
 
   private static final long serialVersionUID = 1L;

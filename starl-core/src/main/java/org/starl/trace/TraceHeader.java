@@ -8,14 +8,15 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**
- * The first line of a trace: all that it takes to run the same again.
+ * The first line of a trace: everything needed to repeat the run.
  *
- * @param starl the version of StarL that ran
- * @param scenario the app's or scenario's name, or its file
- * @param scenarioSeed decides the scenario: starts, routes, arrivals, obstacles
- * @param behaviourSeed decides everything else: delays, losses, noise, what robots draw
- * @param settings the app's parameters and the settings, in the order to show them; without the number
- *     of robots where the scenario decided it
+ * @param starl StarL's version
+ * @param scenario name of the app or scenario, or the scenario's file
+ * @param scenarioSeed determines the scenario: starts, routes, arrivals, obstacles
+ * @param behaviourSeed determines everything else: delays, losses, noise, the robots' random
+ *     numbers
+ * @param settings the app's parameters and the settings, in the order to show them; without the
+ *     number of robots if the scenario determines it
  * @param robots the robots of the deployment, in order; others may join during the run
  */
 public record TraceHeader(
@@ -26,10 +27,10 @@ public record TraceHeader(
     Map<String, String> settings,
     List<RobotId> robots) {
 
-  /** The version of the lines' format; a reader takes no other. */
+  /** The version of the format; a reader accepts only this one. */
   public static final int FORMAT = 1;
 
-  /** The behaviour's seed where only the scenario's is given. */
+  /** The behaviour seed used when only the scenario seed is given. */
   public static long behaviourSeedOf(long scenarioSeed) {
     return new Rng(scenarioSeed).fork("behaviour").nextLong();
   }

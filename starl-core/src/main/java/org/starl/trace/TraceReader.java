@@ -6,10 +6,10 @@ import java.io.InputStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Reads the lines that {@link TraceWriter} wrote, and only those: the same keys in the same order
- * without white space. Anything else is a {@link TraceFormatException} that names file, line, column
- * and what was expected. A trace that was cut off between two lines reads well, but has no {@link
- * #end}. Not for use by several threads at once.
+ * Reads exactly what {@link TraceWriter} writes: the same keys in the same order without white
+ * space. Anything else is a {@link TraceFormatException} that names file, line, column and what was
+ * expected. A trace that was cut off between two lines can be read, but has no {@link #end}. Not
+ * thread-safe.
  */
 public final class TraceReader implements Closeable {
 
@@ -23,8 +23,8 @@ public final class TraceReader implements Closeable {
   /**
    * Reads the header.
    *
-   * @param file what errors call the source
-   * @param in closed by {@link #close}; by the caller where this constructor throws
+   * @param file the source's name in errors
+   * @param in closed by {@link #close}; by the caller if this constructor throws
    */
   public TraceReader(String file, InputStream in) throws IOException {
     this.file = file;
@@ -37,7 +37,7 @@ public final class TraceReader implements Closeable {
     return header;
   }
 
-  /** The next event, or null after the last. */
+  /** Reads the next event; null after the last. */
   public @Nullable TraceEvent next() throws IOException {
     String text = lines.next();
     if (text == null) {
@@ -47,10 +47,8 @@ public final class TraceReader implements Closeable {
     if (end != null) {
       throw line.expected("nothing after the line of kind end");
     }
-    line.expect("{\"kind\":");
-    String kind = line.string();
-    line.expect(",\"timeNs\":");
-    long timeNs = line.number();
+    String kind = line.text("{\"kind\":");
+    long timeNs = line.number(",\"timeNs\":");
     if (kind.equals("end")) {
       end = parser.traceEnd(line, timeNs, events);
       return next();
@@ -60,12 +58,14 @@ public final class TraceReader implements Closeable {
     return event;
   }
 
-  /** The line of the event that {@link #next} gave last, from 1. */
+  /** The line number of the last event read, from 1. */
   public long lineNumber() {
     return lines.lineNumber();
   }
 
-  /** The trace's end once {@link #next} gave null; null before, and where the trace was cut off. */
+  /**
+   * The trace's end, after {@link #next} returned null; null before, and if the trace was cut off.
+   */
   public @Nullable TraceEnd end() {
     return end;
   }

@@ -1,9 +1,9 @@
 package org.starl.trace;
 
-/** Takes the run's events, in the order in which they happen. */
+/** Receives the run's events in the order in which they happen. */
 public interface TraceSink {
 
-  /** Whether anybody listens; where not, callers make no event. Constant during a run. */
+  /** Whether events are recorded; if not, callers create no events. Constant during a run. */
   boolean isOn();
 
   void record(TraceEvent event);

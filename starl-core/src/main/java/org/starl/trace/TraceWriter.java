@@ -6,12 +6,12 @@ import java.io.OutputStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes a run's trace: the header, then a line an event, then the end. Buffers by itself. Not for
- * use by several threads at once.
+ * Writes a run's trace: the header, one line per event, then the end. Buffers its output. Not
+ * thread-safe.
  *
- * <p>A robot can do nothing about a full disk, so {@link #record} never throws for it: the first
- * failure is kept, nothing more is written, and {@link #close} throws it. Whoever runs for long asks
- * {@link #failure} now and then.
+ * <p>Because a robot cannot react to a full disk, {@link #record} does not throw: the first failure
+ * is kept, nothing more is written, and {@link #close} throws it. Long-running callers should check
+ * {@link #failure} from time to time.
  */
 public final class TraceWriter implements TraceSink, Closeable {
 
@@ -46,30 +46,32 @@ public final class TraceWriter implements TraceSink, Closeable {
   }
 
   /**
-   * The run is over: writes the trace's last line. Without it, the trace counts as cut off.
+   * Writes the last line. A trace without it counts as cut off.
    *
-   * @param timeNs when the run ended, in ns from its start
+   * @param timeNs end of the run, in ns from its start
    */
   public void end(long timeNs) {
     if (ended) {
-      throw new IllegalStateException("the trace has its end already");
+      throw new IllegalStateException("the trace has ended already");
     }
     ended = true;
     TraceCodec.append(buffer, new TraceEnd(timeNs, events));
     endLine();
   }
 
-  /** How many events were recorded. */
+  /** Number of events recorded. */
   public long events() {
     return events;
   }
 
-  /** The first failure to write, or null. */
+  /** The first write failure, or null. */
   public @Nullable IOException failure() {
     return failure;
   }
 
-  /** Writes what is buffered, so that it is out whatever becomes of this program. */
+  /**
+   * Writes the buffer to the stream and flushes it, so that a crash of this program loses nothing.
+   */
   public void flush() {
     drain();
     if (failure == null) {
@@ -81,7 +83,7 @@ public final class TraceWriter implements TraceSink, Closeable {
     }
   }
 
-  /** Writes what is buffered, and closes the stream. */
+  /** Writes the buffer and closes the stream. */
   @Override
   public void close() throws IOException {
     drain();

@@ -1,10 +1,10 @@
 /**
- * What happened in a run: events, and the documented lines that store them (one JSON object a line,
- * a header first). Monitors, viewers and recorders see a run through these events only, so that a
- * recorded run serves them as well as a live one.
+ * The events of a run, and the lines that store them (one JSON object per line, a header first).
+ * Monitors, viewers and recorders observe a run only through these events, so they work on a
+ * recorded run as on a live one.
  *
- * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}, {@code
- * org.starl.platform}, {@code org.starl.random}.
+ * <p>May import: {@code org.starl} ids, {@code org.starl.geometry}, {@code org.starl.platform},
+ * {@code org.starl.random}.
  */
 @NullMarked
 package org.starl.trace;

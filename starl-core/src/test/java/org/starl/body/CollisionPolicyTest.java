@@ -58,7 +58,7 @@ class CollisionPolicyTest {
   }
 
   @Test
-  void aBumpAtTheTargetIsNoArrivalEither() {
+  void aBumpAtTheTargetIsNotAnArrival() {
     MotionAutomaton robot = automaton(CollisionPolicy.STOP_ON_COLLISION);
     after(0, robot, START, Bumps.NONE);
     after(60, robot, new Pose(1999, 0, 0), Bumps.RIGHT);
@@ -66,7 +66,7 @@ class CollisionPolicyTest {
   }
 
   @Test
-  void againstWhatItTouchedFromTheStartARobotMayTurnButNotDrive() {
+  void aRobotThatTouchesAnObjectAtTheStartMayTurnButNotDrive() {
     MotionAutomaton robot = automaton(CollisionPolicy.STOP_ON_COLLISION);
     assertThat(after(0, robot, facing(90), Bumps.BOTH).linearMmPerS()).isZero();
     assertThat(robot.status()).isEqualTo(MotionFlag.MOVING);
@@ -76,7 +76,7 @@ class CollisionPolicyTest {
   }
 
   @Test
-  void aBumpAfterAReleaseIsANewOne() {
+  void aBumpAfterAReleaseIsANewBump() {
     MotionAutomaton robot = automaton(CollisionPolicy.STOP_ON_COLLISION);
     after(0, robot, facing(90), Bumps.BOTH);
     after(60, robot, facing(60), Bumps.NONE);
@@ -135,7 +135,7 @@ class CollisionPolicyTest {
   }
 
   @Test
-  void aRandomMoverTurnsAsItsGeneratorSaysByAtMostARightAngle() {
+  void aRandomMoverTurnsByARandomAngleOfAtMost90Degrees() {
     boolean left = false;
     boolean right = false;
     for (long seed = 0; seed < 20; seed++) {

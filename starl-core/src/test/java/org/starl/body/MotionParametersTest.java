@@ -36,7 +36,7 @@ class MotionParametersTest {
   }
 
   @Test
-  void whatMakesNoSenseIsRefusedByName() {
+  void invalidParametersAreRefusedByName() {
     assertThatThrownBy(() -> MotionParameters.builder().goalRadiusMm(0).build())
         .hasMessage("goalRadiusMm 0.0: expected above 0");
     assertThatThrownBy(() -> MotionParameters.builder().linSpeedMinMmPerS(300).build())

@@ -36,7 +36,7 @@ class CommsTest {
   }
 
   private Comms comms(String name, int boot) {
-    return new Comms(world.boot(name).platform(), boot, new Workspace());
+    return new Comms(world.boot(name).platform(), boot);
   }
 
   private Endpoint<String> open(Comms comms, String as) {
@@ -67,7 +67,7 @@ class CommsTest {
   }
 
   @Test
-  void instancesOfOnePrimitiveDoNotMeet() {
+  void instancesOfOnePrimitiveAreSeparate() {
     Endpoint<String> a = open(comms("a", 1), "a");
     Comms b = comms("b", 1);
     b.open(new Channel<>("talk", "2", new Text()), (from, message) -> heard.add(message));
@@ -80,7 +80,7 @@ class CommsTest {
   }
 
   @Test
-  void aPlainMessageTwiceOnTheRadioIsHeardTwice() {
+  void aDuplicatedPlainMessageIsHandledTwice() {
     Endpoint<String> a = open(comms("a", 1), "a");
     open(comms("b", 1), "b");
     world.rule = (from, to, datagram) -> new long[] {1, 2};
@@ -92,7 +92,7 @@ class CommsTest {
   }
 
   @Test
-  void aReliableMessageTwiceOnTheRadioIsHeardOnce() {
+  void aDuplicatedReliableMessageIsHandledOnce() {
     Endpoint<String> a = open(comms("a", 1), "a");
     Comms b = comms("b", 1);
     open(b, "b");
@@ -171,7 +171,7 @@ class CommsTest {
   }
 
   @Test
-  void closingFailsReceiptsAndHearsNothingMore() {
+  void closingFailsReceiptsAndStopsReceiving() {
     Endpoint<String> a = open(comms("a", 1), "a");
     Comms b = comms("b", 1);
     Endpoint<String> other = open(b, "b");
@@ -199,7 +199,7 @@ class CommsTest {
   }
 
   @Test
-  void whatIsSentToOneselfArrivesInALaterPiece() {
+  void aMessageToTheSenderItselfArrivesInALaterPiece() {
     Comms comms = comms("a", 1);
     Endpoint<String> a = open(comms, "a");
     world.rule = LOSE_ALL;
@@ -215,7 +215,7 @@ class CommsTest {
   }
 
   @Test
-  void aReliableMessageToOneselfWaitsForTheChannel() {
+  void aReliableMessageToTheSenderItselfWaitsForTheChannel() {
     Comms comms = comms("a", 1);
     Endpoint<String> other =
         comms.open(new Channel<>("talk", "2", new Text()), (from, message) -> {});
@@ -246,7 +246,7 @@ class CommsTest {
   }
 
   @Test
-  void aRestartedSenderIsHeardFromItsFirstMessageOn() {
+  void messagesOfARestartedSenderArriveFromTheFirstOn() {
     Endpoint<String> first = open(comms("a", 1), "a");
     open(comms("b", 1), "b");
     first.sendReliably(B, "one");
@@ -290,7 +290,7 @@ class CommsTest {
   }
 
   @Test
-  void theClockIsWitnessedBeforeTheHandlerRuns() {
+  void theLamportClockAdvancesBeforeTheHandlerRuns() {
     Comms a = comms("a", 1);
     Comms b = comms("b", 1);
     List<Long> seen = new ArrayList<>();
@@ -306,7 +306,7 @@ class CommsTest {
   }
 
   @Test
-  void aRetryAndAnAcknowledgementCarryTheClockOfTheirTime() {
+  void retransmissionsAndAcknowledgementsCarryTheCurrentClock() {
     Comms a = comms("a", 1);
     Comms b = comms("b", 1);
     open(b, "b");
@@ -330,7 +330,7 @@ class CommsTest {
   }
 
   @Test
-  void aMessageTooLongIsTheSendersBug() {
+  void aMessageThatIsTooLongIsRefused() {
     Endpoint<String> a = open(comms("a", 1), "a");
 
     assertThatIllegalArgumentException()
@@ -358,7 +358,7 @@ class CommsTest {
   }
 
   @Test
-  void anEchoAndAStraySettleNothingAndAreCounted() {
+  void anEchoAndAMisdirectedDatagramAreCountedAndDropped() {
     Comms comms = comms("a", 1);
     Endpoint<String> a = open(comms, "a");
     Comms b = comms("b", 1);
@@ -383,7 +383,7 @@ class CommsTest {
   @Test
   void eachReasonIsLoggedOnce() {
     FakePlatform platform = world.boot("a");
-    Comms comms = new Comms(platform.platform(), 1, new Workspace());
+    Comms comms = new Comms(platform.platform(), 1);
 
     world.inject(A, new byte[] {1, 2, 3});
     world.inject(A, new byte[] {1, 2, 3, 4});
@@ -401,7 +401,7 @@ class CommsTest {
   }
 
   @Test
-  void theTraceTellsWhatWasSentAndDelivered() {
+  void sentAndDeliveredMessagesAreTraced() {
     Endpoint<String> a = open(comms("a", 1), "a");
     open(comms("b", 1), "b");
 
@@ -415,7 +415,7 @@ class CommsTest {
   }
 
   @Test
-  void aHandlerMayCloseItsChannelAndTheSenderIsStillTold() {
+  void aMessageIsAcknowledgedEvenIfItsHandlerClosesTheChannel() {
     Endpoint<String> a = open(comms("a", 1), "a");
     Comms b = comms("b", 1);
     List<Endpoint<String>> self = new ArrayList<>();
@@ -428,7 +428,7 @@ class CommsTest {
   }
 
   @Test
-  void eachOfManyChannelsHearsItsOwnMessages() {
+  void eachOfManyChannelsReceivesItsOwnMessages() {
     Comms comms = comms("a", 1);
     List<Endpoint<String>> endpoints = new ArrayList<>();
     for (int i = 0; i < 100; i++) {

@@ -60,9 +60,9 @@ class MalformedDatagramTest {
     world = new FakeWorld("a", "b");
     sent = new ArrayList<>();
     heard = new ArrayList<>();
-    Comms sender = new Comms(world.boot("a").platform(), 3, new Workspace());
+    Comms sender = new Comms(world.boot("a").platform(), 3);
     Endpoint<Even> endpoint = sender.open(EVEN, (from, message) -> {});
-    receiver = new Comms(world.boot("b").platform(), 1, new Workspace());
+    receiver = new Comms(world.boot("b").platform(), 1);
     receiver.open(EVEN, (from, message) -> heard.add(message));
     world.rule =
         (from, to, datagram) -> {
@@ -88,7 +88,7 @@ class MalformedDatagramTest {
   }
 
   @Test
-  void theDatagramsThemselvesArrive() {
+  void theUnchangedDatagramsArrive() {
     List.copyOf(sent).forEach(this::arrive);
 
     assertThat(heard).hasSize(3);
@@ -107,7 +107,7 @@ class MalformedDatagramTest {
   }
 
   @Property(tries = 3)
-  void everyPrefixThatSaysItsLengthIsDropped(@ForAll @IntRange(max = 2) int kind) {
+  void everyPrefixWithAMatchingLengthFieldIsDropped(@ForAll @IntRange(max = 2) int kind) {
     byte[] whole = sent(kind);
     for (int length = 6; length < whole.length; length++) {
       byte[] prefix = Arrays.copyOf(whole, length);
@@ -120,7 +120,7 @@ class MalformedDatagramTest {
   }
 
   @Property
-  void anythingBehindTheEndIsDropped(
+  void aDatagramWithTrailingBytesIsDropped(
       @ForAll @IntRange(max = 2) int kind,
       @ForAll boolean saysSo,
       @ForAll @Size(min = 1, max = 2_000) byte[] tail) {
@@ -138,7 +138,7 @@ class MalformedDatagramTest {
   }
 
   @Property
-  void corruptedBytesAreDroppedOrAreAnotherMessageOfTheChannel(
+  void corruptedBytesAreDroppedOrFormAnotherValidMessage(
       @ForAll @IntRange(max = 2) int kind,
       @ForAll @LongRange(min = 0) long seed,
       @ForAll @IntRange(min = 1, max = 8) int changes) {
@@ -156,7 +156,7 @@ class MalformedDatagramTest {
   }
 
   @Property
-  void anyBytesAreDropped(@ForAll @Size(max = 1_500) byte[] bytes) {
+  void randomBytesAreDropped(@ForAll @Size(max = 1_500) byte[] bytes) {
     arrive(bytes);
 
     assertThat(heard).isEmpty();

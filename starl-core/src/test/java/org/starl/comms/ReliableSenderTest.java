@@ -1,6 +1,7 @@
 package org.starl.comms;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.ArrayList;
 import java.util.List;
@@ -11,7 +12,6 @@ import org.starl.platform.Timer;
 class ReliableSenderTest {
 
   private static final RobotId TO = new RobotId("to");
-  private static final long NS_PER_MS = 1_000_000;
 
   private final List<String> timerCalls = new ArrayList<>();
   private Runnable expiry = () -> {};
@@ -60,7 +60,7 @@ class ReliableSenderTest {
   }
 
   @Test
-  void theTimerStandsAtTheFirstThingToDoAndIsCancelledWhenThereIsNone() {
+  void theTimerIsSetToTheNextDueMessageAndCancelledWithoutOne() {
     send();
     nowNs = 100 * NS_PER_MS;
     send();

@@ -1,6 +1,7 @@
 package org.starl.comms;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -18,7 +19,6 @@ import org.starl.random.Rng;
 /** The two sides of reliable unicast over a network that loses, doubles, delays and reorders. */
 class ReliableUnicastTest {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final RobotId SENDER = new RobotId("s");
 
   /** One message of one incarnation of the sender. */
@@ -171,7 +171,7 @@ class ReliableUnicastTest {
   }
 
   @Property(tries = 200)
-  void eachMessageIsHandledAtMostOnceAndExactlyOnceIfItsReceiptSaysSo(
+  void eachMessageIsHandledAtMostOnceAndExactlyOnceIfDelivered(
       @ForAll long seed,
       @ForAll @DoubleRange(max = 1) double loss,
       @ForAll @IntRange(min = 1, max = 3) int receivers) {
@@ -215,7 +215,7 @@ class ReliableUnicastTest {
   }
 
   @Property(tries = 50)
-  void onceTheNetworkBehavesEverythingPendingIsDelivered(
+  void pendingMessagesAreDeliveredOnceTheNetworkIsReliable(
       @ForAll long seed, @ForAll @IntRange(min = 1, max = 700) int messages) {
     Network network = network(seed, 1, 1);
     Reliability patient = new Reliability(250, 1.5, 2_000, 1_000, 600_000);
@@ -232,7 +232,7 @@ class ReliableUnicastTest {
   }
 
   @Property(tries = 50)
-  void whatIsUnderWaySpansLessThanAWindow(
+  void pendingMessagesSpanLessThanAWindow(
       @ForAll long seed, @ForAll @DoubleRange(max = 1) double loss) {
     Rng rng = new Rng(seed);
     RobotId to = new RobotId("r");
@@ -260,7 +260,7 @@ class ReliableUnicastTest {
   }
 
   @Test
-  void aMessageHeldBackFailsAtItsDeadlineToo() {
+  void aWaitingMessageFailsAtItsDeadline() {
     List<Long> transmitted = new ArrayList<>();
     OutboundQueue<Integer> queue = new OutboundQueue<>(o -> transmitted.add(o.order));
     RobotId to = new RobotId("r");
@@ -306,7 +306,7 @@ class ReliableUnicastTest {
   }
 
   @Test
-  void sendersBeyondTheBoundAreRefused() {
+  void sendersBeyondTheLimitAreRefused() {
     InboundWindows windows = new InboundWindows();
     for (int i = 0; i < InboundWindows.MAX_SENDERS; i++) {
       assertThat(windows.admit(new RobotId("x" + i), 2)).isNull();

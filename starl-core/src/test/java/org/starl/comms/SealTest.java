@@ -53,7 +53,7 @@ class SealTest {
 
   private Comms boot(RobotId id, int boot, @Nullable DeploymentKey key) {
     world.key = key;
-    return new Comms(world.boot(id.name()).platform(), boot, new Workspace());
+    return new Comms(world.boot(id.name()).platform(), boot);
   }
 
   private Comms listener(@Nullable DeploymentKey key) {
@@ -82,7 +82,7 @@ class SealTest {
   }
 
   @Test
-  void whoHasTheKeyIsHeard() {
+  void datagramsWithTheKeyArrive() {
     Comms b = listener(key(1));
     Endpoint<String> a = talker(1, key(1));
 
@@ -97,7 +97,7 @@ class SealTest {
   }
 
   @Test
-  void anotherKeyOrNoneIsForged() {
+  void datagramsWithAnotherOrNoKeyAreForged() {
     Comms b = listener(key(1));
     talker(1, key(2)).send(B, "another key");
     world.runMs(1);
@@ -109,7 +109,7 @@ class SealTest {
   }
 
   @Test
-  void whatIsSealedIsNothingToARobotWithoutAKey() {
+  void aRobotWithoutAKeyDropsSealedDatagrams() {
     Comms b = listener(null);
     talker(1, key(1)).send(B, "sealed");
     world.runMs(1);
@@ -119,7 +119,7 @@ class SealTest {
   }
 
   @Test
-  void aRecordingIsNotHeardAgain() {
+  void aReplayedDatagramIsDropped() {
     Comms b = listener(key(1));
     record();
     Endpoint<String> a = talker(1, key(1));
@@ -133,7 +133,7 @@ class SealTest {
   }
 
   @Test
-  void aRepeatedTransmissionIsNoRecording() {
+  void aRetransmissionIsNotAReplay() {
     listener(key(1));
     int[] acknowledgements = new int[1];
     world.rule =
@@ -149,7 +149,7 @@ class SealTest {
   }
 
   @Test
-  void recordingsOfADeadIncarnationStayDead() {
+  void replayedDatagramsOfADeadIncarnationAreDropped() {
     Comms b = listener(key(1));
     record();
     talker(1, key(1)).send(B, "first life");
@@ -163,7 +163,7 @@ class SealTest {
   }
 
   @Property(tries = 300)
-  void noChangedByteIsHeard(
+  void aDatagramWithAChangedByteIsDropped(
       @ForAll @IntRange(max = 10_000) int at, @ForAll @IntRange(min = 1, max = 255) int change) {
     air.clear();
     heard.clear();
@@ -179,7 +179,7 @@ class SealTest {
   }
 
   @Property
-  void aCountIsAdmittedOnceWhateverTheOrder(
+  void aCountIsAcceptedOnceInAnyOrder(
       @ForAll @Size(max = 60) List<@IntRange(min = 1, max = 4_000) Integer> counts) {
     ReplayWindows windows = new ReplayWindows();
     TreeSet<Integer> admitted = new TreeSet<>();

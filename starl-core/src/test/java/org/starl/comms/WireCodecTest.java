@@ -31,7 +31,7 @@ class WireCodecTest {
   }
 
   @Property
-  void everyFieldIsReadAsItWasWritten(
+  void everyFieldIsReadBack(
       @ForAll @IntRange(max = 0xFF) int u8,
       @ForAll boolean bool,
       @ForAll @IntRange(max = 0xFFFF) int u16,
@@ -67,7 +67,7 @@ class WireCodecTest {
   }
 
   @Property
-  void everyStringIsReadAsItWasWrittenOrRefused(@ForAll @Size(max = 260) String text) {
+  void everyStringIsReadBackOrRefused(@ForAll @Size(max = 260) String text) {
     byte[] buffer = new byte[256];
     WireWriter out = new WireWriter(buffer);
     try {
@@ -89,7 +89,7 @@ class WireCodecTest {
   }
 
   @Property
-  void aReaderOfAnythingThrowsNothingButAWireFormatException(
+  void invalidBytesCauseOnlyAWireFormatException(
       @ForAll @Size(max = 40) byte[] bytes, @ForAll @IntRange(max = 9) int field) {
     WireReader in = new WireReader(bytes);
     try {
@@ -116,7 +116,7 @@ class WireCodecTest {
   }
 
   @Property
-  void whatDoesNotFitIsTheWritersBug(@ForAll int value) {
+  void valuesThatDoNotFitAreRefused(@ForAll int value) {
     Assume.that(value < 0 || value > 0xFFFF);
     WireWriter out = new WireWriter(new byte[4]);
 
@@ -128,7 +128,7 @@ class WireCodecTest {
   }
 
   @Test
-  void numbersThatAreNoneAreRefusedAtBothEnds() {
+  void nonFiniteNumbersAreRefusedByReaderAndWriter() {
     WireWriter out = new WireWriter();
     assertThatIllegalArgumentException().isThrownBy(() -> out.f64(Double.NaN));
     assertThatIllegalArgumentException().isThrownBy(() -> out.f64(1.0 / 0));

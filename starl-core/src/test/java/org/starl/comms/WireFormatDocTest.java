@@ -46,7 +46,7 @@ class WireFormatDocTest {
   }
 
   @Test
-  void itsExamplesAreWhatTheCodeSends() {
+  void theExamplesAreWhatTheCodeSends() {
     FakeWorld world = new FakeWorld("bot1", "bot2");
     List<String> sent = new ArrayList<>();
     world.rule =
@@ -55,8 +55,8 @@ class WireFormatDocTest {
           return new long[] {1};
         };
     Channel<String> talk = new Channel<>("talk", "1", new Text());
-    Comms bot1 = new Comms(world.boot("bot1").platform(), 3, new Workspace());
-    Comms bot2 = new Comms(world.boot("bot2").platform(), 1, new Workspace());
+    Comms bot1 = new Comms(world.boot("bot1").platform(), 3);
+    Comms bot2 = new Comms(world.boot("bot2").platform(), 1);
     bot2.open(talk, (from, message) -> {});
     Endpoint<String> endpoint = bot1.open(talk, (from, message) -> {});
     bot1.lamportClock().witness(42);
@@ -73,7 +73,7 @@ class WireFormatDocTest {
   }
 
   @Test
-  void itsOffsetsKindsAndLimitsAreTheCodes() {
+  void theOffsetsKindsAndLimitsMatchTheCode() {
     assertThat(doc)
         .contains("| " + Header.LENGTH_AT + " | 2 | length |")
         .contains("| " + Header.BOOT_AT + " | 4 | boot |")
@@ -95,7 +95,7 @@ class WireFormatDocTest {
   }
 
   @Test
-  void itsReasonsAreTheCodes() {
+  void theDropReasonsMatchTheCode() {
     Matcher row =
         Pattern.compile("^\\| `([a-z-]+)` \\|", Pattern.MULTILINE)
             .matcher(doc.substring(doc.indexOf("## Bad input"), doc.indexOf("## Versions")));

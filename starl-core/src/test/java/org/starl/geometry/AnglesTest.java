@@ -18,7 +18,7 @@ class AnglesTest {
   }
 
   @Test
-  void degreesGoThereAndBack() {
+  void degreesConvertBothWays() {
     assertThat(Angles.fromDegrees(180)).isEqualTo(StrictMath.PI);
     assertThat(Angles.toDegrees(Angles.fromDegrees(25))).isCloseTo(25, within(1e-12));
   }

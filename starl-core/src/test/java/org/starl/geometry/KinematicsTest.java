@@ -14,7 +14,7 @@ class KinematicsTest {
   private static final Pose START = new Pose(100, -50, 0.7);
 
   @Test
-  void aQuarterTurnEndsAsideByItsRadius() {
+  void aQuarterTurnEndsOneRadiusToTheSide() {
     Pose end = Kinematics.after(new Pose(0, 0, 0), 100, StrictMath.PI / 2, 1);
     double radius = 100 / (StrictMath.PI / 2);
     assertThat(end.xMm()).isCloseTo(radius, within(1e-9));
@@ -30,7 +30,7 @@ class KinematicsTest {
   }
 
   @Property
-  void theClosedFormIsWhatSmallStepsApproach(
+  void theClosedFormIsTheLimitOfSmallSteps(
       @ForAll @DoubleRange(min = -500, max = 500) double linear,
       @ForAll @DoubleRange(min = -4, max = 4) double angular,
       @ForAll @DoubleRange(min = 0, max = 3) double seconds) {
@@ -63,7 +63,7 @@ class KinematicsTest {
   }
 
   @Property
-  void aHardlyBentArcIsHardlyNotStraight(
+  void anAlmostStraightArcIsAlmostALine(
       @ForAll @DoubleRange(min = -1e-3, max = 1e-3) @Scale(9) double angular) {
     Pose straight = Kinematics.after(START, 250, 0, 1);
     Pose arc = Kinematics.after(START, 250, angular, 1);

@@ -13,7 +13,7 @@ class ObstaclesTest {
   private static final Point C = new Point(100, 100);
 
   @Test
-  void theInsideOfABodyIsSolidAndThatOfAWallIsNot() {
+  void aBodyIsSolidAndAWallIsNot() {
     Point inside = new Point(90, 40);
     assertThat(Obstacle.body(A, B, C).distanceMm(inside)).isZero();
     assertThat(Obstacle.wall(A, B, C).distanceMm(inside)).isEqualTo(10);
@@ -50,7 +50,7 @@ class ObstaclesTest {
   }
 
   @Test
-  void whatIsNoObstacleIsRefused() {
+  void invalidObstaclesAreRefused() {
     assertThatThrownBy(() -> Obstacle.wall(A)).hasMessageContaining("at least 2");
     assertThatThrownBy(() -> Obstacle.body(A, B)).hasMessageContaining("at least 3");
     assertThatThrownBy(() -> new Obstacle(List.of(A, B), false, false, -2))

@@ -25,7 +25,7 @@ class RegionPropertyTest {
   }
 
   @Property
-  void theDistanceIsZeroExactlyWhereTheRegionContains(
+  void theDistanceIsZeroExactlyInTheRegion(
       @ForAll("regions") Region region, @ForAll("points") Point point) {
     assertThat(region.distanceMm(point) == 0).isEqualTo(region.contains(point));
   }
@@ -55,14 +55,14 @@ class RegionPropertyTest {
   }
 
   @Property
-  void theDistanceChangesNoMoreThanThePointDoes(
+  void theDistanceChangesAtMostAsMuchAsThePoint(
       @ForAll("regions") Region region, @ForAll("points") Point a, @ForAll("points") Point b) {
     double change = Math.abs(region.distanceMm(a) - region.distanceMm(b));
     assertThat(change).isLessThanOrEqualTo(a.distanceMm(b) + ROUNDING_MM);
   }
 
   @Property
-  void aDiscOfTheDepthLiesInTheRegion(
+  void aDiscWithTheDepthAsRadiusIsInTheRegion(
       @ForAll("regions") Region region, @ForAll("points") Point point) {
     double depthMm = region.depthMm(point);
     if (!region.contains(point)) {
@@ -74,7 +74,7 @@ class RegionPropertyTest {
   }
 
   @Property
-  void aUnionContainsWhatOneOfItsPartsContains(
+  void aUnionContainsExactlyThePointsOfItsParts(
       @ForAll("regions") Region a, @ForAll("regions") Region b, @ForAll("points") Point point) {
     Region both = Union.of(a, b);
     assertThat(both.contains(point)).isEqualTo(a.contains(point) || b.contains(point));

@@ -34,7 +34,7 @@ class RegionTest {
   }
 
   @Test
-  void aRectangleIsFarFromItsCornersByPythagoras() {
+  void theDistanceFromACornerOfARectangleIsEuclidean() {
     assertThat(SQUARE.distanceMm(new Point(2530, 2540))).isEqualTo(50);
     assertThat(SQUARE.depthMm(new Point(2250, 2400))).isEqualTo(100);
   }
@@ -51,7 +51,7 @@ class RegionTest {
   }
 
   @Test
-  void regionsThatAreNoneAreRefused() {
+  void invalidRegionsAreRefused() {
     Point o = new Point(0, 0);
     assertThatThrownBy(() -> new Circle(o, -1)).hasMessageContaining("radius -1.0");
     assertThatThrownBy(() -> new Circle(new Point(Double.NaN, 0), 1)).hasMessageContaining("NaN");
@@ -61,7 +61,7 @@ class RegionTest {
   }
 
   @Test
-  void aPolygonThatMeetsItselfIsRefused() {
+  void aSelfIntersectingPolygonIsRefused() {
     Point a = new Point(0, 0);
     Point b = new Point(10, 0);
     Point c = new Point(10, 10);
@@ -73,7 +73,7 @@ class RegionTest {
   }
 
   @Test
-  void aRectangleAroundPointsHoldsThemAndNoMore() {
+  void aBoundingRectangleIsTight() {
     List<Point> points = List.of(new Point(3, -1), new Point(-2, 5), new Point(0, 0));
     assertThat(Rectangle.around(points)).isEqualTo(new Rectangle(-2, -1, 3, 5));
     assertThat(Rectangle.around(points).widened(2)).isEqualTo(new Rectangle(-4, -3, 5, 7));

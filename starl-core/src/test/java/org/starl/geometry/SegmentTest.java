@@ -21,7 +21,7 @@ class SegmentTest {
   }
 
   @Test
-  void segmentsCrossWhereTheyHaveAPointInCommon() {
+  void segmentsCrossIfTheyHaveACommonPoint() {
     Segment base = segment(0, 0, 10, 0);
     assertThat(base.crosses(segment(5, -5, 5, 5))).isTrue();
     assertThat(base.crosses(segment(5, 0, 5, 5))).as("touches").isTrue();
@@ -33,13 +33,13 @@ class SegmentTest {
   }
 
   @Test
-  void theDistanceOfSegmentsIsThatOfTheirNearestPoints() {
+  void theDistanceOfSegmentsIsBetweenTheirNearestPoints() {
     assertThat(segment(0, 0, 10, 0).distanceMm(segment(13, 4, 20, 4))).isEqualTo(5);
     assertThat(segment(0, 0, 10, 0).distanceMm(segment(5, -5, 5, 5))).isZero();
   }
 
   @Test
-  void aSegmentOfNoLengthIsItsPoint() {
+  void aSegmentOfLengthZeroIsAPoint() {
     assertThat(segment(1, 1, 1, 1).distanceMm(new Point(4, 5))).isEqualTo(5);
     assertThat(segment(1, 1, 1, 1).nearest(new Point(4, 5))).isEqualTo(new Point(1, 1));
   }
@@ -57,7 +57,7 @@ class SegmentTest {
   }
 
   @Property
-  void crossingIsMutual(
+  void crossingIsSymmetric(
       @ForAll("points") Point a,
       @ForAll("points") Point b,
       @ForAll("points") Point c,

@@ -55,7 +55,7 @@ class GvhCellTest {
   }
 
   @Test
-  void readersSeeTheNewestValueAndWhoseItIs() {
+  void readersSeeTheNewestValueAndItsSource() {
     GvhVariable<Boolean> reader = crit;
     crit.set(true);
     assertThat(reader.get()).isTrue();

@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 class ParticipantsTest {
 
   @Test
-  void theyStandInTheOrderOfTheirNames() {
+  void participantsAreSortedByName() {
     Participants some =
         Participants.of(new RobotId("bot10"), new RobotId("bot2"), new RobotId("a"));
 
@@ -19,7 +19,7 @@ class ParticipantsTest {
   }
 
   @Test
-  void eachIsFoundByTheBytesOfItsNameAndNobodyElse() {
+  void aRobotIsFoundByTheBytesOfItsNameOnly() {
     for (int size : new int[] {0, 1, 2, 3, 4, 1_000}) {
       List<RobotId> ids = new ArrayList<>();
       for (int i = 0; i < size; i++) {

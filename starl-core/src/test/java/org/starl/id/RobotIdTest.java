@@ -34,7 +34,7 @@ class RobotIdTest {
   }
 
   @Property
-  void numbersCountByTheirValue(@ForAll("ids") RobotId a, @ForAll("ids") RobotId b) {
+  void numbersAreComparedByValue(@ForAll("ids") RobotId a, @ForAll("ids") RobotId b) {
     List<Object> parts = parts(a);
     List<Object> others = parts(b);
     int same = 0;
@@ -52,13 +52,13 @@ class RobotIdTest {
   }
 
   @Example
-  void equalNumbersAreOrderedByTheirZeros() {
+  void equalNumbersAreOrderedByLeadingZeros() {
     assertThat(new RobotId("bot01").compareTo(new RobotId("bot1"))).isNegative();
     assertThat(new RobotId("bot1a").compareTo(new RobotId("bot01b"))).isNegative();
   }
 
   @Example
-  void aNameThatIsNoneIsRefused() {
+  void invalidNamesAreRefused() {
     for (String bad : List.of("", "1bot", "-", "b b", "bät", "b".repeat(33))) {
       assertThatThrownBy(() -> new RobotId(bad)).hasMessageContaining("'" + bad + "'");
     }

@@ -28,7 +28,7 @@ class AvoidGuardTest {
   }
 
   @Test
-  void aRegionInTheWayStopsShortAndFails() {
+  void aRegionInTheWayStopsTheRobotAndFails() {
     MotionWorld world = new MotionWorld(1, MotionParameters.DEFAULT, new Pose(0, 0, 0));
     Region region = new Circle(new Point(1000, 0), 100);
     assertThat(world.goTo(new Point(2000, 0), region, 20_000)).isEqualTo(MotionFlag.FAIL);
@@ -46,7 +46,7 @@ class AvoidGuardTest {
   }
 
   @Test
-  void whoStandsInTheRegionMayTurnButNotDrive() {
+  void aRobotInTheRegionMayTurnButNotDrive() {
     MotionWorld world = new MotionWorld(1, MotionParameters.DEFAULT, new Pose(0, 0, 3));
     Region here = new Circle(new Point(0, 0), 100);
     assertThat(world.goTo(new Point(2000, 0), here, 20_000)).isEqualTo(MotionFlag.FAIL);
@@ -58,7 +58,11 @@ class AvoidGuardTest {
 
   /** How far the half-plane y <= 0 has to be for the guard to let this command through whole. */
   private static double nearestMm(
-      MotionParameters p, WheelCommand command, double headingRad, Bumps bumps, Lingering late) {
+      MotionParameters p,
+      WheelCommand command,
+      double headingRad,
+      Bumps bumps,
+      LingeringSpeeds late) {
     return nearestMm(p, command, headingRad, 0, bumps, late);
   }
 
@@ -68,7 +72,7 @@ class AvoidGuardTest {
       double headingRad,
       double errorRad,
       Bumps bumps,
-      Lingering late) {
+      LingeringSpeeds late) {
     AvoidGuard guard = new AvoidGuard(new Rectangle(-1e4, -1e4, 1e4, 0), p);
     double gapMm = RADIUS_MM;
     while (true) {
@@ -81,60 +85,61 @@ class AvoidGuardTest {
   }
 
   @Test
-  void whatTheWheelsMayStillDoOfTheCommandBeforeIsAllowedFor() {
-    Lingering fast = Lingering.NONE.with(new WheelCommand(250, 0));
+  void theLingeringEffectOfTheLastCommandIsAllowedFor() {
+    LingeringSpeeds fast = LingeringSpeeds.NONE.with(new WheelCommand(250, 0));
     double down = -StrictMath.PI / 2;
     // 100 ms of the old command, 60 ms of the new one.
     assertThat(nearestMm(LATE, new WheelCommand(25, 0), down, Bumps.NONE, fast))
         .isGreaterThan(RADIUS_MM + 25 + 1.5);
-    assertThat(nearestMm(LATE, new WheelCommand(25, 0), down, Bumps.NONE, Lingering.NONE))
+    assertThat(nearestMm(LATE, new WheelCommand(25, 0), down, Bumps.NONE, LingeringSpeeds.NONE))
         .isLessThan(RADIUS_MM + 10);
   }
 
   @Test
-  void aTurnThatMayStillGoOnIsAllowedFor() {
-    Lingering turning = Lingering.NONE.with(new WheelCommand(0, -2));
+  void aLingeringTurnIsAllowedFor() {
+    LingeringSpeeds turning = LingeringSpeeds.NONE.with(new WheelCommand(0, -2));
     // It turns by 0.2 and then drives for 60 ms.
     assertThat(
             nearestMm(LATE, new WheelCommand(250, 0), -0.5, Bumps.NONE, turning)
-                - nearestMm(LATE, new WheelCommand(250, 0), -0.5, Bumps.NONE, Lingering.NONE))
+                - nearestMm(LATE, new WheelCommand(250, 0), -0.5, Bumps.NONE, LingeringSpeeds.NONE))
         .isGreaterThan(15 * 0.2);
   }
 
   @Test
-  void aTurnThatIsHeldUpIsAllowedFor() {
+  void aBlockedTurnIsAllowedFor() {
     // Straight on, it comes 19 mm nearer; along the arc it never would, by more than 6 mm.
-    assertThat(nearestMm(LATE, new WheelCommand(250, 6), -0.5, Bumps.NONE, Lingering.NONE))
+    assertThat(nearestMm(LATE, new WheelCommand(250, 6), -0.5, Bumps.NONE, LingeringSpeeds.NONE))
         .isGreaterThan(RADIUS_MM + 25 + 40 * StrictMath.sin(0.5));
   }
 
   @Test
-  void aHeadingThatIsOffIsAllowedFor() {
+  void aHeadingErrorIsAllowedFor() {
     MotionParameters p = MotionParameters.DEFAULT;
     WheelCommand along = new WheelCommand(250, 0);
-    assertThat(nearestMm(p, along, 0, 0.5, Bumps.NONE, Lingering.NONE))
+    assertThat(nearestMm(p, along, 0, 0.5, Bumps.NONE, LingeringSpeeds.NONE))
         .isGreaterThan(RADIUS_MM + 15 * StrictMath.sin(0.5));
-    assertThat(nearestMm(p, along, 0, 0, Bumps.NONE, Lingering.NONE)).isLessThan(RADIUS_MM + 3);
+    assertThat(nearestMm(p, along, 0, 0, Bumps.NONE, LingeringSpeeds.NONE))
+        .isLessThan(RADIUS_MM + 3);
   }
 
   @Test
-  void wheelsThatAreTooFastAreAllowedFor() {
+  void tooFastWheelsAreAllowedFor() {
     MotionParameters fast = MotionParameters.builder().speedError(0.5).build();
     double down = -StrictMath.PI / 2;
-    assertThat(nearestMm(fast, new WheelCommand(250, 0), down, Bumps.NONE, Lingering.NONE))
+    assertThat(nearestMm(fast, new WheelCommand(250, 0), down, Bumps.NONE, LingeringSpeeds.NONE))
         .isGreaterThan(RADIUS_MM + 1.5 * 15);
   }
 
   @Test
-  void slidingAlongWhatItTouchesIsAllowedFor() {
+  void slidingAlongATouchedObjectIsAllowedFor() {
     double along = 0;
     double needed = RADIUS_MM + 15;
     MotionParameters p = MotionParameters.DEFAULT;
-    assertThat(nearestMm(p, new WheelCommand(250, 0), along, Bumps.BOTH, Lingering.NONE))
+    assertThat(nearestMm(p, new WheelCommand(250, 0), along, Bumps.BOTH, LingeringSpeeds.NONE))
         .isGreaterThan(needed);
-    assertThat(nearestMm(p, new WheelCommand(250, 0), along, Bumps.NONE, Lingering.NONE))
+    assertThat(nearestMm(p, new WheelCommand(250, 0), along, Bumps.NONE, LingeringSpeeds.NONE))
         .isLessThan(needed);
-    assertThat(nearestMm(LATE, new WheelCommand(250, 0), along, Bumps.NONE, Lingering.NONE))
+    assertThat(nearestMm(LATE, new WheelCommand(250, 0), along, Bumps.NONE, LingeringSpeeds.NONE))
         .as("from a bump until the stop that it brings")
         .isGreaterThan(RADIUS_MM + 25);
   }

@@ -37,7 +37,7 @@ class IdealAutomatonTest {
   }
 
   @Test
-  void aBumpIsNoArrival() {
+  void aBumpIsNotAnArrival() {
     MotionAutomaton robot = MotionAutomaton.goTo(new Point(500, 0), IDEAL, new Rng(1));
     robot.step(new Pose(0, 0, 0), Bumps.NONE, 0);
     assertThat(robot.step(new Pose(15, 0, 0), Bumps.LEFT, 60_000_000).isStop()).isTrue();

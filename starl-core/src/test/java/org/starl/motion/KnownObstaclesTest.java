@@ -12,7 +12,7 @@ import org.starl.geometry.Pose;
 class KnownObstaclesTest {
 
   @Test
-  void aContactIsLearnedOnceWhereTheBodyTouches() {
+  void aContactIsAddedOnceWhereTheBodyTouches() {
     KnownObstacles known = new KnownObstacles(Obstacles.of(Obstacle.wall(p(0, 0), p(9, 0))));
     Pose pose = new Pose(100, 100, StrictMath.PI / 2);
     Point ahead = KnownObstacles.contact(pose, Bumps.BOTH, 165);

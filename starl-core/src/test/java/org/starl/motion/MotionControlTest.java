@@ -9,7 +9,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.body.Bumps;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
-import org.starl.comms.Workspace;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Fix;
 import org.starl.geometry.ItemPosition;
@@ -30,7 +29,7 @@ class MotionControlTest {
 
   private final FakeWorld world = new FakeWorld("bot0");
   private final FakePlatform robot = world.boot("bot0");
-  private final GlobalVarHolder gvh = new GlobalVarHolder(robot.platform(), 1, new Workspace());
+  private final GlobalVarHolder gvh = new GlobalVarHolder(robot.platform(), 1);
   private final MotionControl moat = gvh.plat.moat;
 
   private void fix(double x, double y, double headingRad) {
@@ -54,7 +53,7 @@ class MotionControlTest {
   }
 
   @Test
-  void aProgramThatStartsStopsTheWheels() {
+  void aStartingProgramStopsTheWheels() {
     assertThat(robot.driven).containsExactly(WheelCommand.STOP);
     assertThat(moat.motionflag().get()).isEqualTo(MotionFlag.IDLE);
     assertThat(moat.inMotion()).isFalse();
@@ -77,7 +76,7 @@ class MotionControlTest {
   }
 
   @Test
-  void theChassisHearsAtEachStepThatTheProgramLives() {
+  void eachStepRepeatsTheCommandToTheChassis() {
     fix(0, 0, 0);
     moat.doMove(new ItemPosition("far", 9000, 0));
     world.runMs(240);
@@ -132,7 +131,7 @@ class MotionControlTest {
   }
 
   @Test
-  void motionStopStopsAndForgets() {
+  void motionStopStopsAndCancels() {
     fix(0, 0, 0);
     moat.doMove(AHEAD);
     moat.motion_stop();
@@ -145,7 +144,7 @@ class MotionControlTest {
   }
 
   @Test
-  void theTraceTellsOfCommandsAndFlags() {
+  void commandsAndFlagsAreTraced() {
     fix(0, 0, 0);
     moat.doMove(AHEAD, new Circle(new Point(0, 900), 10));
     moat.motion_stop();
@@ -160,7 +159,7 @@ class MotionControlTest {
   }
 
   @Test
-  void parametersChosenByTheAppHoldForTheNextMotion() {
+  void newParametersApplyToTheNextMotion() {
     fix(0, 0, 0);
     moat.setParameters(moat.parameters().toBuilder().linSpeedMaxMmPerS(400).build());
     moat.doMove(new ItemPosition("far", 9000, 0));
@@ -194,7 +193,7 @@ class MotionControlTest {
   }
 
   @Test
-  void clearanceIsProvenOnlyBeyondTheErrorBound() {
+  void clearanceNeedsMoreThanTheErrorBound() {
     Region zone = Rectangle.around(new Point(0, 0), 500, 500);
     fix(418, 0, 0);
     assertThat(gvh.gps.clearanceMm(zone, 165)).isEqualTo(-1);
@@ -208,7 +207,7 @@ class MotionControlTest {
   }
 
   @Test
-  void clearanceShrinksWhileTheRobotMovesUnseen() {
+  void clearanceShrinksWhileTheRobotMovesWithoutFixes() {
     fix(500, 0, 0);
     Region zone = Rectangle.around(new Point(0, 0), 500, 500);
     moat.doMove(new ItemPosition("far", 9000, 0));
@@ -220,11 +219,11 @@ class MotionControlTest {
   }
 
   @Test
-  void aFixOfATimeWhenTheWheelsMayHaveFollowedAnEarlierProgramIsNotUsed() {
+  void aFixFromTheReactionTimeAfterARestartIsNotUsed() {
     FakeWorld elsewhere = new FakeWorld("bot1");
     FakePlatform late = elsewhere.boot("bot1");
     MotionParameters lateWheels = MotionParameters.builder().reactionMs(50).build();
-    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1, new Workspace()).gps;
+    Gps gps = new GlobalVarHolder(late.platform(lateWheels), 1).gps;
     late.fix(new Fix(new Pose(0, 0, 0), 49_000_000, 4, 0));
     elsewhere.runMs(60);
     assertThat(gps.hasFix()).isFalse();
@@ -235,7 +234,7 @@ class MotionControlTest {
   }
 
   @Test
-  void fixesAreTracedOnlyIfAskedFor() {
+  void fixesAreTracedOnlyOnRequest() {
     int[] heard = {0};
     gvh.gps.onFix(() -> heard[0]++);
     fix(0, 0, 0);

@@ -58,14 +58,14 @@ class MotionRunTest {
   }
 
   @Test
-  void stuckWheelsThatShouldTurnFailToo() {
+  void stuckWheelsFailATurnToo() {
     MotionWorld world = world();
     world.mobility = 0;
     assertThat(world.goTo(new Point(-3000, 0), new Nowhere(), 60_000)).isEqualTo(MotionFlag.FAIL);
   }
 
   @Test
-  void aRobotThatIsTooSlowSaysSoInTheEnd() {
+  void aRobotThatIsTooSlowFailsInTheEnd() {
     MotionWorld world = world();
     world.mobility = 0.08;
     long longestMs = world.parameters.longestMs(3000);
@@ -77,7 +77,7 @@ class MotionRunTest {
   }
 
   @Test
-  void aSlowRobotThatGetsThereInTimeArrives() {
+  void aSlowRobotThatIsInTimeArrives() {
     MotionWorld world = world();
     world.mobility = 0.3;
     assertThat(world.goTo(TARGET, new Nowhere(), 60_000)).isEqualTo(MotionFlag.DONE);
@@ -110,7 +110,7 @@ class MotionRunTest {
   }
 
   @Test
-  void aRobotThatDrivesAboutButNeverComesNearerFails() {
+  void aRobotThatNeverComesNearerFails() {
     MotionParameters parameters =
         MotionParameters.builder()
             .collisionPolicy(CollisionPolicy.USE_COLBACK)
@@ -201,7 +201,7 @@ class MotionRunTest {
               : new Location.Known(pose, 5, 0.01, nowNs, nowNs);
       Bumps bumps = rng.nextBoolean(0.1) ? Bumps.values()[rng.nextInt(4)] : Bumps.NONE;
       commands.add(
-          run.step(location, bumps, Lingering.NONE, nowNs)
+          run.step(location, bumps, LingeringSpeeds.NONE, nowNs)
               + " "
               + run.status()
               + " "

@@ -1,5 +1,7 @@
 package org.starl.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
@@ -17,8 +19,6 @@ import org.starl.random.Rng;
  * tested in. The true error of a fix is uniform in the disc that its bound states, or on its border.
  */
 final class MotionWorld {
-
-  static final long NS_PER_MS = 1_000_000;
 
   /** The body's path is looked at this often. */
   private static final long GRAIN_NS = 5 * NS_PER_MS;

@@ -41,7 +41,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aBodyAtRestStaysWhereItIsHoweverOldTheFix() {
+  void aBodyAtRestStaysWhereItIsWithAnOldFix() {
     fix(10, 20, 5, 0, 0);
     assertThat(at(60_000).pose()).isEqualTo(new Pose(10, 20, 0));
     assertThat(at(60_000).errorMm()).isEqualTo(5);
@@ -57,7 +57,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aFixOfThePastIsCarriedForwardThroughTheCommandsSince() {
+  void aDelayedFixIsExtrapolatedWithTheCommandsSince() {
     fix(0, 0, 0, 0, 0);
     drive(100, 0, 0);
     drive(0, StrictMath.PI, 1000);
@@ -87,7 +87,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aJumpFartherThanTheSpeedAllowsIsCountedAndNotBelieved() {
+  void aJumpFasterThanTheSpeedIsCountedAndNotAccepted() {
     fix(0, 0, 5, 0, 0);
     drive(100, 0, 0);
     assertThat(fix(1000, 0, 5, 100, 100)).isFalse();
@@ -114,7 +114,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void fixesThatConfirmEachOtherLongEnoughAreBelieved() {
+  void fixesThatAgreeLongEnoughAreAccepted() {
     fix(0, 0, 5, 0, 0);
     for (int ms = 100; ms < 30_100; ms += 100) {
       assertThat(fix(1000, 0, 5, ms, ms)).isFalse();
@@ -126,7 +126,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void fixesThatContradictEachOtherAreNeverBelieved() {
+  void fixesThatContradictEachOtherAreNeverAccepted() {
     fix(0, 0, 5, 0, 0);
     for (int ms = 100; ms < 90_000; ms += 100) {
       assertThat(fix(1000 + ms % 400, 0, 5, ms, ms)).isFalse();
@@ -135,7 +135,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aHeadingThatContradictsIsCountedAndItsFixNotBelieved() {
+  void aContradictingHeadingIsCountedAndItsFixNotAccepted() {
     filter.fixed(new Fix(new Pose(0, 0, 0), 0, 5, 0.1), 0);
     Fix turned = new Fix(new Pose(3, 0, 1), 100 * MS, 5, 0.1);
     assertThat(filter.fixed(turned, 100 * MS)).isFalse();
@@ -154,7 +154,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aFixOlderThanAllCommandsThatItRemembersBoundsNothing() {
+  void aFixOlderThanAllStoredCommandsGivesNoBound() {
     fix(0, 0, 5, 0, 0);
     for (int i = 0; i < 100; i++) {
       drive(i % 2, 0, 10L * i);
@@ -165,7 +165,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aFixOlderThanTheReactionToTheOldestCommandBoundsNothing() {
+  void aFixOlderThanTheReactionToTheOldestCommandGivesNoBound() {
     filter.assume(0, 50 * MS);
     for (int i = 0; i < 100; i++) {
       drive(i % 2, 0, 10L * i);
@@ -194,7 +194,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void aFixWhileACommandMayNotYetBeInEffectDoesNotEndTheAllowanceForIt() {
+  void aFixDuringTheReactionTimeKeepsTheAllowance() {
     filter.assume(0, 50 * MS);
     fix(0, 0, 0, 0, 0);
     drive(100, 0, 0);
@@ -207,7 +207,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void whoeverStartsLateIsHeldUpUntilThen() {
+  void aLateStartCountsAsBlocked() {
     filter.assume(0, 50 * MS);
     fix(0, 0, 0, 0, 0);
     drive(100, 0, 0);
@@ -215,7 +215,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void wheelsThatAreTooFastWidenTheBoundBesideTheWay() {
+  void tooFastWheelsWidenTheBoundSideways() {
     filter.assume(0.2, 0);
     filter.fixed(new Fix(new Pose(0, 0, 0), 0, 0, StrictMath.PI / 2), 0);
     drive(100, 0, 0);
@@ -225,7 +225,7 @@ class PositionFilterTest {
   }
 
   @Test
-  void theWorstWheelsThatWereStatedCount() {
+  void theWorstAssumedWheelsCount() {
     filter.assume(0, 50 * MS);
     filter.assume(0, 0);
     fix(0, 0, 0, 0, 0);
@@ -235,7 +235,7 @@ class PositionFilterTest {
   }
 
   @Property(tries = 500)
-  void theTruthIsWithinTheBoundWhateverTheWheelsDo(@ForAll long seed) {
+  void theTruePositionIsAlwaysWithinTheBound(@ForAll long seed) {
     Rng rng = new Rng(seed);
     double speedError = rng.nextBoolean(0.5) ? 0 : 0.5 * rng.nextDouble();
     long reactionMs = rng.nextBoolean(0.5) ? 0 : rng.nextLong(1, 150);

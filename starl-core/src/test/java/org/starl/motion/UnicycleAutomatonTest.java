@@ -68,7 +68,8 @@ class UnicycleAutomatonTest {
     "SMALLTURN, 900, 26, TURN",
     "SMALLTURN, 70, 10, GOAL",
   })
-  void aStepLeadsOn(MotionState from, double distanceMm, double bearingDeg, MotionState to) {
+  void aStepChangesTheState(
+      MotionState from, double distanceMm, double bearingDeg, MotionState to) {
     enter(from);
     see(distanceMm, bearingDeg);
     assertThat(automaton.state()).isEqualTo(to);
@@ -112,7 +113,7 @@ class UnicycleAutomatonTest {
   }
 
   @Test
-  void itArrivesStoppedOrDrivesOn() {
+  void itStopsAtTheTargetOrDrivesOn() {
     see(500, 0);
     assertThat(see(60, 0)).isEqualTo(WheelCommand.STOP);
     begin(MotionParameters.builder().stopAtDestination(false).build());
@@ -149,7 +150,7 @@ class UnicycleAutomatonTest {
   }
 
   @Test
-  void noStepLeadsPastTheTarget() {
+  void noStepOvershootsTheTarget() {
     begin(MotionParameters.builder().goalRadiusMm(1).enableArcing(false).build());
     see(500, 0);
     assertThat(see(9, 0)).isEqualTo(new WheelCommand(9 / 0.06, 0));

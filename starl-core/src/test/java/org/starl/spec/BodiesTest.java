@@ -19,7 +19,7 @@ class BodiesTest {
   private final Bodies bodies = new Bodies();
 
   @Test
-  void aBodyStandsWhereItJoinedUntilItMoves() {
+  void aBodyStaysWhereItJoinedUntilItMoves() {
     bodies.observe(new Joined(0, BOT, new Pose(10, 20, 1), 165));
     assertThat(bodies.poseAt(BOT, 5 * SECOND)).isEqualTo(new Pose(10, 20, 1));
     assertThat(bodies.isMoving(BOT)).isFalse();
@@ -38,7 +38,7 @@ class BodiesTest {
   }
 
   @Test
-  void aBodyThatLeftIsNowhere() {
+  void aBodyThatLeftHasNoPose() {
     bodies.observe(new Joined(0, BOT, new Pose(0, 0, 0), 165));
     bodies.observe(new Left(1, BOT));
     assertThat(bodies.robots()).isEmpty();

@@ -17,13 +17,13 @@ class CircumstancesTest {
   private final Circumstances circumstances = new Circumstances();
 
   @Test
-  void everybodyIsUpAndTheWorldFairUntilToldOtherwise() {
+  void initiallyAllRobotsAreUpWithoutFaults() {
     assertThat(circumstances.isUp(A)).isTrue();
     assertThat(circumstances.isFair()).isTrue();
   }
 
   @Test
-  void whoCrashesIsDownUntilItRestarts() {
+  void aCrashedRobotIsDownUntilItRestarts() {
     assertThat(sees(A, Fault.CRASH, "")).isTrue();
     assertThat(circumstances.isUp(A)).isFalse();
     assertThat(circumstances.isFair()).as("a crash is counted by who is up").isTrue();
@@ -32,7 +32,7 @@ class CircumstancesTest {
   }
 
   @Test
-  void whoLeavesIsNotCountedOnUntilItJoins() {
+  void aRobotThatLeftIsDownUntilItJoins() {
     assertThat(circumstances.observe(new Left(1, A))).isTrue();
     assertThat(circumstances.isUp(A)).isFalse();
     assertThat(circumstances.observe(new Joined(2, A, new Pose(0, 0, 0), 165))).isTrue();
@@ -40,7 +40,7 @@ class CircumstancesTest {
   }
 
   @Test
-  void theWorldIsFairOnceEveryFaultHasEnded() {
+  void noFaultIsActiveAfterEveryFaultHasEnded() {
     sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
     sees(A, Fault.BEGIN, "slow");
     assertThat(sees(Fault.WORLD, Fault.END, "loss 0.3")).isTrue();
@@ -60,7 +60,7 @@ class CircumstancesTest {
   }
 
   @Test
-  void healingEndsAllFaultsAndRestartsNobody() {
+  void healingEndsAllFaultsButRestartsNoRobot() {
     sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
     sees(A, Fault.CRASH, "");
     assertThat(sees(Fault.WORLD, Fault.HEALED, "")).isTrue();
@@ -69,7 +69,7 @@ class CircumstancesTest {
   }
 
   @Test
-  void whatSaysNothingOfFaultsChangesNothing() {
+  void otherEventsChangeNothing() {
     assertThat(circumstances.observe(new TraceEvent.Dropped(1, A, "b", "loss"))).isFalse();
   }
 

@@ -15,7 +15,7 @@ class SpecReportTest {
   private static final RobotId TWO = new RobotId("bot2");
 
   @Test
-  void readsOneLineALemmaAndOneAViolation() {
+  void theTextHasOneLinePerLemmaAndPerViolation() {
     SpecReport report = new SpecReport();
     report.expect(List.of("Promise", "Connected"));
     report.checked("Exclusive");
@@ -35,7 +35,7 @@ class SpecReportTest {
   }
 
   @Test
-  void countsWhatItDoesNotKeep() {
+  void violationsThatAreNotKeptAreCounted() {
     SpecReport report = new SpecReport();
     int found = SpecReport.MAX_KEPT_PER_LEMMA + 7;
     for (int i = 0; i < found; i++) {
@@ -63,7 +63,7 @@ class SpecReportTest {
   }
 
   @Test
-  void newsAreToldOnce() {
+  void newViolationsAreReturnedOnce() {
     Monitors monitors = new Monitors(List.of(new EveryActionIs("go")));
     assertThat(monitors.news()).isEmpty();
     monitors.observe(new TraceEvent.Action(1, ONE, "app", "stop", List.of()));
@@ -76,7 +76,7 @@ class SpecReportTest {
   }
 
   @Test
-  void companionsWatchOnceEachBehindThoseWhoAreMade() {
+  void companionsFollowTheCreatedMonitorsOncePerClass() {
     Monitors monitors =
         Monitors.of(
             List.of(

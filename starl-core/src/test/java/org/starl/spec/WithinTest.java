@@ -18,7 +18,7 @@ class WithinTest {
   }
 
   @Test
-  void whatComesExactlyAtTheBoundIsInTime() {
+  void anEventExactlyAtTheBoundIsInTime() {
     within.owe("a", 5);
     expireAt(15);
     assertThat(within.settle("a")).isTrue();
@@ -27,7 +27,7 @@ class WithinTest {
   }
 
   @Test
-  void whatIsLateExpiresOnceWithItsDeadline() {
+  void aMissedDeadlineIsReportedOnce() {
     within.owe("a", 5);
     expireAt(16);
     expireAt(17);
@@ -36,7 +36,7 @@ class WithinTest {
   }
 
   @Test
-  void owingAgainDoesNotMoveTheDeadline() {
+  void startingAgainDoesNotMoveTheDeadline() {
     within.owe("a", 5);
     within.owe("a", 14);
     expireAt(16);
@@ -44,7 +44,7 @@ class WithinTest {
   }
 
   @Test
-  void aBrokenAssumptionSuspendsAndGivesTheWholeBoundAfterwards() {
+  void aBrokenAssumptionSuspendsTheDeadlineAndThenGivesTheFullBound() {
     within.owe("a", 0);
     within.assume("a", false, 9);
     within.owe("a", 20);
@@ -59,14 +59,14 @@ class WithinTest {
   }
 
   @Test
-  void anAssumptionWithoutADebtDoesNothing() {
+  void anAssumptionWithoutADeadlineDoesNothing() {
     within.assume("a", true, 0);
     within.assume("a", false, 0);
     assertThat(within.isOwed("a")).isFalse();
   }
 
   @Test
-  void debtsExpireInTheOrderOfTheirDeadlinesAfterASuspension() {
+  void deadlinesExpireInOrderAfterASuspension() {
     within.owe("a", 0);
     within.owe("b", 1);
     within.assume("a", false, 2);
@@ -86,7 +86,7 @@ class WithinTest {
   }
 
   @Test
-  void whileTheWorldMisbehavesNothingExpiresAndThenTheWholeBoundIsGiven() {
+  void faultsSuspendAllDeadlinesWhichThenGetTheFullBound() {
     within.owe("a", 0);
     within.owe("b", 1);
     within.assume("b", false, 2);

@@ -1,5 +1,7 @@
 package org.starl.testing;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -18,8 +20,6 @@ import org.starl.trace.TraceEvent;
  * time happen in the order in which they were made.
  */
 public final class FakeWorld {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   /** Says when copies of a datagram arrive: delays in ns; an empty array is a loss. */
   @FunctionalInterface

@@ -52,7 +52,7 @@ class DecimalsTest {
 
   @ParameterizedTest
   @ValueSource(doubles = {Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY})
-  void whatIsNoNumberIsRefused(double value) {
+  void nonFiniteNumbersAreRefused(double value) {
     assertThatThrownBy(() -> text(value, Decimals.MM)).hasMessageContaining("" + value);
   }
 
@@ -71,7 +71,7 @@ class DecimalsTest {
   }
 
   @Property
-  void roundingTwiceIsRoundingOnce(@ForAll("numbers") double value) {
+  void roundingIsIdempotent(@ForAll("numbers") double value) {
     double once = Decimals.round(value, Decimals.RAD);
     assertThat(Decimals.round(once, Decimals.RAD)).isEqualTo(once);
     assertThat(text(once, Decimals.RAD)).isEqualTo(text(value, Decimals.RAD));

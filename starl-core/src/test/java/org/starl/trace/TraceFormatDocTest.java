@@ -24,7 +24,7 @@ class TraceFormatDocTest {
   private final String doc = read(Path.of("..", "docs", "trace-format.md"));
 
   @Test
-  void theExamplesInTheirOrderAreATraceThatIsWrittenTheSameWay() throws IOException {
+  void theExamplesFormATraceThatIsWrittenIdentically() throws IOException {
     String examples =
         EXAMPLE.matcher(doc).results().map(m -> m.group(1)).collect(Collectors.joining());
     ByteArrayOutputStream written = new ByteArrayOutputStream();
@@ -68,7 +68,7 @@ class TraceFormatDocTest {
   }
 
   @Test
-  void theExampleOfAnErrorIsTheOneGiven() {
+  void theExampleErrorIsTheReadersError() {
     String text =
         """
         {"kind":"header","format":1,"starl":"","scenario":"","scenarioSeed":1,"behaviourSeed":2,\

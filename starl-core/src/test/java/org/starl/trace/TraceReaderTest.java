@@ -19,7 +19,7 @@ class TraceReaderTest {
   private static final String START = "{\"kind\":\"joined\",\"timeNs\":0,\"robot\":\"bot0\",";
 
   @Test
-  void aTraceThatWasCutBetweenLinesHasNoEnd() throws IOException {
+  void aTraceCutBetweenLinesHasNoEnd() throws IOException {
     try (TraceReader reader = reader((HEADER + LEFT).getBytes(StandardCharsets.UTF_8))) {
       assertThat(reader.next()).isNotNull();
       assertThat(reader.lineNumber()).isEqualTo(2);
@@ -35,7 +35,7 @@ class TraceReaderTest {
   }
 
   @Test
-  void whatIsNoTraceIsSaidAtOnce() {
+  void aFileThatIsNotATraceIsRefusedAtOnce() {
     assertThat(errorOf("")).startsWith("run.trace:1: ").contains("the header of a StarL trace");
     assertThat(errorOf("time,x,y\n")).contains("the header of a StarL trace");
     assertThat(errorOf(HEADER.replace("\"format\":1,", "\"format\":2,")))
@@ -60,12 +60,12 @@ class TraceReaderTest {
         "{\"kind\":\"end\",\"timeNs\":5,\"events\":1}|0}, the number of events above",
         "{\"kind\":\"left\"|expected ,\"timeNs\":, found the end of the line",
       })
-  void aLineThatWasNeverWrittenIsAnError(String line, String message) {
+  void anInvalidLineIsAnError(String line, String message) {
     assertThat(errorOf(HEADER + line + "\n")).startsWith("run.trace:2: ").contains(message);
   }
 
   @Test
-  void aNumberHasItsDecimals() {
+  void aNumberNeedsItsExactDecimals() {
     assertThat(errorOf(HEADER + START + "\"xMm\":1,\"yMm\":0.000}\n"))
         .contains("a number with 3 decimals, found 1,");
     assertThat(errorOf(HEADER + START + "\"xMm\":1.0000,\"yMm\":0.000}\n"))
@@ -84,20 +84,20 @@ class TraceReaderTest {
   }
 
   @Test
-  void aTraceThatWasCutInsideALineSaysSo() {
+  void aTraceCutInsideALineIsAnError() {
     assertThat(errorOf(HEADER + LEFT + "{\"kind\":\"le"))
         .isEqualTo("run.trace:3: expected a whole line: the trace was cut off inside it");
   }
 
   @Test
-  void bytesThatAreNoTextAreAnError() throws IOException {
+  void invalidUtf8IsAnError() throws IOException {
     byte[] bytes = (HEADER + LEFT).getBytes(StandardCharsets.UTF_8);
     bytes[bytes.length - 4] = (byte) 0xFF;
     assertThat(errorOf(bytes)).isEqualTo("run.trace:2: expected text in UTF-8");
   }
 
   @Test
-  void anErrorStaysOneLineWhateverTheFileHolds() {
+  void anErrorMessageIsAlwaysOneLine() {
     assertThat(errorOf("\u001b[2J\r\n")).doesNotContain("\u001b").doesNotContain("\r");
   }
 

@@ -25,7 +25,7 @@ class TraceRoundTripTest {
   }
 
   @Property
-  void whatIsWrittenIsReadBackRounded(
+  void writtenEventsAreReadBackRounded(
       @ForAll("headers") TraceHeader header, @ForAll("runs") List<TraceEvent> events)
       throws IOException {
     byte[] bytes = write(header, events);
@@ -42,7 +42,7 @@ class TraceRoundTripTest {
   }
 
   @Property
-  void whatIsReadAndWrittenAgainHasTheSameBytes(@ForAll("runs") List<TraceEvent> events)
+  void readingAndWritingGivesTheSameBytes(@ForAll("runs") List<TraceEvent> events)
       throws IOException {
     TraceHeader header = new TraceHeader("0", "x", 1, 2, java.util.Map.of(), List.of());
     byte[] first = write(header, events);

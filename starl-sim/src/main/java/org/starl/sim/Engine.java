@@ -13,7 +13,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.RobotRunner;
 import org.starl.body.MotionParameters;
 import org.starl.body.RobotType;
-import org.starl.comms.Workspace;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.Participants;
@@ -51,7 +50,6 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   private final SimNetwork network;
   private final Participants deployment;
   private final Obstacles knownObstacles;
-  private final Workspace workspace = new Workspace();
   private final @Nullable DeploymentKey key;
   // Thousands of robots share them.
   private final Map<RobotType, MotionParameters> motions = new EnumMap<>(RobotType.class);
@@ -407,11 +405,6 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   /** What this run's datagrams are sealed with, or null for none. */
   @Nullable DeploymentKey key() {
     return key;
-  }
-
-  /** All robots', of which one runs at a time. */
-  Workspace workspace() {
-    return workspace;
   }
 
   SimSettings settings() {

@@ -89,7 +89,7 @@ final class SimRobot implements TraceSink {
             positioning,
             chassis,
             stable,
-            rng::fork,
+            name -> kept(rng.fork(name)),
             new SimBackground(kernel, strand, settings.computeTimeNs()),
             engine.watchers().logOf(spec.id()),
             // Where nobody listens, one sink for all robots, which stays in the processor's cache.
@@ -97,11 +97,22 @@ final class SimRobot implements TraceSink {
             engine.knownObstacles(),
             engine.motionParameters(index),
             engine.key());
-    runner = new RobotRunner(platform, engine.workspace(), spec.app(), this::appEnded);
+    runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
     if (!impairment.equals(Impairment.NONE)) {
       suffer(impairment);
     }
+  }
+
+  private LogicThread makeApp(GlobalVarHolder gvh) {
+    LogicThread app = spec.app().apply(gvh);
+    strand.prefetch(gvh.comms, gvh.comms.lamportClock(), app);
+    return app;
+  }
+
+  private Rng kept(Rng rng) {
+    strand.prefetch(rng);
+    return rng;
   }
 
   private SimPositioning positioning(

@@ -72,82 +72,78 @@ public final class KernelWorkload implements Workload {
     for (int i = 0; i < robots; i++) {
       int me = i;
       Function<GlobalVarHolder, LogicThread> app =
-          style == Style.BLOCKING
-              ? gvh -> new Blocking(gvh, new Peer(gvh, ids, me))
-              : gvh -> new Stepping(gvh, new Peer(gvh, ids, me));
+          gvh -> {
+            Rng rng = gvh.plat.entropy.fork("b1");
+            long phaseNs = rng.nextLong(0, PERIOD_MS * NS_PER_MS - 1);
+            return style == Style.BLOCKING
+                ? new Blocking(gvh, ids, me, rng, phaseNs)
+                : new Stepping(gvh, ids, me, rng, phaseNs);
+          };
       builder.robot(new RobotSpec(ids.get(i), new Pose(0, 0, 0), false, app));
     }
     return builder;
   }
 
-  /** What both styles do in a round. */
-  private static final class Peer {
+  private static final class Blocking extends LogicThread {
+    private final List<RobotId> ids;
+    private final int me;
+    private final Rng rng;
+    private final long phaseNs;
+    private final Endpoint<Integer> endpoint;
+    private int received;
+
+    Blocking(GlobalVarHolder gvh, List<RobotId> ids, int me, Rng rng, long phaseNs) {
+      super(gvh);
+      this.ids = ids;
+      this.me = me;
+      this.rng = rng;
+      this.phaseNs = phaseNs;
+      endpoint = gvh.comms.open(CHANNEL, (from, message) -> received += message);
+    }
+
+    @Override
+    public List<Object> callStarL() {
+      gvh.plat.strand.sleepUntil(gvh.plat.clock.nowNs() + phaseNs);
+      for (int round = 0; round < ROUNDS; round++) {
+        sleep(PERIOD_MS);
+        sendToRandomRobot(endpoint, ids, me, rng);
+      }
+      return List.of(received);
+    }
+  }
+
+  private static final class Stepping extends LogicThread {
     private final List<RobotId> ids;
     private final int me;
     private final Rng rng;
     private final Endpoint<Integer> endpoint;
     private int received;
-
-    Peer(GlobalVarHolder gvh, List<RobotId> ids, int me) {
-      this.ids = ids;
-      this.me = me;
-      rng = gvh.plat.entropy.fork("b1");
-      endpoint = gvh.comms.open(CHANNEL, (from, message) -> received += message);
-      gvh.plat.strand.uses(this, rng);
-    }
-
-    long phaseNs() {
-      return rng.nextLong(0, PERIOD_MS * NS_PER_MS - 1);
-    }
-
-    void sendToSomebody() {
-      int other = rng.nextInt(ids.size() - 1);
-      endpoint.send(ids.get(other >= me ? other + 1 : other), 1);
-    }
-
-    List<Object> results() {
-      return List.of(received);
-    }
-  }
-
-  private static final class Blocking extends LogicThread {
-    private final Peer peer;
-
-    Blocking(GlobalVarHolder gvh, Peer peer) {
-      super(gvh);
-      this.peer = peer;
-    }
-
-    @Override
-    public List<Object> callStarL() {
-      gvh.plat.strand.sleepUntil(gvh.plat.clock.nowNs() + peer.phaseNs());
-      for (int round = 0; round < ROUNDS; round++) {
-        sleep(PERIOD_MS);
-        peer.sendToSomebody();
-      }
-      return peer.results();
-    }
-  }
-
-  private static final class Stepping extends LogicThread {
-    private final Peer peer;
     private int round;
 
-    Stepping(GlobalVarHolder gvh, Peer peer) {
-      super(gvh, PERIOD_MS, PERIOD_MS * NS_PER_MS + peer.phaseNs());
-      this.peer = peer;
+    Stepping(GlobalVarHolder gvh, List<RobotId> ids, int me, Rng rng, long phaseNs) {
+      super(gvh, PERIOD_MS, PERIOD_MS * NS_PER_MS + phaseNs);
+      this.ids = ids;
+      this.me = me;
+      this.rng = rng;
+      endpoint = gvh.comms.open(CHANNEL, (from, message) -> received += message);
     }
 
     @Override
     protected boolean step() {
-      peer.sendToSomebody();
+      sendToRandomRobot(endpoint, ids, me, rng);
       round++;
       return round < ROUNDS;
     }
 
     @Override
     protected List<Object> returnResults() {
-      return peer.results();
+      return List.of(received);
     }
+  }
+
+  private static void sendToRandomRobot(
+      Endpoint<Integer> endpoint, List<RobotId> ids, int me, Rng rng) {
+    int other = rng.nextInt(ids.size() - 1);
+    endpoint.send(ids.get(other >= me ? other + 1 : other), 1);
   }
 }

@@ -42,6 +42,10 @@ record Allowance(String rule, String path, String reason) {
             VIEW + "ViewBench.java",
             "a benchmark measures the machine, and decides nothing by it"),
         new Allowance(
+            "threads and locks where one strand runs at a time",
+            "starl-core" + MAIN + "comms/Spare.java",
+            "a spare object for all robots of a process, whose strands may run at once"),
+        new Allowance(
             "threads and locks in the simulator and its tools",
             VIEW + "Window.java",
             "who opens it waits, off Swing's thread, until it is closed"),

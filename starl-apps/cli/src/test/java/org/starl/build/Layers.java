@@ -48,6 +48,7 @@ final class Layers {
     "org.starl.platform..",
     "org.starl.random..",
     "org.starl.spec..",
+    "org.starl.time..",
     "org.starl.trace.."
   };
 

@@ -4,8 +4,8 @@ import java.util.List;
 import org.starl.spec.Monitor;
 
 /**
- * The claim that each run of a primitive is a run of its theory's automaton, as a monitor. The lemma
- * is the theory's name. A subclass says which event is taken for which action.
+ * A monitor that checks that each run of a primitive is a run of its theory's automaton. The lemma
+ * has the theory's name. A subclass maps trace events to actions.
  */
 public abstract class Conformance implements Monitor {
 
@@ -13,8 +13,8 @@ public abstract class Conformance implements Monitor {
   private final String whose;
 
   /**
-   * @param theory its name: {@code Mutex_decls}
-   * @param whose runs they are: {@code every mutex}
+   * @param theory the theory's name, such as {@code Mutex_decls}
+   * @param whose the checked runs, such as {@code every mutex}
    */
   protected Conformance(String theory, String whose) {
     this.theory = theory;
@@ -29,7 +29,7 @@ public abstract class Conformance implements Monitor {
   @Override
   public final String says(String lemma) {
     return lemma.equals(theory)
-        ? "The run of " + whose + " is one of the theory's automaton, step by step."
+        ? "Each run of " + whose + " is a run of the theory's automaton, step by step."
         : "";
   }
 }

@@ -2,10 +2,10 @@ package org.starl.spec.automaton;
 
 import java.util.List;
 
-/** A value of {@code lift[T]}, the prelude's type of something or nothing. */
+/** A value of {@code lift[T]}, the PVS prelude's optional type. */
 public sealed interface Lift<T> extends Term {
 
-  /** Something. */
+  /** A value. */
   record up<T>(T value) implements Lift<T> {
     @Override
     public List<Object> args() {
@@ -18,7 +18,7 @@ public sealed interface Lift<T> extends Term {
     }
   }
 
-  /** Nothing. */
+  /** No value. */
   record bottom<T>() implements Lift<T> {
     @Override
     public List<Object> args() {

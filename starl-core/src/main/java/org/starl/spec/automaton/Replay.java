@@ -6,9 +6,9 @@ import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent;
 
 /**
- * One instance's run, taken through its automaton action by action. The lemma is the theory's name:
- * it holds as long as this is a run of the theory's automaton. After the first step that is none,
- * nothing more is said of the instance.
+ * Replays one instance's run on its automaton, action by action. The lemma has the theory's name:
+ * it holds as long as the run is a run of the automaton. After the first deviation, nothing more of
+ * this instance is checked.
  */
 public final class Replay<S, A extends Action> {
 
@@ -19,7 +19,7 @@ public final class Replay<S, A extends Action> {
   private boolean isOver;
 
   /**
-   * @param instance for violations: {@code mutex/crossing}
+   * @param instance names the instance in violations: {@code mutex/crossing}
    */
   public Replay(Automaton<S, A> automaton, String instance, Steps<S, A> steps) {
     this.automaton = automaton;
@@ -28,22 +28,22 @@ public final class Replay<S, A extends Action> {
     state = automaton.start();
   }
 
-  /** {@code mutex/crossing}. */
+  /** The instance, such as {@code mutex/crossing}. */
   public String instance() {
     return instance;
   }
 
-  /** Where the run stands. */
+  /** The current state. */
   public S state() {
     return state;
   }
 
-  /** Whether a step was no step of the automaton. */
+  /** Whether the run has deviated from the automaton. */
   public boolean isOver() {
     return isOver;
   }
 
-  /** The run does {@code action}, as {@code event} tells. */
+  /** Processes {@code action}, which {@code event} shows. */
   public void step(TraceEvent event, A action, Report report) {
     if (isOver) {
       return;
@@ -58,11 +58,11 @@ public final class Replay<S, A extends Action> {
   }
 
   /**
-   * The trace has a result of the latest step, in {@code event}.
+   * Processes a result of the latest step, which {@code event} shows.
    *
-   * @param function of the theory, of an argument and a state: {@code crit_set}
-   * @param recorded what it is at {@code argument}, by the trace
-   * @param expected what it is there in the {@link #state}
+   * @param function a function of the theory, of an argument and a state: {@code crit_set}
+   * @param recorded its value at {@code argument} in the trace
+   * @param expected its value at {@code argument} in the {@link #state}
    */
   public <V> void result(
       TraceEvent event, String function, Object argument, V recorded, V expected, Report report) {
@@ -77,7 +77,7 @@ public final class Replay<S, A extends Action> {
     }
   }
 
-  /** Forgets what no step and no result to come looks at, in a run that may be long. */
+  /** Reduces the state to what later steps and results need, to save memory in a long run. */
   public void forget(UnaryOperator<S> less) {
     state = less.apply(state);
   }

@@ -4,7 +4,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Consumer;
 
-/** The runs of all instances of a primitive, told apart by their sources: {@code mutex/crossing}. */
+/** The replays of all instances of a primitive, by source: {@code mutex/crossing}. */
 public final class Replays<S, A extends Action> {
 
   private final Automaton<S, A> automaton;
@@ -16,12 +16,12 @@ public final class Replays<S, A extends Action> {
     this.steps = steps;
   }
 
-  /** The run of {@code instance}; it begins where nobody has asked for it before. */
+  /** The replay of {@code instance}; created on first use. */
   public Replay<S, A> of(String instance) {
     return byInstance.computeIfAbsent(instance, source -> new Replay<>(automaton, source, steps));
   }
 
-  /** Shows every run, in order. */
+  /** Visits every replay, sorted by instance. */
   public void forEach(Consumer<Replay<S, A>> visitor) {
     byInstance.values().forEach(visitor);
   }

@@ -5,29 +5,29 @@ import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
-/** Finite sets as values of a theory, immutable, under the names of the prelude's functions. */
+/** Immutable finite sets as values of a theory, under the names of the PVS prelude's functions. */
 public final class Sets {
 
   private Sets() {}
 
-  /** Nothing. */
+  /** The empty set. */
   public static <T> SortedSet<T> emptyset() {
     return Collections.unmodifiableSortedSet(new TreeSet<>());
   }
 
-  /** {@code x} alone. */
+  /** The set of {@code x}. */
   public static <T> SortedSet<T> singleton(T x) {
     return add(x, emptyset());
   }
 
-  /** {@code set} and {@code x}. */
+  /** {@code set} with {@code x} added. */
   public static <T> SortedSet<T> add(T x, Collection<? extends T> set) {
     SortedSet<T> more = new TreeSet<>(set);
     more.add(x);
     return Collections.unmodifiableSortedSet(more);
   }
 
-  /** {@code set} without {@code x}. */
+  /** {@code set} with {@code x} removed. */
   public static <T> SortedSet<T> remove(T x, Collection<? extends T> set) {
     SortedSet<T> less = new TreeSet<>(set);
     less.remove(x);

@@ -3,8 +3,8 @@ package org.starl.spec.automaton;
 import java.util.List;
 
 /**
- * A value of a data type of a theory: a record whose name is the constructor's, and whose components
- * are the constructor's arguments, in order.
+ * A value of a theory's data type: a record that has the constructor's name, and the constructor's
+ * arguments as components, in order.
  */
 public interface Term {
 

@@ -74,7 +74,7 @@ class ReplaysTest {
           });
 
   @Test
-  void enabledStepsAreTakenAndTold() {
+  void enabledStepsAreTakenAndReported() {
     Replay<Boolean, Switch> replay = replays.of("lamp/x");
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.result(EVENT, "on", 1, true, replay.state(), report);
@@ -87,7 +87,7 @@ class ReplaysTest {
   }
 
   @Test
-  void theFirstStepThatIsNotEnabledIsToldWithItsFirstFalseConjunctAndTheRunIsOver() {
+  void theFirstDisabledStepIsReportedWithItsFirstFalseConjunctAndEndsTheReplay() {
     Replay<Boolean, Switch> replay = replays.of("lamp/x");
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.step(EVENT, new Switch.switch_on(1), report);
@@ -104,14 +104,14 @@ class ReplaysTest {
   }
 
   @Test
-  void theFirstOfSeveralFalseConjunctsIsTold() {
+  void theFirstOfSeveralFalseConjunctsIsReported() {
     replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
     replays.of("lamp/x").step(EVENT, new Switch.switch_on(-1), report);
     assertThat(report.violations().get(0).detail()).endsWith("i > 0 is false: i = -1");
   }
 
   @Test
-  void aResultThatIsNotTheAutomatonsIsTold() {
+  void aResultThatDiffersFromTheAutomatonsIsReported() {
     Replay<Boolean, Switch> replay = replays.of("lamp/x");
     replay.result(EVENT, "on", 1, true, replay.state(), report);
     assertThat(report.violations())
@@ -120,7 +120,7 @@ class ReplaysTest {
   }
 
   @Test
-  void instancesStandApart() {
+  void instancesAreReplayedSeparately() {
     replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
     replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
     replays.of("lamp/y").step(EVENT, new Switch.switch_on(1), report);

@@ -149,7 +149,7 @@ class BarrierSimTest {
             .build();
     assertThatThrownBy(simulation::run)
         .isInstanceOf(SimulationFailed.class)
-        .hasStackTraceContaining("barrier/works: this robot has had this instance already");
+        .hasStackTraceContaining("barrier/works: this robot has this instance already");
   }
 
   @Test

@@ -51,11 +51,6 @@ public final class ImpairedStrand implements Strand, Timers {
   }
 
   @Override
-  public void uses(Object... parts) {
-    strand.uses(parts);
-  }
-
-  @Override
   public void start(Runnable app) {
     strand.start(() -> {
       hold();

@@ -61,7 +61,7 @@ final class EventTable {
     return (Runnable) work[2 * slot + 1];
   }
 
-  /** Touches strand and piece ({@link Cache}). */
+  /** Prefetches strand and piece ({@link Cache}). */
   int touch(int slot) {
     return Cache.touch(work[2 * slot]) + Cache.touch(work[2 * slot + 1]);
   }

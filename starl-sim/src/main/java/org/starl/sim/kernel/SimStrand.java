@@ -11,8 +11,8 @@ import org.starl.platform.Timers;
 /** A robot's strand in virtual time: a piece takes no time, and no two pieces overlap. */
 public final class SimStrand implements Strand, Timers {
 
-  /** The first ones are remembered: what is fetched for nothing costs time, and stays in memory. */
-  private static final int MOST_PARTS = 32;
+  /** Limits the prefetched objects: a useless prefetch costs time and evicts other data. */
+  private static final int MAX_PARTS = 32;
 
   private final Kernel kernel;
   private final String name;
@@ -115,15 +115,19 @@ public final class SimStrand implements Strand, Timers {
     }
   }
 
-  @Override
-  public void uses(Object... moreParts) {
-    int more = Math.min(moreParts.length, MOST_PARTS - parts.length);
+  /**
+   * Adds small objects that most pieces of this strand use. The queue prefetches the first {@value
+   * #MAX_PARTS} of them into the processor's cache before the strand's events run ({@link Cache}).
+   * Has no other effect.
+   */
+  public void prefetch(Object... moreParts) {
+    int more = Math.min(moreParts.length, MAX_PARTS - parts.length);
     Object[] all = Arrays.copyOf(parts, parts.length + more);
     System.arraycopy(moreParts, 0, all, parts.length, more);
     parts = all;
   }
 
-  /** Touches what {@code piece} is going to use, as far as it is known ({@link Cache}). */
+  /** Prefetches the known objects that {@code piece} will use ({@link Cache}). */
   int touch(Runnable piece) {
     int read = 0;
     for (Object part : parts) {

@@ -1,8 +1,8 @@
 package org.starl.sim.kernel;
 
-/** A piece that knows what it is going to use. */
+/** A piece that knows which objects it will use. */
 public interface Touchable extends Runnable {
 
-  /** Touches what {@link #run} is going to use ({@link Cache}); changes nothing. */
+  /** Prefetches the objects that {@link #run} will use ({@link Cache}); has no other effect. */
   int touch();
 }

@@ -60,6 +60,7 @@ final class SimRadio implements Radio {
       throw new IllegalStateException(id + "'s radio has a receiver already");
     }
     receiver = newReceiver;
+    strand.prefetch(this, newReceiver);
   }
 
   void receive(RobotId from, byte[] data, int length) {

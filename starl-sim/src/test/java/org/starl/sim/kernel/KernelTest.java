@@ -49,14 +49,14 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void whatStrandsSayTheyUseChangesNothing(CarrierKind kind) {
+  void prefetchingChangesNothing(CarrierKind kind) {
     List<String> plain = runOfACrowd(kind, strand -> {});
     List<String> hinted =
         runOfACrowd(
             kind,
             strand -> {
-              strand.uses(strand, strand.name(), new long[9]);
-              strand.uses(new Object());
+              strand.prefetch(strand, strand.name(), new long[9]);
+              strand.prefetch(new Object());
             });
     assertThat(plain).hasSize(3 * 39 + 1).isEqualTo(hinted);
   }

@@ -20,7 +20,6 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.starl.comms.Comms;
 import org.starl.comms.DropReason;
-import org.starl.comms.Workspace;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
@@ -83,7 +82,7 @@ class HostileDatagramsTest {
               failure -> {
                 throw new AssertionError(failure);
               });
-      comms = new Comms(LoneRobot.platform(ME, BOTH, radio, strand, KEY), 1, new Workspace());
+      comms = new Comms(LoneRobot.platform(ME, BOTH, radio, strand, KEY), 1);
       comms.open(LoneRobot.TALK, (from, message) -> heard.add(from + ": " + message));
       Discovery.Settings settings = new Discovery.Settings(3_600_000, 3_600_000, 0);
       discovery = Discovery.open(radio, ME, BOTH, new TreeMap<>(), KEY, settings, 1, () -> 1, this);

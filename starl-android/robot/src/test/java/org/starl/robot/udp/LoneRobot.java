@@ -17,7 +17,6 @@ import org.starl.comms.DropReason;
 import org.starl.comms.Endpoint;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
-import org.starl.comms.Workspace;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -82,7 +81,7 @@ final class LoneRobot {
             receiver = newReceiver;
           }
         };
-    comms = new Comms(platform(self, deployment, radio, strand, key), 1, new Workspace());
+    comms = new Comms(platform(self, deployment, radio, strand, key), 1);
     talk = comms.open(TALK, (from, message) -> heard.add(message));
   }
 

@@ -4,12 +4,12 @@ import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
 
 /**
- * A disc that holds a robot's position at one time, and an interval that holds its heading: what
- * {@link PositionFilter} works on.
+ * The state of {@link PositionFilter}: a disc that contains the robot's position at one time, and
+ * an interval that contains its heading.
  */
-final class Belief {
+final class PoseEstimate {
 
-  /** Two discs that miss each other by less have a point in common, up to rounding. */
+  /** Rounding tolerance: discs closer than this count as intersecting. */
   private static final double ROUNDING_MM = 1e-6;
 
   private static final double ROUNDING_RAD = 1e-9;
@@ -21,12 +21,12 @@ final class Belief {
   private double radiusMm;
   private double spreadRad;
 
-  /** What one fix alone says. */
-  Belief(Fix fix) {
-    become(fix);
+  /** The estimate from one fix alone. */
+  PoseEstimate(Fix fix) {
+    set(fix);
   }
 
-  private void become(Fix fix) {
+  private void set(Fix fix) {
     atNs = fix.timeNs();
     xMm = fix.pose().xMm();
     yMm = fix.pose().yMm();
@@ -39,7 +39,7 @@ final class Belief {
     return atNs;
   }
 
-  /** Moves on with the commands since. */
+  /** Predicts the state at {@code nowNs} from the commands since {@link #atNs}. */
   void advanceTo(long nowNs, Odometry odometry) {
     odometry.locate(atNs, nowNs);
     xMm = aheadXMm(odometry);
@@ -50,7 +50,7 @@ final class Belief {
     atNs = nowNs;
   }
 
-  // Where it is, seen from where odometry was asked to locate it from.
+  // The predicted state for the interval that odometry located last.
 
   double aheadXMm(Odometry odometry) {
     return odometry.forwardMm() == 0 && odometry.leftMm() == 0
@@ -77,8 +77,9 @@ final class Belief {
   }
 
   /**
-   * A body that does from none to 1 + e times of each piece of a path, turned by at most d, is off by
-   * at most |(1 + e) u' - u| or |u| of that piece, u and u' being the directions: whichever is more.
+   * If a body executes between 0 and 1 + e times of each piece of a path, with a heading error of
+   * at most d, its error per piece is at most |(1 + e) u' - u| or |u|, whichever is larger, where u
+   * and u' are the directions.
    */
   double aheadRadiusMm(Odometry odometry) {
     if (odometry.pathMm() == 0) {
@@ -91,11 +92,11 @@ final class Belief {
   }
 
   /**
-   * Learns a fix of the same time: becomes the smallest disc around what it has in common with it.
+   * Updates the state with a fix of the same time: the smallest disc around the intersection.
    *
-   * @return false if they have nothing in common; then nothing changes
+   * @return false if the intersection is empty; then nothing changes
    */
-  boolean meet(Fix fix) {
+  boolean intersect(Fix fix) {
     double dx = fix.pose().xMm() - xMm;
     double dy = fix.pose().yMm() - yMm;
     double gapMm = Math.sqrt(dx * dx + dy * dy);
@@ -104,30 +105,30 @@ final class Belief {
         || Math.abs(offRad) > spreadRad + fix.errorRad() + ROUNDING_RAD) {
       return false;
     }
-    meetDisc(fix, dx, dy, gapMm);
-    meetHeading(fix, offRad);
+    intersectDisc(fix, dx, dy, gapMm);
+    intersectHeading(fix, offRad);
     return true;
   }
 
-  private void meetDisc(Fix fix, double dx, double dy, double gapMm) {
+  private void intersectDisc(Fix fix, double dx, double dy, double gapMm) {
     double fixMm = fix.errorMm();
-    // Where the line through the two points common to both circles cuts the line of centres.
+    // Where the line through the intersection points of both circles meets the line of centres.
     double chordMm =
         gapMm == 0 ? 0 : (gapMm * gapMm + radiusMm * radiusMm - fixMm * fixMm) / (2 * gapMm);
     boolean fixIsInside = gapMm + fixMm <= radiusMm || (gapMm > 0 && chordMm >= gapMm);
-    boolean beliefIsInside = gapMm + radiusMm <= fixMm || (gapMm > 0 && chordMm <= 0);
+    boolean estimateIsInside = gapMm + radiusMm <= fixMm || (gapMm > 0 && chordMm <= 0);
     if (fixIsInside) {
       xMm = fix.pose().xMm();
       yMm = fix.pose().yMm();
       radiusMm = fixMm;
-    } else if (!beliefIsInside) {
+    } else if (!estimateIsInside) {
       xMm += dx * (chordMm / gapMm);
       yMm += dy * (chordMm / gapMm);
       radiusMm = Math.sqrt(Math.max(0, radiusMm * radiusMm - chordMm * chordMm));
     }
   }
 
-  private void meetHeading(Fix fix, double offRad) {
+  private void intersectHeading(Fix fix, double offRad) {
     boolean wraps = spreadRad + fix.errorRad() >= StrictMath.PI;
     if (!wraps) {
       double low = Math.max(-spreadRad, offRad - fix.errorRad());
@@ -135,7 +136,8 @@ final class Belief {
       headingRad = Angles.normalize(headingRad + (low + high) / 2);
       spreadRad = Math.max(0, high - low) / 2;
     } else if (fix.errorRad() <= spreadRad) {
-      // They may meet on both sides of the circle: the narrower one holds what they have in common.
+      // The intervals may overlap on both sides of the circle: the narrower one contains the
+      // intersection.
       headingRad = fix.pose().headingRad();
       spreadRad = fix.errorRad();
     }

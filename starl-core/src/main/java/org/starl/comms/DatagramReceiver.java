@@ -7,8 +7,10 @@ import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.trace.TraceSink;
 
-/** What arrives: looked through, counted, and handed to the endpoint that it is for. */
-final class Inbound implements Radio.Receiver {
+/** Receives datagrams: checks and counts them, and passes messages to their endpoints. */
+final class DatagramReceiver implements Radio.Receiver {
+
+  private static final Spare<Header> HEADERS = new Spare<>(Header::new);
 
   private static final int FIRST_BOOT = 1;
   private static final long UNSEALED = 0;
@@ -16,44 +18,42 @@ final class Inbound implements Radio.Receiver {
 
   private final Comms comms;
   private final byte[] selfName;
-  private final Header header;
-  private final WireReader in;
   private final Participants deployment;
   private final LamportClock lamportClock;
   private final TraceSink trace;
   private final @Nullable Seal seal;
   private long received;
 
-  /** The open endpoints, linked, the one that heard last first: mostly it is the next as well. */
+  /**
+   * The open endpoints as a linked list. The one that received last is first, because it is usually
+   * the next to receive.
+   */
   private @Nullable OpenEndpoint<?> endpoints;
 
-  // Made when first needed.
+  // Created on first use.
   private @Nullable InboundWindows windows;
-  private @Nullable Strangers strangers;
+  private @Nullable UnknownSenders unknownSenders;
 
   /**
-   * @param selfName this robot's own on the wire
-   * @param seal where the deployment has a key
+   * @param selfName this robot's name as on the wire
+   * @param seal null if the deployment has no key
    */
-  Inbound(
+  DatagramReceiver(
       Comms comms,
       byte[] selfName,
-      Workspace workspace,
       Participants deployment,
       LamportClock lamportClock,
       TraceSink trace,
       @Nullable Seal seal) {
     this.comms = comms;
     this.selfName = selfName;
-    this.header = workspace.header;
-    this.in = workspace.in;
     this.deployment = deployment;
     this.lamportClock = lamportClock;
     this.trace = trace;
     this.seal = seal;
   }
 
-  /** Datagrams that arrived, dropped ones included. */
+  /** Number of datagrams received, including dropped ones. */
   long received() {
     return received;
   }
@@ -68,7 +68,7 @@ final class Inbound implements Radio.Receiver {
   }
 
   void close(OpenEndpoint<?> endpoint) {
-    // Comes first by being looked for.
+    // The search moves it to the front.
     if (listener(endpoint.name, 0, endpoint.name.length) == endpoint) {
       endpoints = endpoint.next;
       endpoint.next = null;
@@ -94,71 +94,79 @@ final class Inbound implements Radio.Receiver {
   public void received(byte[] buffer, int length) {
     received++;
     if (seal == null) {
-      take(buffer, length, UNSEALED);
+      handle(buffer, length, UNSEALED);
       return;
     }
-    // Counts begin with 1: what says less was not sealed by this code.
-    long count = seal.isGenuine(buffer, length) ? Seal.count(buffer, length) : 0;
+    // Counts start at 1: this code never seals a smaller one.
+    long count = seal.verify(buffer, length) ? Seal.count(buffer, length) : 0;
     if (count > 0) {
-      take(buffer, length - Seal.BYTES, count);
+      handle(buffer, length - Seal.BYTES, count);
     } else {
       drop(DropReason.FORGED, null, length + " bytes");
     }
   }
 
-  /** Takes in what this robot has sent to itself. */
+  /** Receives a datagram that this robot sent to itself. */
   void receivedFromSelf(byte[] datagram) {
     received++;
-    take(datagram, datagram.length, FROM_SELF);
+    handle(datagram, datagram.length, FROM_SELF);
   }
 
   /**
-   * @param count the transmission's under its seal; or {@link #UNSEALED}, or {@link #FROM_SELF}
+   * @param count the transmission count in the authentication; or {@link #UNSEALED}, or {@link
+   *     #FROM_SELF}
    */
-  private void take(byte[] buffer, int length, long count) {
-    DropReason malformed = header.parse(buffer, length, in);
-    if (malformed != null) {
+  private void handle(byte[] buffer, int length, long count) {
+    Header header = HEADERS.take();
+    DropReason malformed = header.parse(buffer, length);
+    if (malformed == null) {
+      handle(header, count);
+    } else {
       drop(malformed, null, length + " bytes");
-      return;
     }
-    RobotId from = sender(buffer);
+    HEADERS.giveBack(header);
+  }
+
+  private void handle(Header header, long count) {
+    RobotId from = sender(header);
     if (from == null) {
       drop(DropReason.BAD_NAME, null, "sender");
       return;
     }
-    DropReason refused = refusal(buffer, from, count);
+    DropReason refused = refusal(header, from, count);
     if (refused != null) {
       drop(refused, from, "");
       return;
     }
     lamportClock.witness(header.clock);
     if (header.kind == Header.ACK) {
-      acknowledged(from);
+      acknowledged(header, from);
     } else {
-      message(buffer, from);
+      message(header, from);
     }
   }
 
-  private @Nullable RobotId sender(byte[] buffer) {
-    RobotId known = deployment.find(buffer, header.senderAt, header.senderLength);
+  private @Nullable RobotId sender(Header header) {
+    RobotId known = deployment.find(header.bytes, header.senderAt, header.senderLength);
     if (known != null) {
       return known;
     }
-    if (strangers == null) {
-      strangers = new Strangers();
+    if (unknownSenders == null) {
+      unknownSenders = new UnknownSenders();
     }
-    return strangers.find(buffer, header.senderAt, header.senderLength);
+    return unknownSenders.find(header.bytes, header.senderAt, header.senderLength);
   }
 
-  // Names are compared as bytes: the sender's own object is mostly cold, and stays so.
-  private @Nullable DropReason refusal(byte[] buffer, RobotId from, long count) {
+  // Compares names as bytes, without reading the sender's object, which is usually not in the
+  // cache.
+  private @Nullable DropReason refusal(Header header, RobotId from, long count) {
     if (count != FROM_SELF
-        && ByteNames.equal(selfName, buffer, header.senderAt, header.senderLength)) {
+        && ByteNames.equal(selfName, header.bytes, header.senderAt, header.senderLength)) {
       return DropReason.OWN;
     }
     boolean isForUs =
         header.addresseeLength == 0
-            || ByteNames.equal(selfName, buffer, header.addresseeAt, header.addresseeLength);
+            || ByteNames.equal(selfName, header.bytes, header.addresseeAt, header.addresseeLength);
     if (!isForUs) {
       return DropReason.NOT_FOR_US;
     }
@@ -167,7 +175,7 @@ final class Inbound implements Radio.Receiver {
     if (replayed != null) {
       return replayed;
     }
-    // A first incarnation has no predecessor that must stay dead.
+    // A first incarnation has no dead predecessor to tell apart.
     return windows == null && header.boot == FIRST_BOOT ? null : windows().admit(from, header.boot);
   }
 
@@ -178,13 +186,13 @@ final class Inbound implements Radio.Receiver {
     return windows;
   }
 
-  private void acknowledged(RobotId from) {
+  private void acknowledged(Header header, RobotId from) {
     int ackedBoot;
     long order;
     try {
-      ackedBoot = in.i32();
-      order = in.i64();
-      in.expectEnd();
+      ackedBoot = header.in.i32();
+      order = header.in.i64();
+      header.in.expectEnd();
     } catch (WireFormatException e) {
       drop(DropReason.BAD_PAYLOAD, from, "acknowledgement: " + e.getMessage());
       return;
@@ -192,14 +200,14 @@ final class Inbound implements Radio.Receiver {
     comms.settle(from, ackedBoot, order);
   }
 
-  private void message(byte[] buffer, RobotId from) {
+  private void message(Header header, RobotId from) {
     long order = 0;
     if (header.kind == Header.RELIABLE) {
-      if (in.remaining() < Long.BYTES) {
+      if (header.in.remaining() < Long.BYTES) {
         drop(DropReason.TRUNCATED, from, "no order");
         return;
       }
-      order = in.i64();
+      order = header.in.i64();
       DropReason refused = order <= 0 ? DropReason.BAD_FIELD : windows().refusal(from, order);
       if (refused != null) {
         drop(refused, from, "");
@@ -209,17 +217,18 @@ final class Inbound implements Radio.Receiver {
         return;
       }
     }
-    OpenEndpoint<?> endpoint = listener(buffer, header.channelAt, header.channelLength);
+    OpenEndpoint<?> endpoint = listener(header.bytes, header.channelAt, header.channelLength);
     if (endpoint == null) {
-      dropUnheard(buffer, from);
+      dropWithoutListener(header, from);
     } else {
-      deliver(endpoint, from, order);
+      deliver(endpoint, header, from, order);
     }
   }
 
-  private void dropUnheard(byte[] buffer, RobotId from) {
+  private void dropWithoutListener(Header header, RobotId from) {
     String name =
-        new String(buffer, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
+        new String(
+            header.bytes, header.channelAt, header.channelLength, StandardCharsets.ISO_8859_1);
     if (Channel.isName(name)) {
       drop(DropReason.NO_LISTENER, from, name);
     } else {
@@ -227,29 +236,28 @@ final class Inbound implements Radio.Receiver {
     }
   }
 
-  private <T> void deliver(OpenEndpoint<T> endpoint, RobotId from, long order) {
+  private <T> void deliver(OpenEndpoint<T> endpoint, Header header, RobotId from, long order) {
     T message;
     try {
-      message = endpoint.channel.codec().read(in);
-      in.expectEnd();
+      message = endpoint.channel.codec().read(header.in);
+      header.in.expectEnd();
     } catch (WireFormatException | IllegalArgumentException e) {
       drop(DropReason.BAD_PAYLOAD, from, endpoint.channel.name() + ": " + e.getMessage());
       return;
     }
-    int senderBoot = header.boot;
     if (order > 0) {
-      windows().handle(from, senderBoot, order);
+      windows().handle(from, header.boot, order);
     }
     if (trace.isOn()) {
-      comms.books().delivered(from, endpoint.channel, header.number, message);
+      comms.log().delivered(from, endpoint.channel, header.number, message);
     }
     endpoint.handler.received(from, message);
     if (order > 0) {
-      comms.acknowledge(from, senderBoot, order);
+      comms.acknowledge(from, header.boot, order);
     }
   }
 
   private void drop(DropReason reason, @Nullable RobotId from, String detail) {
-    comms.books().dropped(reason, from, detail);
+    comms.log().dropped(reason, from, detail);
   }
 }

@@ -7,17 +7,17 @@ import org.starl.platform.Platform;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
-/** Tells the trace and the log of datagrams, and counts those that are dropped. */
-final class Bookkeeping {
+/** Traces and logs datagrams, and counts dropped ones. */
+final class DatagramLog {
 
-  /** Where acknowledgements stand in the trace; no channel's name, for want of a slash. */
+  /** The channel of acknowledgements in the trace. Without a slash, it is not a channel's name. */
   private static final String ACK = "ack";
 
   private final Platform platform;
   private final TraceSink trace;
   private long @Nullable [] drops;
 
-  Bookkeeping(Platform platform) {
+  DatagramLog(Platform platform) {
     this.platform = platform;
     this.trace = platform.trace();
   }
@@ -26,12 +26,12 @@ final class Bookkeeping {
     return drops == null ? 0 : drops[reason.ordinal()];
   }
 
-  /** Traces that a datagram with this message goes out; {@code to} is null for everyone. */
+  /** Traces a sent message; {@code to} is null for a broadcast. */
   void sent(@Nullable RobotId to, Channel<?> channel, long number, int bytes, Object message) {
     traceSent(to == null ? "*" : to.name(), channel.name(), number, bytes, message.toString());
   }
 
-  /** Traces that an acknowledgement of message {@code order} of {@code to} goes out. */
+  /** Traces a sent acknowledgement of message {@code order} of {@code to}. */
   void sentAcknowledgement(RobotId to, long order, long number, int bytes) {
     traceSent(to.name(), ACK, number, bytes, ACK + " " + order);
   }
@@ -40,14 +40,17 @@ final class Bookkeeping {
     trace.record(new TraceEvent.Sent(now(), platform.id(), to, channel, number, bytes, message));
   }
 
-  /** Traces that a message is handled. */
+  /** Traces a message that is passed to its handler. */
   void delivered(RobotId from, Channel<?> channel, long number, Object message) {
     trace.record(
         new TraceEvent.Delivered(
             now(), platform.id(), from, channel.name(), number, message.toString()));
   }
 
-  /** A datagram is dropped, from nobody knows whom if {@code from} is null. */
+  /**
+   * Counts a dropped datagram, traces it, and logs the first one for each reason; {@code from} is
+   * null for an unknown sender.
+   */
   void dropped(DropReason reason, @Nullable RobotId from, String detail) {
     if (drops == null) {
       drops = new long[DropReason.values().length];
