@@ -2,6 +2,7 @@ package org.starl.spec;
 
 import java.util.List;
 import java.util.function.LongFunction;
+import java.util.function.Predicate;
 import org.starl.id.RobotId;
 
 /**
@@ -60,6 +61,11 @@ public final class Dues {
   /** As {@link Within#assume}. */
   public void assume(Seat seat, boolean holds, long nowNs) {
     within.assume(seat, holds, nowNs);
+  }
+
+  /** As {@link Within#assumeEach}. */
+  public void assumeEach(Predicate<Seat> holds, long nowNs) {
+    within.assumeEach(holds, nowNs);
   }
 
   /** Reports every debt whose bound has passed before {@code nowNs}; call as {@link Within#expire}. */

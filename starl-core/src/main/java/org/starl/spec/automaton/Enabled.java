@@ -3,12 +3,12 @@ package org.starl.spec.automaton;
 import java.util.function.Supplier;
 
 /**
- * The value of an enabling condition, a conjunction as in the theory: true, or its first conjunct
- * that is false, with the values that make it so.
+ * The value of an enabling condition, a conjunction as in the theory: true, or the first false
+ * conjunct, with the values that make it false.
  */
 public final class Enabled {
 
-  /** Of an action that is always enabled. */
+  /** For an action that is always enabled. */
   public static final Enabled TRUE = new Enabled("");
 
   private final String obstacle;
@@ -21,13 +21,13 @@ public final class Enabled {
    * A condition of one conjunct.
    *
    * @param conjunct its text in the theory
-   * @param values called if it does not hold: {@code req_set(bot1) = [A]}
+   * @param values the values in it, asked for only if it is false: {@code req_set(bot1) = [A]}
    */
   public static Enabled when(String conjunct, boolean holds, Supplier<String> values) {
     return TRUE.and(conjunct, holds, values);
   }
 
-  /** With one conjunct more. */
+  /** Adds a conjunct. */
   public Enabled and(String conjunct, boolean holds, Supplier<String> values) {
     return holds || !isTrue() ? this : new Enabled(conjunct + " is false: " + values.get());
   }

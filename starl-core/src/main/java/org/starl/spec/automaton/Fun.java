@@ -6,16 +6,16 @@ import java.util.function.BiPredicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A function as a state of a theory has it, {@code [PIDS -> Zoneset]}: total, and one and the same
- * almost everywhere. Immutable; takes memory, and a change takes time, for where it differs alone.
+ * A total function in a state of a theory, {@code [PIDS -> Zoneset]}: a default value, and finitely
+ * many exceptions. Immutable. Memory, and the time of a change, grow with the exceptions only.
  *
- * @param <K> arguments, in their order
+ * @param <K> arguments, in their natural order
  * @param <V> compared by {@code equals}
  */
 public final class Fun<K extends Comparable<? super K>, V> {
 
   private final V elsewhere;
-  // Two rows of one length; arguments ascend, and no value is the one of elsewhere.
+  // Parallel arrays: arguments ascend, and no value equals the default.
   private final Object[] arguments;
   private final Object[] values;
 
@@ -51,29 +51,29 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return new Fun<>(elsewhere, put(arguments, before, argument), put(values, before, value));
   }
 
-  /** What it is almost everywhere. */
+  /** The default value. */
   public V elsewhere() {
     return elsewhere;
   }
 
-  /** At how many arguments it differs from what it is elsewhere. */
+  /** The number of exceptions. */
   public int size() {
     return arguments.length;
   }
 
-  /** Whether it is the same everywhere. */
+  /** Whether it has no exception. */
   public boolean isConstant() {
     return arguments.length == 0;
   }
 
-  /** Shows every argument, in order, at which it differs from what it is elsewhere, and its value. */
+  /** Visits every exception, in order: argument and value. */
   public void forEach(BiConsumer<? super K, ? super V> visitor) {
     for (int place = 0; place < arguments.length; place++) {
       visitor.accept(argument(place), value(place));
     }
   }
 
-  /** Whether {@code test} is true of every argument at which it differs, and its value. */
+  /** Whether {@code test} is true of every exception: argument and value. */
   public boolean allMatch(BiPredicate<? super K, ? super V> test) {
     for (int place = 0; place < arguments.length; place++) {
       if (!test.test(argument(place), value(place))) {
@@ -101,13 +101,13 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return -from - 1;
   }
 
-  // Only with() makes rows, and puts nothing else into them.
+  // Safe: only with() fills the arrays.
   @SuppressWarnings("unchecked")
   private K argument(int place) {
     return (K) arguments[place];
   }
 
-  // Only with() makes rows, and puts nothing else into them.
+  // Safe: only with() fills the arrays.
   @SuppressWarnings("unchecked")
   private V value(int place) {
     return (V) values[place];
@@ -139,7 +139,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return 31 * Arrays.hashCode(arguments) + Arrays.hashCode(values);
   }
 
-  /** {@code (bot0: [A, C], bot1: [B])}, without where it is as elsewhere. */
+  /** {@code (bot0: [A, C], bot1: [B])}: the exceptions. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder("(");

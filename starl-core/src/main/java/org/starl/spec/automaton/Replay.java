@@ -6,9 +6,9 @@ import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent;
 
 /**
- * One instance's run, taken through its automaton action by action. The lemma is the theory's name:
- * it holds as long as this is a run of the theory's automaton. After the first step that is none,
- * nothing more is said of the instance.
+ * The run of one instance, replayed on its automaton action by action. The lemma is the theory's name:
+ * it holds as long as the run is a run of the automaton. After the first deviation the replay is over:
+ * nothing more is checked or reported for the instance.
  */
 public final class Replay<S, A extends Action> {
 
@@ -20,6 +20,7 @@ public final class Replay<S, A extends Action> {
 
   /**
    * @param instance for violations: {@code mutex/crossing}
+   * @param steps receives every step
    */
   public Replay(Automaton<S, A> automaton, String instance, Steps<S, A> steps) {
     this.automaton = automaton;
@@ -28,22 +29,17 @@ public final class Replay<S, A extends Action> {
     state = automaton.start();
   }
 
-  /** {@code mutex/crossing}. */
-  public String instance() {
-    return instance;
-  }
-
-  /** Where the run stands. */
+  /** The present state. */
   public S state() {
     return state;
   }
 
-  /** Whether a step was no step of the automaton. */
+  /** Whether the run has deviated. */
   public boolean isOver() {
     return isOver;
   }
 
-  /** The run does {@code action}, as {@code event} tells. */
+  /** Takes {@code action}, as told by {@code event}; it deviates if it is not enabled. */
   public void step(TraceEvent event, A action, Report report) {
     if (isOver) {
       return;
@@ -53,16 +49,16 @@ public final class Replay<S, A extends Action> {
     state = automaton.trans(action, state);
     steps.stepped(instance, event, action, state);
     if (!enabled.isTrue()) {
-      deviates(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
+      deviate(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
     }
   }
 
   /**
-   * The trace has a result of the latest step, in {@code event}.
+   * Compares a result of the latest step, as recorded in {@code event}, with the automaton's.
    *
    * @param function of the theory, of an argument and a state: {@code crit_set}
-   * @param recorded what it is at {@code argument}, by the trace
-   * @param expected what it is there in the {@link #state}
+   * @param recorded its value at {@code argument}, by the trace
+   * @param expected its value there in the present {@link #state}
    */
   public <V> void result(
       TraceEvent event, String function, Object argument, V recorded, V expected, Report report) {
@@ -73,16 +69,16 @@ public final class Replay<S, A extends Action> {
     steps.resulted(instance, function, argument, recorded);
     if (!recorded.equals(expected)) {
       String of = function + "(" + argument + ")";
-      deviates(event, of + " is " + expected + ", but the trace has " + recorded, report);
+      deviate(event, of + " is " + expected + ", but the trace has " + recorded, report);
     }
   }
 
-  /** Forgets what no step and no result to come looks at, in a run that may be long. */
-  public void forget(UnaryOperator<S> less) {
-    state = less.apply(state);
+  /** Drops from the state what no later step or result reads; for long runs. */
+  public void forget(UnaryOperator<S> reduce) {
+    state = reduce.apply(state);
   }
 
-  private void deviates(TraceEvent event, String how, Report report) {
+  private void deviate(TraceEvent event, String how, Report report) {
     isOver = true;
     report.violated(
         automaton.theory(), event.timeNs(), List.of(event.robot()), instance + ": " + how);

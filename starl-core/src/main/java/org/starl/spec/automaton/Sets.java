@@ -5,17 +5,17 @@ import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
-/** Finite sets as values of a theory, immutable, under the names of the prelude's functions. */
+/** Immutable finite sets as values of a theory, under the names of the prelude's functions. */
 public final class Sets {
 
   private Sets() {}
 
-  /** Nothing. */
+  /** The empty set. */
   public static <T> SortedSet<T> emptyset() {
     return Collections.unmodifiableSortedSet(new TreeSet<>());
   }
 
-  /** {@code x} alone. */
+  /** The set of {@code x}. */
   public static <T> SortedSet<T> singleton(T x) {
     return add(x, emptyset());
   }

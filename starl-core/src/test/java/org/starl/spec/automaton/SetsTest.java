@@ -9,7 +9,7 @@ import org.junit.jupiter.api.Test;
 class SetsTest {
 
   @Test
-  void theyDoNotChange() {
+  void setsAreImmutable() {
     SortedSet<String> b = Sets.singleton("b");
     SortedSet<String> both = Sets.add("a", b);
     assertThat(both).containsExactly("a", "b");
