@@ -2,15 +2,16 @@ package org.starl.spec;
 
 import java.util.List;
 import java.util.function.LongFunction;
+import java.util.function.Predicate;
 import org.starl.id.RobotId;
 
 /**
- * Progress deadlines per robot and instance of a primitive, under one lemma: a {@link Within} that
- * reports missed deadlines as violations. Without a bound, there are no deadlines.
+ * What each robot owes in each instance of a primitive under one lemma: a {@link Within} that
+ * reports what was not met. Without a bound, nothing is ever owed.
  */
 public final class Dues {
 
-  /** No bound: only safety is checked. */
+  /** No bound: for a specification of safety only. */
   public static final long NO_BOUND = Long.MAX_VALUE;
 
   private final String lemma;
@@ -18,8 +19,8 @@ public final class Dues {
   private final Within<Seat> within;
 
   /**
-   * @param boundNs as in {@link Within}, or {@link #NO_BOUND}
-   * @param complaint text of a violation, given the start of the deadline in ns
+   * @param boundNs as {@link Within} has it, or {@link #NO_BOUND}
+   * @param complaint what is wrong, of a debt since so many ns
    */
   public Dues(String lemma, long boundNs, LongFunction<String> complaint) {
     this.lemma = lemma;
@@ -28,7 +29,7 @@ public final class Dues {
   }
 
   /**
-   * The key of a deadline: one robot in one instance.
+   * One robot's part in one instance.
    *
    * @param source the instance, as in the trace
    */
@@ -50,7 +51,7 @@ public final class Dues {
     return within.settle(seat);
   }
 
-  /** Ends a deadline, if there is one, as met: the lemma has held once more. */
+  /** What was owed, if it was, has come: the lemma holds once more. */
   public void meet(Seat seat, Monitor.Report report) {
     if (within.settle(seat)) {
       report.checked(lemma);
@@ -62,10 +63,12 @@ public final class Dues {
     within.assume(seat, holds, nowNs);
   }
 
-  /**
-   * Reports every deadline that passed before {@code nowNs} as a violation; see {@link
-   * Within#expire} for when to call it.
-   */
+  /** As {@link Within#assumeEach}. */
+  public void assumeEach(Predicate<Seat> holds, long nowNs) {
+    within.assumeEach(holds, nowNs);
+  }
+
+  /** Reports every debt whose bound has passed before {@code nowNs}; call as {@link Within#expire}. */
   public void expire(long nowNs, Monitor.Report report) {
     within.expire(
         nowNs,

@@ -1,10 +1,13 @@
 package org.starl.spec;
 
+import java.util.Collection;
 import java.util.Iterator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * Bounded progress: deadlines that apply as long as their assumption holds. Each deadline has a
@@ -66,6 +69,13 @@ public final class Within<K> {
       }
     } else if (sinceNs.remove(key) != null) {
       suspended.add(key);
+    }
+  }
+
+  /** As {@link #assume}, for every debt. */
+  public void assumeEach(Predicate<? super K> holds, long nowNs) {
+    for (Collection<K> keys : List.of(sinceNs.keySet(), suspended)) {
+      List.copyOf(keys).forEach(key -> assume(key, holds.test(key), nowNs));
     }
   }
 

@@ -6,6 +6,6 @@ public interface StarLPrimitive {
   /** The primitive and its instance, as on the wire and in the trace: {@code mutex/crossing}. */
   String source();
 
-  /** Ends this robot's part: hears and sends nothing more. */
+  /** Ends this robot's part: it receives and sends nothing more. */
   void close();
 }

@@ -5,7 +5,7 @@
  * what it assumes.
  *
  * <p>An implementation keeps its invariants under every fault in its envelope; progress is best
- * effort, and its failure is told, never silent.
+ * effort, and a failure is always reported.
  *
  * <p>May import: core.
  */

@@ -17,8 +17,8 @@ import org.junit.jupiter.api.Test;
 
 /**
  * {@code docs/specifications.md} names a planted bug for each lemma of each monitor that is shipped.
- * Monitors are found in the sources: the names of lemmas are the text constants that stand in their
- * {@code lemmas()}, or are given to {@code Conformance}; here or in a file beside them.
+ * Monitors are found in the sources. Their lemmas are the text constants in {@code lemmas()}, or given
+ * to {@code lemma}, {@code progress} or {@code Conformance}; in the same file or one beside it.
  */
 class SpecificationsTest {
 
@@ -34,7 +34,7 @@ class SpecificationsTest {
           "starl-apps/kotlin");
   private static final Pattern MONITOR =
       Pattern.compile(
-          "(?<!abstract )\\bclass (\\w+)(?: extends Conformance |"
+          "(?<!abstract )\\bclass (\\w+)(?: extends (?:Conformance|InstanceSpec)<[^{;]*|"
               + "[^{;]*(?: implements |\\) : )[^{;]*\\bMonitor\\b(?!\\.)[^{;]*)\\{");
   private static final Pattern CONSTANT =
       Pattern.compile("(?:static final String|const val) (\\w+) = \"([^\"]+)\"");
@@ -42,7 +42,8 @@ class SpecificationsTest {
       Pattern.compile("List<String> lemmas(?:\\(\\) \\{|\\s*=)(.*?);\\s*\\n", Pattern.DOTALL);
   private static final Pattern LEMMAS_IN_KOTLIN =
       Pattern.compile("fun lemmas\\(\\)[^=]* = listOf\\(([^)]*)\\)");
-  private static final Pattern OF_CONFORMANCE = Pattern.compile("super\\(([\\w.]+), \"");
+  private static final Pattern OF_CONFORMANCE = Pattern.compile("super\\(\\s*([\\w.]+),\\s*\"");
+  private static final Pattern NAMED = Pattern.compile("\\b(?:lemma|progress)\\(\\s*(\\w+),");
   private static final Pattern ADDED = Pattern.compile("lemmas\\.add\\(([\\w.]+)\\)");
   private static final Pattern NAME = Pattern.compile("\\b([A-Z][A-Z_]+)\\b");
   private static final Pattern ROW =
@@ -97,7 +98,7 @@ class SpecificationsTest {
 
   private static List<String> lemmasOf(String monitor, String others) {
     StringBuilder named = new StringBuilder();
-    for (Pattern pattern : List.of(LEMMAS, LEMMAS_IN_KOTLIN, OF_CONFORMANCE, ADDED)) {
+    for (Pattern pattern : List.of(LEMMAS, LEMMAS_IN_KOTLIN, OF_CONFORMANCE, NAMED, ADDED)) {
       pattern.matcher(monitor).results().forEach(match -> named.append(match.group(1)).append(' '));
     }
     List<String> lemmas = new ArrayList<>();

@@ -1,4 +1,4 @@
 package org.starl.spec.automaton;
 
-/** An action of an {@link Automaton}; in the theory, a value of the data type {@code actions}. */
+/** An action of an {@link Automaton}: in the theory, a value of the data type {@code actions}. */
 public interface Action extends Term {}

@@ -1,35 +1,25 @@
 package org.starl.spec.automaton;
 
-import java.util.List;
-import org.starl.spec.Monitor;
+import java.util.function.Predicate;
+import org.starl.spec.InstanceMonitor;
 
 /**
- * A monitor that checks that each run of a primitive is a run of its theory's automaton. The lemma
- * has the theory's name. A subclass maps trace events to actions.
+ * Checks that every run of every instance of a primitive is a run of its theory's automaton. The lemma
+ * is the theory's name. A subclass is the map from trace events to actions: it steps the {@link
+ * Replay} of an instance, and compares the results that the trace records with the automaton's. An
+ * event without an action is a stutter.
+ *
+ * @param <R> the state kept for one instance: its {@link Replay}, or an object that holds it
  */
-public abstract class Conformance implements Monitor {
-
-  private final String theory;
-  private final String whose;
+public abstract class Conformance<R> extends InstanceMonitor<R> {
 
   /**
-   * @param theory the theory's name, such as {@code Mutex_decls}
-   * @param whose the checked runs, such as {@code every mutex}
+   * @param theory its name: {@code Mutex_decls}
+   * @param subject the primitive, for the user: {@code every mutex}
+   * @param isInstance whether a source is an instance of the primitive
    */
-  protected Conformance(String theory, String whose) {
-    this.theory = theory;
-    this.whose = whose;
-  }
-
-  @Override
-  public final List<String> lemmas() {
-    return List.of(theory);
-  }
-
-  @Override
-  public final String says(String lemma) {
-    return lemma.equals(theory)
-        ? "Each run of " + whose + " is a run of the theory's automaton, step by step."
-        : "";
+  protected Conformance(String theory, String subject, Predicate<String> isInstance) {
+    super(isInstance);
+    lemma(theory, "The run of " + subject + " is one of the theory's automaton, step by step.");
   }
 }

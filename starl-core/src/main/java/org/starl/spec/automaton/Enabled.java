@@ -3,12 +3,12 @@ package org.starl.spec.automaton;
 import java.util.function.Supplier;
 
 /**
- * The value of an enabling condition, a conjunction as in the theory: true, or its first false
- * conjunct with the values that make it false.
+ * The value of an enabling condition, a conjunction as in the theory: true, or the first false
+ * conjunct, with the values that make it false.
  */
 public final class Enabled {
 
-  /** The value for an action that is always enabled. */
+  /** For an action that is always enabled. */
   public static final Enabled TRUE = new Enabled("");
 
   private final String obstacle;
@@ -18,16 +18,16 @@ public final class Enabled {
   }
 
   /**
-   * A condition with one conjunct.
+   * A condition of one conjunct.
    *
    * @param conjunct its text in the theory
-   * @param values called if it does not hold; a text such as {@code req_set(bot1) = [A]}
+   * @param values the values in it, asked for only if it is false: {@code req_set(bot1) = [A]}
    */
   public static Enabled when(String conjunct, boolean holds, Supplier<String> values) {
     return TRUE.and(conjunct, holds, values);
   }
 
-  /** This condition with one more conjunct. */
+  /** Adds a conjunct. */
   public Enabled and(String conjunct, boolean holds, Supplier<String> values) {
     return holds || !isTrue() ? this : new Enabled(conjunct + " is false: " + values.get());
   }
@@ -36,10 +36,7 @@ public final class Enabled {
     return obstacle.isEmpty();
   }
 
-  /**
-   * The false conjunct, such as {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty
-   * if the condition is true.
-   */
+  /** {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty if it is true. */
   public String obstacle() {
     return obstacle;
   }

@@ -6,9 +6,8 @@ import java.util.function.BiPredicate;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A total function in a theory's state, such as {@code [PIDS -> Zoneset]}, that has the same
- * default value at all but finitely many arguments. Immutable. Memory, and the time of a change,
- * grow with the number of these exceptions.
+ * A total function in a state of a theory, {@code [PIDS -> Zoneset]}: a default value, and finitely
+ * many exceptions. Immutable. Memory, and the time of a change, grow with the exceptions only.
  *
  * @param <K> arguments, in their natural order
  * @param <V> compared by {@code equals}
@@ -16,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 public final class Fun<K extends Comparable<? super K>, V> {
 
   private final V elsewhere;
-  // Two arrays of the same length; arguments ascend, and no value equals the default.
+  // Parallel arrays: arguments ascend, and no value equals the default.
   private final Object[] arguments;
   private final Object[] values;
 
@@ -31,7 +30,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return new Fun<>(value, new Object[0], new Object[0]);
   }
 
-  /** The value at {@code argument}. */
+  /** Its value at {@code argument}. */
   public V at(K argument) {
     int place = place(argument);
     return place < 0 ? elsewhere : value(place);
@@ -57,24 +56,24 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return elsewhere;
   }
 
-  /** Number of arguments whose value differs from the default. */
+  /** The number of exceptions. */
   public int size() {
     return arguments.length;
   }
 
-  /** Whether the value is the default everywhere. */
+  /** Whether it has no exception. */
   public boolean isConstant() {
     return arguments.length == 0;
   }
 
-  /** Visits every argument whose value differs from the default, in order. */
+  /** Visits every exception, in order: argument and value. */
   public void forEach(BiConsumer<? super K, ? super V> visitor) {
     for (int place = 0; place < arguments.length; place++) {
       visitor.accept(argument(place), value(place));
     }
   }
 
-  /** Whether {@code test} holds for every argument whose value differs from the default. */
+  /** Whether {@code test} is true of every exception: argument and value. */
   public boolean allMatch(BiPredicate<? super K, ? super V> test) {
     for (int place = 0; place < arguments.length; place++) {
       if (!test.test(argument(place), value(place))) {
@@ -102,13 +101,13 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return -from - 1;
   }
 
-  // Only with() creates these arrays, with elements of this type.
+  // Safe: only with() fills the arrays.
   @SuppressWarnings("unchecked")
   private K argument(int place) {
     return (K) arguments[place];
   }
 
-  // Only with() creates these arrays, with elements of this type.
+  // Safe: only with() fills the arrays.
   @SuppressWarnings("unchecked")
   private V value(int place) {
     return (V) values[place];
@@ -140,7 +139,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
     return 31 * Arrays.hashCode(arguments) + Arrays.hashCode(values);
   }
 
-  /** {@code (bot0: [A, C], bot1: [B])}, without the arguments that have the default value. */
+  /** {@code (bot0: [A, C], bot1: [B])}: the exceptions. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder("(");

@@ -2,16 +2,11 @@ package org.starl.spec.automaton;
 
 import java.util.List;
 
-/** A value of {@code lift[T]}, the PVS prelude's optional type. */
+/** A value of {@code lift[T]}, the prelude's type of an optional value. */
 public sealed interface Lift<T> extends Term {
 
   /** A value. */
   record up<T>(T value) implements Lift<T> {
-    @Override
-    public List<Object> args() {
-      return List.of(value);
-    }
-
     @Override
     public String toString() {
       return text();
@@ -21,11 +16,6 @@ public sealed interface Lift<T> extends Term {
   /** No value. */
   record bottom<T>() implements Lift<T> {
     @Override
-    public List<Object> args() {
-      return List.of();
-    }
-
-    @Override
     public String toString() {
       return text();
     }
@@ -33,5 +23,10 @@ public sealed interface Lift<T> extends Term {
 
   default boolean isUp() {
     return this instanceof up;
+  }
+
+  @Override
+  default List<Object> args() {
+    return this instanceof up<T> up ? List.of(up.value) : List.of();
   }
 }

@@ -6,9 +6,9 @@ import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent;
 
 /**
- * Replays one instance's run on its automaton, action by action. The lemma has the theory's name:
- * it holds as long as the run is a run of the automaton. After the first deviation, nothing more of
- * this instance is checked.
+ * The run of one instance, replayed on its automaton action by action. The lemma is the theory's name:
+ * it holds as long as the run is a run of the automaton. After the first deviation the replay is over:
+ * nothing more is checked or reported for the instance.
  */
 public final class Replay<S, A extends Action> {
 
@@ -19,7 +19,8 @@ public final class Replay<S, A extends Action> {
   private boolean isOver;
 
   /**
-   * @param instance names the instance in violations: {@code mutex/crossing}
+   * @param instance for violations: {@code mutex/crossing}
+   * @param steps receives every step
    */
   public Replay(Automaton<S, A> automaton, String instance, Steps<S, A> steps) {
     this.automaton = automaton;
@@ -28,22 +29,17 @@ public final class Replay<S, A extends Action> {
     state = automaton.start();
   }
 
-  /** The instance, such as {@code mutex/crossing}. */
-  public String instance() {
-    return instance;
-  }
-
-  /** The current state. */
+  /** The present state. */
   public S state() {
     return state;
   }
 
-  /** Whether the run has deviated from the automaton. */
+  /** Whether the run has deviated. */
   public boolean isOver() {
     return isOver;
   }
 
-  /** Processes {@code action}, which {@code event} shows. */
+  /** Takes {@code action}, as told by {@code event}; it deviates if it is not enabled. */
   public void step(TraceEvent event, A action, Report report) {
     if (isOver) {
       return;
@@ -53,16 +49,16 @@ public final class Replay<S, A extends Action> {
     state = automaton.trans(action, state);
     steps.stepped(instance, event, action, state);
     if (!enabled.isTrue()) {
-      deviates(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
+      deviate(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
     }
   }
 
   /**
-   * Processes a result of the latest step, which {@code event} shows.
+   * Compares a result of the latest step, as recorded in {@code event}, with the automaton's.
    *
-   * @param function a function of the theory, of an argument and a state: {@code crit_set}
-   * @param recorded its value at {@code argument} in the trace
-   * @param expected its value at {@code argument} in the {@link #state}
+   * @param function of the theory, of an argument and a state: {@code crit_set}
+   * @param recorded its value at {@code argument}, by the trace
+   * @param expected its value there in the present {@link #state}
    */
   public <V> void result(
       TraceEvent event, String function, Object argument, V recorded, V expected, Report report) {
@@ -73,16 +69,16 @@ public final class Replay<S, A extends Action> {
     steps.resulted(instance, function, argument, recorded);
     if (!recorded.equals(expected)) {
       String of = function + "(" + argument + ")";
-      deviates(event, of + " is " + expected + ", but the trace has " + recorded, report);
+      deviate(event, of + " is " + expected + ", but the trace has " + recorded, report);
     }
   }
 
-  /** Reduces the state to what later steps and results need, to save memory in a long run. */
-  public void forget(UnaryOperator<S> less) {
-    state = less.apply(state);
+  /** Drops from the state what no later step or result reads; for long runs. */
+  public void forget(UnaryOperator<S> reduce) {
+    state = reduce.apply(state);
   }
 
-  private void deviates(TraceEvent event, String how, Report report) {
+  private void deviate(TraceEvent event, String how, Report report) {
     isOver = true;
     report.violated(
         automaton.theory(), event.timeNs(), List.of(event.robot()), instance + ": " + how);

@@ -5,7 +5,7 @@ import java.util.Collections;
 import java.util.SortedSet;
 import java.util.TreeSet;
 
-/** Immutable finite sets as values of a theory, under the names of the PVS prelude's functions. */
+/** Immutable finite sets as values of a theory, under the names of the prelude's functions. */
 public final class Sets {
 
   private Sets() {}
@@ -20,14 +20,14 @@ public final class Sets {
     return add(x, emptyset());
   }
 
-  /** {@code set} with {@code x} added. */
+  /** {@code set} and {@code x}. */
   public static <T> SortedSet<T> add(T x, Collection<? extends T> set) {
     SortedSet<T> more = new TreeSet<>(set);
     more.add(x);
     return Collections.unmodifiableSortedSet(more);
   }
 
-  /** {@code set} with {@code x} removed. */
+  /** {@code set} without {@code x}. */
   public static <T> SortedSet<T> remove(T x, Collection<? extends T> set) {
     SortedSet<T> less = new TreeSet<>(set);
     less.remove(x);

@@ -3,28 +3,29 @@ package org.starl.spec.automaton;
 import org.starl.trace.TraceEvent;
 
 /**
- * Receives the steps of runs one by one, before they are checked: a run's last step, and its last
- * result, may deviate from the automaton.
+ * Receives every step and result that a {@link Replay} checks, before it is known whether it deviates.
+ * So the last one of a run may be a deviation.
  */
 public interface Steps<S, A extends Action> {
 
   /**
-   * A run did {@code action}, which leads to {@code after}.
+   * An instance took {@code action}.
    *
-   * @param instance the run: {@code mutex/crossing}
-   * @param event the trace event that shows the action
+   * @param instance {@code mutex/crossing}
+   * @param event the event that was mapped to the action
+   * @param after the state after it
    */
   void stepped(String instance, TraceEvent event, A action, S after);
 
   /**
-   * The trace has a result of the latest step.
+   * The trace records a result of the latest step.
    *
-   * @param function a function of the theory, of an argument and a state: {@code crit_set}
+   * @param function of the theory, of an argument and a state: {@code crit_set}
    * @param value its value at {@code argument} in the latest state, by the trace
    */
   void resulted(String instance, String function, Object argument, Object value);
 
-  /** Ignores all steps. */
+  /** Ignores everything. */
   static <S, A extends Action> Steps<S, A> ignored() {
     return new Steps<>() {
       @Override

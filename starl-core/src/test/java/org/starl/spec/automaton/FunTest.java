@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class FunTest {
 
   @Property(tries = 200)
-  void itAgreesWithAMapOfItsChanges(
+  void valuesAreThoseOfTheLatestChanges(
       @ForAll @Size(max = 40) List<@IntRange(min = 0, max = 99) Integer> changes) {
     Map<Integer, Integer> model = new TreeMap<>();
     Fun<Integer, Integer> fun = Fun.always(0);
@@ -46,7 +46,7 @@ class FunTest {
   }
 
   @Test
-  void functionsWithEqualValuesAreEqual() {
+  void equalFunctionsAreEqualWhateverTheirHistory() {
     Fun<String, Integer> there = Fun.<String, Integer>always(0).with("a", 1).with("b", 2);
     Fun<String, Integer> here =
         Fun.<String, Integer>always(0).with("b", 3).with("c", 1).with("a", 1).with("b", 2);

@@ -19,14 +19,14 @@ import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 
 /**
- * One voter. Whatever it promises or accepts is on stable storage before it says so: a voter that
- * forgets a promise lets two values be decided.
+ * One voter. It writes each promise and vote to stable storage before it answers: a voter that forgets
+ * a promise lets two values be decided.
  *
- * <p>Pure: it writes and answers through its {@link SynodLink}, and never waits.
+ * <p>Pure: it writes and answers through its {@link SynodLink}, and never blocks.
  */
 final class Acceptor {
 
-  /** Wishes in one promise take at most so many bytes, their lengths included. */
+  /** The wishes in one promise take at most this many bytes, length fields included. */
   private static final int MAX_WISH_BYTES = 400;
 
   private static final int MAX_WISHES = 32;
@@ -35,7 +35,7 @@ final class Acceptor {
   private @Nullable Decided decided;
   private final TreeMap<Long, Slot> slots;
 
-  // Hints only, so neither stable nor part of any argument.
+  // Hints only: not stable, and no safety argument uses them.
   private final TreeMap<Long, Map<RobotId, Value>> wishes = new TreeMap<>();
 
   private long version;
@@ -48,10 +48,10 @@ final class Acceptor {
     this.slots = new TreeMap<>(record.slots());
   }
 
-  /** An answer that must not go out before its version is flushed. */
+  /** An answer that waits until its version is flushed. */
   private record Waiting(long version, RobotId to, SynodMessage answer) {}
 
-  /** The latest decree that this acceptor knows, or null. */
+  /** The latest decree known to this acceptor, or null. */
   @Nullable Decided decided() {
     return decided;
   }
@@ -70,7 +70,7 @@ final class Acceptor {
       return;
     }
     Vote vote = slot == null ? null : slot.vote();
-    // Equal ballots are one message twice: the promise is repeated, nothing changes.
+    // Equal ballots: the same message again. The promise is repeated, nothing changes.
     if (slot == null || !slot.promised().equals(m.ballot())) {
       write(m.number(), new Slot(m.ballot(), vote));
     }
@@ -97,7 +97,7 @@ final class Acceptor {
     answerOnceFlushed(from, new Accepted(m.number(), m.ballot()));
   }
 
-  /** Learns a decree, and forgets what only mattered before it. */
+  /** Learns a decree, and drops the slots and wishes that it settles. */
   void decided(Decided m) {
     if (decided == null || m.number() > decided.number()) {
       decided = m;
@@ -107,7 +107,7 @@ final class Acceptor {
     }
   }
 
-  /** What was written as {@code flushed} and before would survive a crash. */
+  /** Versions up to {@code flushed} would survive a crash. */
   void flushed(long flushed) {
     flushedVersion = Math.max(flushedVersion, flushed);
     while (!waiting.isEmpty() && waiting.element().version() <= flushedVersion) {

@@ -13,10 +13,10 @@ import org.starl.primitives.agreement.SynodMessage.Decided;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 
 /**
- * What an acceptor must remember over a restart.
+ * The memory of an acceptor that must survive a restart.
  *
- * @param decided the latest decree that it knows, or null
- * @param slots for each later number that it was asked about, what it has promised and accepted
+ * @param decided the latest decree it knows, or null
+ * @param slots its promise and vote for each later number that it was asked about
  */
 record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
 
@@ -30,7 +30,7 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
     slots = Collections.unmodifiableSortedMap(new TreeMap<>(slots));
   }
 
-  /** What was promised, and accepted, for one number. */
+  /** The promise and the vote for one number. */
   record Slot(Ballot promised, @Nullable Vote vote) {}
 
   byte[] toBytes() {
@@ -56,7 +56,7 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
     WireReader in = new WireReader(bytes);
     int format = in.u8();
     if (format != FORMAT) {
-      throw new WireFormatException("acceptor's record of format " + format);
+      throw new WireFormatException("acceptor record of format " + format);
     }
     Decided decided =
         in.bool() ? new Decided(SynodCodec.number(in, 1), SynodCodec.value(in)) : null;
@@ -65,14 +65,14 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
     for (int i = 0; i < count; i++) {
       long number = SynodCodec.number(in, 1);
       if (!slots.isEmpty() && slots.lastKey() >= number) {
-        throw new WireFormatException("decree " + number + " twice, or not in its place");
+        throw new WireFormatException("decree " + number + " out of order");
       }
       Ballot promised = SynodCodec.ballot(in);
       Vote vote = in.bool() ? new Vote(SynodCodec.ballot(in), SynodCodec.value(in)) : null;
       slots.put(number, new Slot(promised, vote));
     }
     if (in.remaining() > 0) {
-      throw new WireFormatException(in.remaining() + " bytes too many");
+      throw new WireFormatException(in.remaining() + " bytes after the record");
     }
     return new AcceptorRecord(decided, slots);
   }

@@ -7,16 +7,16 @@ import org.starl.spec.automaton.Action;
 /** The actions of the theory {@code SetAgreement_decls}, under their names there. */
 public sealed interface AgreementAction extends Action {
 
-  /** Works for a decision on {@code v}. */
+  /** Proposes {@code v}. */
   record propose(RobotId i, String v) implements AgreementAction {}
 
-  /** Is decided on, which nobody need know of. */
+  /** {@code v} is decided on; no robot need know yet. */
   record choose(String v) implements AgreementAction {}
 
-  /** Learns what is decided on. */
+  /** Learns the decision. */
   record decide(RobotId i) implements AgreementAction {}
 
-  /** Its program begins anew, knowing nothing. */
+  /** Its program restarts and knows nothing. */
   record restart(RobotId i) implements AgreementAction {}
 
   @Override

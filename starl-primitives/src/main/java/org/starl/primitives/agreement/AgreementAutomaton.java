@@ -7,8 +7,8 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Lift;
 
 /**
- * The theory {@code SetAgreement_decls}, executable: agreement on one value, once. {@code PIDS} are
- * robots, {@code Values} the values' texts. {@link AgreementConformance} takes runs through it.
+ * The theory {@code SetAgreement_decls}, as an executable automaton: agreement on one value, once. {@code PIDS} are
+ * robots, {@code Values} the values' texts. {@link AgreementConformance} replays runs on it.
  */
 public final class AgreementAutomaton
     implements Automaton<AgreementAutomaton.States, AgreementAction> {
@@ -19,9 +19,9 @@ public final class AgreementAutomaton
   /**
    * The theory's states.
    *
-   * @param proposed by anybody
-   * @param value what is chosen
-   * @param decided what a robot knows of it
+   * @param proposed by any robot
+   * @param value the decision
+   * @param decided the decision, as a robot knows it
    */
   public record States(
       Fun<String, Boolean> proposed, Lift<String> value, Fun<RobotId, Lift<String>> decided) {}
@@ -42,7 +42,7 @@ public final class AgreementAutomaton
       case AgreementAction.propose a -> Enabled.TRUE;
       case AgreementAction.choose a ->
           Enabled.when("bottom?(value)", !s.value.isUp(), () -> "value = " + s.value.text())
-              .and("proposed(v)", s.proposed.at(a.v()), () -> "nobody proposed " + a.v());
+              .and("proposed(v)", s.proposed.at(a.v()), () -> "no robot proposed " + a.v());
       case AgreementAction.decide a ->
           Enabled.when("up?(value)", s.value.isUp(), () -> "value = " + s.value.text());
       case AgreementAction.restart a -> Enabled.TRUE;

@@ -5,69 +5,60 @@ import org.starl.primitives.agreement.AgreementAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Every run of every {@link SetAgreement} is a run of the theory {@code SetAgreement_decls}: the
- * lemma is its name. What happens is taken for an action of the theory so, {@code i} being its robot:
+ * Every run of every {@link SetAgreement} is a run of the theory {@code SetAgreement_decls}. The map
+ * from events to actions, where {@code i} is the event's robot:
  *
  * <pre>
- * event                              action
- * propose v                          propose(i, v)
- * decided v, as the first to know    choose(v): nobody tells when it is chosen
- * decided v                          decide(i), decided(i) is v
- * decided null                       restart(i), if its program before knew a decision; else a stutter
- * all other events                   stutter
+ * event                          action
+ * propose v                      propose(i, v)
+ * decided v, for the first time  choose(v): the decision itself is not in the trace
+ * decided v                      decide(i); decided(i) is v
+ * decided null                   restart(i), if the robot's program before knew a decision
+ * all other events               none
  * </pre>
  *
- * What is kept is what was proposed, and who knows the decision.
+ * Memory grows with the proposed values, and with the robots that know the decision.
  */
-public final class AgreementConformance extends Conformance {
+public final class AgreementConformance extends Conformance<Replay<States, AgreementAction>> {
 
-  private final Replays<States, AgreementAction> replays;
+  private final Steps<States, AgreementAction> steps;
 
   public AgreementConformance() {
     this(Steps.ignored());
   }
 
   /**
-   * The same.
-   *
-   * @param steps takes every step of every instance
+   * @param steps receives every step of every instance
    */
   public AgreementConformance(Steps<States, AgreementAction> steps) {
-    super(AgreementAutomaton.SET_AGREEMENT_DECLS, "every agreement");
-    replays = new Replays<>(new AgreementAutomaton(), steps);
+    super(AgreementAutomaton.SET_AGREEMENT_DECLS, "every agreement", SetAgreement::isAgreement);
+    this.steps = steps;
   }
 
   @Override
-  public void observe(TraceEvent event, Report report) {
-    switch (event) {
-      case Action action
-          when SetAgreement.isAgreement(action.source())
-              && action.name().equals(SetAgreement.PROPOSE) ->
-          replays
-              .of(action.source())
-              .step(
-                  action,
-                  new AgreementAction.propose(action.robot(), action.args().get(0)),
-                  report);
-      case Variable variable
-          when SetAgreement.isAgreement(variable.source())
-              && variable.name().equals(SetAgreement.DECIDED) ->
-          shown(variable, replays.of(variable.source()), report);
-      default -> {
-        // A stutter.
-      }
+  protected Replay<States, AgreementAction> begin(String source) {
+    return new Replay<>(new AgreementAutomaton(), source, steps);
+  }
+
+  @Override
+  protected void acted(Action action, Report report) {
+    if (action.name().equals(SetAgreement.PROPOSE)) {
+      instance(action.source())
+          .step(action, new AgreementAction.propose(action.robot(), action.args().get(0)), report);
     }
   }
 
-  private static void shown(
-      Variable variable, Replay<States, AgreementAction> replay, Report report) {
+  @Override
+  protected void changed(Variable variable, Report report) {
+    if (!variable.name().equals(SetAgreement.DECIDED)) {
+      return;
+    }
+    Replay<States, AgreementAction> replay = instance(variable.source());
     RobotId i = variable.robot();
     String value = variable.value();
     if (value.equals(Decision.NONE_YET.toString())) {

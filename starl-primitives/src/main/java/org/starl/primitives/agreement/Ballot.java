@@ -3,8 +3,8 @@ package org.starl.primitives.agreement;
 import org.starl.id.ProcessId;
 
 /**
- * The rank of one attempt of one proposer. Unique because a proposer never uses a round twice and
- * no id is ever used by two proposers; so a restarted proposer needs no records.
+ * The rank of one attempt of one proposer. It is unique: a proposer uses no round twice, and no two
+ * proposers use the same id. So a restarted proposer needs no stored state.
  *
  * @param round above 0
  */

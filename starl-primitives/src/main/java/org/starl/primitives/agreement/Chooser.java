@@ -2,13 +2,12 @@ package org.starl.primitives.agreement;
 
 import java.util.List;
 
-/** Makes a proposer's own value, once it knows that it is free to choose one. */
+/** Makes a proposer's own value, once no vote binds it. */
 @FunctionalInterface
 public interface Chooser {
 
   /**
-   * @param wishes what other proposers wish for the same number, as far as heard; each at least
-   *     once, in no particular order
+   * @param wishes the wishes of other proposers of the same number, as far as heard, in no particular order
    */
   Value choose(List<Value> wishes);
 }

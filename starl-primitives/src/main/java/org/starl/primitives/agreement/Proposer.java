@@ -19,9 +19,9 @@ import org.starl.primitives.agreement.SynodMessage.Vote;
 import org.starl.random.Rng;
 
 /**
- * Works for the decision of one number at a time, ballot after ballot, until it is stopped. It
- * repeats its question to each acceptor until that has answered; once a majority cannot come any
- * more, or one has refused and others are silent, it pauses at random and begins a higher ballot.
+ * Works for the decision of one number at a time, ballot after ballot, until it is stopped. It repeats
+ * its question to each acceptor until that answers. When a majority has become impossible, or one
+ * acceptor has refused and others are silent, it pauses at random and begins a higher ballot.
  *
  * <p>Pure and clock-driven: {@link #timer} is due at {@link #wakeAtNs}.
  */
@@ -45,7 +45,7 @@ final class Proposer {
   private Value wish = Value.EMPTY;
   private Chooser chooser = wishes -> Value.EMPTY;
 
-  // Never goes down while this proposer lives: no ballot of it is used twice.
+  // Never decreases, so this proposer uses no ballot twice.
   private long round;
 
   private Ballot ballot;
@@ -69,7 +69,7 @@ final class Proposer {
     this.ballot = new Ballot(1, id);
   }
 
-  /** Where a proposer's effects go. */
+  /** The effects of a proposer. */
   interface Out {
 
     /** Sends, best effort. */
@@ -79,13 +79,17 @@ final class Proposer {
     void chosen(long number, Value value);
   }
 
-  /** Begins, in place of whatever it worked for before. */
+  /** Begins to work for a number, and stops working for the one before. */
   void propose(long aNumber, Value aWish, Chooser aChooser, long nowNs) {
     number = aNumber;
     wish = aWish;
     chooser = aChooser;
     defeats = 0;
     prepare(nowNs);
+  }
+
+  ProcessId id() {
+    return id;
   }
 
   void stop() {
@@ -97,7 +101,7 @@ final class Proposer {
     return phase == Phase.IDLE;
   }
 
-  /** The number that it works for, unless idle. */
+  /** The number it works for, unless idle. */
   long number() {
     return number;
   }
@@ -113,7 +117,7 @@ final class Proposer {
     if (phase == Phase.PAUSING) {
       prepare(nowNs);
     } else if (!refusals.isEmpty()) {
-      // Those who have said nothing may be down: this ballot may wait for them for ever.
+      // The silent acceptors may be down: this ballot might wait for ever.
       pause(nowNs);
     } else if (phase != Phase.IDLE) {
       ask();
@@ -123,7 +127,7 @@ final class Proposer {
   }
 
   void promise(RobotId from, Promise m, long nowNs) {
-    if (phase != Phase.PREPARING || !isMine(from, m.number(), m.ballot())) {
+    if (phase != Phase.PREPARING || !isCurrent(from, m.number(), m.ballot())) {
       return;
     }
     refusals.remove(from);
@@ -136,7 +140,7 @@ final class Proposer {
   }
 
   void accepted(RobotId from, Accepted m) {
-    if (phase != Phase.ACCEPTING || !isMine(from, m.number(), m.ballot())) {
+    if (phase != Phase.ACCEPTING || !isCurrent(from, m.number(), m.ballot())) {
       return;
     }
     votes.add(from);
@@ -148,7 +152,7 @@ final class Proposer {
 
   void nack(RobotId from, Nack m, long nowNs) {
     boolean asking = phase == Phase.PREPARING || phase == Phase.ACCEPTING;
-    if (!asking || !isMine(from, m.number(), m.ballot())) {
+    if (!asking || !isCurrent(from, m.number(), m.ballot())) {
       return;
     }
     round = Math.max(round, m.promised().round());
@@ -192,7 +196,7 @@ final class Proposer {
     }
   }
 
-  /** The vote of the highest ballot among the promises; only where there is none, a value of ours. */
+  /** The vote of the highest ballot in the promises; an own value only if there is no vote. */
   private Value valueToPropose() {
     Vote highest = null;
     Set<Value> wishes = new LinkedHashSet<>();
@@ -207,7 +211,7 @@ final class Proposer {
     return highest != null ? highest.value() : chooser.choose(heard);
   }
 
-  private boolean isMine(RobotId from, long itsNumber, Ballot itsBallot) {
+  private boolean isCurrent(RobotId from, long itsNumber, Ballot itsBallot) {
     return itsNumber == number && itsBallot.equals(ballot) && acceptors.contains(from);
   }
 

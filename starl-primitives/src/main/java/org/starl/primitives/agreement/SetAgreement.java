@@ -9,15 +9,15 @@ import org.starl.id.RobotId;
 import org.starl.primitives.StarLPrimitive;
 
 /**
- * Agreement on one value, once. Constructing it makes this robot serve as an acceptor if it is one;
- * {@link #propose} makes it work for a decision. Strand only.
+ * Agreement on one value, once. A robot that constructs it serves as an acceptor, if it is
+ * one; {@link #propose} makes it work for a decision. Strand only.
  */
 public final class SetAgreement implements StarLPrimitive {
 
-  /** A proposal is given up after so long, in ms, unless told otherwise. */
+  /** The default time after which a proposal is given up, in ms. */
   public static final long DEFAULT_DEADLINE_MS = 30_000;
 
-  /** Action with the acceptors: this robot serves from now on, if it is one of them. */
+  /** Action with the acceptors: from now on this robot serves, if it is one of them. */
   static final String ACCEPTORS = "acceptors";
 
   static final String PROPOSE = "propose";
@@ -25,7 +25,6 @@ public final class SetAgreement implements StarLPrimitive {
   static final String FAILED = "failed";
 
   private static final String PRIMITIVE = "agreement";
-  private static final long NS_PER_MS = 1_000_000;
   private static final long ONLY_NUMBER = 1;
 
   private final GlobalVarHolder gvh;
@@ -66,9 +65,9 @@ public final class SetAgreement implements StarLPrimitive {
   }
 
   /**
-   * Works for a decision, on {@code value} unless another one is ahead, until {@link #decided} or,
-   * at the deadline, {@link #failed}; then it may be called again. Another call replaces the one before.
-   * Once something is decided, a call changes nothing.
+   * Works for a decision, on {@code value} unless another value is ahead, until {@link #decided} or,
+   * at the deadline, {@link #failed}; then it may be called again. A new call replaces the one before.
+   * After a decision, a call changes nothing.
    *
    * @param value at most {@link Value#MAX_BYTES} bytes
    */
@@ -78,7 +77,7 @@ public final class SetAgreement implements StarLPrimitive {
     wire.call(nowNs -> protocol.propose(proposed, nowNs));
   }
 
-  /** Asks the acceptors whether something is decided, without proposing anything. */
+  /** Asks the acceptors for a decision, without proposing a value. */
   public void refresh() {
     wire.call(nowNs -> protocol.synod.queryAll());
   }
@@ -102,7 +101,7 @@ public final class SetAgreement implements StarLPrimitive {
     wire.close();
   }
 
-  /** Whether {@code source} is one of these, as in {@code agreement/colour}. */
+  /** Whether {@code source} is an agreement, as in {@code agreement/colour}. */
   static boolean isAgreement(String source) {
     return source.startsWith(PRIMITIVE + "/");
   }
@@ -115,71 +114,62 @@ public final class SetAgreement implements StarLPrimitive {
     failed.set(protocol.gaveUp);
   }
 
-  private final class Protocol implements SynodProtocol, SynodListener {
-    private final Synod synod;
-    private long deadlineNs = Long.MAX_VALUE;
+  private final class Protocol extends SynodProtocol {
+    private long deadlineNs = NEVER;
     private boolean gaveUp;
 
     Protocol(SynodTiming timing) {
-      synod =
-          new Synod(
-              gvh.id.name(),
-              acceptors,
-              gvh.id.freshProcess(),
-              timing,
-              gvh.plat.entropy.fork(source),
-              wire,
-              this);
+      super(
+          gvh.id.name(),
+          acceptors,
+          gvh.id.freshProcess(),
+          timing,
+          gvh.plat.entropy.fork(source),
+          wire,
+          gvh.plat.clock.nowNs());
     }
 
-    void propose(Value value, long nowNs) {
+    void propose(Value value, long now) {
       gaveUp = false;
       if (synod.latest() == null) {
-        deadlineNs = nowNs + deadlineMs * NS_PER_MS;
-        synod.propose(ONLY_NUMBER, Value.EMPTY, wishes -> value, nowNs);
+        deadlineNs = now + deadlineMs * NS_PER_MS;
+        synod.propose(ONLY_NUMBER, Value.EMPTY, wishes -> value, now);
       }
     }
 
     @Override
-    public void received(RobotId from, SynodMessage message, long nowNs) {
+    public void received(RobotId from, SynodMessage message, long now) {
       if (message.number() <= ONLY_NUMBER) {
-        synod.received(from, message, nowNs);
+        super.received(from, message, now);
       }
     }
 
     @Override
-    public void flushed(long version, long nowNs) {
-      synod.flushed(version);
-    }
-
-    @Override
-    public void timer(long nowNs) {
-      synod.timer(nowNs);
+    protected void ownTimers() {
       if (nowNs >= deadlineNs) {
-        deadlineNs = Long.MAX_VALUE;
+        deadlineNs = NEVER;
         gaveUp = true;
         synod.stop();
       }
     }
 
     @Override
-    public long wakeAtNs() {
-      return Math.min(deadlineNs, synod.wakeAtNs());
+    protected long ownWakeAtNs() {
+      return deadlineNs;
     }
 
     @Override
     public void chosen(long number, Value value) {
       for (RobotId acceptor : acceptors) {
         if (!acceptor.equals(gvh.id.name())) {
-          SynodMessage news = new SynodMessage.Decided(number, value);
-          wire.sendReliably(acceptor, news, () -> {});
+          wire.sendReliably(acceptor, new SynodMessage.Decided(number, value), () -> {});
         }
       }
     }
 
     @Override
     public void learned(long number, Value value) {
-      deadlineNs = Long.MAX_VALUE;
+      deadlineNs = NEVER;
     }
   }
 }

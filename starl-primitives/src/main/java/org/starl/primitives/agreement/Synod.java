@@ -20,11 +20,11 @@ import org.starl.random.Rng;
  * Synod of its section 2, once a number).
  *
  * <p>For each number at most one value is ever decided, whatever is lost, late, doubled, reordered,
- * and whoever crashes and restarts. A learner may skip numbers, so a value must be complete in
- * itself where more than one number is used.
+ * and whichever robots crash and restart. A learner may skip numbers, so with more than one number
+ * each value must be complete by itself.
  *
  * <p>Pure and clock-driven: calls, messages and timers in, effects out through a {@link SynodLink}
- * and a {@link SynodListener}; {@link #timer} is due at {@link #wakeAtNs}, which every call may move.
+ * and a {@link SynodListener}; {@link #timer} is due at {@link #wakeAtNs}, which every call may change.
  */
 public final class Synod {
 
@@ -36,9 +36,9 @@ public final class Synod {
   private @Nullable Decided latest;
 
   /**
-   * @param acceptors who votes; the same on every robot, for ever
+   * @param acceptors the robots that vote; the same on every robot, for ever
    * @param proposerId used by no other proposer, ever
-   * @throws IllegalStateException if the acceptor's record is damaged: an acceptor without its
+   * @throws IllegalStateException if the acceptor's record is damaged: an acceptor that has lost its
    *     memory must never vote again
    */
   public Synod(
@@ -60,18 +60,22 @@ public final class Synod {
     this.latest = acceptor == null ? null : acceptor.decided();
   }
 
-  /** The latest decree that this robot knows, or null. */
+  /** The id of this robot's proposer. */
+  public ProcessId proposerId() {
+    return proposer.id();
+  }
+
+  /** The latest decree known to this robot, or null. */
   public @Nullable Decided latest() {
     return latest;
   }
 
   /**
-   * Works for the decision of {@code number}, in place of whatever it worked for before, until that
-   * number or a later one is learned, or until {@link #stop}. The value decided may be another
-   * proposer's.
+   * Works for a decision of {@code number}, and no longer for an earlier call's, until that number or
+   * a later one is learned, or until {@link #stop}. The decided value may be another proposer's.
    *
    * @param number above all that are known to be decided
-   * @param wish what others who propose for the same number may fulfil; empty for none
+   * @param wish a request that other proposers of the same number may fulfil; empty for none
    */
   public void propose(long number, Value wish, Chooser chooser, long nowNs) {
     Decided known = latest;
@@ -81,17 +85,17 @@ public final class Synod {
     proposer.propose(number, wish, chooser, nowNs);
   }
 
-  /** Works for nothing any more; what it has proposed may still be decided. */
+  /** Stops working for a decision; its proposals may still be decided. */
   public void stop() {
     proposer.stop();
   }
 
-  /** Whether it works for the decision of a number. */
+  /** Whether it is working for a decision. */
   public boolean isProposing() {
     return !proposer.isIdle();
   }
 
-  /** Learns {@code number} from elsewhere, such as the deployment's first value. */
+  /** Learns a decree from another source, such as the deployment's first value. */
   public void learn(long number, Value value) {
     Decided known = latest;
     if (known != null && number <= known.number()) {
@@ -108,7 +112,7 @@ public final class Synod {
     listener.learned(number, value);
   }
 
-  /** Asks {@code acceptor} for the latest decree, if that is later than the one known here. */
+  /** Asks {@code acceptor} for its latest decree, if that is later than this robot's. */
   public void query(RobotId acceptor) {
     Decided known = latest;
     link.send(acceptor, new Query(known == null ? 0 : known.number()));

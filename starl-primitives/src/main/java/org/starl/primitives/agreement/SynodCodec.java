@@ -17,7 +17,7 @@ import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.SynodMessage.Query;
 import org.starl.primitives.agreement.SynodMessage.Vote;
 
-/** The bytes of {@link SynodMessage}s, as {@code docs/wire-format.md} has them. */
+/** The bytes of {@link SynodMessage}s, as in {@code docs/wire-format.md}. */
 public final class SynodCodec implements Codec<SynodMessage> {
 
   private static final int PREPARE = 1;
@@ -31,37 +31,29 @@ public final class SynodCodec implements Codec<SynodMessage> {
   private final Format format;
 
   /**
-   * @param format rejects values and wishes that the channel's owner could not read, so that they
-   *     are dropped where datagrams arrive
+   * @param format rejects malformed values and wishes, so that their datagrams are dropped on arrival
    */
   public SynodCodec(Format format) {
     this.format = format;
   }
 
-  /** What bytes the owner of a channel takes as values and as wishes. */
+  /** The values and wishes that the owner of a channel accepts. */
+  @FunctionalInterface
   public interface Format {
 
-    /** Throws {@link WireFormatException} where {@code value} is none. */
+    /** Throws {@link WireFormatException} if {@code value} is malformed. */
     void checkValue(Value value);
 
-    /** Throws {@link WireFormatException} where {@code wish} is none. */
-    void checkWish(Value wish);
+    /** Throws {@link WireFormatException} if {@code wish} is malformed; by default only empty is not. */
+    default void checkWish(Value wish) {
+      if (wish.length() > 0) {
+        throw new WireFormatException("a wish where none is expected");
+      }
+    }
 
-    /** Values may be any bytes; wishes are empty. */
+    /** Any bytes are a value; wishes are empty. */
     static Format anyValueNoWish() {
-      return new Format() {
-        @Override
-        public void checkValue(Value value) {
-          // Any bytes are a value.
-        }
-
-        @Override
-        public void checkWish(Value wish) {
-          if (wish.length() > 0) {
-            throw new WireFormatException("a wish where none is expected");
-          }
-        }
-      };
+      return value -> {};
     }
   }
 

@@ -3,19 +3,18 @@ package org.starl.primitives.agreement;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
-/** What a {@link Synod} has of its robot: the network, and stable storage for its acceptor. */
+/** The effects of a {@link Synod} on its robot: network, and stable storage for its acceptor. */
 public interface SynodLink {
 
-  /** What {@link #persist} has last written, or null if it never wrote; also before a restart. */
+  /** The last {@link #persist}ed record, also from before a restart; null if there is none. */
   byte @Nullable [] record();
 
   /** Sends, best effort; to this robot itself as well. */
   void send(RobotId to, SynodMessage message);
 
   /**
-   * Writes the acceptor's {@code record} in place of the one before, and calls {@link
-   * Synod#flushed} with {@code version}, later, once it would survive a crash. Writes are flushed in
-   * order.
+   * Replaces the acceptor's record. Later, once it would survive a crash, the owner calls {@link
+   * Synod#flushed} with {@code version}. Writes are flushed in order.
    */
   void persist(long version, byte[] record);
 }

@@ -1,17 +1,17 @@
 package org.starl.primitives.agreement;
 
-/** Whoever stands on a {@link Synod}: hears what is decided. */
+/** Hears what a {@link Synod} decides. */
 public interface SynodListener {
 
   /**
-   * This robot's proposal has been decided, and nobody else may know: tell everybody who should.
-   * Comes just before {@link #learned}.
+   * This robot's proposal is decided. Perhaps no other robot knows: tell all that should. Called just
+   * before {@link #learned}.
    */
   void chosen(long number, Value value);
 
-  /** A decree above all that were known before; numbers between may have been skipped. */
+  /** The latest decree is now {@code number}; lower numbers may have been skipped. */
   void learned(long number, Value value);
 
-  /** Somebody works for a number that is not known to be decided; a hint, of use to some. */
+  /** A hint: a robot proposes for a number that is not known to be decided. */
   default void rumour(long number) {}
 }

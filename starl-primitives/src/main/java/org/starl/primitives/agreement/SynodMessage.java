@@ -11,23 +11,23 @@ import org.jspecify.annotations.Nullable;
  */
 public sealed interface SynodMessage {
 
-  /** The decree that this is about. */
+  /** The number of the decree. */
   long number();
 
   /**
    * A proposer asks for the right to propose.
    *
-   * @param wish what the proposer would have in this decree; whoever proposes for the same number
-   *     may fulfil it. Empty where nothing can be combined
+   * @param wish what the proposer wants in this decree; other proposers of the same number may fulfil
+   *     it. Empty if values cannot be combined
    */
   record Prepare(long number, Ballot ballot, Value wish) implements SynodMessage {}
 
   /**
    * An acceptor will accept no lower ballot.
    *
-   * @param vote what it has accepted in the highest ballot so far, or null
-   * @param wishes wishes that it has heard for this number; none beside a vote, which binds the
-   *     proposer anyway
+   * @param vote its vote in the highest ballot so far, or null
+   * @param wishes the wishes it has heard for this number; none beside a vote, which binds the proposer
+   *     anyway
    */
   record Promise(long number, Ballot ballot, @Nullable Vote vote, List<Value> wishes)
       implements SynodMessage {
@@ -36,7 +36,7 @@ public sealed interface SynodMessage {
     }
   }
 
-  /** An acceptor has promised a higher ballot; {@code ballot} is in vain with it. */
+  /** An acceptor has promised a higher ballot; {@code ballot} cannot have its vote. */
   record Nack(long number, Ballot ballot, Ballot promised) implements SynodMessage {}
 
   /** A proposer asks for a vote. */
@@ -45,7 +45,7 @@ public sealed interface SynodMessage {
   /** An acceptor has voted. */
   record Accepted(long number, Ballot ballot) implements SynodMessage {}
 
-  /** The value of this number, once and for all. */
+  /** The decided value of this number. */
   record Decided(long number, Value value) implements SynodMessage {}
 
   /** Asks for the latest decree, if it is above {@code number}; 0 asks for any. */

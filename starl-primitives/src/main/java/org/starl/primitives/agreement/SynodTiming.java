@@ -3,13 +3,13 @@ package org.starl.primitives.agreement;
 import org.starl.random.Rng;
 
 /**
- * How patient a proposer is; of no weight for safety.
+ * Waits of a proposer. Safety does not depend on them.
  *
  * @param resendMs wait for an acceptor's first answer, in ms; about two message delays
- * @param maxResendMs no wait for an answer is longer; waits grow by half each time
+ * @param maxResendMs the longest wait for an answer, in ms; waits grow by half each time
  * @param backoffMs mean pause after a first defeat by a higher ballot, in ms; it doubles with each
  *     further defeat
- * @param maxBackoffMs no mean pause is longer
+ * @param maxBackoffMs the longest mean pause, in ms
  */
 public record SynodTiming(long resendMs, long maxResendMs, long backoffMs, long maxBackoffMs) {
 
@@ -33,7 +33,7 @@ public record SynodTiming(long resendMs, long maxResendMs, long backoffMs, long 
     return Math.min(beforeNs + beforeNs / 2, maxResendMs * NS_PER_MS);
   }
 
-  /** A random pause after the {@code defeats}-th defeat in a row, between 0.5 and 1.5 of its mean. */
+  /** A random pause after {@code defeats} defeats in a row: 0.5 to 1.5 of its mean. */
   long backoffNs(int defeats, Rng rng) {
     long meanMs = Math.min(backoffMs << Math.min(defeats - 1, MAX_DOUBLINGS), maxBackoffMs);
     long halfNs = meanMs * NS_PER_MS / 2;

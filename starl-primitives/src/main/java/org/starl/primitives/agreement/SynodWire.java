@@ -1,17 +1,20 @@
 package org.starl.primitives.agreement;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Function;
 import java.util.function.LongConsumer;
+import java.util.function.ObjLongConsumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
+import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.platform.Stable;
 import org.starl.platform.Timer;
 
 /**
- * Ties a protocol that stands on a {@link Synod} to its robot: channel, stable record, one timer.
- * Strand only.
+ * Connects a {@link SynodProtocol} to its robot: channels, stable storage, one timer. Strand only.
  */
 public final class SynodWire implements SynodLink {
 
@@ -19,23 +22,49 @@ public final class SynodWire implements SynodLink {
   private final String stableKey;
   private final Timer timer;
   private final Endpoint<SynodMessage> endpoint;
+  private final List<Endpoint<?>> endpoints = new ArrayList<>();
   private @Nullable Started started;
   private long setForNs = Long.MAX_VALUE;
   private boolean closed;
 
-  /** Opens the channel; before {@link #start}, the protocol may read and persist its record. */
+  /**
+   * Opens the Synod's channel. The protocol may read and write its record from now on, and receives
+   * messages from {@link #start} on.
+   */
   public SynodWire(GlobalVarHolder gvh, Channel<SynodMessage> channel) {
     this.gvh = gvh;
     this.stableKey = "synod/" + channel.name(); // names may have dots, but no slash
     this.timer = gvh.plat.timers.timer(this::expired);
-    this.endpoint = gvh.comms.open(channel, this::received);
+    this.endpoint =
+        gvh.comms.open(
+            channel, (from, m) -> input(nowNs -> started().protocol().received(from, m, nowNs)));
+    endpoints.add(endpoint);
   }
 
   /**
-   * Begins to serve {@code protocol}; once, in the piece of the strand that made this wire.
+   * Opens a channel for the primitive's own messages; it closes with this wire.
    *
-   * @param settled shows what has changed: runs now, and whenever the protocol has taken an input and
-   *     all its effects are out
+   * @param author the process in whose name a message is; a message in another robot's name is dropped
+   * @param handler takes a message and the time, in ns
+   */
+  public <M> Endpoint<M> open(
+      Channel<M> channel, Function<M, ProcessId> author, ObjLongConsumer<M> handler) {
+    Endpoint<M> own =
+        gvh.comms.open(
+            channel,
+            (from, message) -> {
+              if (author.apply(message).robot().equals(from)) {
+                input(nowNs -> handler.accept(message, nowNs));
+              }
+            });
+    endpoints.add(own);
+    return own;
+  }
+
+  /**
+   * Starts {@code protocol}; once, in the strand piece that created this wire.
+   *
+   * @param settled shows what has changed: runs now, and after each input to the protocol
    */
   public void start(SynodProtocol protocol, Runnable settled) {
     started = new Started(protocol, settled);
@@ -46,11 +75,15 @@ public final class SynodWire implements SynodLink {
 
   @Override
   public byte @Nullable [] record() {
-    Stable stable = gvh.plat.stable;
-    return stable.get(stableKey);
+    return gvh.plat.stable.get(stableKey);
   }
 
-  /** Calls the protocol, now in ns; every call from outside goes this way, for the timer's sake. */
+  /**
+   * Calls the protocol with the time, in ns. All calls of the app go through here, to keep the timer
+   * right.
+   *
+   * @throws IllegalStateException after {@link #close}
+   */
   public void call(LongConsumer action) {
     if (closed) {
       throw new IllegalStateException("a call after close()");
@@ -71,28 +104,21 @@ public final class SynodWire implements SynodLink {
 
   @Override
   public void persist(long version, byte[] record) {
-    gvh.plat.stable.put(stableKey, record, () -> flushed(version));
+    gvh.plat.stable.put(
+        stableKey, record, () -> input(nowNs -> started().protocol().flushed(version, nowNs)));
   }
 
-  /** Hears and sends nothing more; the acceptor's record stays. */
+  /** Stops sending and receiving. The acceptor's record remains. */
   public void close() {
     closed = true;
     timer.cancel();
-    endpoint.close();
+    endpoints.forEach(Endpoint::close);
   }
 
   private void input(LongConsumer action) {
     if (!closed) {
       call(action);
     }
-  }
-
-  private void received(RobotId from, SynodMessage message) {
-    input(nowNs -> started().protocol().received(from, message, nowNs));
-  }
-
-  private void flushed(long version) {
-    input(nowNs -> started().protocol().flushed(version, nowNs));
   }
 
   private void expired() {

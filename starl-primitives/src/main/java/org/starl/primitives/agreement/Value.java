@@ -1,15 +1,20 @@
 package org.starl.primitives.agreement;
 
 import java.util.Arrays;
+import java.util.function.Consumer;
+import java.util.function.Function;
+import org.starl.comms.WireFormatException;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
 
-/** What is agreed on: bytes that the Synod does not look into. Immutable. */
+/** The value that a Synod decides on: bytes that it does not interpret. Immutable. */
 public final class Value {
 
   public static final Value EMPTY = new Value(new byte[0]);
 
   /**
-   * The longest value, in bytes: with a ballot, the names of the channel and a datagram's own
-   * fields, it still fits one datagram.
+   * The longest value, in bytes. With a ballot, the channel's names and the datagram's own fields it
+   * still fits one datagram.
    */
   public static final int MAX_BYTES = 1000;
 
@@ -21,7 +26,7 @@ public final class Value {
     this.bytes = bytes;
   }
 
-  /** A value of the bytes as they are now, at most {@link #MAX_BYTES} of them. */
+  /** A value of a copy of {@code bytes}, at most {@link #MAX_BYTES}. */
   public static Value of(byte[] bytes) {
     if (bytes.length > MAX_BYTES) {
       throw new IllegalArgumentException(
@@ -30,7 +35,30 @@ public final class Value {
     return new Value(bytes.clone());
   }
 
-  /** The caller's own copy. */
+  /** The value that {@code writer} writes. */
+  public static Value write(Consumer<WireWriter> writer) {
+    byte[] buffer = new byte[MAX_BYTES];
+    WireWriter out = new WireWriter(buffer);
+    writer.accept(out);
+    return new Value(Arrays.copyOf(buffer, out.length()));
+  }
+
+  /**
+   * Reads all bytes.
+   *
+   * @param what is read, for the error
+   * @throws WireFormatException if {@code reader} leaves some, or cannot read them
+   */
+  public <T> T read(String what, Function<WireReader, T> reader) {
+    WireReader in = new WireReader(bytes.clone());
+    T read = reader.apply(in);
+    if (in.remaining() > 0) {
+      throw new WireFormatException(in.remaining() + " bytes after " + what);
+    }
+    return read;
+  }
+
+  /** A copy. */
   public byte[] bytes() {
     return bytes.clone();
   }

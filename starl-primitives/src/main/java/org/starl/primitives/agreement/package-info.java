@@ -1,32 +1,34 @@
 /**
- * Agreement on one value: {@link org.starl.primitives.agreement.SetAgreement} for apps, and the
- * {@link org.starl.primitives.agreement.Synod} under it, on which Registration, Election and Barrier
- * stand as well. The paper calls Registration's core "set-valued distributed consensus" (section
- * 4.3); this is that consensus, over bytes.
+ * Agreement on values. {@link org.starl.primitives.agreement.SetAgreement} agrees on one value, for
+ * apps. Below it is the {@link org.starl.primitives.agreement.Synod}, which registration, election and
+ * barrier use too: {@link org.starl.primitives.agreement.SynodProtocol} is the base of their
+ * protocols, {@link org.starl.primitives.agreement.SynodWire} connects them to a robot. The paper calls
+ * the core of its registration "set-valued distributed consensus" (section 4.3); this is that
+ * consensus, over bytes.
  *
  * <p>(a) <b>Safety.</b> {@code Agreement}: for one instance and number, at most one value is ever
- * decided, on all robots, for ever. {@code Validity}: what is decided was proposed for that instance
- * and number. Both hold under any loss, delay, duplication, reordering and partition, and whoever
- * crashes and restarts, provided that stable storage keeps what it has flushed. Time bounds progress
- * only.
+ * decided, on all robots, for ever. {@code Validity}: the decided value was proposed for that instance
+ * and number. Both hold under any loss, delay, duplication, reordering and partition, and whichever
+ * robots crash and restart, provided that stable storage keeps what it has flushed. Only progress
+ * depends on time.
  *
  * <p>(b) <b>Progress.</b> With message delay δ, a majority of acceptors in reach and one proposer, a
- * decision takes 4δ (prepare 2, accept 2), and others hear of it δ later. Competing proposers defeat
- * each other's ballots at worst; random pauses that grow make that unlikely to last. No protocol can
- * promise a decision without any bound on delays (Fischer, Lynch, Paterson, "Impossibility of
- * distributed consensus with one faulty process", Journal of the ACM 32(2), 1985): at its deadline a
- * proposer is told {@code failed}, and the value may still be decided later.
+ * decision takes 4δ (prepare 2, accept 2), and other robots hear of it δ later. Competing proposers can
+ * defeat each other's ballots; growing random pauses make a long series of defeats unlikely. No
+ * protocol can guarantee a decision without a bound on delays (Fischer, Lynch, Paterson, "Impossibility
+ * of distributed consensus with one faulty process", Journal of the ACM 32(2), 1985): at its deadline a
+ * proposer reports {@code failed}, and the value may still be decided later.
  *
  * <p>(c) <b>Assumptions.</b> The acceptors are fixed for the life of an instance. Messages are not
  * forged. No id is used by two proposers ({@link org.starl.Identity#freshProcess}). An acceptor that
  * has lost its stable storage must not take part again.
  *
- * <p>The handlers of {@code Acceptor} and {@code Proposer} realise the actions {@code Prepared},
- * {@code Accept}, {@code Propose} and {@code Learn} of the theory {@code Synod_decls}, every run of
- * which is one of {@code SetAgreement_decls}; {@link
- * org.starl.primitives.agreement.AgreementConformance} takes each run through the automaton of the
- * latter, of which safety is proved. Wishes that ride on prepare messages are hints: they let one
- * decree serve several proposers, and no argument rests on them.
+ * <p>The handlers of {@code Acceptor} and {@code Proposer} are the actions {@code Prepared}, {@code
+ * Accept}, {@code Propose} and {@code Learn} of the theory {@code Synod_decls}. Every run of that theory
+ * is a run of {@code SetAgreement_decls}, whose safety is proved; {@link
+ * org.starl.primitives.agreement.AgreementConformance} replays each run on its automaton. Wishes in
+ * prepare messages are hints: they let one decree serve several proposers, and no safety argument uses
+ * them.
  *
  * <p>May import: core, {@code org.starl.primitives}.
  */

@@ -18,8 +18,8 @@ import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
 
 /**
- * The barrier of one robot: {@link BarrierProtocol} on its gvh. Constructing it makes this robot
- * vote, if it is a member, and answer the others. Strand only.
+ * The barrier of one robot: {@link BarrierProtocol} on its gvh. A robot that constructs it votes, if it
+ * is a member, and answers the others. Strand only.
  */
 public final class Barrier implements BarrierPrim {
 
@@ -36,11 +36,11 @@ public final class Barrier implements BarrierPrim {
   }
 
   /**
-   * Among a fixed group. A robot whose program has restarted is no member: it is somebody else, who
-   * cannot know where it was.
+   * Among a fixed group. A robot whose program has restarted is no member: it has another id, and does
+   * not know in which generation it was.
    *
    * @param members the same on every robot
-   * @throws IllegalStateException if this start of the robot's program has had this instance already
+   * @throws IllegalStateException if this start of the robot's program has opened this instance before
    */
   public Barrier(GlobalVarHolder gvh, String xid, Participants members) {
     this(gvh, xid, members, BarrierSettings.DEFAULT);
@@ -51,12 +51,12 @@ public final class Barrier implements BarrierPrim {
   }
 
   /**
-   * Among those who are registered now. The number of the view is part of the instance, so that those
-   * of another view meet in another barrier: after a change of the view, make a new one.
+   * Among the robots registered now. The view's number is part of the instance, so robots with another
+   * view meet in another barrier: after a change of the view, make a new one.
    *
    * @param xid with the view's number at most 31 characters
-   * @throws IllegalStateException if this robot is not registered, or its program has had the
-   *     barrier of this view already
+   * @throws IllegalStateException if this robot is not registered, or its program has opened the
+   *     barrier of this view before
    */
   public Barrier(GlobalVarHolder gvh, String xid, Membership membership, BarrierSettings settings) {
     this(
@@ -89,13 +89,13 @@ public final class Barrier implements BarrierPrim {
     List<Object> ids = new ArrayList<>(first);
     ids.add(0, me);
     gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
-    endpoint = gvh.comms.open(channel, this::received);
+    endpoint = wire.open(channel, BarrierMessage::from, protocol::received);
     wire.start(protocol, this::show);
   }
 
   private static View registered(Membership membership) {
     if (!membership.mayRequest()) {
-      throw new IllegalStateException("a barrier among those registered: register first");
+      throw new IllegalStateException("a barrier among registered robots: register first");
     }
     return membership.view();
   }
@@ -124,14 +124,6 @@ public final class Barrier implements BarrierPrim {
   @Override
   public void close() {
     wire.close();
-    endpoint.close();
-  }
-
-  private void received(RobotId from, BarrierMessage message) {
-    // Nobody speaks for another robot.
-    if (message.from().robot().equals(from)) {
-      wire.call(nowNs -> protocol.received(message, nowNs));
-    }
   }
 
   private void send(RobotId to, BarrierMessage message) {

@@ -11,7 +11,7 @@ public sealed interface BarrierAction extends Action {
   /** Arrives in generation {@code g}. */
   record arrive(ProcessId i, long g) implements BarrierAction {}
 
-  /** Generation {@code g} has its outcome, which nobody need know of. */
+  /** The outcome of generation {@code g} is decided; no robot need know yet. */
   record decide(long g, Outcome o) implements BarrierAction {}
 
   /** Is told the outcome of generation {@code g}. */

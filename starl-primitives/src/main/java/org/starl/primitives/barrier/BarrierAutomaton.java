@@ -12,9 +12,9 @@ import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Term;
 
 /**
- * The theory {@code Barrier_decls}, executable: generation by generation, all members arrive and are
- * told one outcome. {@code PIDS} are ids, one for each start of a robot's program. {@link
- * BarrierConformance} takes runs through it.
+ * The theory {@code Barrier_decls} as an executable automaton: in each generation, all members arrive
+ * and are told one outcome. {@code PIDS} are ids, one for each start of a robot's program. {@link
+ * BarrierConformance} replays runs on it.
  */
 public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States, BarrierAction> {
 
@@ -34,14 +34,9 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
   public sealed interface Outcome extends Term {
 
     /** None yet. */
-    // The theory's name, which modules have as a keyword.
+    // The theory's name; in module declarations it is a keyword.
     @SuppressWarnings("NamedLikeContextualKeyword")
     record open() implements Outcome {
-      @Override
-      public List<Object> args() {
-        return List.of();
-      }
-
       @Override
       public String toString() {
         return text();
@@ -51,39 +46,34 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
     /** All members arrived. */
     record passed() implements Outcome {
       @Override
-      public List<Object> args() {
-        return List.of();
+      public String toString() {
+        return text();
       }
+    }
 
+    /** The missing members are excluded. */
+    record failed(SortedSet<ProcessId> missing) implements Outcome {
       @Override
       public String toString() {
         return text();
       }
     }
 
-    /** Some are left out. */
-    record failed(SortedSet<ProcessId> missing) implements Outcome {
-      @Override
-      public List<Object> args() {
-        return List.of(missing);
-      }
-
-      @Override
-      public String toString() {
-        return text();
-      }
+    @Override
+    default List<Object> args() {
+      return this instanceof failed some ? List.of(some.missing) : List.of();
     }
   }
 
-  /** What an id has been told, and of which generation. */
+  /** The latest outcome that an id was told, and its generation. */
   public record Told(long gen, Outcome out) {}
 
   /**
    * The theory's states.
    *
-   * @param arrived in a generation
-   * @param outcome of a generation
-   * @param told what an id shows
+   * @param arrived the ids that arrived in a generation
+   * @param outcome the outcome of a generation
+   * @param told the outcome that an id shows
    */
   public record States(
       Fun<Long, SortedSet<ProcessId>> arrived,
@@ -95,7 +85,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
       return outcome.at(g) instanceof Outcome.open;
     }
 
-    /** The same without the arrivals in a generation that has its outcome: no action asks for them. */
+    /** Without the arrivals in a decided generation, which no action reads. */
     States withoutArrivals(long g) {
       return new States(arrived.with(g, Sets.emptyset()), outcome, told);
     }
@@ -119,7 +109,7 @@ public final class BarrierAutomaton implements Automaton<BarrierAutomaton.States
         Fun.always(new Told(0, new Outcome.open())));
   }
 
-  /** The members of a generation: the first without whom those before left out. */
+  /** The members of a generation: the initial members minus those excluded earlier. */
   public SortedSet<ProcessId> members(long g, States s) {
     SortedSet<ProcessId> members = new TreeSet<>(first);
     s.outcome.forEach((before, outcome) -> {

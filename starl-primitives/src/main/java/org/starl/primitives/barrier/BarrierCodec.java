@@ -1,8 +1,6 @@
 package org.starl.primitives.barrier;
 
-import java.util.Arrays;
 import java.util.List;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -18,20 +16,20 @@ import org.starl.primitives.barrier.BarrierMessage.Arrival;
 import org.starl.primitives.barrier.BarrierMessage.Here;
 
 /**
- * The bytes of {@link BarrierMessage}s, and of {@link Outcomes} as the Synod's value, as {@code
- * docs/wire-format.md} has them.
+ * The bytes of {@link BarrierMessage}s, and of {@link Outcomes} as the Synod's value, as in {@code
+ * docs/wire-format.md}.
  */
 final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
 
   private static final int ARRIVAL = 1;
   private static final int HERE = 2;
-  // At worst, each member is left out by a generation of its own.
+  // At worst, each member is excluded by a generation of its own.
   private static final int BYTES_PER_MEMBER = Long.BYTES + 2 * Short.BYTES;
 
   private final List<ProcessId> first;
 
   /**
-   * @param first the members of generation 1: values name them by their places
+   * @param first the members of generation 1; values name them by their positions
    */
   BarrierCodec(SortedSet<ProcessId> first) {
     if (Short.BYTES + first.size() * BYTES_PER_MEMBER > Value.MAX_BYTES) {
@@ -76,31 +74,28 @@ final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
     read(value);
   }
 
-  @Override
-  public void checkWish(Value wish) {
-    if (wish.length() > 0) {
-      throw new WireFormatException("a wish where none is expected");
-    }
-  }
-
   Value toValue(Outcomes outcomes) {
-    byte[] buffer = new byte[Value.MAX_BYTES];
-    WireWriter out = new WireWriter(buffer);
-    out.u16(outcomes.missing().size());
-    for (Map.Entry<Long, SortedSet<ProcessId>> broken : outcomes.missing().entrySet()) {
-      out.i64(broken.getKey());
-      out.u16(broken.getValue().size());
-      broken.getValue().forEach(id -> out.u16(first.indexOf(id)));
-    }
-    return Value.of(Arrays.copyOf(buffer, out.length()));
+    return Value.write(out -> {
+      out.u16(outcomes.missing().size());
+      outcomes
+          .missing()
+          .forEach((generation, ids) -> {
+            out.i64(generation);
+            out.u16(ids.size());
+            ids.forEach(id -> out.u16(first.indexOf(id)));
+          });
+    });
   }
 
   /** Throws {@link WireFormatException} on what {@link #toValue} cannot have written. */
   Outcomes read(Value value) {
-    WireReader in = new WireReader(value.bytes());
+    return value.read("outcomes", this::outcomes);
+  }
+
+  private Outcomes outcomes(WireReader in) {
     SortedMap<Long, SortedSet<ProcessId>> missing = new TreeMap<>();
     int count = in.u16();
-    SortedSet<ProcessId> leftOut = new TreeSet<>();
+    SortedSet<ProcessId> excluded = new TreeSet<>();
     for (int i = 0; i < count; i++) {
       long generation = generation(in);
       SortedSet<ProcessId> ids = new TreeSet<>();
@@ -108,18 +103,15 @@ final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
       for (int j = 0; j < absent; j++) {
         ProcessId id = member(in.u16());
         boolean isNext = ids.isEmpty() || ids.last().compareTo(id) < 0;
-        if (!isNext || !leftOut.add(id)) {
-          throw new WireFormatException(id + " is left out twice, or not in its place");
+        if (!isNext || !excluded.add(id)) {
+          throw new WireFormatException(id + " is missing twice, or out of order");
         }
         ids.add(id);
       }
       if (ids.isEmpty() || (!missing.isEmpty() && missing.lastKey() >= generation)) {
-        throw new WireFormatException("broken generation " + generation);
+        throw new WireFormatException("failed generation " + generation);
       }
       missing.put(generation, ids);
-    }
-    if (in.remaining() > 0) {
-      throw new WireFormatException(in.remaining() + " bytes after outcomes");
     }
     return new Outcomes(missing);
   }

@@ -5,10 +5,10 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
 
-/** What a robot has been told of the generation in which it arrived last. */
+/** The outcome of the generation in which a robot arrived last, as the robot was told. */
 public sealed interface BarrierOutcome {
 
-  /** Nothing yet: never arrived, or waiting. */
+  /** None yet: the robot never arrived, or waits. */
   BarrierOutcome NONE_YET = new NoneYet();
 
   /**
@@ -44,20 +44,17 @@ public sealed interface BarrierOutcome {
     throw new IllegalArgumentException(
         "outcome '"
             + text
-            + "': expected null, or generation: and passed, failed[..], excluded or"
-            + " unknown");
+            + "': expected null, or a generation and a colon, then passed, failed[..], excluded"
+            + " or unknown");
   }
 
   /** Whether the latest wait is over. */
-  boolean isTold();
+  default boolean isTold() {
+    return !(this instanceof NoneYet);
+  }
 
-  /** Nobody has told anything. */
+  /** No outcome yet. */
   record NoneYet() implements BarrierOutcome {
-    @Override
-    public boolean isTold() {
-      return false;
-    }
-
     @Override
     public String toString() {
       return "null";
@@ -66,11 +63,6 @@ public sealed interface BarrierOutcome {
 
   /** All members of the generation arrived. */
   record Passed(long generation) implements BarrierOutcome {
-    @Override
-    public boolean isTold() {
-      return true;
-    }
-
     /** {@code 3:passed}. */
     @Override
     public String toString() {
@@ -79,19 +71,14 @@ public sealed interface BarrierOutcome {
   }
 
   /**
-   * The generation is over without some of its members, who are none of the next one.
+   * The generation ended without some of its members. They are no members of later generations.
    *
-   * @param missing who is left out: silent, or not there by the deadline; one of them may have
-   *     arrived too late to be counted
+   * @param missing the excluded members: silent, or absent at the deadline; one of them may have
+   *     arrived too late to count
    */
   record Failed(long generation, SortedSet<ProcessId> missing) implements BarrierOutcome {
     public Failed {
       missing = Collections.unmodifiableSortedSet(new TreeSet<>(missing));
-    }
-
-    @Override
-    public boolean isTold() {
-      return true;
     }
 
     /** {@code 3:failed[bot1#1, bot2#1]}. */
@@ -102,17 +89,12 @@ public sealed interface BarrierOutcome {
   }
 
   /**
-   * The others have gone on without this robot: it is no member any more, and comes back only into
-   * another barrier, such as one among those who are registered then.
+   * The others went on without this robot: it is no longer a member. It can take part in another
+   * barrier, such as one among the robots registered then.
    *
-   * @param generation the one that left it out; 0 if it never was a member
+   * @param generation the one that excluded it; 0 if it was never a member
    */
   record Excluded(long generation) implements BarrierOutcome {
-    @Override
-    public boolean isTold() {
-      return true;
-    }
-
     /** {@code 3:excluded}. */
     @Override
     public String toString() {
@@ -121,15 +103,10 @@ public sealed interface BarrierOutcome {
   }
 
   /**
-   * No decision within two deadlines: no majority in reach. The arrival stands; to arrive again is to
-   * wait on for the same generation.
+   * No decision within two deadlines, since no majority was in reach. The arrival still counts; to
+   * arrive again means to go on waiting for the same generation.
    */
   record Unknown(long generation) implements BarrierOutcome {
-    @Override
-    public boolean isTold() {
-      return true;
-    }
-
     /** {@code 3:unknown}. */
     @Override
     public String toString() {

@@ -2,7 +2,7 @@ package org.starl.primitives.barrier;
 
 import org.starl.id.RobotId;
 
-/** Where a {@link BarrierProtocol}'s effects go. All messages are best effort. */
+/** The own messages of a {@link BarrierProtocol}, sent best effort. */
 interface BarrierPort {
 
   void send(RobotId to, BarrierMessage message);

@@ -8,10 +8,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
-import org.starl.primitives.agreement.Synod;
 import org.starl.primitives.agreement.SynodLink;
-import org.starl.primitives.agreement.SynodListener;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.primitives.agreement.Value;
@@ -21,18 +18,15 @@ import org.starl.primitives.suspicion.Suspicion;
 import org.starl.random.Rng;
 
 /**
- * One robot's part in one barrier: generations 1, 2, 3, ... the outcome of each decided once by the
- * Synod, from what the outcome before it was. Whoever waits and sees the end of its generation, all
+ * One robot's part in one barrier: generations 1, 2, 3, ... The Synod decides the outcome of each once,
+ * from the outcomes before it. A waiting robot that sees the end of its generation, all members
  * arrived or some given up, proposes it.
  *
- * <p>Calls, messages and timers in, effects out through a {@link SynodLink} and a {@link BarrierPort}.
+ * <p>Its effects go to a {@link SynodLink} and a {@link BarrierPort}.
  */
-class BarrierProtocol implements SynodProtocol {
+class BarrierProtocol extends SynodProtocol {
 
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long NEVER = Long.MAX_VALUE;
-
-  /** Message delays from a proposal until others know the decision, and one to spare. */
+  /** Message delays from a proposal until other robots know the decision, plus one. */
   private static final int DECIDE = 6;
 
   private final ProcessId me;
@@ -41,14 +35,13 @@ class BarrierProtocol implements SynodProtocol {
   private final BarrierSettings settings;
   private final SynodLink link;
   private final BarrierPort port;
-  private final Synod synod;
   private final Suspicion suspicion;
 
-  // What is decided: all generations up to this one.
+  // The latest decided generation; all before it are decided too.
   private long decided;
   private Outcomes outcomes = Outcomes.ALL_PASSED;
 
-  // Who has arrived where nothing is decided, in this generation and in later ones.
+  // The arrivals in undecided generations: this one and later ones.
   private final TreeMap<Long, SortedSet<ProcessId>> arrivals = new TreeMap<>();
 
   private long generation = 1;
@@ -57,17 +50,15 @@ class BarrierProtocol implements SynodProtocol {
   private boolean isLate;
   private final Set<ProcessId> noted = new TreeSet<>();
 
-  // Whom this robot gives up; nobody, unless it proposes so or is about to.
+  // The members that this robot gives up in its proposal; empty unless it proposes or is about to.
   private SortedSet<ProcessId> givenUp = new TreeSet<>();
 
   private long sayAtNs = NEVER;
   private long proposeAtNs = NEVER;
   private long deadlineNs = NEVER;
-  private long nowNs;
 
   /**
-   * @param first the members of generation 1, whose robots are those who vote; the same on every
-   *     robot, for ever
+   * @param first the members of generation 1, whose robots vote; the same on every robot, for ever
    */
   BarrierProtocol(
       ProcessId me,
@@ -77,22 +68,21 @@ class BarrierProtocol implements SynodProtocol {
       SynodLink link,
       BarrierPort port,
       long nowNs) {
+    super(me.robot(), robots(first), me, settings.timing(), rng, link, nowNs);
     this.me = me;
     this.first = Collections.unmodifiableSortedSet(new TreeSet<>(first));
     this.codec = new BarrierCodec(first);
     this.settings = settings;
     this.link = link;
     this.port = port;
-    this.nowNs = nowNs;
     this.suspicion = new Suspicion(settings.silenceMs() * NS_PER_MS);
-    this.synod = new Synod(me.robot(), robots(), me, settings.timing(), rng, link, new Decrees());
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
       decided(known.number(), codec.read(known.value()));
     }
   }
 
-  private Participants robots() {
+  private static Participants robots(SortedSet<ProcessId> first) {
     return Participants.of(first.stream().map(ProcessId::robot).collect(Collectors.toList()));
   }
 
@@ -151,25 +141,11 @@ class BarrierProtocol implements SynodProtocol {
   }
 
   @Override
-  public void received(RobotId from, SynodMessage message, long now) {
-    nowNs = now;
-    synod.received(from, message, now);
-  }
-
-  @Override
-  public void flushed(long version, long now) {
-    nowNs = now;
-    synod.flushed(version);
-  }
-
-  @Override
-  public void timer(long now) {
-    nowNs = now;
-    synod.timer(now);
-    if (waiting && now >= deadlineNs) {
+  protected void ownTimers() {
+    if (waiting && nowNs >= deadlineNs) {
       deadline();
     }
-    if (waiting && now >= sayAtNs) {
+    if (waiting && nowNs >= sayAtNs) {
       say();
     }
     if (waiting) {
@@ -178,14 +154,12 @@ class BarrierProtocol implements SynodProtocol {
   }
 
   @Override
-  public long wakeAtNs() {
+  protected long ownWakeAtNs() {
     long ownNs = Math.min(deadlineNs, Math.min(proposeAtNs, sayAtNs));
-    return waiting
-        ? Math.min(synod.wakeAtNs(), Math.min(ownNs, suspicion.wakeAtNs(nowNs)))
-        : synod.wakeAtNs();
+    return waiting ? Math.min(ownNs, suspicion.wakeAtNs(nowNs)) : NEVER;
   }
 
-  // What is known.
+  // Queries.
 
   BarrierOutcome outcome() {
     return outcome;
@@ -221,7 +195,7 @@ class BarrierProtocol implements SynodProtocol {
       return;
     }
     if (m.generation() > decided + 1) {
-      // It knows outcomes that are not known here.
+      // It knows outcomes that this robot does not know.
       synod.query(m.from().robot());
     }
     boolean hasArrived = arrivals(decided + 1).contains(me);
@@ -232,7 +206,7 @@ class BarrierProtocol implements SynodProtocol {
     link.send(to.robot(), new SynodMessage.Decided(decided, codec.toValue(outcomes)));
   }
 
-  /** Works for the end of this generation if it is in sight. */
+  /** Works for the outcome of this generation, once it can be proposed. */
   void check() {
     if (!isAllHere()) {
       givenUp = absent();
@@ -240,7 +214,7 @@ class BarrierProtocol implements SynodProtocol {
         givenUp.retainAll(suspicion.suspects(nowNs));
       }
       if (givenUp.isEmpty()) {
-        // Whoever was silent is back.
+        // The silent members are back.
         synod.stop();
         proposeAtNs = NEVER;
         return;
@@ -250,8 +224,8 @@ class BarrierProtocol implements SynodProtocol {
       return;
     }
     if (proposeAtNs == NEVER) {
-      // In turn, for proposers defeat each other; but those before it may have crashed, and its own
-      // turn must come before its deadline.
+      // In turns, since proposers defeat each other. The ones before may have crashed, so its own
+      // turn comes before its deadline at the latest.
       long turnNs = DECIDE * settings.deltaMs() * NS_PER_MS;
       long rank = arrivals(generation).headSet(me).size();
       proposeAtNs = Math.max(nowNs, Math.min(nowNs + rank * turnNs, deadlineNs - turnNs));
@@ -262,12 +236,12 @@ class BarrierProtocol implements SynodProtocol {
     }
   }
 
-  /** What is proposed, {@code Barrier_agreement.propose}, by what is known at the last moment. */
+  /** {@code Barrier_agreement.propose}: the proposal, from the latest knowledge. */
   private Value proposal() {
     return codec.toValue(isAllHere() ? outcomes : outcomes.withBroken(generation, givenUp));
   }
 
-  /** The first time, who has not arrived is left out; the second time, nobody can be. */
+  /** The first deadline gives up the absent members; the second one ends the wait. */
   void deadline() {
     if (isLate) {
       rest(new BarrierOutcome.Unknown(generation));
@@ -297,14 +271,14 @@ class BarrierProtocol implements SynodProtocol {
     }
   }
 
-  /** The wait is over, and so is the generation. */
+  /** Ends the wait and the generation. */
   void next(BarrierOutcome told) {
     rest(told);
     generation++;
     noted.clear();
   }
 
-  /** The wait is over. */
+  /** Ends the wait. */
   private void rest(BarrierOutcome told) {
     outcome = told;
     waiting = false;
@@ -315,7 +289,7 @@ class BarrierProtocol implements SynodProtocol {
     suspicion.expected().forEach(suspicion::releases);
   }
 
-  /** Asks those who have not arrived, and tells those who have not noted that this robot has. */
+  /** Sends this robot's arrival to all members that have not arrived or have not acknowledged it. */
   private void say() {
     SortedSet<ProcessId> here = arrivals(generation);
     for (ProcessId member : members()) {
@@ -344,19 +318,17 @@ class BarrierProtocol implements SynodProtocol {
     return arrivals.computeIfAbsent(itsGeneration, g -> new TreeSet<>());
   }
 
-  private final class Decrees implements SynodListener {
-    @Override
-    public void chosen(long number, Value value) {
-      for (ProcessId member : first) {
-        if (!member.equals(me)) {
-          link.send(member.robot(), new SynodMessage.Decided(number, value));
-        }
+  @Override
+  public void chosen(long number, Value value) {
+    for (ProcessId member : first) {
+      if (!member.equals(me)) {
+        link.send(member.robot(), new SynodMessage.Decided(number, value));
       }
     }
+  }
 
-    @Override
-    public void learned(long number, Value value) {
-      decided(number, codec.read(value));
-    }
+  @Override
+  public void learned(long number, Value value) {
+    decided(number, codec.read(value));
   }
 }

@@ -7,6 +7,7 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.barrier.BarrierAutomaton.Outcome;
@@ -22,101 +23,131 @@ import org.starl.trace.TraceEvent.Variable;
 /** The map of {@link BarrierConformance}, for one instance. */
 final class BarrierRun {
 
-  /** Who was told that it is left out of a generation whose outcome nobody has told yet. */
+  /** An id that was told that it is excluded, before the outcome of the generation is known. */
   private record Early(Variable event, ProcessId i) {}
 
-  private final BarrierAutomaton automaton;
-  private final Replay<States, BarrierAction> replay;
+  /** The automaton with its parameter, and the replay on it. */
+  private record Begun(BarrierAutomaton automaton, Replay<States, BarrierAction> replay) {
+
+    States state() {
+      return replay.state();
+    }
+
+    void step(TraceEvent event, BarrierAction action, Report report) {
+      replay.step(event, action, report);
+    }
+  }
+
+  private final String source;
+  private final Steps<States, BarrierAction> steps;
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final SortedMap<Long, List<Early>> excluded = new TreeMap<>();
+  private @Nullable Begun begun;
 
-  BarrierRun(String source, SortedSet<ProcessId> first, Steps<States, BarrierAction> steps) {
-    automaton = new BarrierAutomaton(first);
-    replay = new Replay<>(automaton, source, steps);
+  BarrierRun(String source, Steps<States, BarrierAction> steps) {
+    this.source = source;
+    this.steps = steps;
   }
 
-  void made(Action event, ProcessId i, SortedSet<ProcessId> members, Report report) {
+  void created(Action event, ProcessId i, SortedSet<ProcessId> members, Report report) {
     ids.put(event.robot(), i);
-    replay.result(event, "first", i, members, automaton.first(), report);
+    Begun run = begun;
+    if (run == null) {
+      BarrierAutomaton automaton = new BarrierAutomaton(members);
+      run = new Begun(automaton, new Replay<>(automaton, source, steps));
+      begun = run;
+    }
+    run.replay.result(event, "first", i, members, run.automaton.first(), report);
   }
 
-  void arrives(Action event, long generation, ProcessId i, Report report) {
-    if (i.robot().equals(event.robot())) {
-      replay.step(event, new BarrierAction.arrive(i, generation), report);
+  void arrived(Action event, long generation, ProcessId i, Report report) {
+    Begun run = begun;
+    if (run != null && i.robot().equals(event.robot())) {
+      run.step(event, new BarrierAction.arrive(i, generation), report);
     }
   }
 
-  void shows(Variable event, Report report) {
+  void shown(Variable event, Report report) {
+    Begun run = begun;
+    if (run == null) {
+      return;
+    }
     switch (BarrierOutcome.parse(event.value())) {
-      case BarrierOutcome.Passed all ->
-          isTold(event, all.generation(), new Outcome.passed(), report);
-      case BarrierOutcome.Failed some ->
-          isTold(event, some.generation(), new Outcome.failed(some.missing()), report);
-      case BarrierOutcome.Excluded out -> isOut(event, out.generation(), report);
-      case BarrierOutcome.NoneYet none -> {
-        // A stutter, and so is the other.
+      case BarrierOutcome.Passed o ->
+          told(run, event, o.generation(), new Outcome.passed(), report);
+      case BarrierOutcome.Failed o ->
+          told(run, event, o.generation(), new Outcome.failed(o.missing()), report);
+      case BarrierOutcome.Excluded o -> excluded(run, event, o.generation(), report);
+      case BarrierOutcome.NoneYet o -> {
+        // No action.
       }
-      case BarrierOutcome.Unknown open -> {}
+      case BarrierOutcome.Unknown o -> {
+        // No action.
+      }
     }
   }
 
-  private void isTold(Variable event, long generation, Outcome told, Report report) {
-    if (replay.state().isOpen(generation)) {
-      decide(event, generation, told, report);
+  private void told(Begun run, Variable event, long generation, Outcome outcome, Report report) {
+    if (run.state().isOpen(generation)) {
+      decide(run, event, generation, outcome, report);
     }
     ProcessId i = ids.get(event.robot());
     if (i == null) {
-      Outcome outcome = replay.state().outcome().at(generation);
-      replay.result(event, "outcome", generation, told, outcome, report);
+      Outcome expected = run.state().outcome().at(generation);
+      run.replay.result(event, "outcome", generation, outcome, expected, report);
     } else {
-      tell(event, i, generation, report);
+      tell(run, event, i, generation, report);
     }
   }
 
-  private void isOut(Variable event, long generation, Report report) {
+  private void excluded(Begun run, Variable event, long generation, Report report) {
     ProcessId i = ids.get(event.robot());
     if (i == null || generation == 0) {
-      return; // nobody is left out
+      return; // it was never a member
     }
-    if (replay.state().isOpen(generation)) {
+    if (run.state().isOpen(generation)) {
       excluded.computeIfAbsent(generation, g -> new ArrayList<>()).add(new Early(event, i));
     } else {
-      tell(event, i, generation, report);
+      tell(run, event, i, generation, report);
     }
   }
 
-  private void decide(TraceEvent event, long generation, Outcome outcome, Report report) {
-    replay.step(event, new BarrierAction.decide(generation, outcome), report);
-    replay.forget(s -> s.withoutArrivals(generation));
+  private void decide(
+      Begun run, TraceEvent event, long generation, Outcome outcome, Report report) {
+    run.step(event, new BarrierAction.decide(generation, outcome), report);
+    run.replay.forget(s -> s.withoutArrivals(generation));
     List<Early> waiting = excluded.remove(generation);
     if (waiting != null) {
-      waiting.forEach(early -> tell(early.event, early.i, generation, report));
+      waiting.forEach(early -> tell(run, early.event, early.i, generation, report));
     }
   }
 
-  private void tell(Variable event, ProcessId i, long generation, Report report) {
-    replay.step(event, new BarrierAction.tell(i, generation), report);
-    String shown = shown(i, replay.state().told().at(i)).toString();
-    replay.result(event, "told", i, event.value(), shown, report);
+  private static void tell(Begun run, Variable event, ProcessId i, long generation, Report report) {
+    run.step(event, new BarrierAction.tell(i, generation), report);
+    String expected = shown(i, run.state().told().at(i)).toString();
+    run.replay.result(event, "told", i, event.value(), expected, report);
   }
 
   private static BarrierOutcome shown(ProcessId i, Told told) {
     return switch (told.out()) {
-      case Outcome.open none -> BarrierOutcome.NONE_YET;
-      case Outcome.passed all -> new BarrierOutcome.Passed(told.gen());
-      case Outcome.failed some when some.missing().contains(i) ->
-          new BarrierOutcome.Excluded(told.gen());
-      case Outcome.failed some -> new BarrierOutcome.Failed(told.gen(), some.missing());
+      case Outcome.open o -> BarrierOutcome.NONE_YET;
+      case Outcome.passed o -> new BarrierOutcome.Passed(told.gen());
+      case Outcome.failed o when o.missing().contains(i) -> new BarrierOutcome.Excluded(told.gen());
+      case Outcome.failed o -> new BarrierOutcome.Failed(told.gen(), o.missing());
     };
   }
 
-  /** At the end of the run: of whom those who were told left out, nobody else was told. */
+  /** At the end of the run: the excluded ids of an unknown outcome are those that were told so. */
   void finish(Report report) {
+    Begun run = begun;
+    if (run == null) {
+      return;
+    }
     new TreeMap<>(excluded)
         .forEach((generation, waiting) -> {
-          SortedSet<ProcessId> out = new TreeSet<>();
-          waiting.forEach(early -> out.add(early.i));
-          decide(waiting.get(0).event, generation, new Outcome.failed(out), report);
+          SortedSet<ProcessId> missing = new TreeSet<>();
+          waiting.forEach(early -> missing.add(early.i));
+          decide(run, waiting.get(0).event, generation, new Outcome.failed(missing), report);
         });
   }
 }

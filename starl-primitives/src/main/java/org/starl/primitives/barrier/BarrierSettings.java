@@ -3,14 +3,14 @@ package org.starl.primitives.barrier;
 import org.starl.primitives.agreement.SynodTiming;
 
 /**
- * Times of a barrier, of no weight for its safety.
+ * Times of a barrier. Safety does not depend on them.
  *
- * @param timing how patiently outcomes are proposed
- * @param deltaMs how long a message usually takes at most, in ms, a resend or two included
- * @param repeatMs who waits asks those who have not arrived every so many ms
- * @param silenceMs who does not even answer is suspected after so many ms, and left out
- * @param deadlineMs after so many ms, who has not arrived is left out, however alive; after twice as
- *     many, who waits is told that the outcome is unknown
+ * @param timing the waits of proposers
+ * @param deltaMs the usual longest message delay, in ms, one or two resends included
+ * @param repeatMs a waiting robot asks the absent members with this period, in ms
+ * @param silenceMs a member that does not answer is suspected after this time, in ms, and excluded
+ * @param deadlineMs an absent member is excluded after this time, in ms, even if it is alive; after
+ *     twice this time, a waiting robot is told that the outcome is unknown
  */
 public record BarrierSettings(
     SynodTiming timing, long deltaMs, long repeatMs, long silenceMs, long deadlineMs) {

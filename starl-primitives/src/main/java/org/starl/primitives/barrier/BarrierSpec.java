@@ -1,35 +1,31 @@
 package org.starl.primitives.barrier;
 
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
 import org.starl.spec.Dues;
 import org.starl.spec.Dues.Seat;
+import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Fault;
-import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What every barrier of a run owes, as the package's contract has it: {@code NoEarly}, {@code
- * Uniform}, and, where bounds are given, {@code NotHung}. Instances are told apart by their names.
+ * The specification of barriers, after the package's contract: {@code NoEarly}, {@code Uniform}, and,
+ * where bounds are given, {@code NotHung}.
  */
-public final class BarrierSpec implements Monitor {
+public final class BarrierSpec extends InstanceSpec<Generations> {
 
   static final String NO_EARLY = "NoEarly";
   static final String UNIFORM = "Uniform";
   static final String NOT_HUNG = "NotHung";
 
+  private static final String NOT_HUNG_SAYS =
+      "A robot that waits at a barrier is told an outcome within the bound.";
+
   private final Dues released;
   private final Dues told;
-  private final Circumstances circumstances = new Circumstances();
-  private final Map<String, Generations> barriers = new TreeMap<>();
 
   /** Safety only. */
   public BarrierSpec() {
@@ -39,34 +35,30 @@ public final class BarrierSpec implements Monitor {
   /**
    * Safety, and progress within bounds.
    *
-   * @param releasedWithinNs who waits is told within this time of the last arrival of a live member,
-   *     or of a crash that leaves none to arrive; while a majority of the members' robots is up and
-   *     no fault is under way; in ns
-   * @param toldWithinNs who waits is told something within this time, whatever happens, in ns: two of
-   *     the barriers' deadlines
+   * @param releasedWithinNs a waiting robot is told within this time of the last arrival of a live
+   *     member, or of the crash after which no live member is absent, in ns; while a majority of the
+   *     members' robots is up and no fault but crashes is active
+   * @param toldWithinNs a waiting robot is told an outcome within this time, whatever happens, in ns:
+   *     two of the barriers' deadlines
    */
   public BarrierSpec(long releasedWithinNs, long toldWithinNs) {
+    super(BarrierTrace::isBarrier);
+    lemma(NO_EARLY, "No robot passes the barrier before all its members have arrived.");
+    lemma(UNIFORM, "All robots that wait at one barrier are told the same outcome.");
     released =
-        new Dues(
+        progress(
             NOT_HUNG,
+            NOT_HUNG_SAYS,
             releasedWithinNs,
-            sinceNs -> "waits, though nobody is to come, since " + sinceNs + " ns");
-    told = new Dues(NOT_HUNG, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
+            sinceNs -> "waits, though no live member is absent, since " + sinceNs + " ns");
+    told =
+        progress(
+            NOT_HUNG, NOT_HUNG_SAYS, toldWithinNs, sinceNs -> "waits since " + sinceNs + " ns");
   }
 
   @Override
-  public List<String> lemmas() {
-    return released.isBounded() ? List.of(NO_EARLY, UNIFORM, NOT_HUNG) : List.of(NO_EARLY, UNIFORM);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return switch (lemma) {
-      case NO_EARLY -> "Nobody passes the barrier before all its members have arrived.";
-      case UNIFORM -> "All who wait at one barrier are told the same outcome.";
-      case NOT_HUNG -> "Whoever waits at a barrier is told something within the bound.";
-      default -> "";
-    };
+  protected Generations begin(String source) {
+    return new Generations(source, circumstances);
   }
 
   @Override
@@ -80,80 +72,47 @@ public final class BarrierSpec implements Monitor {
   }
 
   @Override
-  public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
-    boolean changed = circumstances.observe(event);
-    switch (event) {
-      case Action action when BarrierTrace.isBarrier(action.source()) -> {
-        acted(action);
-        changed = true;
-      }
-      case Variable variable
-          when BarrierTrace.isBarrier(variable.source())
-              && variable.name().equals(BarrierTrace.OUTCOME) -> {
-        generations(variable.source()).told(variable, report);
-        changed = true;
-      }
-      case Fault fault when fault.name().equals(Fault.CRASH) -> forget(fault.robot());
-      case Left left -> forget(left.robot());
-      default -> {
-        // Of no concern here.
-      }
-    }
-    if (changed) {
-      owe(event.timeNs(), report);
-    }
-  }
-
-  @Override
-  public void finish(long endNs, Report report) {
-    expire(endNs, report);
-  }
-
-  private void acted(Action action) {
-    Generations generations = generations(action.source());
+  protected void acted(Action action, Report report) {
+    Generations generations = instance(action.source());
     List<String> args = action.args();
     if (action.name().equals(BarrierTrace.BARRIER)) {
       List<ProcessId> ids = args.stream().map(ProcessId::parse).collect(Collectors.toList());
-      generations.made(ids.get(0), ids.subList(1, ids.size()));
+      generations.created(ids.get(0), ids.subList(1, ids.size()));
     } else if (action.name().equals(BarrierTrace.ARRIVE)) {
       generations.arrived(Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)));
     }
   }
 
-  private void forget(RobotId robot) {
-    barriers.values().forEach(generations -> generations.crashed(robot));
-  }
-
-  /** Brings all debts up to date. */
-  private void owe(long nowNs, Report report) {
-    if (!released.isBounded()) {
-      return;
+  @Override
+  protected void changed(Variable variable, Report report) {
+    if (variable.name().equals(BarrierTrace.OUTCOME)) {
+      instance(variable.source()).told(variable, report);
     }
-    barriers.forEach((source, generations) -> {
-      boolean fair = circumstances.isFair() && generations.hasMajorityUp();
-      for (RobotId robot : generations.robots()) {
-        Seat seat = new Seat(source, robot);
-        if (generations.isWaiting(robot)) {
-          told.owe(seat, nowNs);
-          released.owe(seat, nowNs);
-          released.assume(seat, fair && generations.isNobodyToCome(robot), nowNs);
-        } else {
-          released.settle(seat);
-          if (told.settle(seat) && generations.isUp(robot)) {
-            report.checked(NOT_HUNG);
+  }
+
+  @Override
+  protected void ended(RobotId robot) {
+    instances().values().forEach(generations -> generations.ended(robot));
+  }
+
+  @Override
+  protected void review(long nowNs, Report report) {
+    instances()
+        .forEach((source, generations) -> {
+          boolean isFair = circumstances.isFair() && generations.hasMajorityUp();
+          for (RobotId robot : generations.robots()) {
+            Seat seat = new Seat(source, robot);
+            if (generations.isWaiting(robot)) {
+              told.owe(seat, nowNs);
+              released.owe(seat, nowNs);
+              released.assume(seat, isFair && generations.isNoneToCome(robot), nowNs);
+            } else {
+              released.settle(seat);
+              if (told.settle(seat) && generations.isUp(robot)) {
+                report.checked(NOT_HUNG);
+              }
+            }
           }
-        }
-      }
-    });
-  }
-
-  private void expire(long nowNs, Report report) {
-    released.expire(nowNs, report);
-    told.expire(nowNs, report);
-  }
-
-  private Generations generations(String source) {
-    return barriers.computeIfAbsent(source, s -> new Generations(s, circumstances));
+        });
   }
 }

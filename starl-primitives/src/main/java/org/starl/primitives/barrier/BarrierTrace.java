@@ -1,8 +1,7 @@
 package org.starl.primitives.barrier;
 
 /**
- * The names under which barriers appear in a trace. A monitor decides everything from these: ids as
- * {@link org.starl.id.ProcessId#parse} reads them.
+ * The names of barriers in a trace. Ids are as {@link org.starl.id.ProcessId#parse} reads them.
  */
 final class BarrierTrace {
 
@@ -18,7 +17,7 @@ final class BarrierTrace {
   static final String ARRIVE = "arrive";
 
   /**
-   * Variable: {@code null}; or generation and {@code passed}, {@code failed} with who is missing,
+   * Variable: {@code null}; or generation and {@code passed}, {@code failed} with the missing ids,
    * {@code excluded} or {@code unknown}.
    */
   static final String OUTCOME = "outcome";

@@ -12,7 +12,7 @@ import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent.Variable;
 
-/** What {@link BarrierSpec} knows of one barrier. */
+/** One barrier, as {@link BarrierSpec} sees it in the trace. */
 final class Generations {
 
   private final String source;
@@ -20,7 +20,7 @@ final class Generations {
   private final SortedSet<ProcessId> first = new TreeSet<>();
   private final Set<RobotId> seen = new TreeSet<>();
 
-  // Of each robot whose program is there, who it is, and where it waits.
+  // For each robot that is up: its id, and the generation in which it waits.
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final Map<RobotId, Long> waiting = new TreeMap<>();
 
@@ -29,7 +29,7 @@ final class Generations {
   private final Map<Long, Set<ProcessId>> excluded = new TreeMap<>();
   private Outcomes missing = Outcomes.ALL_PASSED;
 
-  /** Who was first told the outcome of a generation, and which: passed, or failed and for whom. */
+  /** The first robot to be told the outcome of a generation, and the outcome: passed or failed. */
   private record First(RobotId robot, BarrierOutcome outcome) {}
 
   Generations(String source, Circumstances circumstances) {
@@ -37,7 +37,7 @@ final class Generations {
     this.circumstances = circumstances;
   }
 
-  void made(ProcessId id, List<ProcessId> members) {
+  void created(ProcessId id, List<ProcessId> members) {
     seen.add(id.robot());
     ids.put(id.robot(), id);
     first.addAll(members);
@@ -45,13 +45,13 @@ final class Generations {
 
   void arrived(long generation, ProcessId id) {
     arrived.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
-    boolean isOut = excluded.values().stream().anyMatch(out -> out.contains(id));
-    if (first.contains(id) && !isOut) {
+    boolean isExcluded = excluded.values().stream().anyMatch(ids -> ids.contains(id));
+    if (first.contains(id) && !isExcluded) {
       waiting.put(id.robot(), generation);
     }
   }
 
-  void crashed(RobotId robot) {
+  void ended(RobotId robot) {
     ids.remove(robot);
     waiting.remove(robot);
   }
@@ -70,9 +70,11 @@ final class Generations {
       case BarrierOutcome.Failed some -> decided(some.generation(), outcome, variable, report);
       case BarrierOutcome.Excluded out -> excluded(out.generation(), variable, report);
       case BarrierOutcome.NoneYet none -> {
-        // Nothing is claimed, nor here.
+        // No claim to check.
       }
-      case BarrierOutcome.Unknown open -> {}
+      case BarrierOutcome.Unknown open -> {
+        // No claim to check.
+      }
     }
   }
 
@@ -115,7 +117,7 @@ final class Generations {
     }
   }
 
-  /** Who is told that it was left out was left out, as far as the outcome is known. */
+  /** An excluded robot must be missing in the outcome, if the outcome is known. */
   private void uniform(long generation, Variable variable, Report report) {
     report.checked(BarrierSpec.UNIFORM);
     First told = outcomes.get(generation);
@@ -132,7 +134,7 @@ final class Generations {
     }
   }
 
-  /** Every robot that was ever seen, in order. */
+  /** Every robot seen so far, in order. */
   Set<RobotId> robots() {
     return seen;
   }
@@ -145,8 +147,8 @@ final class Generations {
     return isUp(robot) && waiting.containsKey(robot);
   }
 
-  /** Whether all members of the generation in which {@code robot} waits have arrived or are dead. */
-  boolean isNobodyToCome(RobotId robot) {
+  /** Whether each member of the generation in which {@code robot} waits has arrived or is dead. */
+  boolean isNoneToCome(RobotId robot) {
     Long generation = waiting.get(robot);
     if (generation == null) {
       return false;

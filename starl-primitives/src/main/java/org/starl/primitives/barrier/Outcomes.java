@@ -9,10 +9,10 @@ import java.util.TreeSet;
 import org.starl.id.ProcessId;
 
 /**
- * The outcomes of all generations up to some number: those that are named here were broken by the
- * absence of some, and all others were passed. Whoever has skipped numbers needs no others.
+ * The outcomes of all generations up to some number: those in {@code missing} failed, all others were
+ * passed. So a robot that has skipped numbers misses no outcome.
  *
- * @param missing who was left out by each broken generation; nobody twice, so this stays short
+ * @param missing the members excluded by each failed generation; none twice, so this stays short
  */
 record Outcomes(SortedMap<Long, SortedSet<ProcessId>> missing) {
 
@@ -25,7 +25,7 @@ record Outcomes(SortedMap<Long, SortedSet<ProcessId>> missing) {
     missing = Collections.unmodifiableSortedMap(copy);
   }
 
-  /** These, and one more generation that was broken. */
+  /** With one more failed generation. */
   Outcomes withBroken(long generation, Collection<ProcessId> ids) {
     SortedMap<Long, SortedSet<ProcessId>> more = new TreeMap<>(missing);
     more.put(generation, new TreeSet<>(ids));
@@ -36,23 +36,23 @@ record Outcomes(SortedMap<Long, SortedSet<ProcessId>> missing) {
     return missing.containsKey(generation);
   }
 
-  /** Who was left out by {@code generation}, which must be broken. */
+  /** The members excluded by {@code generation}, which must have failed. */
   SortedSet<ProcessId> missing(long generation) {
     SortedSet<ProcessId> ids = missing.get(generation);
     if (ids == null) {
-      throw new IllegalArgumentException("generation " + generation + " is not broken");
+      throw new IllegalArgumentException("generation " + generation + " has not failed");
     }
     return ids;
   }
 
-  /** The members of {@code generation}: those of the first without whom those before left out. */
+  /** The members of {@code generation}: the initial members minus those excluded earlier. */
   SortedSet<ProcessId> members(SortedSet<ProcessId> first, long generation) {
     TreeSet<ProcessId> members = new TreeSet<>(first);
     missing.headMap(generation).values().forEach(members::removeAll);
     return members;
   }
 
-  /** Which generation left {@code id} out; 0 if none did. */
+  /** The generation that excluded {@code id}; 0 if none did. */
   long leftOutBy(ProcessId id) {
     for (var entry : missing.entrySet()) {
       if (entry.getValue().contains(id)) {

@@ -11,20 +11,20 @@ import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent.Variable;
 
-/** What {@link ElectionSpec} knows of one election. */
+/** One election, as {@link ElectionSpec} sees it in the trace. */
 final class Ballots {
 
-  /** How a robot stands to the leader. */
+  /** What a robot is and knows. */
   enum Standing {
-    /** It takes no part, or is not up. */
-    OUT,
-    /** It has been told fail. */
+    /** It has not called {@code do_election}, or is down. */
+    NO_CANDIDATE,
+    /** It shows fail. */
     FAILED,
-    /** It knows the live leader of the latest term. */
-    SERVED,
-    /** It knows another one. */
-    MISLED,
-    /** It has been told nothing. */
+    /** It shows the live leader of the latest term. */
+    KNOWS_LEADER,
+    /** It shows another leader. */
+    KNOWS_OLD_LEADER,
+    /** It shows null. */
     WAITING
   }
 
@@ -33,15 +33,15 @@ final class Ballots {
   private int size;
   private long latestTerm;
 
-  // Of each robot, under what id its present program takes part if it does.
+  // The id of each robot's present program.
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final Set<RobotId> seen = new TreeSet<>();
-  private final Set<RobotId> takers = new TreeSet<>();
+  private final Set<RobotId> callers = new TreeSet<>();
   private final Map<RobotId, String> shown = new TreeMap<>();
   private final Map<Long, Set<ProcessId>> candidates = new TreeMap<>();
   private final Map<Long, First> leaders = new TreeMap<>();
 
-  /** Who first knew the leader of a term, and whom. */
+  /** The first robot to know the leader of a term, and the leader. */
   private record First(RobotId robot, ProcessId leader) {}
 
   Ballots(String source, Circumstances circumstances) {
@@ -49,27 +49,27 @@ final class Ballots {
     this.circumstances = circumstances;
   }
 
-  void made(int participants, ProcessId id) {
+  void created(int participants, ProcessId id) {
     size = participants;
     seen.add(id.robot());
     ids.put(id.robot(), id);
   }
 
-  void takesPart(RobotId robot) {
+  void called(RobotId robot) {
     seen.add(robot);
-    takers.add(robot);
+    callers.add(robot);
   }
 
-  void candidate(long term, ProcessId id) {
-    // Who stands without having been asked to is no candidate of anybody's.
-    if (takers.contains(id.robot())) {
+  void stood(long term, ProcessId id) {
+    // A robot that stands without a call of do_election is no valid candidate.
+    if (callers.contains(id.robot())) {
       candidates.computeIfAbsent(term, t -> new TreeSet<>()).add(id);
     }
   }
 
-  void crashed(RobotId robot) {
+  void ended(RobotId robot) {
     ids.remove(robot);
-    takers.remove(robot);
+    callers.remove(robot);
     shown.remove(robot);
   }
 
@@ -100,7 +100,7 @@ final class Ballots {
     }
   }
 
-  /** Every robot that was ever seen, in order. */
+  /** Every robot seen so far, in order. */
   Set<RobotId> robots() {
     return seen;
   }
@@ -111,8 +111,8 @@ final class Ballots {
   }
 
   Standing standing(RobotId robot) {
-    if (!takers.contains(robot) || !circumstances.isUp(robot)) {
-      return Standing.OUT;
+    if (!callers.contains(robot) || !circumstances.isUp(robot)) {
+      return Standing.NO_CANDIDATE;
     }
     String value = shown.getOrDefault(robot, Leader.NONE.toString());
     if (value.equals(Leader.NONE.toString())) {
@@ -121,7 +121,7 @@ final class Ballots {
     if (value.equals(Leader.FAIL.toString())) {
       return Standing.FAILED;
     }
-    return isLatestAndLive(value) ? Standing.SERVED : Standing.MISLED;
+    return isLatestAndLive(value) ? Standing.KNOWS_LEADER : Standing.KNOWS_OLD_LEADER;
   }
 
   private boolean isLatestAndLive(String value) {

@@ -12,9 +12,8 @@ import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodWire;
 
 /**
- * The election of one robot: {@link ElectionProtocol} on its gvh. Constructing it makes this robot
- * vote, if it is a participant, and learn who leads; {@link #do_election} makes it a candidate.
- * Strand only.
+ * The election of one robot: {@link ElectionProtocol} on its gvh. A robot that constructs it votes, if
+ * it is a participant, and learns the leader; {@link #do_election} makes it a candidate. Strand only.
  */
 public final class Election implements ElectionPrim {
 
@@ -33,10 +32,10 @@ public final class Election implements ElectionPrim {
   }
 
   /**
-   * Among a list of participants, as the paper has it.
+   * Among a list of participants, as in the paper.
    *
-   * @param participants the same on every robot, for ever; a majority of them must be in reach for
-   *     anybody to be elected
+   * @param participants the same on every robot, for ever; an election needs a majority of them in
+   *     reach
    */
   public Election(GlobalVarHolder gvh, String xid, Participants participants) {
     this(gvh, xid, participants, ElectionSettings.DEFAULT);
@@ -62,7 +61,7 @@ public final class Election implements ElectionPrim {
             new Port(),
             gvh.plat.clock.nowNs());
     gvh.trace.action(source, ElectionTrace.ELECTION, participants.size(), me);
-    endpoint = gvh.comms.open(channel, this::received);
+    endpoint = wire.open(channel, ElectionMessage::from, protocol::received);
     wire.start(protocol, this::show);
   }
 
@@ -82,12 +81,12 @@ public final class Election implements ElectionPrim {
     return failed;
   }
 
-  /** This robot's participant: whom {@link #Leader} names if this robot is elected. */
+  /** This robot's participant: the id that {@link #Leader} shows if this robot is elected. */
   public ProcessId me() {
     return me;
   }
 
-  /** Whether this robot knows itself as the leader. */
+  /** Whether this robot knows that it is the leader. */
   public boolean isLeader() {
     return leader.get() instanceof Leader.Name name && name.id().equals(me);
   }
@@ -100,14 +99,6 @@ public final class Election implements ElectionPrim {
   @Override
   public void close() {
     wire.close();
-    endpoint.close();
-  }
-
-  private void received(RobotId from, ElectionMessage message) {
-    // Nobody speaks for another robot.
-    if (message.from().robot().equals(from)) {
-      wire.call(nowNs -> protocol.received(message, nowNs));
-    }
   }
 
   private void show() {

@@ -7,19 +7,19 @@ import org.starl.spec.automaton.Action;
 /** The actions of the theory {@code Election_decls}, under their names there. */
 public sealed interface ElectionAction extends Action {
 
-  /** Takes part from now on. */
+  /** Becomes a candidate of all later terms. */
   record do_election(ProcessId i) implements ElectionAction {}
 
-  /** Stands in term {@code n}. */
+  /** Stands for election in term {@code n}. */
   record candidate(ProcessId i, long n) implements ElectionAction {}
 
-  /** Is elected in term {@code n}, which nobody need know of. */
+  /** Is elected in term {@code n}; no robot need know yet. */
   record elect(long n, ProcessId i) implements ElectionAction {}
 
-  /** Learns who is elected in term {@code n}. */
+  /** Learns the leader of term {@code n}. */
   record learn(ProcessId i, long n) implements ElectionAction {}
 
-  /** Knows no leader any more, or is told that there is none. */
+  /** Knows no leader any longer, or is told that there is none. */
   record fail(ProcessId i) implements ElectionAction {}
 
   @Override

@@ -9,8 +9,8 @@ import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Election_decls}, executable: at most one leader for each term. {@code PIDS} are
- * ids, one for each start of a robot's program. {@link ElectionConformance} takes runs through it.
+ * The theory {@code Election_decls} as an executable automaton: at most one leader for each term. {@code
+ * PIDS} are ids, one for each start of a robot's program. {@link ElectionConformance} replays runs on it.
  */
 public final class ElectionAutomaton
     implements Automaton<ElectionAutomaton.States, ElectionAction> {
@@ -19,9 +19,9 @@ public final class ElectionAutomaton
   public static final String ELECTION_DECLS = "Election_decls";
 
   /**
-   * What an id knows.
+   * The leader that an id knows.
    *
-   * @param who bottom: null or fail
+   * @param who the leader; bottom for null or fail
    */
   public record Known(long term, Lift<ProcessId> who) {
 
@@ -35,10 +35,10 @@ public final class ElectionAutomaton
   /**
    * The theory's states.
    *
-   * @param part called {@code do_election}
-   * @param stood in a term
-   * @param elected in a term
-   * @param Leader what an id shows
+   * @param part whether an id has called {@code do_election}
+   * @param stood the candidates of a term
+   * @param elected the leader of a term
+   * @param Leader the leader that an id shows
    */
   public record States(
       Fun<ProcessId, Boolean> part,

@@ -1,6 +1,5 @@
 package org.starl.primitives.election;
 
-import java.util.Arrays;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
@@ -12,8 +11,8 @@ import org.starl.primitives.election.ElectionMessage.Candidacy;
 import org.starl.primitives.election.ElectionMessage.Elected;
 
 /**
- * The bytes of {@link ElectionMessage}s, and of a leader as the Synod's value, as {@code
- * docs/wire-format.md} has them.
+ * The bytes of {@link ElectionMessage}s, and of a leader as the Synod's value, as in {@code
+ * docs/wire-format.md}.
  */
 final class ElectionCodec implements Codec<ElectionMessage>, SynodCodec.Format {
 
@@ -51,27 +50,12 @@ final class ElectionCodec implements Codec<ElectionMessage>, SynodCodec.Format {
     leader(value);
   }
 
-  @Override
-  public void checkWish(Value wish) {
-    if (wish.length() > 0) {
-      throw new WireFormatException("a wish where none is expected");
-    }
-  }
-
   static Value value(ProcessId leader) {
-    byte[] buffer = new byte[Value.MAX_BYTES];
-    WireWriter out = new WireWriter(buffer);
-    out.process(leader);
-    return Value.of(Arrays.copyOf(buffer, out.length()));
+    return Value.write(out -> out.process(leader));
   }
 
   /** Throws {@link WireFormatException} on what {@link #value} cannot have written. */
   static ProcessId leader(Value value) {
-    WireReader in = new WireReader(value.bytes());
-    ProcessId leader = in.process();
-    if (in.remaining() > 0) {
-      throw new WireFormatException(in.remaining() + " bytes after a leader");
-    }
-    return leader;
+    return value.read("a leader", WireReader::process);
   }
 }

@@ -1,123 +1,119 @@
 package org.starl.primitives.election;
 
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.election.ElectionAutomaton.Known;
 import org.starl.primitives.election.ElectionAutomaton.States;
-import org.starl.spec.Dues.Seat;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Steps;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Every run of every election is a run of the theory {@code Election_decls}: the lemma is its name.
- * What happens is taken for an action of the theory so, {@code i} being the id that its robot's
- * program said last that it has:
+ * Every run of every election is a run of the theory {@code Election_decls}. The map from events to
+ * actions, where {@code i} is the id that the event's robot announced last:
  *
  * <pre>
- * event                              action
- * Election size i                    stutter: the robot is i from now on
- * do_election i                      do_election(i), by its own robot's word
- * candidate n i                      candidate(i, n), by its own robot's word
- * Leader n:j, as the first to know   elect(n, j): nobody tells when a term is decided
- * Leader n:j                         learn(i, n), Leader(i) is j in term n
- * Leader fail                        fail(i)
- * Leader null                        fail(i), if i knew a leader: another term has begun, or its robot's
- *                                    program anew; else a stutter
- * all other events                   stutter
+ * event                            action
+ * Election size i                  none: the robot announces its id i
+ * do_election i                    do_election(i), if i is an id of the event's robot
+ * candidate n i                    candidate(i, n), if i is an id of the event's robot
+ * Leader n:j, for the first time   elect(n, j): the decision itself is not in the trace
+ * Leader n:j                       learn(i, n); Leader(i) is j in term n
+ * Leader fail                      fail(i)
+ * Leader null                      fail(i), if i knew a leader: a new term began, or the robot's
+ *                                  program started again
+ * all other events                 none
  * </pre>
  *
- * <p>A robot that has not said who it is learns for nobody; whom it shows is the one elected all the
- * same. What is kept are all ids, and who stood and was elected in each term.
+ * <p>A robot that has announced no id learns for no id; the leader that it shows must be the elected
+ * one all the same. Memory grows with the ids, and with the candidates and leaders of all terms.
  */
-public final class ElectionConformance extends Conformance {
+public final class ElectionConformance extends Conformance<ElectionConformance.Run> {
 
-  private final Replays<States, ElectionAction> replays;
-  private final Map<Seat, ProcessId> ids = new LinkedHashMap<>();
+  private final Steps<States, ElectionAction> steps;
+
+  /** One instance: its replay, and each robot's present id. */
+  record Run(Replay<States, ElectionAction> replay, Map<RobotId, ProcessId> ids) {}
 
   public ElectionConformance() {
     this(Steps.ignored());
   }
 
   /**
-   * The same.
-   *
-   * @param steps takes every step of every instance
+   * @param steps receives every step of every instance
    */
   public ElectionConformance(Steps<States, ElectionAction> steps) {
-    super(ElectionAutomaton.ELECTION_DECLS, "every election");
-    replays = new Replays<>(new ElectionAutomaton(), steps);
+    super(ElectionAutomaton.ELECTION_DECLS, "every election", ElectionTrace::isElection);
+    this.steps = steps;
   }
 
   @Override
-  public void observe(TraceEvent event, Report report) {
-    switch (event) {
-      case Action action when ElectionTrace.isElection(action.source()) -> acted(action, report);
-      case Variable variable
-          when ElectionTrace.isElection(variable.source())
-              && variable.name().equals(ElectionTrace.LEADER) ->
-          shown(variable, replays.of(variable.source()), report);
-      default -> {
-        // A stutter.
-      }
-    }
+  protected Run begin(String source) {
+    return new Run(new Replay<>(new ElectionAutomaton(), source, steps), new TreeMap<>());
   }
 
-  private void acted(Action action, Report report) {
+  @Override
+  protected void acted(Action action, Report report) {
     List<String> args = action.args();
+    Run run = instance(action.source());
     switch (action.name()) {
-      case ElectionTrace.ELECTION ->
-          ids.put(new Seat(action.source(), action.robot()), ProcessId.parse(args.get(1)));
+      case ElectionTrace.ELECTION -> run.ids.put(action.robot(), ProcessId.parse(args.get(1)));
       case ElectionTrace.DO_ELECTION -> {
         ProcessId i = ProcessId.parse(args.get(0));
-        does(action, i, new ElectionAction.do_election(i), report);
+        step(run, action, i, new ElectionAction.do_election(i), report);
       }
       case ElectionTrace.CANDIDATE -> {
         ProcessId i = ProcessId.parse(args.get(1));
-        does(action, i, new ElectionAction.candidate(i, Long.parseLong(args.get(0))), report);
+        long term = Long.parseLong(args.get(0));
+        step(run, action, i, new ElectionAction.candidate(i, term), report);
       }
       default -> {
-        // A stutter.
+        // No action of the theory.
       }
     }
   }
 
-  private void does(Action event, ProcessId i, ElectionAction action, Report report) {
+  private static void step(
+      Run run, Action event, ProcessId i, ElectionAction action, Report report) {
     if (i.robot().equals(event.robot())) {
-      replays.of(event.source()).step(event, action, report);
+      run.replay.step(event, action, report);
     }
   }
 
-  private void shown(Variable variable, Replay<States, ElectionAction> replay, Report report) {
-    ProcessId i = ids.get(new Seat(variable.source(), variable.robot()));
+  @Override
+  protected void changed(Variable variable, Report report) {
+    if (!variable.name().equals(ElectionTrace.LEADER)) {
+      return;
+    }
+    Run run = instance(variable.source());
+    ProcessId i = run.ids.get(variable.robot());
     Leader leader = Leader.parse(variable.value());
     if (leader instanceof Leader.Name name) {
-      follows(variable, i, name.term(), name.id(), replay, report);
+      learn(variable, i, name, run.replay, report);
     } else if (i != null
-        && (leader.equals(Leader.FAIL) || replay.state().Leader().at(i).who().isUp())) {
-      replay.step(variable, new ElectionAction.fail(i), report);
+        && (leader.equals(Leader.FAIL) || run.replay.state().Leader().at(i).who().isUp())) {
+      run.replay.step(variable, new ElectionAction.fail(i), report);
     }
   }
 
-  private static void follows(
+  private static void learn(
       Variable event,
       @Nullable ProcessId i,
-      long term,
-      ProcessId leader,
+      Leader.Name leader,
       Replay<States, ElectionAction> replay,
       Report report) {
+    long term = leader.term();
     if (!replay.state().elected().at(term).isUp()) {
-      replay.step(event, new ElectionAction.elect(term, leader), report);
+      replay.step(event, new ElectionAction.elect(term, leader.id()), report);
     }
-    Lift<ProcessId> who = new Lift.up<>(leader);
+    Lift<ProcessId> who = new Lift.up<>(leader.id());
     if (i == null) {
       replay.result(event, "elected", term, who, replay.state().elected().at(term), report);
     } else {

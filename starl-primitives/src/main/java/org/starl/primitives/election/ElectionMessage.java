@@ -2,19 +2,19 @@ package org.starl.primitives.election;
 
 import org.starl.id.ProcessId;
 
-/** The election's own messages, beside the Synod's. All are idempotent. */
+/** The election's own messages. All are idempotent. */
 sealed interface ElectionMessage {
 
-  /** Who says so: one of the sender's ids. */
+  /** An id of the sender. */
   ProcessId from();
 
-  /** The term that this is about, from 1. */
+  /** The term, from 1. */
   long term();
 
   /**
    * {@code from} may be elected in {@code term}.
    *
-   * @param draw its lot in this term
+   * @param draw its random number in this term
    */
   record Candidacy(ProcessId from, long term, long draw) implements ElectionMessage {}
 

@@ -2,7 +2,7 @@ package org.starl.primitives.election;
 
 import org.starl.id.RobotId;
 
-/** Where an {@link ElectionProtocol}'s effects go. All messages are best effort. */
+/** The effects of an {@link ElectionProtocol}. Messages are sent best effort. */
 interface ElectionPort {
 
   void send(RobotId to, ElectionMessage message);

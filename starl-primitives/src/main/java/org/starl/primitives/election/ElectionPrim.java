@@ -3,23 +3,22 @@ package org.starl.primitives.election;
 import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
-/** Election as an app sees it (paper, section 4.4). Strand only. */
+/** The election interface for apps (paper, section 4.4). Strand only. */
 public interface ElectionPrim extends StarLPrimitive {
 
   /**
-   * Takes part from now on: this robot may be elected, and joins in whenever a leader is needed. If
-   * there is a leader who is not suspected, it is kept; if an election is in progress, it goes on;
-   * else one begins, and {@link #Leader} is null until it is a name, or {@link Leader#FAIL} at the
-   * deadline.
+   * Makes this robot a candidate: it may be elected, and takes part whenever a leader is needed. A leader
+   * that is not suspected stays; an election in progress goes on; otherwise one begins. Then {@link
+   * #Leader} is null until it is a name, or {@link Leader#FAIL} at the deadline.
    *
-   * @throws IllegalStateException if this robot is none of the participants
+   * @throws IllegalStateException if this robot is not among the participants
    */
   void do_election();
 
   /**
-   * The leader as far as this robot knows. A leader that has been replaced may not know it yet, nor
-   * may those who follow it: what it commands should carry its term, and lower terms be ignored. What
-   * one robot alone may do belongs under a mutex, not under this.
+   * The leader, as far as this robot knows. A replaced leader and its followers may not know of the new
+   * one yet: a leader's commands should carry its term, and robots should ignore lower terms. An action
+   * that only one robot may do at a time needs a mutex, not a leader.
    */
   GvhVariable<Leader> Leader();
 

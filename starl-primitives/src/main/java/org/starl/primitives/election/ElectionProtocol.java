@@ -5,9 +5,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.agreement.Synod;
 import org.starl.primitives.agreement.SynodLink;
-import org.starl.primitives.agreement.SynodListener;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.primitives.agreement.Value;
@@ -17,42 +15,38 @@ import org.starl.primitives.suspicion.Suspicion;
 import org.starl.random.Rng;
 
 /**
- * One robot's part in one election: terms 1, 2, 3, ... each decided by the Synod. The strategy says
- * whom to propose and when, and nothing else.
+ * One robot's part in one election: terms 1, 2, 3, ... each decided by the Synod. The strategy only
+ * chooses the candidate to propose, and when.
  *
- * <p>Calls, messages and timers in, effects out through a {@link SynodLink} and an {@link ElectionPort}.
+ * <p>Its effects go to a {@link SynodLink} and an {@link ElectionPort}.
  */
-class ElectionProtocol implements SynodProtocol {
-
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long NEVER = Long.MAX_VALUE;
+class ElectionProtocol extends SynodProtocol {
 
   private final ProcessId me;
   private final Participants participants;
   private final ElectionSettings settings;
   private final Rng rng;
   private final ElectionPort port;
-  private final Synod synod;
   private final Suspicion suspicion;
 
-  // The highest incarnation heard of each robot: lower ones are dead.
+  // The highest incarnation heard of each robot. Lower ones are dead.
   private final TreeMap<RobotId, Long> newest = new TreeMap<>();
 
   private boolean takesPart;
   private long term;
   private Leader leader = Leader.NONE;
 
-  // Of the present term, where this robot stands in it.
+  // The candidates of the present term; null if this robot is none.
   private @Nullable Poll poll;
   private long draw;
 
   private long planAtNs = NEVER;
   private long sayAtNs = NEVER;
   private long deadlineNs = NEVER;
-  private long nowNs;
 
   /**
-   * @param participants who may be elected, and who votes; the same on every robot, for ever
+   * @param participants the robots that may be elected, and that vote; the same on every robot, for
+   *     ever
    */
   ElectionProtocol(
       ProcessId me,
@@ -62,23 +56,14 @@ class ElectionProtocol implements SynodProtocol {
       SynodLink link,
       ElectionPort port,
       long nowNs) {
+    super(me.robot(), participants, me, settings.timing(), rng.fork("synod"), link, nowNs);
     this.me = me;
     this.participants = participants;
     this.settings = settings;
     this.rng = rng;
     this.port = port;
-    this.nowNs = nowNs;
     this.suspicion = new Suspicion(settings.silenceMs() * NS_PER_MS);
     this.newest.put(me.robot(), me.inc());
-    this.synod =
-        new Synod(
-            me.robot(),
-            participants,
-            me,
-            settings.timing(),
-            rng.fork("synod"),
-            link,
-            new Decrees());
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
       decided(known.number(), ElectionCodec.leader(known.value()));
@@ -99,7 +84,7 @@ class ElectionProtocol implements SynodProtocol {
     } else if (poll == null) {
       start(term + 1);
     } else if (leader instanceof Leader.Fail) {
-      // The same term: a higher one would end the efforts of those who have not failed yet.
+      // The same term: a new one would end the election of the robots that have not failed yet.
       stand();
     }
   }
@@ -112,7 +97,7 @@ class ElectionProtocol implements SynodProtocol {
       return;
     }
     if (message.from().inc() > newestInc) {
-      bury(from, message.from().inc());
+      newIncarnation(from, message.from().inc());
     }
     suspicion.heard(message.from(), now);
     switch (message) {
@@ -122,42 +107,28 @@ class ElectionProtocol implements SynodProtocol {
   }
 
   @Override
-  public void received(RobotId from, SynodMessage message, long now) {
-    nowNs = now;
-    synod.received(from, message, now);
-  }
-
-  @Override
-  public void flushed(long version, long now) {
-    nowNs = now;
-    synod.flushed(version);
-  }
-
-  @Override
-  public void timer(long now) {
-    nowNs = now;
-    synod.timer(now);
-    if (now >= deadlineNs) {
+  protected void ownTimers() {
+    if (nowNs >= deadlineNs) {
       fail();
     }
     if (takesPart && leader instanceof Leader.Name name && isSuspected(name.id())) {
       start(term + 1);
     }
-    if (now >= sayAtNs) {
+    if (nowNs >= sayAtNs) {
       say();
     }
-    if (now >= planAtNs) {
+    if (nowNs >= planAtNs) {
       plan();
     }
   }
 
   @Override
-  public long wakeAtNs() {
+  protected long ownWakeAtNs() {
     long ownNs = Math.min(deadlineNs, Math.min(planAtNs, sayAtNs));
-    return Math.min(synod.wakeAtNs(), Math.min(ownNs, suspicion.wakeAtNs(nowNs)));
+    return Math.min(ownNs, suspicion.wakeAtNs(nowNs));
   }
 
-  // What is known.
+  // Queries.
 
   Leader leader() {
     return leader;
@@ -190,7 +161,7 @@ class ElectionProtocol implements SynodProtocol {
     synod.stop();
     poll = new Poll(me, draw, nowNs, settings.deltaMs() * NS_PER_MS);
     if (deadlineNs == NEVER) {
-      // Terms that follow each other without a leader are one wait for the app.
+      // For the app, successive terms without a leader are one wait.
       deadlineNs = nowNs + settings.deadlineMs() * NS_PER_MS;
     }
     say();
@@ -209,7 +180,7 @@ class ElectionProtocol implements SynodProtocol {
     }
   }
 
-  /** What another robot has learned: of this term or a later one, it is learned here as well. */
+  /** Learns what another robot knows, if it is of this term or a later one. */
   void elected(Elected m) {
     if (m.term() < term) {
       answer(m);
@@ -218,7 +189,7 @@ class ElectionProtocol implements SynodProtocol {
     }
   }
 
-  /** Whoever is behind hears what this robot knows; whoever is ahead has no use for it. */
+  /** Tells a robot that is behind what this robot knows; one that is ahead needs nothing. */
   private void answer(ElectionMessage m) {
     if (m.term() <= term) {
       if (leader instanceof Leader.Name name) {
@@ -229,7 +200,7 @@ class ElectionProtocol implements SynodProtocol {
     }
   }
 
-  /** Asks the strategy, until it has proposed somebody. */
+  /** Asks the strategy, until it proposes a candidate. */
   private void plan() {
     planAtNs = NEVER;
     Poll open = poll;
@@ -291,8 +262,8 @@ class ElectionProtocol implements SynodProtocol {
     return newest.getOrDefault(id.robot(), 0L) > id.inc() || suspicion.suspects(id, nowNs);
   }
 
-  /** A robot is back as another one: who it was is dead. */
-  private void bury(RobotId robot, long inc) {
+  /** A robot is back with a higher incarnation: the one before is dead. */
+  private void newIncarnation(RobotId robot, long inc) {
     Long before = newest.put(robot, inc);
     if (before != null && poll != null) {
       poll.strike(new ProcessId(robot, before));
@@ -302,7 +273,7 @@ class ElectionProtocol implements SynodProtocol {
     }
   }
 
-  /** Tells everybody what this robot stands for, and does so again after a while. */
+  /** Broadcasts this robot's leadership or candidacy, and sets the timer to repeat it. */
   private void say() {
     if (leader instanceof Leader.Name name && name.id().equals(me)) {
       port.broadcast(new Elected(me, term, me));
@@ -319,15 +290,13 @@ class ElectionProtocol implements SynodProtocol {
     return new Candidacy(me, term, draw);
   }
 
-  private final class Decrees implements SynodListener {
-    @Override
-    public void chosen(long number, Value value) {
-      port.broadcast(new Elected(me, number, ElectionCodec.leader(value)));
-    }
+  @Override
+  public void chosen(long number, Value value) {
+    port.broadcast(new Elected(me, number, ElectionCodec.leader(value)));
+  }
 
-    @Override
-    public void learned(long number, Value value) {
-      decided(number, ElectionCodec.leader(value));
-    }
+  @Override
+  public void learned(long number, Value value) {
+    decided(number, ElectionCodec.leader(value));
   }
 }

@@ -3,14 +3,14 @@ package org.starl.primitives.election;
 import org.starl.primitives.agreement.SynodTiming;
 
 /**
- * Strategy and times of an election, of no weight for its safety.
+ * Strategy and times of an election. Safety does not depend on them.
  *
- * @param strategy whom to propose, and when; robots may differ in it
- * @param timing how patiently leaders are proposed
- * @param deltaMs how long a message usually takes at most, in ms, a resend or two included
- * @param heartbeatMs a leader tells that it is there every so many ms
- * @param silenceMs a leader is suspected when nothing has been heard of it for so many ms
- * @param deadlineMs {@code Leader} is null for at most so many ms on end; then it is fail
+ * @param strategy the choice of the candidate to propose, and when; robots may use different ones
+ * @param timing the waits of proposers
+ * @param deltaMs the usual longest message delay, in ms, one or two resends included
+ * @param heartbeatMs the period of a leader's heartbeat, in ms
+ * @param silenceMs a leader that was not heard for this time, in ms, is suspected
+ * @param deadlineMs {@code Leader} is null for at most this time, in ms; then it is fail
  */
 public record ElectionSettings(
     ElectionStrategy strategy,

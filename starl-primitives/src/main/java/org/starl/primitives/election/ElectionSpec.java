@@ -1,26 +1,20 @@
 package org.starl.primitives.election;
 
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
 import org.starl.spec.Dues;
 import org.starl.spec.Dues.Seat;
+import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Fault;
-import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What every election of a run owes, as the package's contract has it: {@code Agreement}, {@code
- * Soundness}, and, where bounds are given, {@code Elected} and {@code Told}. Instances are told apart
- * by their names.
+ * The specification of elections, after the package's contract: {@code Agreement}, {@code Soundness},
+ * and, where bounds are given, {@code Elected} and {@code Told}.
  */
-public final class ElectionSpec implements Monitor {
+public final class ElectionSpec extends InstanceSpec<Ballots> {
 
   static final String AGREEMENT = "Agreement";
   static final String SOUNDNESS = "Soundness";
@@ -29,8 +23,6 @@ public final class ElectionSpec implements Monitor {
 
   private final Dues elected;
   private final Dues told;
-  private final Circumstances circumstances = new Circumstances();
-  private final Map<String, Ballots> elections = new TreeMap<>();
 
   /** Safety only. */
   public ElectionSpec() {
@@ -40,37 +32,33 @@ public final class ElectionSpec implements Monitor {
   /**
    * Safety, and progress within bounds.
    *
-   * @param electedWithinNs while a majority of the participants is up and no fault is under way: from
-   *     {@code do_election}, or from the loss of the leader, until the live leader of the latest term
-   *     is known to whoever takes part, in ns
-   * @param toldWithinNs {@code Leader} is null no longer on end for whoever takes part, whatever
+   * @param electedWithinNs while a majority of the participants is up and no fault but crashes is
+   *     active: from {@code do_election}, or from the loss of the leader, until every candidate knows
+   *     the live leader of the latest term, in ns
+   * @param toldWithinNs a candidate's {@code Leader} is null for no longer at a time, whatever
    *     happens, in ns: the elections' deadline
    */
   public ElectionSpec(long electedWithinNs, long toldWithinNs) {
+    super(ElectionTrace::isElection);
+    lemma(AGREEMENT, "In one term, all robots that know a leader know the same one.");
+    lemma(SOUNDNESS, "A leader stood for election in its term.");
     elected =
-        new Dues(
+        progress(
             ELECTED,
+            "All candidates know one live leader within the bound.",
             electedWithinNs,
             sinceNs -> "knows no live leader of the latest term since " + sinceNs + " ns");
-    told = new Dues(TOLD, toldWithinNs, sinceNs -> "Leader is null since " + sinceNs + " ns");
+    told =
+        progress(
+            TOLD,
+            "No candidate waits for a leader beyond the deadline without being told.",
+            toldWithinNs,
+            sinceNs -> "Leader is null since " + sinceNs + " ns");
   }
 
   @Override
-  public List<String> lemmas() {
-    return elected.isBounded()
-        ? List.of(AGREEMENT, SOUNDNESS, ELECTED, TOLD)
-        : List.of(AGREEMENT, SOUNDNESS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return switch (lemma) {
-      case AGREEMENT -> "In one term all who know a leader know the same one.";
-      case SOUNDNESS -> "Only who stood for election leads.";
-      case ELECTED -> "All who take part come to know one live leader within the bound.";
-      case TOLD -> "Nobody waits for a leader beyond the deadline without being told.";
-      default -> "";
-    };
+  protected Ballots begin(String source) {
+    return new Ballots(source, circumstances);
   }
 
   @Override
@@ -84,98 +72,67 @@ public final class ElectionSpec implements Monitor {
   }
 
   @Override
-  public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
-    boolean changed = circumstances.observe(event);
-    switch (event) {
-      case Action action when ElectionTrace.isElection(action.source()) -> {
-        acted(action);
-        changed = true;
-      }
-      case Variable variable
-          when ElectionTrace.isElection(variable.source())
-              && variable.name().equals(ElectionTrace.LEADER) -> {
-        ballots(variable.source()).shown(variable, report);
-        changed = true;
-      }
-      case Fault fault when fault.name().equals(Fault.CRASH) -> forget(fault.robot());
-      case Left left -> forget(left.robot());
-      default -> {
-        // Of no concern here.
-      }
-    }
-    if (changed) {
-      owe(event.timeNs(), report);
-    }
-  }
-
-  @Override
-  public void finish(long endNs, Report report) {
-    expire(endNs, report);
-  }
-
-  private void acted(Action action) {
-    Ballots ballots = ballots(action.source());
+  protected void acted(Action action, Report report) {
+    Ballots ballots = instance(action.source());
+    List<String> args = action.args();
     switch (action.name()) {
       case ElectionTrace.ELECTION ->
-          ballots.made(
-              Integer.parseInt(action.args().get(0)), ProcessId.parse(action.args().get(1)));
-      case ElectionTrace.DO_ELECTION -> ballots.takesPart(action.robot());
+          ballots.created(Integer.parseInt(args.get(0)), ProcessId.parse(args.get(1)));
+      case ElectionTrace.DO_ELECTION -> ballots.called(action.robot());
       case ElectionTrace.CANDIDATE ->
-          ballots.candidate(
-              Long.parseLong(action.args().get(0)), ProcessId.parse(action.args().get(1)));
+          ballots.stood(Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)));
       default -> {
         // Not an action of this specification.
       }
     }
   }
 
-  private void forget(RobotId robot) {
-    elections.values().forEach(ballots -> ballots.crashed(robot));
-  }
-
-  /** Brings all debts up to date. */
-  private void owe(long nowNs, Report report) {
-    if (!elected.isBounded()) {
-      return;
+  @Override
+  protected void changed(Variable variable, Report report) {
+    if (variable.name().equals(ElectionTrace.LEADER)) {
+      instance(variable.source()).shown(variable, report);
     }
-    elections.forEach((source, ballots) -> {
-      boolean assumed = circumstances.isFair() && ballots.hasMajorityUp();
-      for (RobotId robot : ballots.robots()) {
-        Seat seat = new Seat(source, robot);
-        switch (ballots.standing(robot)) {
-          case OUT -> {
-            elected.settle(seat);
-            told.settle(seat);
+  }
+
+  @Override
+  protected void ended(RobotId robot) {
+    instances().values().forEach(ballots -> ballots.ended(robot));
+  }
+
+  @Override
+  protected void review(long nowNs, Report report) {
+    instances()
+        .forEach((source, ballots) -> {
+          boolean assumed = circumstances.isFair() && ballots.hasMajorityUp();
+          for (RobotId robot : ballots.robots()) {
+            review(new Seat(source, robot), ballots.standing(robot), nowNs, report);
+            elected.assume(new Seat(source, robot), assumed, nowNs);
           }
-          case FAILED -> {
-            elected.settle(seat);
-            told.meet(seat, report);
-          }
-          case SERVED -> {
-            elected.meet(seat, report);
-            told.meet(seat, report);
-          }
-          case MISLED -> {
-            elected.owe(seat, nowNs);
-            told.meet(seat, report);
-          }
-          case WAITING -> {
-            elected.owe(seat, nowNs);
-            told.owe(seat, nowNs);
-          }
-        }
-        elected.assume(seat, assumed, nowNs);
+        });
+  }
+
+  private void review(Seat seat, Ballots.Standing standing, long nowNs, Report report) {
+    switch (standing) {
+      case NO_CANDIDATE -> {
+        elected.settle(seat);
+        told.settle(seat);
       }
-    });
-  }
-
-  private void expire(long nowNs, Report report) {
-    elected.expire(nowNs, report);
-    told.expire(nowNs, report);
-  }
-
-  private Ballots ballots(String source) {
-    return elections.computeIfAbsent(source, s -> new Ballots(s, circumstances));
+      case FAILED -> {
+        elected.settle(seat);
+        told.meet(seat, report);
+      }
+      case KNOWS_LEADER -> {
+        elected.meet(seat, report);
+        told.meet(seat, report);
+      }
+      case KNOWS_OLD_LEADER -> {
+        elected.owe(seat, nowNs);
+        told.meet(seat, report);
+      }
+      case WAITING -> {
+        elected.owe(seat, nowNs);
+        told.owe(seat, nowNs);
+      }
+    }
   }
 }

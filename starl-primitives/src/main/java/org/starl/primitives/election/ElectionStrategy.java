@@ -4,14 +4,14 @@ import java.util.List;
 import org.starl.id.ProcessId;
 
 /**
- * Whom a robot proposes as leader, and when: all that the paper's two implementations differ in. What
- * is proposed is then decided by the Synod, so no strategy can break agreement; a bad one is slow.
+ * The candidate that a robot proposes as leader, and when: the only difference between the paper's two
+ * implementations. The Synod then decides, so no strategy can break agreement; a bad one is slow.
  */
 public enum ElectionStrategy {
 
   /**
-   * Each candidate draws a lot. After two message delays the highest is proposed: by its owner first,
-   * and by the next ones in turn should nothing come of it.
+   * Each candidate draws a random number. After two message delays the candidate with the highest one is
+   * proposed: first by itself, then by the next ones in turn, until there is a decision.
    */
   RANDOM_BALLOT {
     @Override
@@ -20,7 +20,7 @@ public enum ElectionStrategy {
       if (nowNs < firstNs) {
         return new Wait(firstNs);
       }
-      // Who has said nothing for as long as a decision takes may be gone.
+      // A candidate that was silent for as long as a decision takes may be gone.
       List<ProcessId> candidates = poll.byDraw(nowNs - poll.delaysNs(DECIDE));
       int rank = candidates.indexOf(poll.me());
       long myTurnNs = firstNs + rank * poll.delaysNs(DECIDE);
@@ -30,8 +30,8 @@ public enum ElectionStrategy {
 
   /**
    * The Bully algorithm (Garcia-Molina, "Elections in a distributed computing system", IEEE
-   * Transactions on Computers C-31(1), 1982): who hears of no higher id within two message delays
-   * proposes itself; everybody else waits for that, and begins again without those who were silent.
+   * Transactions on Computers C-31(1), 1982): a candidate that hears of no higher id within two message
+   * delays proposes itself. The others wait for that, and then begin again without the silent ones.
    */
   BULLY {
     @Override
@@ -48,13 +48,13 @@ public enum ElectionStrategy {
     }
   };
 
-  /** Message delays until all candidates have heard of each other. */
+  /** Message delays until all candidates know each other. */
   private static final int LISTEN = 2;
 
-  /** Message delays from a proposal until others know the decision, and one to spare. */
+  /** Message delays from a proposal until other robots know the decision, plus one. */
   private static final int DECIDE = 6;
 
-  /** What to do now; asked once, and again when that time has come. */
+  /** The plan now. It is asked again at the end of a {@link Wait}. */
   abstract Plan plan(Poll poll, long nowNs);
 
   sealed interface Plan {}

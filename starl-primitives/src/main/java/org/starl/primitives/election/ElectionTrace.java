@@ -1,8 +1,7 @@
 package org.starl.primitives.election;
 
 /**
- * The names under which elections appear in a trace. A monitor decides everything from these: ids as
- * {@link org.starl.id.ProcessId#parse} reads them.
+ * The names of elections in a trace. Ids are as {@link org.starl.id.ProcessId#parse} reads them.
  */
 final class ElectionTrace {
 
@@ -11,10 +10,10 @@ final class ElectionTrace {
   /** The Synod's own channel. */
   static final String SYNOD = "election.synod";
 
-  /** Action with the number of participants, and the id under which this robot is one. */
+  /** Action with the number of participants, and this robot's id. */
   static final String ELECTION = "Election";
 
-  /** Action: the app's call, with the id that takes part from now on. */
+  /** Action: the app's call, with the id that is a candidate from now on. */
   static final String DO_ELECTION = "do_election";
 
   /** Action with a term and the id that may be elected in it from now on. */

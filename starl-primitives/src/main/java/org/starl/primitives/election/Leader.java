@@ -31,48 +31,35 @@ public sealed interface Leader {
     };
   }
 
-  /** Whether there is a name. */
-  boolean isElected();
+  /** Whether a leader is known. */
+  default boolean isElected() {
+    return this instanceof Name;
+  }
 
   /**
-   * Who was elected.
+   * The elected leader.
    *
-   * @param id one incarnation of one robot; a robot that has restarted is somebody else
+   * @param id one incarnation of one robot; a restarted robot has another id
    * @param term from 1; equal terms of one instance mean equal leaders, always
    */
   record Name(ProcessId id, long term) implements Leader {
-    @Override
-    public boolean isElected() {
-      return true;
-    }
-
-    /** {@code 3:bot1#4294967297}: term, then who. */
+    /** {@code 3:bot1#4294967297}: term, then id. */
     @Override
     public String toString() {
       return term + ":" + id;
     }
   }
 
-  /** Nobody, so far. */
+  /** No leader yet. */
   record None() implements Leader {
-    @Override
-    public boolean isElected() {
-      return false;
-    }
-
     @Override
     public String toString() {
       return "null";
     }
   }
 
-  /** Nobody in time. If the election is decided after all, the name takes its place. */
+  /** No leader by the deadline. If the election is decided later, the name replaces this. */
   record Fail() implements Leader {
-    @Override
-    public boolean isElected() {
-      return false;
-    }
-
     @Override
     public String toString() {
       return "fail";

@@ -7,7 +7,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.starl.id.ProcessId;
 
-/** Who stands for election in the present term, as far as this robot has heard. */
+/** The candidates of the present term, as far as this robot has heard. */
 final class Poll {
 
   private final ProcessId me;
@@ -18,7 +18,7 @@ final class Poll {
   private record Standing(long draw, long heardNs) {}
 
   /**
-   * @param beganNs when this robot began to stand in this term
+   * @param beganNs when this robot became a candidate in this term
    * @param deltaNs how long a message may take, in ns
    */
   Poll(ProcessId me, long draw, long beganNs, long deltaNs) {
@@ -28,7 +28,7 @@ final class Poll {
     standings.put(me, new Standing(draw, Long.MAX_VALUE));
   }
 
-  /** Hears of a candidate, once more or for the first time; returns whether it is the first. */
+  /** Hears of a candidate; returns whether for the first time. */
   boolean heard(ProcessId candidate, long draw, long nowNs) {
     return !candidate.equals(me) && standings.put(candidate, new Standing(draw, nowNs)) == null;
   }
@@ -46,17 +46,17 @@ final class Poll {
     return beganNs;
   }
 
-  /** That many message delays, in ns. */
+  /** {@code count} message delays, in ns. */
   long delaysNs(long count) {
     return count * deltaNs;
   }
 
-  /** Whether one of a higher id has been heard at or after {@code sinceNs}. */
+  /** Whether a candidate with a higher id was heard at or after {@code sinceNs}. */
   boolean hasHigherThanMe(long sinceNs) {
     return standings.tailMap(me, false).values().stream().anyMatch(s -> s.heardNs() >= sinceNs);
   }
 
-  /** Those heard at or after {@code sinceNs}, and this robot: highest draw first, then highest id. */
+  /** The candidates heard at or after {@code sinceNs}, and this one: highest draw first, then highest id. */
   List<ProcessId> byDraw(long sinceNs) {
     List<Map.Entry<ProcessId, Standing>> entries = new ArrayList<>(standings.entrySet());
     entries.sort(

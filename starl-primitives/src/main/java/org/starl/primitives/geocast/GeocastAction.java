@@ -12,24 +12,24 @@ public sealed interface GeocastAction extends Action {
   record dt(long delta_t) implements GeocastAction {}
 
   /**
-   * Is sent to all in an area.
+   * Is sent to all robots in an area.
    *
-   * @param A what the area is known by: a place is in it if it has this
-   * @param bound for how long, in ns
+   * @param A the name of the area; a place is in the area if it contains this name
+   * @param bound the length of the interval, in ns
    */
   record do_geocast(String m, String A, long bound) implements GeocastAction {}
 
-  /** Is handed the message. */
+  /** The robot receives the message. */
   record deliver(String m, RobotId i) implements GeocastAction {}
 
   /**
-   * Its body is at another place.
+   * The robot's body moves to another place.
    *
-   * @param p by what the areas are known that it is in
+   * @param p the names of the areas that contain the place
    */
   record move(RobotId i, SortedSet<String> p) implements GeocastAction {}
 
-  /** Its program begins anew, and has forgotten what it was handed. */
+  /** The robot's program restarts, and forgets the messages that it received. */
   record restart(RobotId i) implements GeocastAction {}
 
   @Override

@@ -9,11 +9,10 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Geocast_decls}, executable: messages to whoever is in an area. {@code PIDS} are
- * robots, {@code Msgs} the ids of geocasts, times are ns. An area is known by the id of the geocast
- * that names it, and of a place, {@code Places}, it matters in which areas it is: it is the set of
- * these ids, and {@code area(m)(p)} is {@code p.contains(area(m))}. {@link GeocastConformance} takes
- * runs through it.
+ * The theory {@code Geocast_decls} as an executable automaton: messages to all robots in an area. {@code
+ * PIDS} are robots, {@code Msgs} the ids of geocasts, times are in ns. An area is represented by the id
+ * of its geocast, and a place, of {@code Places}, by the set of the areas that contain it: {@code
+ * area(m)(p)} is {@code p.contains(area(m))}. {@link GeocastConformance} replays runs on it.
  */
 public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States, GeocastAction> {
 
@@ -25,15 +24,15 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
   /**
    * The theory's states.
    *
-   * @param now since the start
-   * @param pos where a robot is
-   * @param sent by anybody
+   * @param now the time since the start
+   * @param pos the place of a robot
+   * @param sent whether a message was sent
    * @param t0 when it was sent
-   * @param d for how long whoever is in its area may be handed it
-   * @param area to whom it is sent
-   * @param got who has been handed it, and knows
-   * @param was_in who has been in the area in its interval
-   * @param was_out who has been out of it in its interval
+   * @param d the length of the interval in which robots in its area may receive it
+   * @param area the area it is sent to
+   * @param got the robots that received it, and have not restarted since
+   * @param was_in the robots that were in the area during its interval
+   * @param was_out the robots that were outside the area during its interval
    */
   public record States(
       long now,
@@ -63,7 +62,7 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
       return new States(now, pos, sent, t0, d, area, newGot, was_in, was_out);
     }
 
-    /** The same without a message that is over, as if it had never been sent. */
+    /** Without a message whose interval is over, as if it had never been sent. */
     States without(String m) {
       Fun<RobotId, SortedSet<String>> places = pos;
       for (RobotId i : those(pos, m)) {

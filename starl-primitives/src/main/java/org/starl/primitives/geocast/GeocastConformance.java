@@ -5,55 +5,57 @@ import org.starl.id.RobotId;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Sets;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * Every run of every geocast and broadcast is a run of the theory {@code Geocast_decls}: the lemma is
- * its name. What happens is taken for an action of the theory so, {@code i} being the event's robot:
+ * Every run of every geocast and broadcast is a run of the theory {@code Geocast_decls}. The map from
+ * events to actions, where {@code i} is the event's robot:
  *
  * <pre>
  * event                          action
  * do_geocast m A d, BCast m A d  move(j, also in A) for each j whose body is in A, do_geocast(m, A, d)
- * a body enters A for the first  move(i, also in A)
- *   time in the interval
+ * a body enters A for the first
+ *   time in the interval         move(i, also in A)
  * deliver m                      deliver(m, i)
  * open                           restart(i)
- * all other events               stutter, so is a body that leaves A
+ * all other events               none; none also for a body that leaves A
  * before each of these           dt, the time since the last of them
  * </pre>
  *
- * <p>Bodies are the true ones, and who is in A is decided as {@link GeocastSpec} does, with its
- * tolerances; but at a delivery, where that looks at the whole interval. That a body enters is found
- * at its next event or delivery, and its step comes then. To leave is a stutter since {@code was_in}
- * stays, and only {@code was_out}, which enables nothing, would change. A place is known by the areas
- * that it is in, and of an area nobody asks before its geocast: hence the moves at that time. Whose
- * body has never been seen is taken to be in A.
+ * <p>Bodies are the true ones. Whether a body is in A is decided with the tolerances of {@link
+ * GeocastSpec}; a delivery alone is judged at once, where the specification looks at the whole
+ * interval. An entry is found at the body's next event or delivery, and its step comes then. Leaving
+ * A is no action: {@code was_in} remains, and {@code was_out}, which would change, enables nothing. A
+ * place is represented by the areas that contain it, and an area matters only from its geocast on:
+ * hence the moves at that time. A robot whose body was never seen is taken to be in A.
  *
- * <p>A message is forgotten when its interval is over, which whoever is handed it then is told: memory
- * is for what is open.
+ * <p>A message is forgotten at the end of its interval, and a later delivery says so. Memory grows with
+ * the open messages only.
  */
-public final class GeocastConformance extends Conformance {
+public final class GeocastConformance extends Conformance<Replay<States, GeocastAction>> {
 
-  // How deep inside a body is decides nothing here.
+  // The depth inside the area decides nothing here.
   private final Casts casts = new Casts(Double.POSITIVE_INFINITY);
-  private final Replays<States, GeocastAction> replays;
+  private final Steps<States, GeocastAction> steps;
 
   public GeocastConformance() {
     this(Steps.ignored());
   }
 
   /**
-   * The same.
-   *
-   * @param steps takes every step of every instance
+   * @param steps receives every step of every instance
    */
   GeocastConformance(Steps<States, GeocastAction> steps) {
-    super(GeocastAutomaton.GEOCAST_DECLS, "every geocast");
-    replays = new Replays<>(new GeocastAutomaton(), steps);
+    super(GeocastAutomaton.GEOCAST_DECLS, "every geocast", GeocastTrace::isGeocast);
+    this.steps = steps;
+  }
+
+  @Override
+  protected Replay<States, GeocastAction> begin(String source) {
+    return new Replay<>(new GeocastAutomaton(), source, steps);
   }
 
   @Override
@@ -63,33 +65,32 @@ public final class GeocastConformance extends Conformance {
         new Casts.Listener() {
           @Override
           public void entered(CastRecord cast, RobotId robot) {
-            // Beyond the interval it is forgotten next.
+            // After the interval the message is forgotten next.
             if (event.timeNs() <= cast.deadlineNs) {
-              enters(event, cast, robot, report);
+              enter(event, cast, robot, report);
             }
           }
 
           @Override
           public void over(CastRecord cast) {
-            replays.of(cast.source).forget(s -> s.without(cast.id));
+            instance(cast.source).forget(s -> s.without(cast.id));
           }
         });
-    if (event instanceof Action action && GeocastTrace.isGeocast(action.source())) {
-      acted(action, report);
-    }
+    super.observe(event, report);
   }
 
-  private void enters(TraceEvent event, CastRecord cast, RobotId robot, Report report) {
-    Replay<States, GeocastAction> replay = replays.of(cast.source);
+  private void enter(TraceEvent event, CastRecord cast, RobotId robot, Report report) {
+    Replay<States, GeocastAction> replay = instance(cast.source);
     SortedSet<String> place = Sets.add(cast.id, replay.state().pos().at(robot));
     step(event, new GeocastAction.move(robot, place), replay, report);
   }
 
-  private void acted(Action action, Report report) {
-    Replay<States, GeocastAction> replay = replays.of(action.source());
+  @Override
+  protected void acted(Action action, Report report) {
+    Replay<States, GeocastAction> replay = instance(action.source());
+    RobotId i = action.robot();
     switch (action.name()) {
-      case GeocastTrace.OPEN ->
-          step(action, new GeocastAction.restart(action.robot()), replay, report);
+      case GeocastTrace.OPEN -> step(action, new GeocastAction.restart(i), replay, report);
       case GeocastTrace.DO_GEOCAST, GeocastTrace.B_CAST -> {
         String m = action.args().get(0);
         long bound = Long.parseLong(action.args().get(2));
@@ -97,17 +98,13 @@ public final class GeocastConformance extends Conformance {
       }
       case GeocastTrace.DELIVER -> {
         CastRecord cast = casts.of(action);
-        if (cast != null && !cast.hasSeen(action.robot())) {
-          enters(action, cast, action.robot(), report);
+        if (cast != null && !cast.hasSeen(i)) {
+          enter(action, cast, i, report);
         }
-        step(
-            action,
-            new GeocastAction.deliver(action.args().get(0), action.robot()),
-            replay,
-            report);
+        step(action, new GeocastAction.deliver(action.args().get(0), i), replay, report);
       }
       default -> {
-        // A stutter.
+        // No action of the theory.
       }
     }
   }

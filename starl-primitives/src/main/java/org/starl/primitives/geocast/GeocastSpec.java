@@ -14,13 +14,13 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * What every geocast and broadcast of a run owes (paper, section 4.2): {@code exclusion}, {@code
- * deadline}, {@code once} and {@code inclusion}, as the package's contract has them, judged by the
- * true bodies. Exclusion and inclusion speak of the whole interval, so they are checked at its end;
- * of an interval that outlasts the run nothing is asked.
+ * The specification of geocast and broadcast (paper, section 4.2), after the package's contract: {@code
+ * exclusion}, {@code deadline}, {@code once} and {@code inclusion}. It uses the true bodies. Exclusion
+ * and inclusion are about the whole interval, so they are checked at its end; an interval that outlasts
+ * the run is not checked.
  *
- * <p>Inclusion is owed by robots that a copy has reached in time (or by all, if the origin never
- * sent one): whether copies arrive is the network's.
+ * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin never
+ * sent a copy): the network decides which copies arrive.
  */
 public final class GeocastSpec implements Monitor {
 
@@ -35,7 +35,7 @@ public final class GeocastSpec implements Monitor {
   private final long clockSkewNs;
   private final Casts casts;
 
-  /** What each robot's next datagram to everyone is a copy of. */
+  /** The geocast of which each robot's next broadcast datagram is a copy. */
   private final Map<RobotId, CastRecord> announced = new TreeMap<>();
 
   /** For a world without clock skew, and with position errors below 50 mm. */
@@ -44,10 +44,9 @@ public final class GeocastSpec implements Monitor {
   }
 
   /**
-   * @param positionErrorMm inclusion is owed as long as robots know their places so well, and not to
-   *     those nearer to the border than twice this: their believed place, so far off, must still be
-   *     inside for certain
-   * @param clockSkewNs no two clocks differ by more
+   * @param positionErrorMm the largest position error for which inclusion is owed, in mm; not for
+   *     robots within twice this of the border, since their estimated position must be inside for certain
+   * @param clockSkewNs the largest difference between two clocks, in ns
    */
   public GeocastSpec(double positionErrorMm, long clockSkewNs) {
     this.positionErrorMm = positionErrorMm;
@@ -63,12 +62,13 @@ public final class GeocastSpec implements Monitor {
   @Override
   public String says(String lemma) {
     return switch (lemma) {
-      case EXCLUSION -> "A robot that is outside the area throughout does not get the message.";
+      case EXCLUSION ->
+          "A robot outside the area during the whole interval does not get the message.";
       case INCLUSION ->
-          "A robot that is in the area throughout, and that a copy reaches in time, gets the "
-              + "message.";
-      case DEADLINE -> "Nobody gets the message after its interval is over.";
-      case ONCE -> "Nobody gets the message twice.";
+          "A robot that is in the area during the whole interval, and that a copy reaches in time,"
+              + " gets the message.";
+      case DEADLINE -> "No robot gets the message after its interval is over.";
+      case ONCE -> "No robot gets the message twice.";
       default -> "";
     };
   }
@@ -87,7 +87,7 @@ public final class GeocastSpec implements Monitor {
       case Delivered delivered when GeocastTrace.isGeocast(delivered.channel()) ->
           reached(delivered);
       default -> {
-        // Of no concern here.
+        // Not checked here.
       }
     }
   }
@@ -101,7 +101,7 @@ public final class GeocastSpec implements Monitor {
     return new Casts.Listener() {
       @Override
       public void entered(CastRecord cast, RobotId robot) {
-        // Looked at when the interval is over.
+        // Checked at the end of the interval.
       }
 
       @Override
@@ -128,7 +128,7 @@ public final class GeocastSpec implements Monitor {
         }
       }
       default -> {
-        // Of no concern here.
+        // Not checked here.
       }
     }
   }

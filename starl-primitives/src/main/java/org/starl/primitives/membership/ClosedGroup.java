@@ -2,10 +2,11 @@ package org.starl.primitives.membership;
 
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
 /**
- * A fixed list: nobody joins, leaves or is given up, so any number of members may act by it. A robot
- * whose program has started anew is somebody else, and not in the list.
+ * A fixed list. No participant joins, leaves or is given up, so it may have several users. A robot whose
+ * program has restarted has another id, which is not in the list.
  */
 record ClosedGroup(ProcessId me, View view) implements Membership {
 
@@ -15,13 +16,18 @@ record ClosedGroup(ProcessId me, View view) implements Membership {
   }
 
   @Override
+  public boolean excludes(RobotId robot) {
+    return view.participants().contains(robot);
+  }
+
+  @Override
   public void onChange(Runnable listener) {
     // It never changes.
   }
 
   @Override
   public void join(Member member) {
-    // Nobody leaves.
+    // No participant leaves.
   }
 
   @Override
@@ -36,7 +42,7 @@ record ClosedGroup(ProcessId me, View view) implements Membership {
 
   @Override
   public void propose(Confinement confinement) {
-    throw new IllegalStateException("a closed group gives nobody up: " + confinement);
+    throw new IllegalStateException("a closed group gives up no participant: " + confinement);
   }
 
   @Override
@@ -46,6 +52,6 @@ record ClosedGroup(ProcessId me, View view) implements Membership {
 
   @Override
   public void standsIn(SortedSet<String> sections) {
-    // Who it was stays in the list.
+    // The earlier ids stay in the list.
   }
 }

@@ -10,17 +10,18 @@ import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
 /**
- * Somebody is to be given up: {@code who} holds no more than {@code sections} and never will. The next
- * view lists it as a ghost of these, or, if there are none, no more.
+ * A change of the view that gives up {@code who}: it holds at most {@code sections}, now and later. The
+ * next view lists it as a ghost fenced in these sections, or removes it if there are none.
  *
- * <p>Each fencer has vowed never to consent to {@code who} again, which {@code who} cannot do
- * without; so the word of one is enough. It counts only while the fencer is free, in the view that is
- * changed and in the one that comes: a fencer that is gone is one whom {@code who} may do without.
+ * <p>Each fencer has promised never to consent to {@code who} again. {@code who} needs that consent, so
+ * one fencer is enough. A fencer counts only if it is free in the view before the change and in the one
+ * after it: without a fencer in the view, {@code who} may do without its consent.
  *
- * @param fencers those who vouch for it; none: it is the own word of {@code who}'s robot, whose
- *     program has started anew, so that {@code who} is dead, and its body in no other section
+ * @param fencers the participants that made the promise. Empty: the robot of {@code who} itself
+ *     declares, after a restart of its program, that {@code who} is dead and its body in no other section
  */
 public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<ProcessId> fencers) {
 
@@ -28,27 +29,32 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
     sections = Sections.copyOf(sections);
     fencers = Collections.unmodifiableSortedSet(new TreeSet<>(fencers));
     if (fencers.contains(who)) {
-      throw new IllegalArgumentException(who + " vouches for itself");
+      throw new IllegalArgumentException(who + " is its own fencer");
     }
   }
 
-  /** Whether it says anything that {@code view} does not. */
+  /** Whether it changes {@code view}. */
   public boolean changes(View view) {
     View.Ghost ghost = view.ghost(who);
     return view.contains(who) || (ghost != null && !sections.containsAll(ghost.sections()));
   }
 
-  /** Whether everybody who vouches is free in {@code view}. */
+  /** Whether all fencers are free in {@code view}. */
   public boolean isVouchedForIn(View view) {
     return view.admitted().keySet().containsAll(fencers);
   }
 
-  /** {@code view}, so changed. */
+  /** Whether it counts if {@code robot} proposes it: without fencers, only that of its own robot does. */
+  public boolean isSaidBy(RobotId robot) {
+    return !fencers.isEmpty() || who.robot().equals(robot);
+  }
+
+  /** {@code view} with this change. */
   public View applyTo(View view) {
     return view.confined(who, sections);
   }
 
-  /** Writes who (process), sections, number of fencers (u8) and those (process). */
+  /** Writes who (process), sections, number of fencers (u8) and the fencers (process). */
   public void write(WireWriter out) {
     out.process(who);
     Sections.write(sections, out);
@@ -58,7 +64,7 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
     }
   }
 
-  /** Reads what {@link #write} wrote; fencers in any other order are refused. */
+  /** Reads what {@link #write} wrote; fencers must be in ascending order. */
   public static Confinement read(WireReader in) {
     ProcessId who = in.process();
     SortedSet<String> sections = Sections.read(in);
@@ -94,7 +100,7 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
   /**
    * Reads {@link #args}.
    *
-   * @throws IllegalArgumentException if {@code args} are nothing of the kind
+   * @throws IllegalArgumentException if {@code args} are malformed
    */
   public static Confinement parse(List<String> args) {
     if (args.size() != 3) {

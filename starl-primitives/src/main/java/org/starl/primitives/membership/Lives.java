@@ -10,19 +10,19 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Left;
 
 /**
- * Which participants are dead, as a trace tells it: those of a start of a robot's program that has
- * ended, by a crash or because the robot has left. For specifications; feed it every event.
+ * The dead participants of a run: those of a program start that has ended, by a crash or because the
+ * robot left. For specifications; pass it every event.
  */
 public final class Lives {
 
   private final Circumstances circumstances = new Circumstances();
-  // How many starts of each robot's program have ended.
+  // The number of ended starts of each robot's program.
   private final Map<RobotId, Long> ended = new TreeMap<>();
 
   /**
    * Sees the next event.
    *
-   * @return whether anything asked here may have another answer now
+   * @return whether some answer of this object may have changed
    */
   public boolean observe(TraceEvent event) {
     boolean ends =
@@ -34,7 +34,7 @@ public final class Lives {
   }
 
   public boolean isDead(ProcessId id) {
-    // Those of a closed group are of the first start.
+    // The ids of a closed group are of the first start.
     long start = Math.max(1, id.inc() >>> Integer.SIZE);
     return start <= ended.getOrDefault(id.robot(), 0L);
   }
@@ -43,7 +43,7 @@ public final class Lives {
     return circumstances.isUp(robot);
   }
 
-  /** Whether no fault but crashes is under way. */
+  /** Whether no fault but crashes is active. */
   public boolean isFair() {
     return circumstances.isFair();
   }

@@ -2,12 +2,13 @@ package org.starl.primitives.membership;
 
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 
-/** Who takes part, as this robot has learned it. Strand only. */
+/** The participants, as this robot has learned them. Strand only. */
 public interface Membership {
 
   /**
-   * This robot's participant; changes only through a new registration, and may stand in no view yet.
+   * This robot's participant. It changes only by a new registration, and may be in no view yet.
    */
   ProcessId me();
 
@@ -15,62 +16,70 @@ public interface Membership {
   View view();
 
   /**
-   * Whether {@link #me} stands in {@link #view} and has not begun to leave. Only then may it begin
-   * what needs the others' consent: who has asked to leave may be forgotten by them at any moment.
+   * Whether {@link #me} is in {@link #view} and has not begun to leave. Only then may it request the
+   * others' consent: they may forget a leaving participant at any moment.
    */
   boolean mayRequest();
 
   /**
+   * Whether {@code robot} can hold a section only through these views: true of every robot where
+   * participants register, and of the members of a closed group.
+   */
+  default boolean excludes(RobotId robot) {
+    return true;
+  }
+
+  /**
    * Calls {@code listener} on the strand after each change of {@link #view}, {@link #me} or {@link
-   * #mayRequest}, in the same piece of the strand as the change.
+   * #mayRequest}, in the same strand piece as the change.
    */
   void onChange(Runnable listener);
 
   /**
-   * Makes {@code member} the one who acts by these views and is asked before this robot leaves. There
-   * is one: what a confined participant may hold is known of one member's sections only.
+   * Makes {@code member} the user of these views, which is asked before this robot leaves. There is
+   * one: a confinement tells the sections of one user only.
    *
    * @throws IllegalStateException if there is one already
    */
   void join(Member member);
 
   /**
-   * Asks others for the latest view: for one who waits for the answer of a participant that stays
-   * silent, and may have left.
+   * Asks other robots for the latest view. For a user that waits for a silent participant, which may
+   * have left.
    */
   void refresh();
 
-  /** Whether participants can be given up: whether {@link #propose} leads to anything. */
+  /** Whether participants can be given up, so that {@link #propose} has an effect. */
   boolean confines();
 
-  /** Works for a view in which {@code confinement} is done, until there is one or it is void. */
+  /** Works for a view with {@code confinement}, until there is one or it is void. */
   void propose(Confinement confinement);
 
   /**
-   * {@code id}, one of this robot's, will never request anything again, holds nothing, and may be
-   * dropped. If it is {@link #me}, this robot is not registered from now on.
+   * {@code id} of this robot holds nothing and will never request anything again: it may be removed.
+   * If it is {@link #me}, this robot is no longer registered.
    */
   void isIdleForEver(ProcessId id);
 
   /**
-   * The own word of this robot on its participants of earlier starts of its program: they are dead,
-   * and its body is in no other section than these. A later word takes the place of this one.
+   * Declares that this robot's participants of earlier program starts are dead, and that its body is in
+   * no section but these. A later call replaces this one.
    */
   void standsIn(SortedSet<String> sections);
 
-  /** Who acts by the views. */
+  /** The user of the views. */
   @FunctionalInterface
   interface Member {
 
     /**
-     * This robot is about to leave: gives up what it waits for, and requests nothing from now on.
+     * This robot is about to leave: cancels what it waits for, and requests nothing from now on.
      *
-     * @throws IllegalStateException if it holds something, which nobody would know of any more
+     * @throws IllegalStateException if it holds something, which other robots would no longer know
      */
     void leaves();
   }
 
-  /** A closed group: {@code view} for ever. */
+  /** A closed group: always {@code view}. */
   static Membership closed(ProcessId me, View view) {
     return new ClosedGroup(me, view);
   }

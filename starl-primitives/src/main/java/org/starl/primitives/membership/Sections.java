@@ -11,10 +11,10 @@ import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 
-/** Sets of section names: checked, in order, immutable. */
+/** Sets of section names: checked, sorted, immutable. */
 public final class Sections {
 
-  /** As many long names as fit one datagram together with two ids. */
+  /** That many names of {@link #MAX_LENGTH} fit one datagram together with two ids. */
   public static final int MAX_COUNT = 32;
 
   public static final int MAX_LENGTH = 32;
@@ -43,16 +43,9 @@ public final class Sections {
     return Collections.unmodifiableSortedSet(copy);
   }
 
-  /** Whether some name is in both. */
+  /** Whether the sets have a name in common. */
   public static boolean meet(SortedSet<String> a, SortedSet<String> b) {
-    SortedSet<String> fewer = a.size() <= b.size() ? a : b;
-    SortedSet<String> more = a.size() <= b.size() ? b : a;
-    for (String name : fewer) {
-      if (more.contains(name)) {
-        return true;
-      }
-    }
-    return false;
+    return !Collections.disjoint(a, b);
   }
 
   public static SortedSet<String> without(SortedSet<String> from, Collection<String> taken) {
@@ -67,7 +60,7 @@ public final class Sections {
     return Collections.unmodifiableSortedSet(both);
   }
 
-  /** The names with single spaces between them; nothing for none. */
+  /** The names with single spaces between them; empty for none. */
   public static String text(SortedSet<String> names) {
     return String.join(" ", names);
   }
@@ -75,7 +68,7 @@ public final class Sections {
   /**
    * Reads what {@link #text} wrote.
    *
-   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   * @throws IllegalArgumentException if {@code text} is malformed
    */
   public static SortedSet<String> parse(String text) {
     List<String> names = text.isEmpty() ? List.of() : Arrays.asList(text.split(" ", -1));
@@ -90,7 +83,7 @@ public final class Sections {
     }
   }
 
-  /** Reads what {@link #write} wrote; any other order is refused, so that a set has one spelling. */
+  /** Reads what {@link #write} wrote; names must be in ascending order, so that equal sets have equal bytes. */
   public static SortedSet<String> read(WireReader in) {
     int count = in.u8();
     if (count > MAX_COUNT) {
@@ -117,17 +110,15 @@ public final class Sections {
   }
 
   private static boolean isValid(String name) {
-    if (name.isEmpty() || name.length() > MAX_LENGTH) {
-      return false;
-    }
-    for (int i = 0; i < name.length(); i++) {
-      char c = name.charAt(i);
-      boolean letterOrDigit =
-          (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
-      if (!letterOrDigit && "_-.:".indexOf(c) < 0) {
-        return false;
-      }
-    }
-    return true;
+    return !name.isEmpty()
+        && name.length() <= MAX_LENGTH
+        && name.chars().allMatch(Sections::isLetter);
+  }
+
+  private static boolean isLetter(int c) {
+    return (c >= 'a' && c <= 'z')
+        || (c >= 'A' && c <= 'Z')
+        || (c >= '0' && c <= '9')
+        || "_-.:".indexOf(c) >= 0;
   }
 }

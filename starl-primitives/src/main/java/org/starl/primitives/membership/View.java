@@ -16,12 +16,13 @@ import org.starl.id.RobotId;
 
 /**
  * A numbered list of participants. For one instance, equal numbers mean equal lists (agreement), and
- * a list holds everyone admitted before who has neither left nor been confined (inclusion).
+ * a list contains every participant admitted before that has neither left nor been confined
+ * (inclusion).
  *
- * @param number from 1; 0 is {@link #NONE}, what is known before any view is
- * @param admitted each participant that is free to act, with the number of the view that admitted it
- * @param ghosts those that were admitted and given up since, because they seemed to have crashed
- *     while they may hold something
+ * @param number from 1; 0 is {@link #NONE}, before any view
+ * @param admitted the participants that are free to act, each with the number of the view that
+ *     admitted it
+ * @param ghosts the participants that were given up as crashed and may still hold something
  */
 public record View(
     long number, SortedMap<ProcessId, Long> admitted, SortedMap<ProcessId, Ghost> ghosts) {
@@ -29,9 +30,9 @@ public record View(
   public static final View NONE = new View(0, new TreeMap<>());
 
   /**
-   * A participant of which others know that it holds no more than {@code sections}, and never will.
+   * A fenced participant: it holds at most {@code sections}, now and later.
    *
-   * @param admittedBy the number of the view that had admitted it
+   * @param admittedBy the number of the view that admitted it
    * @param sections at least one
    */
   public record Ghost(long admittedBy, SortedSet<String> sections) {
@@ -39,7 +40,7 @@ public record View(
     public Ghost {
       sections = Sections.copyOf(sections);
       if (sections.isEmpty()) {
-        throw new IllegalArgumentException("a ghost of no section: expected it to be gone");
+        throw new IllegalArgumentException("a ghost without sections: expected none");
       }
     }
   }
@@ -67,7 +68,7 @@ public record View(
     this(number, admitted, new TreeMap<>());
   }
 
-  /** View 1 of a closed group: {@code ids}, all admitted by it. */
+  /** View 1 of a closed group: it admits all {@code ids}. */
   public static View closed(Collection<ProcessId> ids) {
     SortedMap<ProcessId, Long> admitted = new TreeMap<>();
     for (ProcessId id : ids) {
@@ -76,7 +77,7 @@ public record View(
     return new View(1, admitted);
   }
 
-  /** View 1 of the closed group in which each robot is who it is at its first start. */
+  /** View 1 of the closed group of the robots' first starts. */
   public static View closed(Participants robots) {
     List<ProcessId> ids = new ArrayList<>();
     for (RobotId robot : robots) {
@@ -85,7 +86,7 @@ public record View(
     return closed(ids);
   }
 
-  /** Whether {@code id} is listed as free to act. */
+  /** Whether {@code id} is free to act. */
   public boolean contains(ProcessId id) {
     return admitted.containsKey(id);
   }
@@ -99,7 +100,7 @@ public record View(
     return ghosts.get(id);
   }
 
-  /** The number of the view that admitted {@code id}, which this view must list as free. */
+  /** The number of the view that admitted {@code id}, which must be free. */
   public long admittedBy(ProcessId id) {
     Long by = admitted.get(id);
     if (by == null) {
@@ -108,19 +109,19 @@ public record View(
     return by;
   }
 
-  /** Those that are free, in order. */
+  /** The free ids, in order. */
   public List<ProcessId> ids() {
     return List.copyOf(admitted.keySet());
   }
 
-  /** Those that are free and those that are ghosts, in order. */
+  /** The free ids and the ghosts, in order. */
   public SortedSet<ProcessId> mentioned() {
     SortedSet<ProcessId> all = new TreeSet<>(admitted.keySet());
     all.addAll(ghosts.keySet());
     return all;
   }
 
-  /** The robots of those that are free. */
+  /** The robots of the free ids. */
   public Participants participants() {
     List<RobotId> robots = new ArrayList<>();
     for (ProcessId id : admitted.keySet()) {
@@ -129,14 +130,14 @@ public record View(
     return Participants.of(robots);
   }
 
-  // Steps from one view to the next.
+  // Changes.
 
-  /** The same under the next number. */
+  /** The same with the next number. */
   public View next() {
     return new View(number + 1, admitted, ghosts);
   }
 
-  /** With {@code id}, admitted by this very view, unless it is mentioned already. */
+  /** With {@code id}, admitted by this view, unless this view mentions it. */
   public View with(ProcessId id) {
     if (mentions(id)) {
       return this;
@@ -146,7 +147,7 @@ public record View(
     return new View(number, free, ghosts);
   }
 
-  /** Without any mention of {@code id}. */
+  /** Without {@code id}. */
   public View without(ProcessId id) {
     SortedMap<ProcessId, Long> free = new TreeMap<>(admitted);
     SortedMap<ProcessId, Ghost> others = new TreeMap<>(ghosts);
@@ -156,8 +157,8 @@ public record View(
   }
 
   /**
-   * With {@code id}, if this view mentions it, as a ghost of {@code sections}; as a ghost already, of
-   * what it was a ghost of and {@code sections} have in common. A ghost of nothing is gone.
+   * With {@code id} as a ghost of {@code sections}, if this view mentions it. A ghost keeps only the
+   * sections that it had before. A ghost without sections is removed.
    */
   public View confined(ProcessId id, SortedSet<String> sections) {
     if (!mentions(id)) {
@@ -178,8 +179,9 @@ public record View(
   // Text.
 
   /**
-   * {@code 3:bot0#4294967297@1,bot2#4294967297@3|bot1#4294967297@2[A B]}: number, then who is free,
-   * each {@code @} its view, then, if there are ghosts, a bar, and each with its sections.
+   * {@code 3:bot0#4294967297@1,bot2#4294967297@3|bot1#4294967297@2[A B]}: number; the free ids, each
+   * {@code @} the view that admitted it; and, if there are ghosts, a bar and the ghosts, each with its
+   * sections.
    */
   @Override
   public String toString() {
@@ -202,7 +204,7 @@ public record View(
   /**
    * Reads what {@link #toString} wrote, as a trace has it.
    *
-   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   * @throws IllegalArgumentException if {@code text} is malformed
    */
   public static View parse(String text) {
     int colon = text.indexOf(':');

@@ -1,9 +1,7 @@
 /**
- * What the primitives know of who takes part: numbered {@link
- * org.starl.primitives.membership.View}s, and the {@link
- * org.starl.primitives.membership.Confinement} of those that seem to have crashed, behind the small
- * interface {@link org.starl.primitives.membership.Membership} that Registration implements and
- * Mutex reads.
+ * Participants and their changes: numbered {@link org.starl.primitives.membership.View}s, and the {@link
+ * org.starl.primitives.membership.Confinement} of participants that seem to have crashed. Registration
+ * implements the interface {@link org.starl.primitives.membership.Membership}, Mutex reads it.
  *
  * <p>May import: core.
  */

@@ -17,69 +17,74 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Every run's motions are a run of the theory {@code MotionControl_decls}: the lemma is its name.
- * What happens is taken for an action of the theory so, {@code i} being the event's robot, and {@code
- * n} the number of the command:
+ * Every run's motions are a run of the theory {@code MotionControl_decls}. The map from events to
+ * actions, where {@code i} is the event's robot, and {@code n} the number of the command:
  *
  * <pre>
- * event                          action
- * doMove t A                     do_move(i, n, n)
- * doMove t A, nothing being owed do_move(i, n, 0): there is nothing to avoid
- * turnTo t                       do_move(i, n, n): nothing is in A, every place is near t
- * a body enters A of its command move(i, in n)
- * motionflag DONE                move(i, near n) if its body is near t, then arrived(i)
- * motionflag FAIL                failed(i)
- * motion_stop                    motion_stop(i)
- * motionflag IDLE                stutter, or motion_stop(i) if the program has begun anew
- * fault crash                    motion_stop(i): the command is forgotten with its program
- * motionflag MOVING              stutter
- * all other events               stutter, so is what else a body does
+ * event                             action
+ * doMove t A                        do_move(i, n, n)
+ * doMove t A, avoids owes nothing   do_move(i, n, 0): nothing to avoid
+ * turnTo t                          do_move(i, n, n): A is empty, and every place is near t
+ * a body enters A of its command    move(i, in n)
+ * motionflag DONE                   move(i, near n) if the body is near t, then arrived(i)
+ * motionflag FAIL                   failed(i)
+ * motion_stop                       motion_stop(i)
+ * motionflag IDLE                   none, or motion_stop(i) if the program has started again
+ * fault crash                       motion_stop(i): the command is lost with the program
+ * motionflag MOVING                 none
+ * all other events, other moves     none
  * </pre>
  *
- * After each value of {@code motionflag} the automaton has the same. Bodies are the true ones; what is
- * in A and what is near t is decided as {@link MotionSpec} does, with its tolerances. Where it owes
- * nothing of A, since the body was in it at the command, or so near that the wheels could not take
- * notice, the theory's assumption does not hold, and the command counts as one without A. So it is
- * where a body is put down in A: that it is there is a stutter. A body enters A between two events,
- * and its step comes at the later one. What is kept is one command for each robot.
+ * After each value of {@code motionflag} the automaton must have the same. Bodies are the true ones;
+ * whether a body is in A, or near t, is decided with the tolerances of {@link MotionSpec}. Where that
+ * specification owes nothing for A, the theory's assumption does not hold: the body was in A at the
+ * command, or too near for the wheels to react. Then the command counts as one without A. The same
+ * holds for a body that is put down in A: its being there is no action. A body enters A between two
+ * events, and its step comes at the later one. Memory holds one command for each robot.
  */
-public final class MotionConformance extends Conformance {
+public final class MotionConformance extends Conformance<Replay<States, MotionControlAction>> {
 
   private final MotionBodies bodies;
-  private final Replay<States, MotionControlAction> replay;
+  private final Steps<States, MotionControlAction> steps;
 
   /**
-   * @param parameters how the robots move, as {@link MotionSpec} is given them
+   * @param parameters how the robots move, as for {@link MotionSpec}
    */
   public MotionConformance(MotionParameters parameters) {
     this(parameters, Steps.ignored());
   }
 
   /**
-   * The same.
-   *
-   * @param steps takes every step
+   * @param steps receives every step
    */
   MotionConformance(MotionParameters parameters, Steps<States, MotionControlAction> steps) {
-    super(MotionControlAutomaton.MOTION_CONTROL_DECLS, "all motions");
+    super(MotionControlAutomaton.MOTION_CONTROL_DECLS, "all motions", MotionTrace.SOURCE::equals);
     bodies = new MotionBodies(parameters);
-    replay = new Replay<>(new MotionControlAutomaton(), MotionTrace.SOURCE, steps);
+    this.steps = steps;
+  }
+
+  @Override
+  protected Replay<States, MotionControlAction> begin(String source) {
+    return new Replay<>(new MotionControlAutomaton(), source, steps);
+  }
+
+  /** All robots' motions: there is one instance. */
+  private Replay<States, MotionControlAction> replay() {
+    return instance(MotionTrace.SOURCE);
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    if (replay.isOver()) {
-      return;
+    if (!replay().isOver()) {
+      bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
+      super.observe(event, report);
     }
-    bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
-    switch (event) {
-      case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
-      case Variable variable when MotionTrace.isFlag(variable) -> flagged(variable, report);
-      case Fault fault when fault.name().equals(Fault.CRASH) ->
-          replay.step(fault, new MotionControlAction.motion_stop(fault.robot()), report);
-      default -> {
-        // A stutter.
-      }
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+      replay().step(fault, new MotionControlAction.motion_stop(fault.robot()), report);
     }
   }
 
@@ -91,11 +96,12 @@ public final class MotionConformance extends Conformance {
   private void followed(MotionRecord motion, @Nullable Moved moved, Report report) {
     if (moved != null) {
       Place inside = new Place(Sets.singleton(motion.number), Place.ELSEWHERE.near());
-      replay.step(moved, new MotionControlAction.move(motion.robot, inside), report);
+      replay().step(moved, new MotionControlAction.move(motion.robot, inside), report);
     }
   }
 
-  private void acted(Action action, Report report) {
+  @Override
+  protected void acted(Action action, Report report) {
     RobotId i = action.robot();
     MotionRecord motion = bodies.of(i);
     switch (action.name()) {
@@ -103,18 +109,23 @@ public final class MotionConformance extends Conformance {
         if (motion != null) {
           boolean isFree = bodies.isOnFloor(i) && !motion.owesAvoids;
           long avoid = isFree ? MotionControlAutomaton.EMPTYSET : motion.number;
-          replay.step(action, new MotionControlAction.do_move(i, motion.number, avoid), report);
+          replay().step(action, new MotionControlAction.do_move(i, motion.number, avoid), report);
         }
       }
       case MotionTrace.MOTION_STOP ->
-          replay.step(action, new MotionControlAction.motion_stop(i), report);
+          replay().step(action, new MotionControlAction.motion_stop(i), report);
       default -> {
-        // A stutter.
+        // No action of the theory.
       }
     }
   }
 
-  private void flagged(Variable variable, Report report) {
+  @Override
+  protected void changed(Variable variable, Report report) {
+    if (!MotionTrace.isFlag(variable)) {
+      return;
+    }
+    Replay<States, MotionControlAction> replay = replay();
     RobotId i = variable.robot();
     MotionFlag flag = MotionFlag.valueOf(variable.value());
     switch (flag) {
@@ -133,7 +144,7 @@ public final class MotionConformance extends Conformance {
         }
       }
       case MOVING -> {
-        // A stutter.
+        // No action of the theory.
       }
     }
     replay.result(variable, "motionflag", i, flag, replay.state().motionflag().at(i), report);

@@ -19,13 +19,13 @@ public sealed interface MotionControlAction extends Action {
   /** Its body moves, whatever the cause. */
   record move(RobotId i, Place p) implements MotionControlAction {}
 
-  /** Says DONE. */
+  /** Reports DONE. */
   record arrived(RobotId i) implements MotionControlAction {}
 
-  /** Says FAIL. */
+  /** Reports FAIL. */
   record failed(RobotId i) implements MotionControlAction {}
 
-  /** Takes the last command back. */
+  /** Cancels the last command. */
   record motion_stop(RobotId i) implements MotionControlAction {}
 
   @Override

@@ -9,11 +9,11 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code MotionControl_decls}, executable: bodies that move under commands. {@code PIDS}
- * are robots. A command is known by its number, and so are its target and its area to avoid; of a
- * place, {@code Places}, it matters in which areas a body there would be, and near which targets:
- * {@code avoid(i)(p)} is {@code p.avoided().contains(avoid(i))}, {@code near(p, t)} is {@code
- * p.near().contains(t)}. {@link MotionConformance} takes runs through it.
+ * The theory {@code MotionControl_decls} as an executable automaton: bodies that move under commands.
+ * {@code PIDS} are robots. A command's number represents the command, its target, and its area to avoid.
+ * A place, of {@code Places}, is represented by the areas that a body there is in, and the targets it is
+ * near: {@code avoid(i)(p)} is {@code p.avoided().contains(avoid(i))}, {@code near(p, t)} is {@code
+ * p.near().contains(t)}. {@link MotionConformance} replays runs on it.
  */
 public final class MotionControlAutomaton
     implements Automaton<MotionControlAutomaton.States, MotionControlAction> {
@@ -25,10 +25,10 @@ public final class MotionControlAutomaton
   public static final long EMPTYSET = 0;
 
   /**
-   * A place, as far as it matters.
+   * A place.
    *
-   * @param avoided commands whose area to avoid it is in
-   * @param near commands whose target it is near
+   * @param avoided the commands whose area to avoid contains it
+   * @param near the commands whose target it is near
    */
   public record Place(SortedSet<Long> avoided, SortedSet<Long> near) {
 
@@ -43,11 +43,11 @@ public final class MotionControlAutomaton
   /**
    * The theory's states.
    *
-   * @param pos where a body is
-   * @param target of the last command
-   * @param avoid by the last command
-   * @param motionflag how the last command stands
-   * @param at where a body was when {@code motionflag} became DONE
+   * @param pos the place of a body
+   * @param target the target of the last command
+   * @param avoid the area to avoid of the last command
+   * @param motionflag the status of the last command
+   * @param at the place of a body when {@code motionflag} became DONE
    */
   public record States(
       Fun<RobotId, Place> pos,

@@ -18,9 +18,9 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What every motion of a run owes (paper, section 4.1): {@code avoids}, {@code arrives} and {@code
- * told}, as the package's contract has them, judged by the true bodies. It watches {@code
- * gvh.plat.moat}, hence both {@link Motioncontrol} and who uses the automaton itself.
+ * The specification of motion (paper, section 4.1), after the package's contract: {@code avoids}, {@code
+ * arrives} and {@code told}. It uses the true bodies. It watches {@code gvh.plat.moat}, and so both {@link
+ * Motioncontrol} and apps that use the motion automaton directly.
  */
 public final class MotionSpec implements Monitor {
 
@@ -30,30 +30,31 @@ public final class MotionSpec implements Monitor {
 
   private static final long NS_PER_MS = 1_000_000;
 
-  /** How far a sound motion may swerve from the straight line: its arcs begin within 25 degrees. */
+  /** The largest deviation of a correct motion from the straight line: its arcs begin within 25 degrees. */
   private static final double SWERVE_MM = 100;
 
-  /** Faults, by their names in the trace, of clocks, and of how long computing takes. */
+  /** The faults of clocks and of computing time, by their names in the trace. */
   private static final List<String> TIME_FAULTS = List.of("compute", "drift", "skew");
 
   private final MotionParameters p;
   private final double marginMm;
   private final MotionBodies bodies;
 
-  // How many faults are at work, and how many of them on robots' time.
+  // The number of active faults, and of those among them that affect time.
   private int faults;
   private int faultsOfTime;
   private long firstDeadlineNs = Long.MAX_VALUE;
 
-  /** For robots that know their places to within 50 mm. */
+  /** For position errors below 50 mm. */
   public MotionSpec(MotionParameters parameters) {
     this(parameters, 50);
   }
 
   /**
-   * @param parameters how the robots move, as far as this specification speaks of it: goal radius,
-   *     speeds, reaction, and the times after which a motion fails
-   * @param positionErrorMm arriving is owed where the region to avoid leaves room for such errors
+   * @param parameters how the robots move: goal radius, speeds, reaction time, and the times after which
+   *     a motion fails
+   * @param positionErrorMm {@code arrives} is owed if the region to avoid leaves room for this error, in
+   *     mm
    */
   public MotionSpec(MotionParameters parameters, double positionErrorMm) {
     p = parameters;
@@ -72,10 +73,10 @@ public final class MotionSpec implements Monitor {
   @Override
   public String says(String lemma) {
     return switch (lemma) {
-      case AVOIDS -> "No part of a robot enters the area that its move is to avoid.";
-      case ARRIVES -> "A move with nothing in its way is done, and does not fail.";
+      case AVOIDS -> "No part of a robot enters the area that its move must avoid.";
+      case ARRIVES -> "A move without an obstacle succeeds.";
       case TOLD ->
-          "A robot that says its move is done is at its goal; and it says done or failed in time.";
+          "A robot that reports done is at its goal; every move reports done or failed in time.";
       default -> "";
     };
   }
@@ -87,7 +88,7 @@ public final class MotionSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    judgeWhatIsLate(event.timeNs(), report);
+    checkDeadlines(event.timeNs(), report);
     bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
     switch (event) {
       case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, report);
@@ -95,14 +96,14 @@ public final class MotionSpec implements Monitor {
       case Joined joined -> startOf(joined.robot(), joined.timeNs());
       case Fault fault -> failing(fault);
       default -> {
-        // Of no concern here.
+        // Not checked here.
       }
     }
   }
 
   @Override
   public void finish(long endNs, Report report) {
-    judgeWhatIsLate(endNs, report);
+    checkDeadlines(endNs, report);
     bodies.finish(endNs, (motion, moved) -> followed(motion, moved, report));
   }
 
@@ -116,12 +117,12 @@ public final class MotionSpec implements Monitor {
         }
       }
       default -> {
-        // Of no concern here.
+        // Not checked here.
       }
     }
   }
 
-  /** What it owes depends on where the body is at the call, or when it comes to the floor. */
+  /** Its obligations depend on the body's place at the call, or when the body comes to the floor. */
   private void startOf(RobotId robot, long nowNs) {
     MotionRecord motion = bodies.of(robot);
     if (motion == null) {
@@ -142,7 +143,7 @@ public final class MotionSpec implements Monitor {
     firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
   }
 
-  /** Whether every point of the straight way is so far from the region to avoid. */
+  /** Whether every point of the straight line is at least {@code neededMm} from the region to avoid. */
   private static boolean isClear(Point start, MotionRecord motion, double neededMm) {
     Point way = motion.target.minus(start);
     double lengthMm = way.normMm();
@@ -167,7 +168,7 @@ public final class MotionSpec implements Monitor {
     }
     switch (MotionFlag.valueOf(variable.value())) {
       case MOVING, IDLE -> {
-        // Said when it began, or is over.
+        // Nothing to check.
       }
       case DONE -> done(motion, variable.timeNs(), report);
       case FAIL -> {
@@ -191,7 +192,7 @@ public final class MotionSpec implements Monitor {
     }
     if (!(truth.distanceMm(motion.saidAt) <= motion.saidErrorMm + BodyPath.ROUNDING_MM)) {
       String detail =
-          "believes to be within " + motion.saidErrorMm + " mm of " + motion.saidAt + ", is not";
+          "claims to be within " + motion.saidErrorMm + " mm of " + motion.saidAt + ", but is not";
       report.violated(TOLD, nowNs, List.of(motion.robot), detail);
     }
     if (motion.owesArrives) {
@@ -201,16 +202,16 @@ public final class MotionSpec implements Monitor {
   }
 
   private void failed(MotionRecord motion, String why, long nowNs, Report report) {
-    if (motion.owesArrives && !isTheWorlds(why)) {
+    if (motion.owesArrives && !isExternal(why)) {
       report.checked(ARRIVES);
-      String detail = "fails though nothing is in the way to " + motion.target + ": " + why;
+      String detail = "fails without an obstacle on the way to " + motion.target + ": " + why;
       report.violated(ARRIVES, nowNs, List.of(motion.robot), detail);
     }
     motion.owesArrives = false;
   }
 
-  /** Whether the motion is not to blame: what the body touched, or that its place is not known. */
-  private boolean isTheWorlds(String why) {
+  /** Whether the cause is outside the motion: the body touched something, or its position is unknown. */
+  private boolean isExternal(String why) {
     boolean isHeldUp = why.equals("no progress") || why.equals("too slow");
     return why.equals("bumped into something")
         || why.equals("no position fix")
@@ -229,22 +230,22 @@ public final class MotionSpec implements Monitor {
         faults--;
         if (isOfTime(fault)) {
           faultsOfTime--;
-          bodies.motions().values().forEach(motion -> oweAnew(motion, fault.timeNs()));
+          bodies.motions().values().forEach(motion -> extendDeadline(motion, fault.timeNs()));
         }
       }
       default -> {
-        // Of no concern here.
+        // Not checked here.
       }
     }
   }
 
-  /** Whether robots' clocks or strands are not what bounds rest on. */
+  /** Whether the fault affects clocks or computing time, on which the bounds depend. */
   private static boolean isOfTime(Fault fault) {
     return TIME_FAULTS.stream().anyMatch(name -> fault.detail().startsWith(name + "("));
   }
 
-  /** After a fault of time the whole bound is owed anew. */
-  private void oweAnew(MotionRecord motion, long nowNs) {
+  /** After a fault of time the motion has its whole bound again. */
+  private void extendDeadline(MotionRecord motion, long nowNs) {
     motion.deadlineNs += nowNs - motion.startNs;
     firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
   }
@@ -257,7 +258,7 @@ public final class MotionSpec implements Monitor {
     }
   }
 
-  private void judgeWhatIsLate(long nowNs, Report report) {
+  private void checkDeadlines(long nowNs, Report report) {
     if (nowNs <= firstDeadlineNs || faultsOfTime > 0) {
       return;
     }
@@ -267,7 +268,7 @@ public final class MotionSpec implements Monitor {
         motion.isOpen = false;
         report.checked(TOLD);
         String detail =
-            "does not tell how it went to " + motion.target + " since " + motion.startNs + " ns";
+            "reports no result for " + motion.target + " since " + motion.startNs + " ns";
         report.violated(TOLD, motion.deadlineNs, List.of(motion.robot), detail);
       } else if (motion.isOpen) {
         firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);

@@ -131,6 +131,16 @@ public final class M_Mutex implements MutexPrim {
       throw new IllegalArgumentException(
           source + ": do_mutex among " + plist + ": expected " + gvh.id.name() + " among them");
     }
+    for (RobotId robot : plist) {
+      if (!membership.excludes(robot)) {
+        throw new IllegalArgumentException(
+            source
+                + ": do_mutex cannot exclude "
+                + robot
+                + ", which is not in the group "
+                + membership.view().participants());
+      }
+    }
     do_mutex(sections);
   }
 

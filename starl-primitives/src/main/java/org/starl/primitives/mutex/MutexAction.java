@@ -8,25 +8,25 @@ import org.starl.spec.automaton.Action;
 /** The actions of the theory {@code Mutex_decls}, under their names there. */
 public sealed interface MutexAction extends Action {
 
-  /** Whose it is. */
+  /** The robot. */
   RobotId i();
 
-  /** Asks for access to {@code RS}. */
+  /** Requests access to {@code RS}. */
   record do_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   /** Has access to {@code RS}. */
   record od_mutex(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
-  /** Gives {@code RS} back. */
+  /** Releases {@code RS}. */
   record release(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   /** Its request ends without access. */
   record withdraw(RobotId i) implements MutexAction {}
 
-  /** Its program begins anew, after a crash. */
+  /** Its program restarts after a crash. */
   record restart(RobotId i) implements MutexAction {}
 
-  /** Its program says in which sections its body may stand. */
+  /** Its program declares the sections in which its body may be. */
   record stands_in(RobotId i, SortedSet<String> RS) implements MutexAction {}
 
   @Override

@@ -10,8 +10,8 @@ import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
 
 /**
- * The theory {@code Mutex_decls}, executable: mutual exclusion on sets of zones. {@code PIDS} are
- * robots, {@code Zones} names of sections. {@link MutexConformance} takes runs through it.
+ * The theory {@code Mutex_decls} as an executable automaton: mutual exclusion on sets of zones. {@code
+ * PIDS} are robots, {@code Zones} names of sections. {@link MutexConformance} replays runs on it.
  */
 public final class MutexAutomaton implements Automaton<MutexAutomaton.States, MutexAction> {
 
@@ -21,16 +21,16 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
   /**
    * The theory's states.
    *
-   * @param crit_set what the robot's present program has access to
-   * @param req_set what it has asked for and not yet got
-   * @param rest_set what earlier starts of its program had: its body may still be there
+   * @param crit_set the sections that the robot's present program holds
+   * @param req_set the sections that it waits for
+   * @param rest_set the sections that earlier starts of its program held: its body may still be there
    */
   public record States(
       Fun<RobotId, SortedSet<String>> crit_set,
       Fun<RobotId, SortedSet<String>> req_set,
       Fun<RobotId, SortedSet<String>> rest_set) {
 
-    /** All that is kept from others for {@code i}. */
+    /** All sections that no other robot may hold because of {@code i}. */
     public SortedSet<String> held(RobotId i) {
       TreeSet<String> held = new TreeSet<>(crit_set.at(i));
       held.addAll(rest_set.at(i));

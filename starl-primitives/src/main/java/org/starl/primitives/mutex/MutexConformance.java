@@ -6,36 +6,35 @@ import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Replays;
 import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
 /**
- * Every run of every mutex is a run of the theory {@code Mutex_decls}: the lemma is its name. What
- * happens is taken for an action of the theory so, {@code i} being the robot of {@code who}:
+ * Every run of every mutex is a run of the theory {@code Mutex_decls}. The map from events to actions,
+ * where {@code i} is the robot of {@code who}:
  *
  * <pre>
  * event                         action
  * do_mutex who num ts want ...  do_mutex(i, want)
- * od_mutex who num held         od_mutex(i, held), crit_set(i) is held
- * release who num given left    release(i, given), crit_set(i) is left
- * withdraw who num why          withdraw(i); a stutter if num is 0: no request had begun
+ * od_mutex who num held         od_mutex(i, held); crit_set(i) is held
+ * release who num given left    release(i, given); crit_set(i) is left
+ * withdraw who num why          withdraw(i); none if num is 0: the request never began
  * stands_in who sections        stands_in(i, sections)
  * fault restart                 restart(i) in every instance
- * joined                        restart(i) as well, if the robot had left before
- * fault crash, left             stutter: what it held it still holds
- * grant, known, view, fence     stutter: how access is agreed upon is no matter of this theory
- * all other events              stutter
+ * joined                        restart(i) in every instance, if the robot had left before
+ * fault crash, left             none: the robot still holds what it held
+ * grant, known, view, fence     none: the theory has no agreement protocol
+ * all other events              none
  * </pre>
  *
- * <p>A robot's participants of one start are one process of the theory: of an older one that lingers,
- * because it still holds something, {@code crit_set(i)} goes on, and the robot asks for nothing until
- * that is given back. A step costs time in the number of robots that hold or wait, and so much is kept.
+ * <p>All participants of one start of a robot's program are one process of the theory. An older
+ * participant may still hold sections; its {@code crit_set(i)} remains, and the robot requests nothing
+ * until it has released them. Time per step, and memory, grow with the robots that hold or wait.
  */
-public final class MutexConformance extends Conformance {
+public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 
-  private final Replays<States, MutexAction> replays;
+  private final Steps<States, MutexAction> steps;
   private final Set<RobotId> gone = new TreeSet<>();
 
   public MutexConformance() {
@@ -43,41 +42,46 @@ public final class MutexConformance extends Conformance {
   }
 
   /**
-   * The same.
-   *
-   * @param steps takes every step of every instance
+   * @param steps receives every step of every instance
    */
   public MutexConformance(Steps<States, MutexAction> steps) {
-    super(MutexAutomaton.MUTEX_DECLS, "every mutex");
-    replays = new Replays<>(new MutexAutomaton(), steps);
+    super(MutexAutomaton.MUTEX_DECLS, "every mutex", MutexTrace::isMutex);
+    this.steps = steps;
   }
 
   @Override
-  public void observe(TraceEvent event, Report report) {
+  protected Replay<States, MutexAction> begin(String source) {
+    return new Replay<>(new MutexAutomaton(), source, steps);
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
     switch (event) {
-      case TraceEvent.Action action -> acted(action, report);
-      case Fault fault when fault.name().equals(Fault.RESTART) -> restarts(fault, report);
+      case Fault fault when fault.name().equals(Fault.RESTART) -> restart(fault, report);
       case TraceEvent.Left left -> gone.add(left.robot());
-      case TraceEvent.Joined joined when gone.remove(joined.robot()) -> restarts(joined, report);
+      case TraceEvent.Joined joined when gone.remove(joined.robot()) -> restart(joined, report);
       default -> {
-        // A stutter.
+        // No action of the theory.
       }
     }
   }
 
-  private void restarts(TraceEvent event, Report report) {
-    // Where nothing has happened yet, it changes nothing.
-    replays.forEach(replay -> replay.step(event, new MutexAction.restart(event.robot()), report));
+  private void restart(TraceEvent event, Report report) {
+    // An instance without events yet has no replay; there a restart would change nothing.
+    instances()
+        .values()
+        .forEach(replay -> replay.step(event, new MutexAction.restart(event.robot()), report));
   }
 
-  private void acted(TraceEvent.Action action, Report report) {
+  @Override
+  protected void acted(TraceEvent.Action action, Report report) {
     if (MutexTrace.isOfAccess(action)) {
       MutexTrace.read(action)
-          .ifPresent(read -> acted(action, read, replays.of(action.source()), report));
+          .ifPresent(read -> step(action, read, instance(action.source()), report));
     }
   }
 
-  private static void acted(
+  private static void step(
       TraceEvent event, MutexEvent read, Replay<States, MutexAction> replay, Report report) {
     RobotId i = read.who().robot();
     switch (read) {
@@ -98,12 +102,9 @@ public final class MutexConformance extends Conformance {
       }
       case MutexEvent.StandsIn e ->
           replay.step(event, new MutexAction.stands_in(i, e.sections()), report);
-      case MutexEvent.Grant e -> {
-        // A stutter, and so are these.
+      default -> {
+        // Not of access.
       }
-      case MutexEvent.Known e -> {}
-      case MutexEvent.Learned e -> {}
-      case MutexEvent.Fence e -> {}
     }
   }
 }

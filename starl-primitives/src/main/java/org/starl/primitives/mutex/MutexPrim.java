@@ -22,8 +22,8 @@ import org.starl.primitives.StarLPrimitive;
 public interface MutexPrim extends StarLPrimitive {
 
   /**
-   * Asks for access to {@code sections}. {@link #crit} becomes true once it is granted, or {@link
-   * #failed} tells that it will not be; both are false meanwhile. Either may be so at once.
+   * Requests access to {@code sections}. {@link #crit} becomes true when access is granted, or {@link
+   * #failed} when it will not be; until then both are false. Either may happen at once.
    *
    * @param sections 1 to 32 names, each 1 to 32 of {@code A-Z a-z 0-9 _ - . :}
    * @throws IllegalStateException while waiting for, or holding, what was asked for before
@@ -32,10 +32,15 @@ public interface MutexPrim extends StarLPrimitive {
   void do_mutex(Collection<String> sections);
 
   /**
-   * The same. Whose consent is needed follows from the views that this robot has learned, which may
-   * be later than the one that {@code plist} was read from; {@code plist} is only checked.
+   * As {@link #do_mutex(Collection)}, exclusive with every robot in {@code plist} (paper, section 3.2).
    *
-   * @throws IllegalArgumentException also if {@code plist} does not name this robot
+   * <p>The request asks every robot in {@code plist} that can hold a section, and also all others that
+   * this robot knows: if each robot asked only its own list, two requests might never meet. A robot that
+   * has joined later asks this one, and one that has left, or never registered, holds nothing. So {@code
+   * plist} may be an older list of the same registration, and a short list does not narrow exclusion.
+   *
+   * @throws IllegalArgumentException also if {@code plist} does not name this robot, or names one that
+   *     is outside a fixed group: such a robot could not be excluded
    */
   void do_mutex(Collection<String> sections, Participants plist);
 

@@ -78,7 +78,7 @@ final class MutexProgress {
               lemma,
               deadlineNs,
               List.of(request.who.robot()),
-              request + " had no access " + debts.boundNs() / NS_PER_MS + " ms after it was owed");
+              request + " has no access " + debts.boundNs() / NS_PER_MS + " ms after it was due");
         });
   }
 

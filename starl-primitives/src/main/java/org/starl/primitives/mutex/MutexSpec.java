@@ -20,27 +20,27 @@ import org.starl.trace.TraceEvent;
  *
  * <ul>
  *   <li>{@code Exclusive} (the paper's {@code Inv_mux_safety}): what participants of two robots hold
- *       is disjoint. Who crashed, left or closed its mutex without a release holds on: its body may
- *       still be there; until its robot's next start says otherwise.
- *   <li>{@code Promise}: of two participants with open requests that meet, one that has the other's
- *       consent comes before it.
- *   <li>{@code Connected}: of two participants with open requests that the latest view lists, one
- *       needs the other's consent.
- *   <li>{@code Kept}: who was listed and is not any more holds nothing but what its ghost stands for.
- *   <li>{@code Complete}: who holds anything was listed.
+ *       is disjoint. A robot that crashed, left or closed its mutex without a release still holds its
+ *       sections, since its body may be there, until the robot's next start declares otherwise.
+ *   <li>{@code Promise}: of two participants with open, overlapping requests, one that has the other's
+ *       consent comes first.
+ *   <li>{@code Connected}: of two participants with open requests in the latest view, one needs the
+ *       other's consent.
+ *   <li>{@code Kept}: a removed participant holds only its fenced sections.
+ *   <li>{@code Complete}: a participant that holds a section was on a list.
  *   <li>{@code Served}, if there are bounds: a request has access, or has ended, within d2; owed
- *       while nobody has held for longer than d1.
- *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while nobody holds,
- *       or waits with priority for, a section of the request. (That nobody <em>holds</em> one, as
- *       printed in the paper, is too little: who waits for {A, B} while another holds A keeps a
- *       later request for B back.)
+ *       while no participant has held for longer than d1.
+ *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while no other participant
+ *       holds, or waits with priority for, a section of the request. (The paper asks only that none is
+ *       <em>held</em>. That is too weak: a participant that waits for {A, B} while another holds A
+ *       delays a later request for B.)
  * </ul>
  *
- * <p>The last two are owed only while no fault but crashes is under way, no ghost stands in a wanted
- * section, and nobody is dead whose consent is needed; the first of them only while that is so for all
- * who wait. They are owed anew, with their whole bound, once that is so again, and when a request comes
- * to need the consent of other participants than before. Who is dead, has left the floor or is in no
- * view any more is owed nothing.
+ * <p>The last two are owed only while no fault but crashes is active, no ghost is fenced in a wanted
+ * section, and no participant is dead whose consent is needed; {@code Served} only while that holds for
+ * all waiting requests. They are owed again, with the whole bound, once it holds again, and when the set
+ * of participants whose consent is needed changes. A participant that is dead, has left the floor or was
+ * removed from the views is owed nothing.
  */
 public final class MutexSpec implements Monitor {
 
@@ -58,7 +58,7 @@ public final class MutexSpec implements Monitor {
   private final Requests requests = new Requests();
   private final Lives lives = new Lives();
 
-  // The latest view that anybody has learned, and all that any view listed.
+  // The latest view that any robot has learned, and the ids of all views.
   private View last = View.NONE;
   private final Set<ProcessId> listed = new TreeSet<>();
 
@@ -88,14 +88,14 @@ public final class MutexSpec implements Monitor {
     return switch (lemma) {
       case EXCLUSIVE -> "No two robots hold a section in common.";
       case PROMISE ->
-          "Of two requests that meet, the one that has the other's consent comes first.";
-      case CONNECTED -> "Of two requests on the latest list, one needs the other's consent.";
-      case KEPT -> "Who is on the list no more holds nothing but what its ghost stands for.";
-      case COMPLETE -> "Who holds anything was on the list.";
+          "Of two overlapping requests, the one that has the other's consent comes first.";
+      case CONNECTED -> "Of two requests by listed processes, one needs the other's consent.";
+      case KEPT -> "A removed process holds only its fenced sections.";
+      case COMPLETE -> "A process that holds a section was on the list.";
       case MutexProgress.SERVED ->
-          "Every request is served within the bound, as long as nobody holds for too long.";
+          "Every request is served within the bound, if no process holds sections for too long.";
       case MutexProgress.NON_INTERFERENCE ->
-          "A request that nobody stands in the way of is served at once, within its bound.";
+          "A request without competing requests is served within its shorter bound.";
       default -> "";
     };
   }
@@ -163,9 +163,9 @@ public final class MutexSpec implements Monitor {
       case MutexEvent.Withdraw e -> withdrew(request, nowNs);
       case MutexEvent.Grant e -> granted(requests.of(e.to()), e, nowNs, report);
       case MutexEvent.Learned e -> learned(e.view(), nowNs, report);
-      case MutexEvent.StandsIn e -> startedAnew(e, nowNs);
+      case MutexEvent.StandsIn e -> standsIn(e, nowNs);
       case MutexEvent.Fence e -> {
-        // A vow by itself changes nothing.
+        // By itself it changes nothing.
       }
       case MutexEvent.Known e -> {
         request.known = e.known();
@@ -192,8 +192,8 @@ public final class MutexSpec implements Monitor {
     }
   }
 
-  /** What earlier starts of the robot's program held, or waited for, was theirs. */
-  private void startedAnew(MutexEvent.StandsIn word, long nowNs) {
+  /** Earlier starts of the robot's program wait for nothing, and hold at most these sections. */
+  private void standsIn(MutexEvent.StandsIn word, long nowNs) {
     for (Requests.Request request : new ArrayList<>(requests.active())) {
       if (request.who.robot().equals(word.who().robot()) && isOfEarlierStart(request, word)) {
         SortedSet<String> before = request.want;
@@ -222,7 +222,13 @@ public final class MutexSpec implements Monitor {
           lemma,
           nowNs,
           List.of(holder.who.robot()),
-          holder.who + " holds " + holder.want + ", but view " + last + " has it hold " + atMost);
+          holder.who
+              + " holds "
+              + holder.want
+              + ", but in view "
+              + last
+              + " it may hold at most "
+              + atMost);
     }
   }
 
@@ -274,7 +280,7 @@ public final class MutexSpec implements Monitor {
           PROMISE,
           nowNs,
           robots(to.who, by.who),
-          by.who + " consented to " + to + " and comes before it with " + by);
+          by.who + " consented to " + to + ", but its own " + by + " comes first");
     }
   }
 

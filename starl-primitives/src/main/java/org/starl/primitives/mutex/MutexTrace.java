@@ -64,19 +64,20 @@ public final class MutexTrace {
    * @throws IllegalArgumentException if it is a mutex's action, and its arguments are not as above
    */
   public static Optional<MutexEvent> read(TraceEvent event) {
-    if (event instanceof TraceEvent.Action action
-        && action.source().startsWith(PRIMITIVE)
-        && action.source().startsWith("/", PRIMITIVE.length())) {
-      return Optional.of(read(action));
-    }
-    return Optional.empty();
+    return event instanceof TraceEvent.Action action && isMutex(action.source())
+        ? Optional.of(read(action))
+        : Optional.empty();
   }
 
-  /** Whether it is of a mutex, and tells who asks, has access or has it no more. */
+  /** Whether {@code source} is a mutex, as in {@code mutex/crossing}. */
+  static boolean isMutex(String source) {
+    return source.startsWith(PRIMITIVE + "/");
+  }
+
+  /** Whether a mutex's action is about requests and access, and not about how they are agreed on. */
   static boolean isOfAccess(TraceEvent.Action action) {
     return switch (action.name()) {
-      case DO_MUTEX, OD_MUTEX, RELEASE, WITHDRAW, STANDS_IN ->
-          action.source().startsWith(PRIMITIVE + "/");
+      case DO_MUTEX, OD_MUTEX, RELEASE, WITHDRAW, STANDS_IN -> true;
       default -> false;
     };
   }

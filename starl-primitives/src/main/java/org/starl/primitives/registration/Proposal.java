@@ -7,15 +7,15 @@ import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 
 /**
- * The next view in the making: derived from the decided one, change by change. What does not fit any
- * more, or would break the rule of confinement, is left to a later view.
+ * Builds the next view from the decided one, change by change. A change that does not fit, or would
+ * break the rule of confinement, is left to a later view.
  */
 final class Proposal {
 
   private final View decided;
   private View next;
 
-  // Those whose word somebody's confinement rests on: they stay.
+  // Fencers of confinements in this view: they may not leave.
   private final Set<ProcessId> vouching = new TreeSet<>();
 
   Proposal(View decided) {
@@ -27,7 +27,7 @@ final class Proposal {
     return next;
   }
 
-  /** Takes in as much of {@code change} as it can. */
+  /** Applies as much of {@code change} as possible. */
   Proposal add(Change change) {
     for (ProcessId id : change.leave()) {
       if (!vouching.contains(id)) {

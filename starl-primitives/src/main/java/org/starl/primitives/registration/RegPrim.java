@@ -3,26 +3,26 @@ package org.starl.primitives.registration;
 import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
-/** Registration as an app sees it (paper, section 4.3). Strand only. */
+/** The registration interface for apps (paper, section 4.3). Strand only. */
 public interface RegPrim extends StarLPrimitive {
 
   /**
-   * Asks to be in. {@link #rList} is null at once, and a list that lists this robot once registered;
-   * or {@link #failed} becomes true at the deadline.
+   * Asks to be registered. {@link #rList} is null at once, and a list with this robot once it is
+   * registered; or {@link #failed} becomes true at the deadline.
    *
-   * <p>If others took this robot for crashed, wrongly, it is not registered any more, {@link #rList} is
-   * null and {@link #failed} told, and this is how it comes back.
+   * <p>If other robots wrongly took this one for crashed, it is no longer registered: {@link #rList} is
+   * null and {@link #failed} is true. A call of this method registers it again.
    *
    * @throws IllegalStateException if this robot is registered, registering or unregistering
    */
   void do_register();
 
-  /** The same as {@code rList().get()}. */
+  /** As {@code rList().get()}. */
   RList getList();
 
   /**
-   * The agreed list. Null also while a newer one is known to be on its way, for a bounded time: no
-   * mutex depends on it, which reads the views themselves.
+   * The agreed list. Also null while a newer one is expected, for a bounded time. The mutex does not
+   * depend on this: it reads the views themselves.
    */
   GvhVariable<RList> rList();
 
@@ -30,24 +30,24 @@ public interface RegPrim extends StarLPrimitive {
   long ts();
 
   /**
-   * Whether the latest call was given up at its deadline, or others have put this robot out since: call
-   * {@link #do_register} again.
+   * Whether the latest call was given up at its deadline, or other robots have removed this one since:
+   * call {@link #do_register} again.
    */
   GvhVariable<Boolean> failed();
 
   /**
-   * Asks to be out. A request that waits in the mutex over this registration fails. {@link #rList} is
-   * null at once. If it is given up, {@link #failed} is told: call it again, or {@link #do_register},
-   * which leaves the old id behind. Right also for a robot that others have taken for crashed.
+   * Asks to be removed. A request that waits in the mutex over this registration fails. {@link #rList}
+   * is null at once. If the call is given up, {@link #failed} becomes true: call it again, or {@link
+   * #do_register}, which drops the old id. A robot that was taken for crashed may call it too.
    *
-   * @throws IllegalStateException if this robot is not registered, or holds something
+   * @throws IllegalStateException if this robot is not registered, or holds a section
    */
   void unregister();
 
   /**
-   * Whether the latest {@link #unregister} has come to its end: the latest list lacks this robot, and
-   * those concerned have been told as far as they can be reached. A robot that goes away before may
-   * leave others waiting for it for some seconds.
+   * Whether the latest {@link #unregister} is complete: this robot is not on the latest list, and all
+   * reachable robots concerned know that list. If a robot goes away before, others may wait for it for
+   * some seconds.
    */
   boolean isUnregistered();
 }

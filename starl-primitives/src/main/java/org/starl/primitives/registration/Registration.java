@@ -19,9 +19,8 @@ import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
 
 /**
- * The registration of one robot: {@link RegPrim} for its app, {@link Membership} for the mutex.
- * Constructing it makes this robot serve as an acceptor, if it is one, whether it ever registers or
- * not. Strand only.
+ * The registration of one robot: {@link RegPrim} for its app, {@link Membership} for the mutex. A robot
+ * that constructs it serves as an acceptor, if it is one, whether it registers or not. Strand only.
  */
 public final class Registration implements RegPrim, Membership {
 
@@ -43,8 +42,8 @@ public final class Registration implements RegPrim, Membership {
   }
 
   /**
-   * @param acceptors the same on every robot, for ever; a majority of them must be in reach for
-   *     anybody to register or unregister
+   * @param acceptors the same on every robot, for ever; registering and unregistering need a majority
+   *     of them in reach
    */
   public Registration(GlobalVarHolder gvh, String xid, Participants acceptors) {
     this(gvh, xid, acceptors, RegistrationSettings.DEFAULT);
@@ -83,9 +82,9 @@ public final class Registration implements RegPrim, Membership {
   @Override
   public void unregister() {
     protocol.requireMayUnregister();
-    Member asked = member;
-    if (asked != null) {
-      asked.leaves();
+    Member told = member;
+    if (told != null) {
+      told.leaves();
     }
     wire.call(protocol::unregister);
   }
@@ -156,7 +155,7 @@ public final class Registration implements RegPrim, Membership {
 
   @Override
   public void isIdleForEver(ProcessId id) {
-    wire.call(nowNs -> protocol.isIdleForEver(id, nowNs));
+    wire.call(nowNs -> protocol.markIdle(id, nowNs));
   }
 
   @Override
@@ -208,28 +207,27 @@ public final class Registration implements RegPrim, Membership {
     }
 
     @Override
-    public void isGiven(View first) {
+    public void given(View first) {
       gvh.trace.action(source, RegistrationTrace.FIRST_VIEW, first);
     }
 
     @Override
-    public void asksFor(ProcessId id) {
+    public void register(ProcessId id) {
       gvh.trace.action(source, RegistrationTrace.DO_REGISTER, id);
     }
 
     @Override
-    public void unregisters(ProcessId id) {
+    public void unregister(ProcessId id) {
       gvh.trace.action(source, RegistrationTrace.UNREGISTER, id);
     }
 
     @Override
-    public void confines(Confinement confinement) {
-      List<String> args = confinement.args();
-      gvh.trace.action(source, RegistrationTrace.CONFINE, args.toArray());
+    public void confine(Confinement confinement) {
+      gvh.trace.action(source, RegistrationTrace.CONFINE, confinement.args().toArray());
     }
 
     @Override
-    public void givesUp(ProcessId id) {
+    public void giveUp(ProcessId id) {
       gvh.trace.action(source, RegistrationTrace.GIVE_UP, id);
     }
   }

@@ -8,22 +8,22 @@ import org.starl.spec.automaton.Action;
 /** The actions of the theory {@code Registration_decls}, under their names there. */
 public sealed interface RegistrationAction extends Action {
 
-  /** An attempt to take part begins. */
+  /** An attempt to register begins. */
   record do_register(ProcessId i) implements RegistrationAction {}
 
-  /** It asks out. */
+  /** Asks to be removed. */
   record unregister(ProcessId i) implements RegistrationAction {}
 
-  /** Its own robot requests nothing under this id any more. */
+  /** Its robot will request nothing with this id again. */
   record give_up(ProcessId i) implements RegistrationAction {}
 
-  /** Somebody vouches for what it may still hold. */
+  /** A fencer bounds what it may still hold. */
   record confine(ProcessId i) implements RegistrationAction {}
 
   /** The next list. */
   record decide(SortedSet<ProcessId> L) implements RegistrationAction {}
 
-  /** It learns list {@code n}. */
+  /** Learns list {@code n}. */
   record learn(ProcessId i, long n) implements RegistrationAction {}
 
   @Override

@@ -10,8 +10,8 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Registration_decls}, executable: numbered lists of those who take part. {@code
- * PIDS} are ids, one for each attempt. {@link RegistrationConformance} takes runs through it.
+ * The theory {@code Registration_decls} as an executable automaton: numbered lists of participants.
+ * {@code PIDS} are ids, one for each attempt. {@link RegistrationConformance} replays runs on it.
  */
 public final class RegistrationAutomaton
     implements Automaton<RegistrationAutomaton.States, RegistrationAction> {
@@ -19,17 +19,17 @@ public final class RegistrationAutomaton
   /** The theory's name. */
   public static final String REGISTRATION_DECLS = "Registration_decls";
 
-  private static final SortedSet<ProcessId> NOBODY = Sets.emptyset();
+  private static final SortedSet<ProcessId> EMPTY = Sets.emptyset();
 
   /**
    * The theory's states.
    *
-   * @param asked called {@code do_register}
-   * @param gone may be left out
-   * @param entered some list has had it
-   * @param number of the latest list
-   * @param list list 0 is empty
-   * @param ts of the list that an id knows
+   * @param asked whether an id has called {@code do_register}
+   * @param gone whether an id may be removed
+   * @param entered whether some list has contained an id
+   * @param number the number of the latest list
+   * @param list the lists; list 0 is empty
+   * @param ts the number of the list that an id knows
    */
   public record States(
       Fun<ProcessId, Boolean> asked,
@@ -49,9 +49,9 @@ public final class RegistrationAutomaton
       return list.at(ts.at(i));
     }
 
-    /** The same without a list that nobody looks at any more. */
+    /** Without an old list, which no step reads. */
     States withoutList(long old) {
-      return new States(asked, gone, entered, number, list.with(old, NOBODY), ts);
+      return new States(asked, gone, entered, number, list.with(old, EMPTY), ts);
     }
 
     private States withGone(ProcessId i) {
@@ -71,7 +71,7 @@ public final class RegistrationAutomaton
         Fun.always(false),
         Fun.always(false),
         0,
-        Fun.always(NOBODY),
+        Fun.always(EMPTY),
         Fun.always(0L));
   }
 
@@ -113,13 +113,8 @@ public final class RegistrationAutomaton
 
   private static SortedSet<ProcessId> those(
       SortedSet<ProcessId> ids, Predicate<ProcessId> condition) {
-    SortedSet<ProcessId> those = NOBODY;
-    for (ProcessId id : ids) {
-      if (condition.test(id)) {
-        those = those.isEmpty() ? new TreeSet<>() : those;
-        those.add(id);
-      }
-    }
+    SortedSet<ProcessId> those = new TreeSet<>(ids);
+    those.removeIf(condition.negate());
     return those;
   }
 

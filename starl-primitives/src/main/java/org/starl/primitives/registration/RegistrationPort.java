@@ -6,27 +6,27 @@ import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 
-/** Where a {@link RegistrationProtocol}'s effects go. */
+/** The effects of a {@link RegistrationProtocol}: messages, ids, and what the trace shows. */
 interface RegistrationPort {
 
-  /** Sends until acknowledged or in vain for long, and then runs {@code settled} as an input. */
+  /** Sends until acknowledged or given up, and then runs {@code settled} as an input. */
   void sendReliably(RobotId to, SynodMessage message, Runnable settled);
 
   /** An id that this robot has never used and will never use again. */
   ProcessId freshProcess();
 
   /** The deployment gives this first view. */
-  void isGiven(View first);
+  void given(View first);
 
-  /** This robot asks for {@code id} to be in. */
-  void asksFor(ProcessId id);
+  /** This robot asks to admit {@code id}. */
+  void register(ProcessId id);
 
-  /** This robot asks for {@code id} to be out, which will never request anything again. */
-  void unregisters(ProcessId id);
+  /** This robot asks to remove {@code id}, which will never request anything again. */
+  void unregister(ProcessId id);
 
-  /** This robot works for {@code confinement}. */
-  void confines(Confinement confinement);
+  /** This robot proposes {@code confinement}. */
+  void confine(Confinement confinement);
 
-  /** {@code id} was asked in, but requests nothing and never will again: it may be taken out. */
-  void givesUp(ProcessId id);
+  /** {@code id}, which had asked to be admitted, will never request anything: it may be removed. */
+  void giveUp(ProcessId id);
 }

@@ -7,9 +7,7 @@ import java.util.TreeSet;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.agreement.Synod;
 import org.starl.primitives.agreement.SynodLink;
-import org.starl.primitives.agreement.SynodListener;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodProtocol;
 import org.starl.primitives.agreement.Value;
@@ -18,19 +16,18 @@ import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 
 /**
- * One robot's part in one registration: views 1, 2, 3, ... each decided by the Synod, each derived
- * from the decided one before. Who wants a change proposes it; there is no leader.
+ * One robot's part in one registration: views 1, 2, 3, ... The Synod decides each view once, from a
+ * proposal derived from the decided view before. A robot that wants a change proposes it; there is no
+ * leader.
  *
- * <p>Calls, messages and timers in, effects out through a {@link SynodLink} and a {@link RegistrationPort}.
+ * <p>Its effects go to a {@link SynodLink} and a {@link RegistrationPort}.
  */
-class RegistrationProtocol implements SynodProtocol {
+class RegistrationProtocol extends SynodProtocol {
 
-  private static final long NS_PER_MS = 1_000_000;
+  /** A leaving robot stays at most this long to spread the latest view, in ms. */
+  private static final long BROADCAST_MS = 5_000;
 
-  /** Who leaves stays at most so long for others' sake. */
-  private static final long NEWS_MS = 5_000;
-
-  /** Where this robot's id stands. */
+  /** The state of this robot's id. */
   enum Phase {
     OUT,
     JOINING,
@@ -44,9 +41,9 @@ class RegistrationProtocol implements SynodProtocol {
   private final List<RobotId> acceptors;
   private final RegistrationSettings settings;
   private final RegistrationPort port;
-  private final Synod synod;
-  private final Suspense suspense;
-  private final News news = new News(NEWS_MS * NS_PER_MS);
+  private final StaleViewTimer staleView;
+  private final ViewBroadcast broadcast = new ViewBroadcast(BROADCAST_MS * NS_PER_MS);
+  private final PendingChanges pending;
 
   private Phase phase = Phase.OUT;
   private ProcessId me;
@@ -54,24 +51,22 @@ class RegistrationProtocol implements SynodProtocol {
   private boolean failed;
   private boolean unregistered;
 
-  private Change worksFor = Change.NONE;
+  // The change that it works for.
+  private Change current = Change.NONE;
 
-  // The number of the latest proposal that would let me in; 0 for none.
+  // The number of the latest proposal that would admit this robot; 0 for none.
   private long askedIn;
 
-  private long deadlineNs = Long.MAX_VALUE;
-  private long queryAtNs = Long.MAX_VALUE;
+  private long deadlineNs = NEVER;
+  private long queryAtNs = NEVER;
   private int nextQueried;
-  private long nowNs;
 
-  private final Wants wants;
-
-  // Whether others gave up who I was: I need not unregister, and may register anew.
-  private boolean wasPutOut;
+  // Others gave up the id of this robot: it need not unregister, and may register again.
+  private boolean evicted;
 
   /**
-   * @param isFirstStart whether this robot starts for the first time, and so is who the initial view
-   *     says it is
+   * @param isFirstStart whether this is the robot's first start, so that the initial view's id for it
+   *     is this robot's
    */
   RegistrationProtocol(
       RobotId self,
@@ -82,27 +77,27 @@ class RegistrationProtocol implements SynodProtocol {
       boolean isFirstStart,
       RegistrationPort port,
       long nowNs) {
-    this.nowNs = nowNs;
+    super(self, acceptors, port.freshProcess(), settings.timing(), rng, link, nowNs);
     this.self = self;
     this.acceptors = acceptors.asList();
     this.settings = settings;
     this.port = port;
-    this.suspense = new Suspense(settings.nullMs() * NS_PER_MS, rng.fork("suspense"));
-    this.wants = new Wants(self, port);
-    this.me = freshProcess();
-    this.synod = new Synod(self, acceptors, me, settings.timing(), rng, link, new Decrees());
+    this.staleView = new StaleViewTimer(settings.nullMs() * NS_PER_MS, rng.fork("suspense"));
+    this.pending = new PendingChanges(self, port);
+    this.me = synod.proposerId();
+    pending.addOwn(me);
     start(isFirstStart);
   }
 
   private void start(boolean isFirstStart) {
     View initial = settings.initialView();
     if (initial.number() > 0) {
-      port.isGiven(initial);
+      port.given(initial);
     }
     for (ProcessId id : initial.ids()) {
       if (isFirstStart && id.robot().equals(self)) {
         me = id;
-        wants.isMine(id);
+        pending.addOwn(id);
         settle(Phase.IN);
       }
     }
@@ -123,11 +118,11 @@ class RegistrationProtocol implements SynodProtocol {
       throw new IllegalStateException("do_register while " + phase + ": unregister first");
     }
     if (phase == Phase.LEFT_HALFWAY) {
-      wants.isIdle(me);
+      pending.markIdle(me);
     }
     failed = false;
     unregistered = false;
-    wasPutOut = false;
+    evicted = false;
     phase = Phase.JOINING;
     deadlineNs = now + settings.deadlineMs() * NS_PER_MS;
     takeFreshId();
@@ -138,11 +133,11 @@ class RegistrationProtocol implements SynodProtocol {
     nowNs = now;
     requireMayUnregister();
     if (phase != Phase.LEFT_HALFWAY) {
-      port.unregisters(me);
+      port.unregister(me);
     }
     failed = false;
-    if (wasPutOut && !view.mentions(me)) {
-      isOut();
+    if (evicted && !view.mentions(me)) {
+      onUnregistered();
       return;
     }
     phase = Phase.LEAVING;
@@ -151,36 +146,36 @@ class RegistrationProtocol implements SynodProtocol {
   }
 
   void requireMayUnregister() {
-    boolean isOut = phase == Phase.OUT && !wasPutOut;
-    if (isOut || phase == Phase.JOINING || phase == Phase.LEAVING) {
+    boolean isUnregistered = phase == Phase.OUT && !evicted;
+    if (isUnregistered || phase == Phase.JOINING || phase == Phase.LEAVING) {
       throw new IllegalStateException("unregister while " + phase + ": register first");
     }
   }
 
-  /** Works for {@code confinement} until it is done or void. */
+  /** Proposes {@code confinement} until it is done or void. */
   void confine(Confinement confinement, long now) {
     nowNs = now;
-    wants.confine(confinement);
+    pending.confine(confinement);
     changeIfNew();
   }
 
-  /** An id of mine requests nothing any more, and holds nothing. */
-  void isIdleForEver(ProcessId id, long now) {
+  /** {@code id} of this robot will request nothing again, and holds nothing. */
+  void markIdle(ProcessId id, long now) {
     nowNs = now;
-    if (wants.isIdle(id)) {
-      port.givesUp(id);
+    if (pending.markIdle(id)) {
+      port.giveUp(id);
     }
     if (id.equals(me) && phase == Phase.IN) {
-      isPutOut();
+      onEvicted();
     }
     changeIfNew();
   }
 
-  /** The ids of earlier starts of this program are dead, and no body of theirs is elsewhere. */
+  /** The ids of this program's earlier starts are dead, and hold at most {@code sections}. */
   void standsIn(SortedSet<String> sections, long now) {
     nowNs = now;
-    wants.standsIn(sections);
-    // It may not even know a list: it asks for one, and goes on asking.
+    pending.standsIn(sections);
+    // It may not know a view yet: it asks for one, and repeats that.
     synod.queryAll();
     queryAtNs = Math.min(queryAtNs, now + settings.queryMs() * NS_PER_MS);
     changeIfNew();
@@ -195,47 +190,32 @@ class RegistrationProtocol implements SynodProtocol {
   // Inputs.
 
   @Override
-  public void received(RobotId from, SynodMessage message, long now) {
-    nowNs = now;
-    synod.received(from, message, now);
-  }
-
-  @Override
-  public void flushed(long version, long now) {
-    nowNs = now;
-    synod.flushed(version);
-  }
-
-  @Override
-  public void timer(long now) {
-    nowNs = now;
-    synod.timer(now);
-    if (now >= deadlineNs) {
+  protected void ownTimers() {
+    if (nowNs >= deadlineNs) {
       giveUp();
     }
-    news.timer(now);
-    switch (suspense.timer(now)) {
+    broadcast.timer(nowNs);
+    switch (staleView.timer(nowNs)) {
       case ASK -> synod.queryAll();
       case COMPLETE -> complete();
       case NOTHING -> {
         // Not due.
       }
     }
-    if (now >= queryAtNs) {
+    if (nowNs >= queryAtNs) {
       synod.query(acceptors.get(nextQueried % acceptors.size()));
       nextQueried++;
-      queryAtNs = now + settings.queryMs() * NS_PER_MS;
+      queryAtNs = nowNs + settings.queryMs() * NS_PER_MS;
     }
   }
 
   @Override
-  public long wakeAtNs() {
-    long ownNs = Math.min(deadlineNs, queryAtNs);
-    long othersNs = Math.min(suspense.wakeAtNs(), news.wakeAtNs());
-    return Math.min(synod.wakeAtNs(), Math.min(ownNs, othersNs));
+  protected long ownWakeAtNs() {
+    long othersNs = Math.min(staleView.wakeAtNs(), broadcast.wakeAtNs());
+    return Math.min(Math.min(deadlineNs, queryAtNs), othersNs);
   }
 
-  // What is known.
+  // Queries.
 
   Phase phase() {
     return phase;
@@ -254,28 +234,28 @@ class RegistrationProtocol implements SynodProtocol {
   }
 
   boolean isUnregistered() {
-    return unregistered && news.isOut() && !wants.lingersIn(view);
+    return unregistered && broadcast.isDone() && !pending.lingersIn(view);
   }
 
   RList rList() {
-    return phase == Phase.IN && suspense.isListShown()
+    return phase == Phase.IN && staleView.isListShown()
         ? new RList.Agreed(view.participants(), view.number())
         : RList.UNKNOWN;
   }
 
   // The protocol.
 
-  /** The same as {@link #change}, unless that is what it works for. */
+  /** Calls {@link #change} if the wanted change is new. */
   private void changeIfNew() {
-    if (!wanted().equals(worksFor)) {
+    if (!wanted().equals(current)) {
       change();
     }
   }
 
-  /** Works for what this robot wants different in the latest view, if anything. */
+  /** Proposes what this robot wants changed in the latest view, if anything. */
   private void change() {
     Change wanted = wanted();
-    worksFor = wanted;
+    current = wanted;
     if (wanted.isVoidIn(view)) {
       synod.stop();
       return;
@@ -289,7 +269,7 @@ class RegistrationProtocol implements SynodProtocol {
       }
       askedIn = base.number() + 1;
     }
-    suspense.rumour(base.number() + 1, nowNs);
+    staleView.rumour(base.number() + 1, nowNs);
     synod.propose(
         base.number() + 1,
         wanted.toValue(),
@@ -298,8 +278,8 @@ class RegistrationProtocol implements SynodProtocol {
   }
 
   /**
-   * Works for the decision of a number that somebody else proposed and that never came: its proposer
-   * may have gone after it was decided. Where nothing was decided, the next view is as this one.
+   * Completes a number that another robot proposed and that was not learned: its proposer may have gone
+   * after the decision. If nothing was decided, the next view repeats this one.
    */
   private void complete() {
     if (phase == Phase.IN && !synod.isProposing()) {
@@ -319,7 +299,7 @@ class RegistrationProtocol implements SynodProtocol {
   }
 
   private Change wanted() {
-    return wants.in(view, phase == Phase.JOINING ? me : null, phase == Phase.LEAVING ? me : null);
+    return pending.in(view, phase == Phase.JOINING ? me : null, phase == Phase.LEAVING ? me : null);
   }
 
   private void learn(View learned) {
@@ -329,26 +309,26 @@ class RegistrationProtocol implements SynodProtocol {
     if (phase == Phase.JOINING && listed) {
       settle(Phase.IN);
     } else if (phase == Phase.JOINING && skippedFrom > 0 && learned.number() > skippedFrom) {
-      // A view that I never saw may have let me in, and a later one put me out again.
-      wants.isIdle(me);
-      port.givesUp(me);
+      // A view that this robot never saw may have admitted it, and a later one may have removed it.
+      pending.markIdle(me);
+      port.giveUp(me);
       takeFreshId();
     } else if ((phase == Phase.LEAVING || phase == Phase.LEFT_HALFWAY) && !learned.mentions(me)) {
-      // What was given up at its deadline has come about after all: nobody need ask again.
-      isOut();
+      // Perhaps after the deadline: the app need not ask again.
+      onUnregistered();
     } else if (phase == Phase.IN && !listed) {
-      isPutOut();
+      onEvicted();
     }
-    suspense.learned(learned.number(), nowNs);
+    staleView.learned(learned.number(), nowNs);
     change();
   }
 
-  /** At the deadline, or when no view could take me in. */
+  /** At the deadline, or when the view has no room for this robot. */
   private void giveUp() {
     failed = true;
     if (phase == Phase.JOINING) {
-      wants.isIdle(me);
-      port.givesUp(me);
+      pending.markIdle(me);
+      port.giveUp(me);
       me = freshProcess();
       askedIn = 0;
       settle(Phase.OUT);
@@ -361,59 +341,57 @@ class RegistrationProtocol implements SynodProtocol {
 
   private void settle(Phase next) {
     phase = next;
-    deadlineNs = Long.MAX_VALUE;
-    boolean wantsNews = next != Phase.OUT || wants.hasOwnWord();
-    queryAtNs = wantsNews ? nowNs + settings.queryMs() * NS_PER_MS : Long.MAX_VALUE;
+    deadlineNs = NEVER;
+    boolean asks = next != Phase.OUT || pending.hasOwnWord();
+    queryAtNs = asks ? nowNs + settings.queryMs() * NS_PER_MS : NEVER;
   }
 
-  /** Others gave me up: told, since a list that is null may also be on its way. */
-  private void isPutOut() {
-    wasPutOut = true;
+  /** Others gave this robot up. That is reported: a null list alone may also mean a newer one is coming. */
+  private void onEvicted() {
+    evicted = true;
     failed = true;
     settle(Phase.OUT);
   }
 
-  private void isOut() {
+  private void onUnregistered() {
     settle(Phase.OUT);
     unregistered = true;
-    wasPutOut = false;
+    evicted = false;
     failed = false;
   }
 
   private void takeFreshId() {
     me = freshProcess();
     askedIn = 0;
-    port.asksFor(me);
+    port.register(me);
   }
 
   private ProcessId freshProcess() {
     ProcessId id = port.freshProcess();
-    wants.isMine(id);
+    pending.addOwn(id);
     return id;
   }
 
-  private final class Decrees implements SynodListener {
-    @Override
-    public void chosen(long number, Value value) {
-      Set<RobotId> concerned = new TreeSet<>(acceptors);
-      view.mentioned().forEach(id -> concerned.add(id.robot()));
-      ViewFormat.read(number, value).mentioned().forEach(id -> concerned.add(id.robot()));
-      concerned.remove(self);
-      news.begin(number, concerned.size(), nowNs);
-      for (RobotId robot : concerned) {
-        SynodMessage decided = new SynodMessage.Decided(number, value);
-        port.sendReliably(robot, decided, () -> news.settled(number));
-      }
+  @Override
+  public void chosen(long number, Value value) {
+    Set<RobotId> concerned = new TreeSet<>(acceptors);
+    view.mentioned().forEach(id -> concerned.add(id.robot()));
+    ViewFormat.read(number, value).mentioned().forEach(id -> concerned.add(id.robot()));
+    concerned.remove(self);
+    broadcast.begin(number, concerned.size(), nowNs);
+    for (RobotId robot : concerned) {
+      SynodMessage decided = new SynodMessage.Decided(number, value);
+      port.sendReliably(robot, decided, () -> broadcast.settled(number));
     }
+  }
 
-    @Override
-    public void learned(long number, Value value) {
-      learn(ViewFormat.read(number, value));
-    }
+  @Override
+  public void learned(long number, Value value) {
+    learn(ViewFormat.read(number, value));
+  }
 
-    @Override
-    public void rumour(long number) {
-      suspense.rumour(number, nowNs);
-    }
+  @Override
+  public void rumour(long number) {
+    staleView.rumour(number, nowNs);
   }
 }

@@ -8,6 +8,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
@@ -22,26 +23,21 @@ import org.starl.trace.TraceEvent.Variable;
 /** The map of {@link RegistrationConformance}, for one instance. */
 final class RegistrationRun {
 
-  /** Nobody lags so many views behind; older lists are forgotten, and not compared. */
+  /** Older lists are forgotten and not compared: no robot is so many views behind. */
   private static final int KEPT_VIEWS = 256;
 
-  /** What a robot's present program is and knows. */
+  /** The present start of a robot's program: its id, and the latest view it knows. */
   private static final class Program {
     private @Nullable ProcessId id;
     private long knows;
     private boolean isLater;
   }
 
-  /** What waits until the list of its number is decided. */
-  private interface Waiting {
-    void go(Report report);
-  }
-
-  /** A list that somebody knows, and that is not decided yet. */
+  /** A list that a robot has shown before the lists of all lower numbers are decided. */
   private static final class Early {
     private final TraceEvent event;
     private final SortedSet<ProcessId> list;
-    private final List<Waiting> waiting = new ArrayList<>();
+    private final List<Consumer<Report>> waiting = new ArrayList<>();
 
     Early(TraceEvent event, SortedSet<ProcessId> list) {
       this.event = event;
@@ -61,7 +57,7 @@ final class RegistrationRun {
     replay.step(event, action, report);
   }
 
-  void isGiven(TraceEvent event, View first, Report report) {
+  void given(TraceEvent event, View first, Report report) {
     Program program = program(event.robot());
     for (ProcessId id : first.ids()) {
       if (!replay.state().asked().at(id)) {
@@ -73,34 +69,35 @@ final class RegistrationRun {
     }
   }
 
-  void asks(TraceEvent event, ProcessId id, Report report) {
+  void asked(TraceEvent event, ProcessId id, Report report) {
     if (!id.robot().equals(event.robot())) {
-      return; // nobody asks for another robot
+      return; // a robot asks only for its own ids
     }
     step(event, new RegistrationAction.do_register(id), report);
     Program program = program(event.robot());
     program.id = id;
     long knows = program.knows;
     if (knows > 0) {
-      when(knows, later -> step(event, new RegistrationAction.learn(id, knows), later), report);
+      onceDecided(
+          knows, later -> step(event, new RegistrationAction.learn(id, knows), later), report);
     }
   }
 
-  void unregisters(TraceEvent event, ProcessId id, Report report) {
+  void unregistered(TraceEvent event, ProcessId id, Report report) {
     if (id.robot().equals(event.robot())) {
       step(event, new RegistrationAction.unregister(id), report);
     }
   }
 
-  void givesUp(TraceEvent event, ProcessId id, Report report) {
+  void gaveUp(TraceEvent event, ProcessId id, Report report) {
     if (id.robot().equals(event.robot()) && replay.state().asked().at(id)) {
       step(event, new RegistrationAction.give_up(id), report);
     }
   }
 
-  void sees(Variable event, View view, Report report) {
+  void saw(Variable event, View view, Report report) {
     if (view.number() == 0) {
-      // The first value: a program begins.
+      // The first value: the program has started.
       Program begins = new Program();
       begins.isLater = programs.containsKey(event.robot());
       programs.put(event.robot(), begins);
@@ -117,16 +114,16 @@ final class RegistrationRun {
         fillOne(report);
       }
     }
-    learns(event, program.id, view.number(), list, report);
+    learn(event, program.id, view.number(), list, report);
   }
 
-  void shows(Variable event, Report report) {
+  void showed(Variable event, Report report) {
     String text = event.value();
     int colon = text.indexOf(':');
     ProcessId id = colon < 0 ? null : program(event.robot()).id;
     if (id != null) {
       long number = Long.parseLong(text.substring(0, colon));
-      when(
+      onceDecided(
           number,
           later -> {
             replay.result(event, "ts", id, number, replay.state().ts().at(id), later);
@@ -137,7 +134,7 @@ final class RegistrationRun {
     }
   }
 
-  /** At the end of the run: whatever waits for views that nobody has known waits no longer. */
+  /** At the end of the run: no view waits any longer for numbers that no robot has shown. */
   void finish(Report report) {
     while (!early.isEmpty() && !replay.isOver()) {
       fillOne(report);
@@ -150,13 +147,13 @@ final class RegistrationRun {
     return new RList.Agreed(Participants.of(robots), number).toString();
   }
 
-  private void learns(
+  private void learn(
       TraceEvent event,
       @Nullable ProcessId id,
       long number,
       SortedSet<ProcessId> recorded,
       Report report) {
-    when(
+    onceDecided(
         number,
         later -> {
           if (isForgotten(number)) {
@@ -173,16 +170,17 @@ final class RegistrationRun {
         report);
   }
 
-  private void when(long number, Waiting what, Report report) {
+  /** Runs {@code check} now, or when the list of {@code number} is decided. */
+  private void onceDecided(long number, Consumer<Report> check, Report report) {
     Early ahead = early.get(number);
     if (ahead == null) {
-      what.go(report);
+      check.accept(report);
     } else {
-      ahead.waiting.add(what);
+      ahead.waiting.add(check);
     }
   }
 
-  /** The numbers below the first that is known too early are taken to be as the one before them. */
+  /** Below the first list that is waiting, each missing number is taken to repeat the list before. */
   private void fillOne(Report report) {
     TraceEvent event = early.firstEntry().getValue().event;
     while (replay.state().number() + 1 < early.firstKey() && !replay.isOver()) {
@@ -195,7 +193,7 @@ final class RegistrationRun {
     while (!early.isEmpty() && early.firstKey() == replay.state().number() + 1) {
       Early next = early.pollFirstEntry().getValue();
       step(next.event, new RegistrationAction.decide(next.list), report);
-      next.waiting.forEach(waiting -> waiting.go(report));
+      next.waiting.forEach(check -> check.accept(report));
       replay.forget(s -> s.withoutList(s.number() - KEPT_VIEWS));
       if (replay.isOver()) {
         early.clear();

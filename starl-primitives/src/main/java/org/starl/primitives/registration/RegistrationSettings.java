@@ -4,12 +4,13 @@ import org.starl.primitives.agreement.SynodTiming;
 import org.starl.primitives.membership.View;
 
 /**
- * Times of a registration, of no weight for its safety.
+ * Times of a registration. Safety does not depend on them.
  *
- * @param timing how patiently views are proposed
- * @param deadlineMs a call is given up after so many ms, and {@code failed} is told
- * @param nullMs {@code rList} is null at most so many ms for views that are only rumoured
- * @param queryMs a registered robot asks one acceptor for news every so many ms, each in turn
+ * @param timing the waits of proposers
+ * @param deadlineMs a call is given up after this time, in ms, and {@code failed} becomes true
+ * @param nullMs a rumour of a newer view keeps {@code rList} null for at most this time, in ms
+ * @param queryMs a registered robot asks the acceptors in turn for a newer view, one in this period, in
+ *     ms
  * @param initialView the first view if the deployment gives one, else {@link View#NONE}; the same on
  *     every robot
  */

@@ -1,30 +1,22 @@
 package org.starl.primitives.registration;
 
-import java.util.LinkedHashSet;
 import java.util.List;
-import java.util.Map;
-import java.util.Set;
-import java.util.TreeMap;
-import java.util.stream.Collectors;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Confinement;
-import org.starl.primitives.membership.Lives;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Dues;
 import org.starl.spec.Dues.Seat;
+import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
-import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What every registration of a run owes, as the package's contract has it: {@code Agreement}, {@code
- * Keeps}, {@code Fresh}, {@code Soundness}, and, where a bound is given, {@code Registered}: who asks
- * to be in is in within the bound, unless told {@code failed}. Instances are told apart by their
- * names.
+ * The specification of registrations, after the package's contract: {@code Agreement}, {@code Keeps},
+ * {@code Fresh}, {@code Soundness}, and, where a bound is given, {@code Registered}.
  */
-public final class RegistrationSpec implements Monitor {
+public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   static final String AGREEMENT = "Agreement";
   static final String KEEPS = "Keeps";
@@ -33,10 +25,6 @@ public final class RegistrationSpec implements Monitor {
   static final String REGISTERED = "Registered";
 
   private final Dues progress;
-  private final Map<String, ViewHistory> histories = new TreeMap<>();
-  private final Map<String, List<RobotId>> acceptors = new TreeMap<>();
-  private final Set<Seat> owed = new LinkedHashSet<>();
-  private final Lives lives = new Lives();
 
   /** Safety only. */
   public RegistrationSpec() {
@@ -44,37 +32,30 @@ public final class RegistrationSpec implements Monitor {
   }
 
   /**
-   * Safety, and progress within a bound, owed while a majority of the acceptors is up and no fault but
-   * crashes is under way, and anew, with the whole bound, once that is so again.
+   * Safety, and progress within a bound. It is owed while a majority of the acceptors is up and no
+   * fault but crashes is active, and again with the whole bound once that holds again.
    *
-   * @param registeredWithinNs from {@code do_register} until a view lists the robot, in ns
+   * @param registeredWithinNs from {@code do_register} until a view lists the robot or the robot
+   *     reports a failure, in ns
    */
   public RegistrationSpec(long registeredWithinNs) {
+    super(RegistrationTrace::isRegistration);
+    lemma(AGREEMENT, "Lists with the same number are equal on all robots.");
+    lemma(KEEPS, "A registered process stays on the list until it leaves or is confined.");
+    lemma(FRESH, "An id that has left the list never comes back.");
+    lemma(SOUNDNESS, "Every id on a list has asked to be registered.");
     progress =
-        new Dues(
+        progress(
             REGISTERED,
+            "A robot that asks to be registered is registered within the bound, or told that it"
+                + " failed.",
             registeredWithinNs,
             sinceNs -> "do_register at " + sinceNs + " ns, and in no view since");
   }
 
   @Override
-  public List<String> lemmas() {
-    return progress.isBounded()
-        ? List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS, REGISTERED)
-        : List.of(AGREEMENT, KEEPS, FRESH, SOUNDNESS);
-  }
-
-  @Override
-  public String says(String lemma) {
-    return switch (lemma) {
-      case AGREEMENT -> "Lists of one number are equal, whoever has them.";
-      case KEEPS -> "Who is registered stays on the list until it leaves or is confined.";
-      case FRESH -> "Who has left a list never comes back under the same id.";
-      case SOUNDNESS -> "Only who has asked to be registered is on a list.";
-      case REGISTERED ->
-          "Who asks to be registered is, within the bound, unless told that it failed.";
-      default -> "";
-    };
+  protected ViewHistory begin(String source) {
+    return new ViewHistory(source);
   }
 
   @Override
@@ -88,79 +69,45 @@ public final class RegistrationSpec implements Monitor {
   }
 
   @Override
-  public void observe(TraceEvent event, Report report) {
-    progress.expire(event.timeNs(), report);
-    boolean changed = lives.observe(event);
-    switch (event) {
-      case Action action when RegistrationTrace.isRegistration(action.source()) -> acted(action);
-      case Variable variable when RegistrationTrace.isRegistration(variable.source()) ->
-          changed(variable, report);
-      default -> {
-        // Of no concern here.
-      }
-    }
-    if (changed) {
-      for (String source : histories.keySet()) {
-        if (!lives.isUp(event.robot())) {
-          settle(source, event.robot());
-        }
-      }
-      owed.forEach(debt -> assume(debt, event.timeNs()));
-    }
-  }
-
-  private void assume(Seat debt, long nowNs) {
-    List<RobotId> voters = acceptors.getOrDefault(debt.source(), List.of());
-    long up = voters.stream().filter(lives::isUp).count();
-    boolean majority = voters.isEmpty() || 2 * up > voters.size();
-    progress.assume(debt, majority && lives.isFair(), nowNs);
-  }
-
-  @Override
-  public void finish(long endNs, Report report) {
-    progress.expire(endNs, report);
-  }
-
-  private void acted(Action action) {
+  protected void acted(Action action, Report report) {
+    ViewHistory history = instance(action.source());
     switch (action.name()) {
       case RegistrationTrace.DO_REGISTER -> {
-        history(action.source()).asked(action.robot(), id(action));
-        Seat debt = new Seat(action.source(), action.robot());
-        progress.owe(debt, action.timeNs());
-        owed.add(debt);
-        assume(debt, action.timeNs());
+        history.asked(action.robot(), id(action));
+        progress.owe(new Seat(action.source(), action.robot()), action.timeNs());
       }
-      case RegistrationTrace.ACCEPTORS ->
-          acceptors.putIfAbsent(
-              action.source(),
-              action.args().stream().map(RobotId::new).collect(Collectors.toList()));
-      case RegistrationTrace.FIRST_VIEW ->
-          history(action.source()).isGiven(View.parse(action.args().get(0)));
+      case RegistrationTrace.ACCEPTORS -> history.vote(action.args());
+      case RegistrationTrace.FIRST_VIEW -> history.given(View.parse(action.args().get(0)));
       case RegistrationTrace.CONFINE ->
-          history(action.source()).mayBeConfined(action.robot(), Confinement.parse(action.args()));
+          history.mayBeConfined(action.robot(), Confinement.parse(action.args()));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
-          history(action.source()).mayLeave(action.robot(), id(action));
+          history.mayLeave(action.robot(), id(action));
       default -> {
         // Not an action of this specification.
       }
     }
   }
 
-  private void changed(Variable variable, Report report) {
-    ViewHistory history = history(variable.source());
+  @Override
+  protected void changed(Variable variable, Report report) {
+    ViewHistory history = instance(variable.source());
+    Seat seat = new Seat(variable.source(), variable.robot());
     switch (variable.name()) {
       case RegistrationTrace.VIEW -> {
         View view = View.parse(variable.value());
         history.learned(variable, view, report);
-        // A program begins with no view: whatever the one before it was owed is void.
-        if (view.number() == 0 || view.participants().contains(variable.robot())) {
-          settleIfListed(variable, view, report);
+        ProcessId asked = history.latestAsked(variable.robot());
+        if (view.number() == 0) {
+          // The program has started: what its predecessor was owed is void.
+          progress.settle(seat);
+        } else if (asked != null && view.contains(asked)) {
+          progress.meet(seat, report);
         }
       }
       case RegistrationTrace.R_LIST -> history.shown(variable, report);
       case RegistrationTrace.FAILED -> {
         if (variable.value().equals("true")) {
-          settle(variable.source(), variable.robot());
+          progress.settle(seat);
         }
       }
       default -> {
@@ -169,23 +116,19 @@ public final class RegistrationSpec implements Monitor {
     }
   }
 
-  private void settleIfListed(Variable variable, View view, Report report) {
-    ProcessId asked = history(variable.source()).latestAsked(variable.robot());
-    boolean isListed = asked != null && view.contains(asked);
-    boolean settles = view.number() == 0 || isListed;
-    if (settles && settle(variable.source(), variable.robot()) && isListed) {
-      report.checked(REGISTERED);
-    }
+  @Override
+  protected void ended(RobotId robot) {
+    instances().keySet().forEach(source -> progress.settle(new Seat(source, robot)));
   }
 
-  private boolean settle(String source, RobotId robot) {
-    Seat debt = new Seat(source, robot);
-    owed.remove(debt);
-    return progress.settle(debt);
-  }
-
-  private ViewHistory history(String source) {
-    return histories.computeIfAbsent(source, ViewHistory::new);
+  @Override
+  protected void review(long nowNs, Report report) {
+    progress.assumeEach(
+        seat -> {
+          List<RobotId> voters = instance(seat.source()).acceptors();
+          return circumstances.isFair() && (voters.isEmpty() || hasMajorityUp(voters));
+        },
+        nowNs);
   }
 
   private static ProcessId id(Action action) {

@@ -1,9 +1,8 @@
 package org.starl.primitives.registration;
 
 /**
- * The names under which registrations appear in a trace. A monitor decides everything from these:
- * views as {@link org.starl.primitives.membership.View#parse} reads them, ids as {@link
- * org.starl.id.ProcessId#parse} does.
+ * The names of registrations in a trace. Views are as {@link
+ * org.starl.primitives.membership.View#parse} reads them, ids as {@link org.starl.id.ProcessId#parse}.
  */
 final class RegistrationTrace {
 
@@ -12,22 +11,21 @@ final class RegistrationTrace {
   /** Action with the robots that vote, each an argument. */
   static final String ACCEPTORS = "acceptors";
 
-  /** Action with the first view, where the deployment gives one. */
+  /** Action with the first view, if the deployment gives one. */
   static final String FIRST_VIEW = "first_view";
 
-  /** Action with the id that asks to be in; one for each attempt, so one call may have several. */
+  /** Action with the id that asks to be admitted; one for each attempt of a call. */
   static final String DO_REGISTER = "do_register";
 
-  /** Action with the id that asks to be out. */
+  /** Action with the id that asks to be removed. */
   static final String UNREGISTER = "unregister";
 
   /**
-   * Action with who is to be given up, the sections that it may hold, and those who vouch for it, as
-   * {@link org.starl.primitives.membership.Confinement#parse} reads them.
+   * Action with the id to give up, the sections that it may hold, and the fencers, as {@link org.starl.primitives.membership.Confinement#parse} reads them.
    */
   static final String CONFINE = "confine";
 
-  /** Action with an id that was asked in, and requests nothing any more. */
+  /** Action with an id that asked to be admitted, and will request nothing. */
   static final String GIVE_UP = "give_up";
 
   /** Variable: {@code null}, or time stamp and list, as in {@code 3:[bot0, bot2]}. */

@@ -1,20 +1,17 @@
 package org.starl.primitives.registration;
 
-import java.util.Arrays;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 
-/** The bytes of a view, as they are agreed on. Its number is the decree's, and not among them. */
+/** A view as a value of the Synod. The view's number is the decree's, and not in the bytes. */
 final class ViewFormat implements SynodCodec.Format {
 
   private static final int FORMAT = 2;
@@ -30,12 +27,12 @@ final class ViewFormat implements SynodCodec.Format {
     Change.fromValue(wish);
   }
 
-  /** Whether {@code view} is short enough to be agreed on. */
+  /** Whether {@code view} fits into a value. */
   static boolean fits(View view) {
     return bytes(view) <= Value.MAX_BYTES;
   }
 
-  /** Whether some of those in {@code view} could still become ghosts. */
+  /** Whether {@code view} fits, with room for a few ghosts. */
   static boolean fitsWithRoom(View view) {
     return bytes(view) <= Value.MAX_BYTES - ROOM_FOR_GHOSTS;
   }
@@ -52,26 +49,30 @@ final class ViewFormat implements SynodCodec.Format {
   }
 
   static Value toValue(View view) {
-    byte[] buffer = new byte[Value.MAX_BYTES];
-    WireWriter out = new WireWriter(buffer);
-    out.u8(FORMAT);
-    out.u16(view.admitted().size());
-    for (Map.Entry<ProcessId, Long> entry : view.admitted().entrySet()) {
-      out.process(entry.getKey());
-      out.i64(entry.getValue());
-    }
-    out.u16(view.ghosts().size());
-    for (Map.Entry<ProcessId, View.Ghost> entry : view.ghosts().entrySet()) {
-      out.process(entry.getKey());
-      out.i64(entry.getValue().admittedBy());
-      Sections.write(entry.getValue().sections(), out);
-    }
-    return Value.of(Arrays.copyOf(buffer, out.length()));
+    return Value.write(out -> {
+      out.u8(FORMAT);
+      out.u16(view.admitted().size());
+      view.admitted()
+          .forEach((id, by) -> {
+            out.process(id);
+            out.i64(by);
+          });
+      out.u16(view.ghosts().size());
+      view.ghosts()
+          .forEach((id, ghost) -> {
+            out.process(id);
+            out.i64(ghost.admittedBy());
+            Sections.write(ghost.sections(), out);
+          });
+    });
   }
 
   /** Throws {@link WireFormatException} on what {@link #toValue} cannot have written. */
   static View read(long number, Value value) {
-    WireReader in = new WireReader(value.bytes());
+    return value.read("a view", in -> read(number, in));
+  }
+
+  private static View read(long number, WireReader in) {
     int format = in.u8();
     if (format != FORMAT) {
       throw new WireFormatException("view of format " + format);
@@ -81,7 +82,7 @@ final class ViewFormat implements SynodCodec.Format {
     for (int i = 0; i < count; i++) {
       ProcessId id = in.process();
       if (!isNext(admitted, id)) {
-        throw new WireFormatException("view entry " + id + " twice, or not in its place");
+        throw new WireFormatException("view entry " + id + " twice, or out of order");
       }
       admitted.put(id, admittedBy(in, id, number));
     }
@@ -96,13 +97,10 @@ final class ViewFormat implements SynodCodec.Format {
       }
       ghosts.put(id, new View.Ghost(by, sections));
     }
-    if (in.remaining() > 0) {
-      throw new WireFormatException(in.remaining() + " bytes after a view");
-    }
     return new View(number, admitted, ghosts);
   }
 
-  // In ascending order: a view has one spelling.
+  // In ascending order, so that equal views have equal bytes.
   private static boolean isNext(SortedMap<ProcessId, ?> read, ProcessId id) {
     return read.isEmpty() || read.lastKey().compareTo(id) < 0;
   }

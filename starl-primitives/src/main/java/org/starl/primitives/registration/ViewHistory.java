@@ -7,6 +7,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -17,12 +18,12 @@ import org.starl.spec.Monitor.Report;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * The one history of views that all robots of an instance must share, as far as any has shown it.
- * Numbers may be missing, and may come in any order.
+ * The history of views of one registration, as its robots show it in the trace: it must be the same
+ * for all robots. Numbers may be missing, and may come in any order.
  */
 final class ViewHistory {
 
-  /** Older views are forgotten, and not compared: nobody lags so far behind, and a run may be long. */
+  /** Older views are forgotten and not compared: no robot is so far behind, and runs may be long. */
   private static final int KEPT_VIEWS = 256;
 
   private final String source;
@@ -33,16 +34,29 @@ final class ViewHistory {
   private final Set<ProcessId> mayLeave = new TreeSet<>();
   private final Map<ProcessId, List<Confinement>> confined = new TreeMap<>();
 
+  private List<RobotId> acceptors = List.of();
+
   ViewHistory(String source) {
     this.source = source;
   }
 
-  /** Who stands in the deployment's own view need not have asked. */
-  void isGiven(View first) {
+  /** The robots that vote, or none if the trace has not told yet. */
+  List<RobotId> acceptors() {
+    return acceptors;
+  }
+
+  void vote(List<String> robots) {
+    if (acceptors.isEmpty()) {
+      acceptors = robots.stream().map(RobotId::new).collect(Collectors.toList());
+    }
+  }
+
+  /** The ids in the deployment's own view need not ask. */
+  void given(View first) {
     asked.addAll(first.ids());
   }
 
-  /** An id counts only by its own robot's word. */
+  /** Counts only if {@code id} is of {@code robot}. */
   void asked(RobotId robot, ProcessId id) {
     if (id.robot().equals(robot)) {
       asked.add(id);
@@ -56,9 +70,9 @@ final class ViewHistory {
     }
   }
 
-  /** Somebody works for {@code confinement}; without fencers it counts only by its own robot's word. */
+  /** {@code robot} proposes {@code confinement}. */
   void mayBeConfined(RobotId robot, Confinement confinement) {
-    if (!confinement.fencers().isEmpty() || confinement.who().robot().equals(robot)) {
+    if (confinement.isSaidBy(robot)) {
       confined.computeIfAbsent(confinement.who(), id -> new ArrayList<>()).add(confinement);
     }
   }
@@ -97,7 +111,7 @@ final class ViewHistory {
     return views.size() >= KEPT_VIEWS && number < views.firstKey();
   }
 
-  /** The list that the app sees is that of the view of the same number. */
+  /** The list that the app sees must be the one of the view with the same number. */
   void shown(Variable event, Report report) {
     String text = event.value();
     int colon = text.indexOf(':');
@@ -139,7 +153,7 @@ final class ViewHistory {
     }
   }
 
-  /** What is wrong with how {@code after} treats {@code id}, which has not left; empty for nothing. */
+  /** The fault in how {@code after} treats {@code id}, which has not left; empty if there is none. */
   private String loss(ProcessId id, View before, View after) {
     View.Ghost was = before.ghost(id);
     View.Ghost is = after.ghost(id);
@@ -148,7 +162,7 @@ final class ViewHistory {
       return "";
     }
     if (was != null && !was.sections().containsAll(left)) {
-      return "the ghost of " + id + " has grown";
+      return id + " is fenced for more sections than before";
     }
     SortedSet<String> vouched = was == null ? null : was.sections();
     boolean isVouchedFor = after.number() > before.number() + 1;
@@ -157,12 +171,12 @@ final class ViewHistory {
       isVouchedFor |= each.isVouchedForIn(before) && each.isVouchedForIn(after);
     }
     if (vouched == null) {
-      return id + " is lost";
+      return id + " is missing";
     }
     if (!left.containsAll(vouched)) {
       return id + " may hold " + vouched;
     }
-    return isVouchedFor ? "" : "nobody who vouches for " + id + " is in both";
+    return isVouchedFor ? "" : "no fencer of " + id + " is in both views";
   }
 
   private void entriesAreSound(Variable event, View view, Report report) {
@@ -171,7 +185,10 @@ final class ViewHistory {
     for (ProcessId id : view.mentioned()) {
       if (!asked.contains(id)) {
         violated(
-            RegistrationSpec.SOUNDNESS, event, report, view + " lists " + id + ", who never asked");
+            RegistrationSpec.SOUNDNESS,
+            event,
+            report,
+            view + " lists " + id + ", which never asked");
       }
       View.Ghost ghost = view.ghost(id);
       long said = ghost == null ? view.admittedBy(id) : ghost.admittedBy();
@@ -181,7 +198,7 @@ final class ViewHistory {
             RegistrationSpec.FRESH,
             event,
             report,
-            view + ": view " + by + " let in " + id + " before");
+            view + ": " + id + " was admitted by view " + by);
       }
     }
   }

@@ -1,18 +1,17 @@
 package org.starl.primitives.suspicion;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.starl.id.ProcessId;
 
 /**
- * One robot's suspicion of crashes, by silence: nothing heard of a participant for {@code silenceNs}
- * while something is needed of it. A guess, which may be wrong at any time and is taken back when the
- * silence ends; nothing safe may rest on it.
+ * One robot's crash detector, by silence: it suspects a participant that is needed and was not heard for
+ * {@code silenceNs}. A suspicion may be wrong at any time, and ends with the silence; safety must not
+ * depend on it.
  *
- * <p>Pure and clock-driven. All times are of one clock that never runs backwards, in ns. Lists are in
- * the order of the participants. Strand only.
+ * <p>Pure and clock-driven. Times are of one clock that never runs backwards, in ns. Lists are in the
+ * order of the participants. Strand only.
  */
 public final class Suspicion {
 
@@ -20,8 +19,8 @@ public final class Suspicion {
   private final TreeMap<ProcessId, Long> silentSinceNs = new TreeMap<>();
 
   /**
-   * @param silenceNs how long a needed participant may be silent, above 0; a short time suspects
-   *     slow ones wrongly, a long one lets everybody wait for the crashed
+   * @param silenceNs how long a needed participant may be silent, above 0; a short time suspects slow
+   *     participants wrongly, a long one makes robots wait longer for crashed participants
    */
   public Suspicion(long silenceNs) {
     if (silenceNs <= 0) {
@@ -30,20 +29,20 @@ public final class Suspicion {
     this.silenceNs = silenceNs;
   }
 
-  /** Something is needed of {@code peer}: its silence counts from now. No-op if it counts already. */
+  /** {@code peer} is needed: its silence counts from now, if it does not count already. */
   public void expects(ProcessId peer, long nowNs) {
     silentSinceNs.putIfAbsent(peer, nowNs);
   }
 
   /**
-   * Something has come from {@code peer}: a message, or the acknowledgement of one, which says that
-   * it is alive and no more. Its silence, if it counts, begins anew; a suspicion is taken back.
+   * {@code peer} was heard: a message, or an acknowledgement. Its silence, if it counts, starts again,
+   * and a suspicion ends.
    */
   public void heard(ProcessId peer, long nowNs) {
     silentSinceNs.computeIfPresent(peer, (id, since) -> Math.max(since, nowNs));
   }
 
-  /** Nothing is needed of {@code peer} any more; it is not suspected until it is needed again. */
+  /** {@code peer} is no longer needed: it is not suspected until it is needed again. */
   public void releases(ProcessId peer) {
     silentSinceNs.remove(peer);
   }
@@ -56,23 +55,19 @@ public final class Suspicion {
 
   /** All suspects, in order. */
   public List<ProcessId> suspects(long nowNs) {
-    List<ProcessId> suspects = new ArrayList<>();
-    for (Map.Entry<ProcessId, Long> entry : silentSinceNs.entrySet()) {
-      if (isTooLong(entry.getValue(), nowNs)) {
-        suspects.add(entry.getKey());
-      }
-    }
-    return suspects;
+    return silentSinceNs.keySet().stream()
+        .filter(peer -> suspects(peer, nowNs))
+        .collect(Collectors.toList());
   }
 
-  /** All of whom something is needed, suspects or not, in order. */
+  /** All needed participants, suspected or not, in order. */
   public List<ProcessId> expected() {
     return List.copyOf(silentSinceNs.keySet());
   }
 
   /**
-   * The next time to look: the earliest after {@code nowNs} at which another one is suspected if
-   * nothing is heard until then; {@code Long.MAX_VALUE} if there is none.
+   * The earliest time after {@code nowNs} at which another participant becomes suspected if nothing is
+   * heard until then; {@code Long.MAX_VALUE} if there is none.
    */
   public long wakeAtNs(long nowNs) {
     long earliestNs = Long.MAX_VALUE;

@@ -66,7 +66,7 @@ class AcceptorTest {
   }
 
   @Test
-  void aQuestionAskedTwiceIsAnsweredTwiceAndWrittenOnce() {
+  void aRepeatedQuestionIsAnsweredTwiceAndWrittenOnce() {
     acceptor.prepare(BOT1, new Prepare(1, LOW, Value.EMPTY));
     acceptor.prepare(BOT1, new Prepare(1, LOW, Value.EMPTY));
     assertThat(records).hasSize(1);
@@ -86,7 +86,7 @@ class AcceptorTest {
   }
 
   @Test
-  void aPromiseToAHigherBallotTellsTheVoteAndWithholdsWishes() {
+  void aPromiseWithAVoteHasNoWishes() {
     acceptor.accept(BOT1, new Accept(1, LOW, A));
     acceptor.prepare(BOT2, new Prepare(1, HIGH, B));
     acceptor.flushed(2);
@@ -115,7 +115,7 @@ class AcceptorTest {
   }
 
   @Test
-  void whoAsksAboutADecidedNumberIsToldTheLatestDecree() {
+  void aQuestionAboutADecidedNumberGetsTheLatestDecree() {
     acceptor.decided(new Decided(5, B));
     acceptor.prepare(BOT1, new Prepare(4, LOW, Value.EMPTY));
     acceptor.accept(BOT1, new Accept(5, LOW, A));
@@ -123,7 +123,7 @@ class AcceptorTest {
   }
 
   @Test
-  void afterARestartItStandsByItsPromisesAndVotes() {
+  void promisesAndVotesSurviveARestart() {
     acceptor.decided(new Decided(2, B));
     acceptor.accept(BOT2, new Accept(3, HIGH, A));
     answers.clear();

@@ -24,7 +24,7 @@ class AgreementConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     knows("a", "null");
     proposes("a", "01");
     proposes("b", "02");
@@ -48,7 +48,7 @@ class AgreementConformanceTest {
   }
 
   @Test
-  void anotherValueThanTheChosenOneDeviates() {
+  void aSecondDecidedValueDeviates() {
     proposes("a", "01");
     proposes("a", "02");
     knows("a", "01");
@@ -58,10 +58,10 @@ class AgreementConformanceTest {
   }
 
   @Test
-  void whatNobodyProposedDeviates() {
+  void aDecisionThatWasNotProposedDeviates() {
     knows("b", "03");
     assertThat(run.details())
         .containsExactly(
-            "agreement/x: choose(03) is not enabled: proposed(v) is false: nobody proposed 03");
+            "agreement/x: choose(03) is not enabled: proposed(v) is false: no robot proposed 03");
   }
 }

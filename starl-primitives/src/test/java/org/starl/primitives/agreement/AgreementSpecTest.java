@@ -38,7 +38,7 @@ class AgreementSpecTest {
   }
 
   @Test
-  void anotherInstanceIsAnotherMatter() {
+  void instancesAreJudgedSeparately() {
     proposes(A, "agreement/x", "01");
     proposes(B, "agreement/y", "02");
     decides(A, "agreement/x", "01");
@@ -47,7 +47,7 @@ class AgreementSpecTest {
   }
 
   @Test
-  void aValueThatNobodyProposedViolatesValidity() {
+  void aValueThatWasNotProposedViolatesValidity() {
     proposes(A, "agreement/x", "01");
     decides(A, "agreement/x", "03");
     assertThat(monitors.report().violations(AgreementSpec.VALIDITY)).isEqualTo(1);
@@ -99,7 +99,7 @@ class AgreementSpecTest {
   }
 
   @Test
-  void nothingIsOwedByAMinorityInBadTimesOrToTheDead() {
+  void nothingIsOwedWithoutAMajorityDuringFaultsOrToCrashedRobots() {
     sees(act(1, A, "acceptors", "a", "b"));
     sees(act(1, A, "propose", "01"));
     sees(fault(50, B, Fault.CRASH, ""));

@@ -53,7 +53,7 @@ class ProposerTest {
           });
 
   @Test
-  void aRefusalAndSilenceTogetherLeadToAHigherBallotThoughAMajorityMightStillCome() {
+  void aRefusalAndSilenceLeadToAHigherBallot() {
     begin();
     proposer.promise(A, promise(null), 1);
     proposer.nack(B, new Nack(1, FIRST, new Ballot(5, RIVAL)), 2);
@@ -89,7 +89,7 @@ class ProposerTest {
   }
 
   @Test
-  void theVoteOfTheHighestBallotIsProposedInPlaceOfMine() {
+  void theVoteOfTheHighestBallotReplacesTheOwnValue() {
     begin();
     Proposer unlucky = proposer;
     unlucky.nack(A, new Nack(1, FIRST, new Ballot(4, RIVAL)), 1);
@@ -112,7 +112,7 @@ class ProposerTest {
   }
 
   @Test
-  void questionsAreRepeatedOnlyToWhoHasNotAnswered() {
+  void questionsAreRepeatedOnlyToSilentAcceptors() {
     begin();
     proposer.promise(B, promise(null), 1);
     sent.clear();
@@ -127,7 +127,7 @@ class ProposerTest {
   }
 
   @Test
-  void answersToOtherBallotsNumbersAndFromStrangersCountForNothing() {
+  void answersToOtherBallotsOrFromOtherRobotsDoNotCount() {
     begin();
     proposer.promise(A, new Promise(1, new Ballot(2, ME), null, List.of()), 1);
     proposer.promise(B, new Promise(2, FIRST, null, List.of()), 1);

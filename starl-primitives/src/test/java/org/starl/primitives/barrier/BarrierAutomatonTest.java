@@ -121,7 +121,7 @@ class BarrierAutomatonTest {
   }
 
   @Test
-  void whoIsLeftOutIsNotWaitedFor() {
+  void anExcludedMemberIsNotWaitedFor() {
     States s = after(automaton.start(), new BarrierAction.decide(1, failed(A)));
     s = after(s, new BarrierAction.arrive(B, 2));
     s = after(s, new BarrierAction.arrive(C, 2));

@@ -44,7 +44,7 @@ class BarrierCodecTest {
   }
 
   @Property(tries = 100)
-  void whatIsWrittenIsReadBack(
+  void writtenMessagesAreReadBack(
       @ForAll @LongRange(min = 1) long generation,
       @ForAll @LongRange(min = 1) long noted,
       @ForAll boolean hasArrived) {
@@ -77,7 +77,7 @@ class BarrierCodecTest {
   }
 
   @Test
-  void theMostMembersFitOneMessage() {
+  void theLargestGroupFitsOneMessage() {
     BarrierCodec big = new BarrierCodec(members(83));
     Outcomes outcomes = Outcomes.ALL_PASSED;
     long generation = 1;
@@ -91,7 +91,7 @@ class BarrierCodecTest {
   }
 
   @Test
-  void whatIsNoMessageAndNoOutcomesIsRefused() {
+  void malformedMessagesAndOutcomesAreRefused() {
     byte[] generationZero = bytes(new Arrival(B1, 1));
     generationZero[19] = 0;
     byte[] otherKind = bytes(new Arrival(B1, 1));

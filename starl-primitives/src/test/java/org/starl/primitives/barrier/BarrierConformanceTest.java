@@ -37,7 +37,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     made();
     arrives("a", 1);
     arrives("b", 1);
@@ -68,7 +68,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void whoIsToldExcludedFirstIsToldOnceAnotherTellsTheOutcome() {
+  void anEarlyExcludedWaitsForTheOutcome() {
     made();
     shows("b", "1:excluded");
     assertThat(run.steps()).isEmpty();
@@ -84,7 +84,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void whomNobodyElseToldOfAreAllWhoWereLeftOut() {
+  void atTheEndTheToldExcludedAreAllTheMissing() {
     made();
     shows("b", "1:excluded");
     shows("c", "1:excluded");
@@ -100,7 +100,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void theRestAreStutters() {
+  void otherEventsMapToNoAction() {
     shows("a", "null");
     arrives("a", 1);
     shows("a", "1:passed");
@@ -118,7 +118,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void toPassBeforeAllHaveArrivedDeviates() {
+  void passingBeforeAllHaveArrivedDeviates() {
     made();
     arrives("a", 1);
     shows("a", "1:passed");
@@ -129,7 +129,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void anotherOutcomeDeviates() {
+  void aSecondOutcomeDeviates() {
     made();
     shows("a", "1:failed[c#1]");
     shows("b", "1:failed[a#1, c#1]");
@@ -139,7 +139,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void whoIsExcludedThoughNobodyLeftItOutDeviates() {
+  void aRobotToldExcludedThatIsNotMissingDeviates() {
     made();
     shows("b", "1:excluded");
     shows("a", "1:failed[c#1]");
@@ -148,7 +148,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void aGenerationThatIsOverBeforeTheOneBeforeItDeviates() {
+  void aGenerationDecidedBeforeItsPredecessorDeviates() {
     made();
     shows("a", "2:failed[c#1]");
     assertThat(run.details())
@@ -158,7 +158,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void otherMembersThanTheFirstOnesDeviate() {
+  void aDifferentMemberListDeviates() {
     made();
     acts("d", "Barrier", "d#1", "a#1", "d#1");
     assertThat(run.details())
@@ -166,7 +166,7 @@ class BarrierConformanceTest {
   }
 
   @Test
-  void whoHasNotSaidWhoItIsIsToldTheSameOutcome() {
+  void aRobotWithoutAnnouncedIdIsToldTheSameOutcome() {
     made();
     shows("a", "1:failed[c#1]");
     shows("d", "1:failed[c#1]");

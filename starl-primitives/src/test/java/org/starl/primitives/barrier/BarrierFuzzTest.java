@@ -39,7 +39,7 @@ public class BarrierFuzzTest {
     return CODEC.read(Value.of(all));
   }
 
-  /** Broken generations in any order, and somebody left out twice, were read all the same. */
+  /** Found by fuzzing: failed generations in any order, and ids missing twice, were accepted. */
   @Test
   void outcomesInAnotherOrderAreRefused() {
     for (String hex :
@@ -53,7 +53,7 @@ public class BarrierFuzzTest {
   }
 
   @Test
-  void aMessageHasOneSpelling() {
+  void equalMessagesHaveEqualBytes() {
     List<byte[]> samples = new ArrayList<>();
     List.of(new BarrierMessage.Arrival(B1, 7), new BarrierMessage.Here(B2, 7, true, 8))
         .forEach(message -> samples.add(OneSpelling.bytes(CODEC, message)));

@@ -102,8 +102,8 @@ class BarrierMutantTest {
   }
 
   /**
-   * As the original StarL's barrier did: what reaches the one who counts before it has come into that
-   * generation itself is forgotten together with the generation before, and a message is handled once.
+   * As in the original StarL: the collector forgets an arrival that reaches it before it has entered that
+   * generation itself, and handles each message once.
    */
   private static final class LosesEarlyArrivals extends Collector {
     private final Set<List<Object>> handled = new LinkedHashSet<>();
@@ -129,13 +129,13 @@ class BarrierMutantTest {
 
   @ParameterizedTest
   @EnumSource
-  void theSpecificationSeesWhatIsWrong(Mutant mutant) {
+  void theSpecificationDetectsTheMutant(Mutant mutant) {
     assertSeen(mutant, mutant.lemma);
   }
 
   @ParameterizedTest
   @EnumSource(names = {"ARRIVAL_OF_AN_OLD_GENERATION_COUNTS", "LOCAL_TIME_OUT"})
-  void itIsNoRunOfTheTheory(Mutant mutant) {
+  void theMutantDeviatesFromTheTheory(Mutant mutant) {
     assertSeen(mutant, BarrierAutomaton.BARRIER_DECLS);
   }
 
@@ -153,13 +153,13 @@ class BarrierMutantTest {
   }
 
   @Test
-  void itIsTheLossOfEarlyArrivalsThatHangs() {
+  void losingEarlyArrivalsHangsTheBarrier() {
     assertThat(meetsInGoodWeather(Collector::new).holds()).isTrue();
     SpecReport report = meetsInGoodWeather(LosesEarlyArrivals::new);
     assertThat(report.violations(BarrierSpec.NOT_HUNG)).as("%s", report).isPositive();
   }
 
-  /** No fault at all, and nobody is slow but the one who counts. */
+  /** Without faults; only the collector is slow. */
   private static SpecReport meetsInGoodWeather(Member.Maker maker) {
     Gathering gathering = new Gathering(1, 3, BarrierSettings.DEFAULT);
     gathering.maker = maker;

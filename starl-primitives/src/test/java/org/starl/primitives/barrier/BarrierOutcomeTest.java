@@ -13,7 +13,7 @@ import org.starl.id.ProcessId;
 class BarrierOutcomeTest {
 
   @Test
-  void whatIsWrittenIsRead() {
+  void writtenTextIsReadBack() {
     ProcessId a = ProcessId.parse("a#1");
     ProcessId b = ProcessId.parse("b#4294967297");
     for (BarrierOutcome outcome :
@@ -30,7 +30,7 @@ class BarrierOutcomeTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"", "passed", ":passed", "x:passed", "3:", "3:failed", "3:failed[]"})
-  void whatIsNoOutcomeIsRefused(String text) {
+  void malformedOutcomesAreRefused(String text) {
     assertThatThrownBy(() -> BarrierOutcome.parse(text))
         .isInstanceOf(IllegalArgumentException.class);
   }

@@ -17,7 +17,7 @@ import org.starl.spec.SpecReport;
 class BarrierProtocolTest {
 
   @Property(tries = 80)
-  void whateverHappensTheSpecificationHoldsAndAfterHealingTheMembersGoOn(@ForAll long seed) {
+  void theSpecificationHoldsUnderFaultsAndMembersContinueAfterHealing(@ForAll long seed) {
     Gathering gathering = Gathering.drawn(seed);
     boolean well = gathering.live();
     SpecReport report = gathering.finish();
@@ -30,13 +30,13 @@ class BarrierProtocolTest {
    * arrived and crashed, and a deadline is shorter than their turns.
    */
   @Test
-  void whoIsLastInOrderProposesBeforeItsDeadline() {
+  void theLastProposerInOrderProposesBeforeItsDeadline() {
     assertThat(Gathering.drawn(-78).live()).isTrue();
   }
 
   /** In a life of its own a member may be alone, and is owed nothing; in most it is. */
   @Test
-  void mostLivesCheckThatNobodyHangs() {
+  void mostRandomRunsCheckNotHung() {
     int checked = 0;
     for (long seed = 1; seed <= 20; seed++) {
       Gathering gathering = Gathering.drawn(seed);
@@ -61,7 +61,7 @@ class BarrierProtocolTest {
   }
 
   @Test
-  void itIsReusable() {
+  void theBarrierIsReusable() {
     Gathering gathering = Gathering.up(4, BarrierSettings.DEFAULT);
     for (int generation = 1; generation <= 20; generation++) {
       int passed = generation;
@@ -87,7 +87,7 @@ class BarrierProtocolTest {
   }
 
   @Test
-  void aMemberThatCrashesIsLeftOutAndAllAreToldTheSame() {
+  void aCrashedMemberIsExcludedAndAllAreToldTheSame() {
     Gathering gathering = Gathering.up(4, BarrierSettings.DEFAULT.withSilenceMs(2_000));
     Member dead = gathering.world.robots.get(3);
     dead.crash();
@@ -104,12 +104,14 @@ class BarrierProtocolTest {
     assertThat(gathering.world.robots.get(0).outcome()).isEqualTo(new Passed(2));
     dead.start();
     dead.arrive();
-    assertThat(dead.outcome()).as("a restarted robot is somebody else").isEqualTo(new Excluded(0));
+    assertThat(dead.outcome())
+        .as("a restarted robot is another participant")
+        .isEqualTo(new Excluded(0));
     assertThat(gathering.finish().holds()).isTrue();
   }
 
   @Test
-  void whoLivesAndDoesNotComeIsWaitedForUntilTheDeadlineAndThenExcluded() {
+  void anAbsentLiveMemberIsExcludedAtTheDeadline() {
     Gathering gathering = Gathering.up(3, BarrierSettings.DEFAULT.withDeadlineMs(10_000));
     Member slow = gathering.world.robots.get(2);
     gathering.world.robots.get(0).arrive();
@@ -126,7 +128,7 @@ class BarrierProtocolTest {
   }
 
   @Test
-  void withoutAMajorityTheOutcomeIsUnknownAndToArriveAgainIsToWaitOn() {
+  void withoutAMajorityTheOutcomeIsUnknownAndArrivingAgainContinuesTheWait() {
     Gathering gathering = Gathering.up(4, BarrierSettings.DEFAULT.withDeadlineMs(5_000));
     gathering.world.robots.get(2).crash();
     gathering.world.robots.get(3).crash();
@@ -146,7 +148,7 @@ class BarrierProtocolTest {
   }
 
   @Test
-  void whoIsCutOffLearnsAllOutcomesThatItHasMissed() {
+  void aDisconnectedMemberLearnsAllMissedOutcomes() {
     Gathering gathering = Gathering.up(4, BarrierSettings.DEFAULT.withSilenceMs(2_000));
     Member cut = gathering.world.robots.get(3);
     cut.arrive();
@@ -168,7 +170,7 @@ class BarrierProtocolTest {
   }
 
   @Test
-  void toArriveWhileWaitingIsABug() {
+  void arrivingWhileWaitingThrows() {
     Gathering gathering = Gathering.up(2, BarrierSettings.DEFAULT);
     Member member = gathering.world.robots.get(0);
     member.arrive();

@@ -52,7 +52,7 @@ class BarrierSimTest {
         await(() -> barrier.outcome().get().isTold());
         told.add(barrier.outcome().get());
       }
-      // For the others' sake: somebody may not have heard yet.
+      // Stays for the others: some may not know the outcome yet.
       sleep(5_000);
       return told;
     }
@@ -98,7 +98,7 @@ class BarrierSimTest {
   }
 
   @Property(tries = 15)
-  void workersMeetAgainAndAgainUnderLoss(@ForAll long seed) {
+  void robotsMeetRepeatedlyUnderLoss(@ForAll long seed) {
     SimResult result = workers(seed).build().run();
     assertThat(result.isFinished()).as("unfinished: %s", result.unfinished()).isTrue();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
@@ -107,7 +107,7 @@ class BarrierSimTest {
   }
 
   @Property(tries = 15)
-  void theOthersAreToldWhoCrashedAndWhoComesBackThatItIsOut(@ForAll long seed) {
+  void crashedMembersAreReportedMissingAndExcludedWhenTheyReturn(@ForAll long seed) {
     SimResult result = workers(seed).director(BarrierSimTest::crashTwo).build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
     for (int i = 0; i < 3; i++) {
@@ -129,7 +129,7 @@ class BarrierSimTest {
   }
 
   @Test
-  void thoseOfOneViewMeet() {
+  void robotsOfOneViewMeet() {
     SimResult result = builder(3).robots(4, Guest::new).build().run();
     assertThat(result.isFinished()).as("unfinished: %s", result.unfinished()).isTrue();
     assertThat(result.results().values().stream().distinct()).hasSize(1);
@@ -137,7 +137,7 @@ class BarrierSimTest {
   }
 
   @Test
-  void aSecondBarrierOfOneInstanceIsABug() {
+  void aSecondBarrierOfOneInstanceThrows() {
     Simulation simulation =
         builder(1)
             .robots(

@@ -28,7 +28,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void allArriveAndAllAreToldThatTheyPassed() {
+  void aBarrierThatAllPassHolds() {
     allArrive(1);
     allTold("1:passed", 20);
     assertThat(monitors.report().holds()).as("%s", monitors.report()).isTrue();
@@ -37,7 +37,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void toPassBeforeAMemberHasArrivedViolatesNoEarly() {
+  void passingBeforeAMemberHasArrivedViolatesNoEarly() {
     arrive(A, 1);
     arrive(B, 1);
     told(A, "1:passed", 20);
@@ -45,7 +45,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void anArrivalInAnotherGenerationIsNone() {
+  void anArrivalCountsOnlyForItsGeneration() {
     allArrive(1);
     allTold("1:passed", 20);
     arrive(A, 2);
@@ -54,7 +54,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void whoWasLeftOutIsNotWaitedFor() {
+  void anExcludedMemberNeedNotArrive() {
     arrive(A, 1);
     arrive(B, 1);
     told(A, "1:failed[c#1]", 20);
@@ -68,7 +68,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void passedForOneAndFailedForAnotherViolatesUniform() {
+  void passedAndFailedViolateUniform() {
     allArrive(1);
     told(A, "1:passed", 20);
     told(B, "1:failed[c#1]", 20);
@@ -76,7 +76,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void failedForDifferentOnesViolatesUniform() {
+  void failedWithDifferentMissingMembersViolatesUniform() {
     arrive(A, 1);
     arrive(B, 1);
     told(A, "1:failed[c#1]", 20);
@@ -85,7 +85,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void excludedWhereOthersPassedViolatesUniformWhoeverIsToldFirst() {
+  void excludedAndPassedViolateUniformInEitherOrder() {
     allArrive(1);
     told(A, "1:passed", 20);
     told(B, "1:excluded", 20);
@@ -96,7 +96,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void unknownEndsTheWaitAndSaysNothing() {
+  void unknownEndsTheWaitWithoutAClaim() {
     arrive(A, 1);
     told(A, "1:unknown", 50);
     monitors.finish(1_000);
@@ -104,7 +104,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void whoWaitsThoughNobodyIsToComeIsHung() {
+  void waitingWithoutAbsentMembersViolatesNotHung() {
     allArrive(1);
     told(A, "1:passed", 20);
     monitors.finish(101);
@@ -112,7 +112,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void whoWaitsForOneThatLivesIsNotHungUntilTheDeadlines() {
+  void waitingForALiveMemberIsAllowedUntilTheDeadlines() {
     arrive(A, 1);
     see(new Variable(300, A, "app", "loc", "x"));
     assertThat(monitors.report().violations(BarrierSpec.NOT_HUNG)).isZero();
@@ -121,7 +121,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void theCrashOfTheLastToComeBeginsTheBound() {
+  void theCrashOfTheLastAbsentMemberStartsTheBound() {
     arrive(A, 1);
     arrive(B, 1);
     fault(C, Fault.CRASH, 150);
@@ -132,7 +132,7 @@ class BarrierSpecTest {
   }
 
   @Test
-  void duringAFaultAndWithoutAMajorityOnlyTheDeadlinesCount() {
+  void duringFaultsOrWithoutAMajorityOnlyTheDeadlinesCount() {
     allArrive(1);
     fault(Fault.WORLD, Fault.BEGIN, 50);
     fault(Fault.WORLD, Fault.END, 160);

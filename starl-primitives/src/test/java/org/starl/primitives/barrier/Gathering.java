@@ -17,7 +17,7 @@ final class Gathering {
   static final String SOURCE = "barrier/gathering";
   static final long NS_PER_MS = 1_000_000;
 
-  /** From the last arrival, a crash or healing, until all who wait are told. */
+  /** From the last arrival, a crash or healing, until all waiting robots are told. */
   static final long BOUND_MS = 15_000;
 
   private static final int MAX_ROBOTS = 6;
@@ -64,8 +64,7 @@ final class Gathering {
   }
 
   /**
-   * Lives through foul times; returns whether those who are members still then pass generation after
-   * generation.
+   * Runs under faults; returns whether the remaining members then pass generation after generation.
    */
   boolean live() {
     Rng rng = world.rng.fork("life");
@@ -86,7 +85,7 @@ final class Gathering {
     }
   }
 
-  /** Those who are up, and members as far as they know. */
+  /** The robots that are up and believe to be members. */
   List<Member> members() {
     return world.robots.stream().filter(Member::isIn).toList();
   }

@@ -23,7 +23,7 @@ public final class ShownRun<S, A extends Action> {
   /**
    * @param conformance made with what takes its steps
    */
-  public ShownRun(Function<Steps<S, A>, ? extends Conformance> conformance) {
+  public ShownRun(Function<Steps<S, A>, ? extends Conformance<?>> conformance) {
     Monitor monitor =
         conformance.apply(
             new Steps<S, A>() {
@@ -48,7 +48,7 @@ public final class ShownRun<S, A extends Action> {
     monitors.observe(event);
   }
 
-  /** No event comes any more. */
+  /** Ends the run. */
   public void ends(long timeNs) {
     monitors.finish(timeNs);
   }

@@ -57,14 +57,14 @@ final class Convoy {
     return Participants.of(world.robots.stream().map(robot -> robot.name).toList());
   }
 
-  /** Lives through foul times; returns whether all came to follow one leader who is up. */
+  /** Runs under faults; returns whether all robots then follow one live leader. */
   boolean live(boolean restarts) {
     Life<Voter> life = new Life<>(world, world.rng.fork("life"), Convoy::act);
     life.restarts = restarts;
     return life.live(this::isLedByOne, BOUND_MS + 5_000) && staysWell();
   }
 
-  /** Once foul times are forgotten nobody suspects anybody, so nothing changes any more. */
+  /** After healing no robot suspects another, so the leader does not change. */
   private boolean staysWell() {
     world.runForMs(2 * settings.silenceMs());
     if (!world.runUntil(this::isLedByOne, BOUND_MS)) {

@@ -42,7 +42,7 @@ class ElectionCodecTest {
   }
 
   @Property(tries = 100)
-  void whatIsWrittenIsReadBack(
+  void writtenMessagesAreReadBack(
       @ForAll @LongRange(min = 1) long term, @ForAll long draw, @ForAll boolean isCandidacy) {
     ElectionMessage message =
         isCandidacy ? new Candidacy(B1, term, draw) : new Elected(B1, term, B2);
@@ -50,7 +50,7 @@ class ElectionCodecTest {
   }
 
   @Test
-  void whatIsNoMessageIsRefused() {
+  void malformedMessagesAreRefused() {
     byte[] termZero = bytes(new Candidacy(B1, 1, 2));
     termZero[19] = 0;
     byte[] otherKind = bytes(new Candidacy(B1, 1, 2));
@@ -62,7 +62,7 @@ class ElectionCodecTest {
   }
 
   @Test
-  void onlyALeaderIsAValueAndNothingIsAWish() {
+  void onlyALeaderIsAValueAndWishesAreEmpty() {
     CODEC.checkValue(ElectionCodec.value(B1));
     CODEC.checkWish(Value.EMPTY);
     byte[] tooLong = Arrays.copyOf(ElectionCodec.value(B1).bytes(), 12);

@@ -32,7 +32,7 @@ class ElectionConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     shows("a", "null");
     acts("a", "Election", "2", "a#1");
     acts("b", "Election", "2", "b#1");
@@ -57,7 +57,7 @@ class ElectionConformanceTest {
   }
 
   @Test
-  void whoRestartsIsAnother() {
+  void aRestartedRobotHasAnotherId() {
     stands("a", "1");
     shows("a", "1:a#1");
     run.forgetSteps();
@@ -74,7 +74,7 @@ class ElectionConformanceTest {
   }
 
   @Test
-  void theRestAreStutters() {
+  void otherEventsMapToNoAction() {
     acts("a", "Election", "2", "a#1");
     acts("b", "do_election", "a#1");
     acts("b", "candidate", "1", "a#1");
@@ -86,7 +86,7 @@ class ElectionConformanceTest {
   }
 
   @Test
-  void anotherLeaderOfTheTermDeviates() {
+  void aSecondLeaderOfATermDeviates() {
     stands("a", "1");
     stands("b", "1");
     shows("a", "1:a#1");
@@ -98,7 +98,7 @@ class ElectionConformanceTest {
   }
 
   @Test
-  void whoHasNotSaidWhoItIsShowsTheElectedOneAsWell() {
+  void aRobotWithoutAnnouncedIdMustShowTheElectedLeader() {
     stands("a", "1");
     shows("c", "1:a#1");
     assertThat(run.details()).isEmpty();
@@ -108,7 +108,7 @@ class ElectionConformanceTest {
   }
 
   @Test
-  void whoDidNotStandInTheTermDeviates() {
+  void aLeaderThatWasNoCandidateDeviates() {
     stands("a", "1");
     shows("a", "2:a#1");
     assertThat(run.details())

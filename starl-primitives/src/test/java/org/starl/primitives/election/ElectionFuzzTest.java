@@ -18,7 +18,7 @@ public class ElectionFuzzTest {
   }
 
   @Test
-  void aMessageHasOneSpelling() {
+  void equalMessagesHaveEqualBytes() {
     ProcessId one = new ProcessId(new RobotId("one"), 1);
     List<byte[]> samples = new ArrayList<>();
     List.of(

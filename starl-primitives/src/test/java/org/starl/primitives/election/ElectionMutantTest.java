@@ -31,7 +31,7 @@ class ElectionMutantTest {
     }
   }
 
-  /** Takes whom the strategy would propose for the leader. */
+  /** Takes the strategy's candidate as the leader, without a decision. */
   private static final class NoConsensus extends ElectionProtocol {
     NoConsensus(
         ProcessId me,
@@ -104,13 +104,13 @@ class ElectionMutantTest {
 
   @ParameterizedTest
   @EnumSource
-  void theSpecificationSeesWhatIsWrong(Mutant mutant) {
+  void theSpecificationDetectsTheMutant(Mutant mutant) {
     assertSeen(mutant, mutant.lemma);
   }
 
   @ParameterizedTest
   @EnumSource(names = {"STRATEGYS_WINNER_WITHOUT_DECISION", "ANSWER_OF_ANOTHER_TERM"})
-  void itIsNoRunOfTheTheory(Mutant mutant) {
+  void theMutantDeviatesFromTheTheory(Mutant mutant) {
     assertSeen(mutant, ElectionAutomaton.ELECTION_DECLS);
   }
 

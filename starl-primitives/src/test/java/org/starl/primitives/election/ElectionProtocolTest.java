@@ -15,13 +15,12 @@ import org.starl.spec.SpecReport;
 class ElectionProtocolTest {
 
   @Property(tries = 150)
-  void whateverHappensTheSpecificationHoldsAndAfterHealingAllFollowOneLiveLeader(
-      @ForAll long seed) {
+  void theSpecificationHoldsUnderFaultsAndAllFollowOneLiveLeaderAfterHealing(@ForAll long seed) {
     liveAndCheck(seed, true);
   }
 
   @Property(tries = 100)
-  void whereTheCrashedStayDownThoseWhoAreLeftFollowOneOfThem(@ForAll long seed) {
+  void theRemainingRobotsFollowALiveLeaderAfterCrashes(@ForAll long seed) {
     liveAndCheck(seed, false);
   }
 
@@ -36,7 +35,7 @@ class ElectionProtocolTest {
 
   @ParameterizedTest
   @EnumSource
-  void thoseWhoStartTogetherAgreeWithinNineMessageDelays(ElectionStrategy strategy) {
+  void candidatesThatStartTogetherAgreeWithinNineMessageDelays(ElectionStrategy strategy) {
     Convoy convoy = Convoy.up(5, ElectionSettings.DEFAULT.withStrategy(strategy));
     convoy.world.robots.forEach(Voter::do_election);
     // 2 of 250 ms to hear of each other, 4 real ones to decide, 1 to tell.
@@ -46,7 +45,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void theBullyIsTheOneOfTheHighestId() {
+  void bullyElectsTheHighestId() {
     Convoy convoy = Convoy.up(4, ElectionSettings.DEFAULT.withStrategy(ElectionStrategy.BULLY));
     convoy.world.robots.forEach(Voter::do_election);
     convoy.world.runForMs(1_000);
@@ -54,7 +53,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void oneCallIsEnoughForEverybodyToLearnTheLeader() {
+  void afterOneCallAllRobotsLearnTheLeader() {
     Convoy convoy = Convoy.up(4, ElectionSettings.DEFAULT);
     convoy.world.robots.get(2).do_election();
     convoy.world.runForMs(1_000);
@@ -76,7 +75,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void aLeaderThatIsBackAsAnotherOneIsReplacedWithoutWaitingForItsSilence() {
+  void aRestartedLeaderIsReplacedWithoutWaitingForItsSilence() {
     Convoy convoy = Convoy.up(4, ElectionSettings.DEFAULT);
     convoy.world.robots.forEach(Voter::do_election);
     convoy.world.runForMs(1_000);
@@ -90,7 +89,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void aLeaderIsKeptAsLongAsItIsHeard() {
+  void aLeaderStaysWhileItIsHeard() {
     Convoy convoy = Convoy.up(4, ElectionSettings.DEFAULT);
     convoy.world.robots.forEach(Voter::do_election);
     convoy.world.runForMs(60_000);
@@ -100,7 +99,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void withoutAMajorityFailIsToldAtTheDeadlineAndReplacedByTheNameOnceThereIsOne() {
+  void withoutAMajorityLeaderIsFailAtTheDeadlineUntilALeaderIsElected() {
     Convoy convoy = Convoy.up(4, ElectionSettings.DEFAULT.withDeadlineMs(3_000));
     convoy.world.robots.get(2).crash();
     convoy.world.robots.get(3).crash();
@@ -117,7 +116,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void aLeaderThatWasCutOffFollowsTheNewOneOnceItHearsOfIt() {
+  void aDisconnectedLeaderFollowsTheNewOneOnceItHearsOfIt() {
     Convoy convoy = Convoy.up(5, ElectionSettings.DEFAULT.withStrategy(ElectionStrategy.BULLY));
     convoy.world.robots.forEach(Voter::do_election);
     convoy.world.runForMs(1_000);
@@ -133,7 +132,7 @@ class ElectionProtocolTest {
   }
 
   @Test
-  void whoNeverTakesPartIsNeverElected() {
+  void aRobotThatNeverCallsDoElectionIsNeverElected() {
     Convoy convoy = Convoy.up(3, ElectionSettings.DEFAULT.withStrategy(ElectionStrategy.BULLY));
     convoy.world.weather(Weather.LOSSY);
     convoy.world.robots.get(0).do_election();

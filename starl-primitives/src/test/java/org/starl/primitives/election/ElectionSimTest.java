@@ -27,7 +27,7 @@ class ElectionSimTest {
   private static final long S = 1_000_000_000;
   private static final long RUN_MS = 60_000;
 
-  /** Takes part, again after each fail, for a minute; returns whom it follows at the end. */
+  /** Is a candidate for a minute, again after each fail; returns its last leader. */
   private static final class Delegate extends LogicThread {
     private final Election election;
 
@@ -76,7 +76,7 @@ class ElectionSimTest {
   }
 
   @Property(tries = 15)
-  void aLeaderIsFoundAndFoundAnewAfterCrashesUnderLoss(@ForAll long seed) {
+  void leadersAreElectedAndReplacedAfterCrashesUnderLoss(@ForAll long seed) {
     SimResult result = delegates(seed).build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
     assertThat(result.spec().checks(ElectionSpec.ELECTED)).isPositive();

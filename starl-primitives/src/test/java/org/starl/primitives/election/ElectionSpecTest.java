@@ -22,7 +22,7 @@ class ElectionSpecTest {
   private long nowNs;
 
   @Test
-  void aLeaderWhoStoodAndWhomAllFollowIsAllThatIsOwed() {
+  void anElectionWithOneLeaderForAllHolds() {
     allTakePart();
     follows(A, "1:b#1", 10);
     follows(B, "1:b#1", 20);
@@ -42,7 +42,7 @@ class ElectionSpecTest {
   }
 
   @Test
-  void twoLeadersInTwoTermsDoNot() {
+  void twoLeadersInTwoTermsHold() {
     allTakePart();
     stands(A, 2);
     follows(A, "1:b#1", 10);
@@ -51,14 +51,14 @@ class ElectionSpecTest {
   }
 
   @Test
-  void aLeaderWhoDidNotStandInThatTermViolatesSoundness() {
+  void aLeaderThatWasNoCandidateInItsTermViolatesSoundness() {
     allTakePart();
     follows(A, "2:b#1", 10);
     assertThat(monitors.report().violations(ElectionSpec.SOUNDNESS)).isEqualTo(1);
   }
 
   @Test
-  void whoStandsUnaskedIsNoCandidate() {
+  void aCandidateThatNeverCalledDoElectionViolatesSoundness() {
     exists(A);
     stands(A, 1);
     follows(B, "1:a#1", 10);
@@ -66,7 +66,7 @@ class ElectionSpecTest {
   }
 
   @Test
-  void whoIsNotServedWithinTheBoundIsOwed() {
+  void aCandidateWithoutLeaderWithinTheBoundViolatesElected() {
     allTakePart();
     follows(A, "1:b#1", 10);
     follows(B, "1:b#1", 10);
@@ -75,7 +75,7 @@ class ElectionSpecTest {
   }
 
   @Test
-  void nothingIsOwedWithoutAMajorityNorDuringAFault() {
+  void nothingIsOwedWithoutAMajorityOrDuringAFault() {
     allTakePart();
     fault(A, Fault.CRASH, 10);
     fault(B, Fault.CRASH, 10);
@@ -84,7 +84,7 @@ class ElectionSpecTest {
   }
 
   @Test
-  void afterHealingTheWholeBoundIsGivenAnew() {
+  void afterHealingTheWholeBoundAppliesAgain() {
     allTakePart();
     fault(Fault.WORLD, Fault.BEGIN, 10);
     fault(Fault.WORLD, Fault.HEALED, 150);
@@ -106,7 +106,7 @@ class ElectionSpecTest {
   }
 
   @Test
-  void failEndsTheWaitingAndNullBeyondTheDeadlineViolatesTold() {
+  void failEndsTheWaitAndNullBeyondTheDeadlineViolatesTold() {
     allTakePart();
     fault(Fault.WORLD, Fault.BEGIN, 2);
     follows(A, "fail", 300);

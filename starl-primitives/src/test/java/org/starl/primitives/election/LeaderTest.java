@@ -12,7 +12,7 @@ import org.starl.id.ProcessId;
 class LeaderTest {
 
   @Test
-  void whatIsWrittenIsRead() {
+  void writtenTextIsReadBack() {
     ProcessId id = ProcessId.parse("bot1#4294967297");
     for (Leader leader : List.of(Leader.NONE, Leader.FAIL, new Leader.Name(id, 3))) {
       assertThat(Leader.parse(leader.toString())).isEqualTo(leader);
@@ -21,7 +21,7 @@ class LeaderTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"", "bot1", ":bot1#1", "x:bot1#1", "3:", "3:bot1"})
-  void whatIsNoLeaderIsRefused(String text) {
+  void malformedLeadersAreRefused(String text) {
     assertThatThrownBy(() -> Leader.parse(text)).isInstanceOf(IllegalArgumentException.class);
   }
 }

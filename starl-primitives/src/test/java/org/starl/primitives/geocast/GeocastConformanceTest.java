@@ -47,7 +47,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     isAt("a", 5000);
     isAt("b", 0);
     isAt("c", -2000);
@@ -83,7 +83,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void whoIsOutsideWhenItDeliversAndWasSoDeviatesThoughItEntersLater() {
+  void deliveryToARobotOutsideTheAreaDeviates() {
     isAt("b", -2000);
     drives(0, "b", -2000, 500);
     casts(0, "a#1/1", 10 * S);
@@ -96,7 +96,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void whoHasLeftMayDeliver() {
+  void aRobotThatHasLeftTheAreaMayDeliver() {
     isAt("b", 0);
     drives(0, "b", 0, 500);
     casts(S, "a#1/1", 10 * S);
@@ -105,7 +105,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void whoDeliversTwiceDeviates() {
+  void aSecondDeliveryDeviates() {
     isAt("b", 0);
     casts(0, "a#1/1", 10 * S);
     acts(S, "b", "deliver", "a#1/1");
@@ -118,7 +118,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void atTheEndOfItsIntervalAMessageMayBeDeliveredAndAfterItNot() {
+  void aMessageMayBeDeliveredUntilTheEndOfItsInterval() {
     isAt("b", 0);
     isAt("c", 0);
     casts(S, "a#1/1", 10 * S);
@@ -132,7 +132,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void anIdThatIsTakenAgainDeviates() {
+  void aReusedIdDeviates() {
     isAt("b", 0);
     casts(0, "a#1/1", 10 * S);
     casts(S, "a#1/1", 10 * S);
@@ -144,7 +144,7 @@ class GeocastConformanceTest {
   }
 
   @Test
-  void ofWhatIsOverNothingIsKept() {
+  void finishedMessagesAreForgotten() {
     isAt("b", 0);
     for (int n = 1; n <= 100; n++) {
       casts(n * S, "a#1/" + n, S / 2);

@@ -30,7 +30,7 @@ class GeocastSpecTest {
     return new Action(timeNs, robot, SOURCE, name, List.of(args));
   }
 
-  private void castReachesNobodyAndTheOriginHasSentItsFirstDatagram() {
+  private void castWithoutReceiversAfterTheFirstDatagram() {
     for (RobotId robot : List.of(ORIGIN, OTHER)) {
       see(new Joined(0, robot, new Pose(0, 0, 0), 100), act(0, robot, "open", robot + "#1"));
     }
@@ -41,16 +41,16 @@ class GeocastSpecTest {
   }
 
   @Test
-  void whomACopyReachesHasToDeliver() {
-    castReachesNobodyAndTheOriginHasSentItsFirstDatagram();
+  void aRobotThatACopyReachesMustDeliver() {
+    castWithoutReceiversAfterTheFirstDatagram();
     see(new Delivered(20, OTHER, ORIGIN, SOURCE, 1, "copy"));
     monitors.finish(2000);
     assertThat(monitors.report().violations("inclusion")).isEqualTo(1);
   }
 
   @Test
-  void aDatagramOfTheOriginsNextStartIsNoCopyThoughItHasTheNumberOfOne() {
-    castReachesNobodyAndTheOriginHasSentItsFirstDatagram();
+  void aDatagramOfTheOriginsNextStartIsNoCopy() {
+    castWithoutReceiversAfterTheFirstDatagram();
     see(
         act(10, ORIGIN, "open", "bot0#2"),
         new Sent(11, ORIGIN, "bot1", SOURCE, 1, 10, "another"),

@@ -38,7 +38,7 @@ public abstract class LiveRobot {
     this.name = name;
   }
 
-  /** Makes the program anew, over what its acceptor has last written. */
+  /** Creates the program, with its acceptor's last record. */
   protected abstract Program program(ProcessId me);
 
   public boolean isUp() {

@@ -48,7 +48,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     isAt(0);
     says(0, "IDLE");
     acts(0, "do_move", AHEAD, BESIDE);
@@ -95,7 +95,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whoStandsInTheAreaAtTheCommandIsGivenNothingToAvoid() {
+  void aCommandInsideItsAreaHasNothingToAvoid() {
     isAt(900);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     drives(0, 900, 500);
@@ -105,7 +105,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whereABodyIsPutDownIsNoMatterOfItsMotion() {
+  void aBodyPutDownInTheAreaIsNoAction() {
     isAt(0);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     run.has(new Left(S, BOT));
@@ -116,7 +116,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whoEntersItsAreaDeviatesWhenItDoes() {
+  void enteringTheAreaDeviates() {
     isAt(0);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     says(0, "MOVING");
@@ -131,7 +131,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whoEntersItAfterItHasFailedDeviatesAsWell() {
+  void enteringTheAreaAfterAFailureDeviates() {
     isAt(0);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     says(0, "MOVING");
@@ -142,7 +142,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whoIsStoppedMayGoAnywhere() {
+  void aStoppedRobotMayMoveAnywhere() {
     isAt(0);
     acts(0, "doMove", AHEAD, IN_THE_WAY);
     acts(0, "motion_stop");
@@ -152,7 +152,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whoSaysDoneElsewhereDeviates() {
+  void doneAwayFromTheTargetDeviates() {
     isAt(0);
     acts(0, "doMove", AHEAD, "nowhere");
     acts(S, "arrived", "2000.0", "0.0", "10.0");
@@ -164,7 +164,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void whoSaysDoneOrFailsWithoutACommandDeviates() {
+  void doneOrFailWithoutACommandDeviates() {
     isAt(0);
     says(0, "FAIL");
     assertThat(run.details())
@@ -174,7 +174,7 @@ class MotionConformanceTest {
   }
 
   @Test
-  void aFlagThatIsAnotherDeviates() {
+  void aDifferentFlagDeviates() {
     isAt(0);
     says(0, "MOVING");
     assertThat(run.details())

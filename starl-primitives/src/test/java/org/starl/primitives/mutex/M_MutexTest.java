@@ -228,12 +228,38 @@ class M_MutexTest {
         "expected bot0 among them",
         (gvh, mux) -> mux.do_mutex(List.of("A"), Participants.of(new RobotId("bot1"))));
     assertFails(
+        "cannot exclude bot7, which is not in the group [bot0]",
+        (gvh, mux) ->
+            mux.do_mutex(List.of("B"), Participants.of(new RobotId("bot0"), new RobotId("bot7"))));
+    assertFails(
         "mutex/crossing is closed",
         (gvh, mux) -> {
           mux.close();
           mux.close();
           mux.release("A");
         });
+  }
+
+  @Test
+  void aShortParticipantListDoesNotNarrowExclusion() {
+    Function<GlobalVarHolder, LogicThread> app =
+        gvh -> {
+          M_Mutex mux = new M_Mutex(gvh, XID);
+          return new Script(
+              gvh,
+              script -> {
+                for (int i = 0; i < 5; i++) {
+                  mux.do_mutex(List.of("A"), Participants.of(gvh.id.name()));
+                  script.awaits(mux::od_mutex);
+                  script.sleeps(50);
+                  mux.release("A");
+                }
+                return List.of();
+              });
+        };
+    SimResult result = run(3, 1, 0.1, app);
+    assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
+    assertThat(result.spec().checks(MutexSpec.EXCLUSIVE)).isEqualTo(15);
   }
 
   @Test

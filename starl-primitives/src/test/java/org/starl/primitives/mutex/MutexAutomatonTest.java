@@ -74,7 +74,7 @@ class MutexAutomatonTest {
   }
 
   @Test
-  void itStartsWithNothingAskedForOrHeld() {
+  void theStartStateHasNoRequestsAndNoHolders() {
     assertThat(automaton.theory()).isEqualTo("Mutex_decls");
     assertThat(PIDS).allMatch(i -> automaton.start().held(i).isEmpty());
     assertThat(PIDS).allMatch(i -> automaton.start().req_set().at(i).isEmpty());
@@ -105,7 +105,7 @@ class MutexAutomatonTest {
   }
 
   @Test
-  void whatAnEarlierStartHeldIsHeldUntilTheNextSaysWhereItStands() {
+  void sectionsOfAnEarlierStartAreHeldUntilStandsIn() {
     States s = automaton.start();
     s = after(s, new MutexAction.do_mutex(I, set("A B")));
     s = after(s, new MutexAction.od_mutex(I, set("A B")));

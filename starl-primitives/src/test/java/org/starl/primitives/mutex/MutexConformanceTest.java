@@ -53,7 +53,7 @@ class MutexConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     ask(I, "A B");
     enter(I, "A B");
     release(I, "A", "B");
@@ -78,7 +78,7 @@ class MutexConformanceTest {
   }
 
   @Test
-  void theRestAreStutters() {
+  void otherEventsMapToNoAction() {
     ask(I, "A");
     run.forgetSteps();
     event(new MutexEvent.Grant(J, I, 1));
@@ -95,7 +95,7 @@ class MutexConformanceTest {
   }
 
   @Test
-  void whoComesBackToTheFloorHasStartedAnewInEveryInstance() {
+  void aRobotThatRejoinsRestartsInEveryInstance() {
     ask(I, "A");
     event("mutex/y", new MutexEvent.StandsIn(J, set("")));
     run.has(new TraceEvent.Left(1, J.robot()));
@@ -106,7 +106,7 @@ class MutexConformanceTest {
   }
 
   @Test
-  void whoEntersWhatAnotherHoldsDeviates() {
+  void enteringAHeldSectionDeviates() {
     ask(I, "A B");
     enter(I, "A B");
     ask(J, "B");
@@ -119,7 +119,7 @@ class MutexConformanceTest {
   }
 
   @Test
-  void whatADeadOneHeldIsNotFreeBeforeItsNextStartSaysSo() {
+  void sectionsOfACrashedRobotAreHeldUntilStandsIn() {
     ask(I, "A B");
     enter(I, "A B");
     run.has(new Fault(1, I.robot(), Fault.CRASH, ""));
@@ -135,7 +135,7 @@ class MutexConformanceTest {
   }
 
   @Test
-  void aResultThatIsAnotherDeviates() {
+  void aDifferentResultDeviates() {
     ask(I, "A B");
     enter(I, "A B");
     release(I, "A", "");

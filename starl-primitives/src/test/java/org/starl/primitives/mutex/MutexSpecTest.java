@@ -32,7 +32,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void twoHoldersOfOneSectionAreAViolation() {
+  void twoHoldersOfOneSectionViolateExclusive() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
     ask(2, J, 2, "B C");
@@ -43,7 +43,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoWaitsOrHoldsIsWatchedHoweverManyComeAndGo() {
+  void aLongRunKeepsWaitingAndHoldingRequests() {
     ask(0, I, 1, "A");
     enter(1, I, "A");
     ask(2, J, 2, "A");
@@ -61,7 +61,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void aSectionThatWasGivenBackIsFree() {
+  void aReleasedSectionIsFree() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
     event(2, new MutexEvent.Release(I, 1, set("B"), set("A")));
@@ -71,7 +71,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoLeavesTheFloorWithoutAReleaseStillHolds() {
+  void aRobotThatLeavesWithoutReleaseStillHolds() {
     ask(0, I, 1, "A");
     enter(1, I, "A");
     monitors.observe(new TraceEvent.Left(2, I.robot()));
@@ -81,7 +81,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoIsConfinedToLessThanItHoldsViolatesKept() {
+  void confiningToLessThanHeldViolatesKept() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
     View first = View.closed(List.of(I, J, K)).next();
@@ -92,7 +92,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoEntersAfterItWasLeftOutViolatesKeptAndWhoWasNeverListedComplete() {
+  void enteringAfterRemovalViolatesKeptAndWithoutListingViolatesComplete() {
     ask(0, I, 1, "A");
     event(2, new MutexEvent.Learned(J, View.closed(List.of(J, K)).next()));
     enter(3, I, "A");
@@ -104,7 +104,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whatADeadOneHeldIsFreeByTheWordOfItsNextStartAndNoSooner() {
+  void sectionsOfACrashedRobotAreFreeAfterStandsIn() {
     ask(0, I, 1, "A B");
     enter(1, I, "A B");
     ProcessId next = new ProcessId(I.robot(), (1L << 32) + 1);
@@ -118,7 +118,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoConsentsAndComesFirstBreaksItsPromise() {
+  void consentingAndComingFirstViolatesPromise() {
     ask(0, I, 5, "A");
     ask(1, J, 4, "A");
     event(2, new MutexEvent.Grant(J, I, 1));
@@ -126,7 +126,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoConsentsAndRequestsWithALowerTimeLaterBreaksItsPromise() {
+  void aLaterRequestWithALowerTimeViolatesPromise() {
     ask(0, I, 5, "A");
     event(1, new MutexEvent.Grant(J, I, 1));
     ask(2, J, 4, "A");
@@ -134,7 +134,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void aPromiseBindsForOneRequestAndForSectionsThatMeet() {
+  void aPromiseBindsOneRequestAndOverlappingSections() {
     ask(0, I, 5, "A");
     event(1, new MutexEvent.Grant(J, I, 1));
     ask(2, J, 4, "B");
@@ -146,7 +146,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void twoThatDoNotNeedEachOtherAreAViolation() {
+  void requestsThatNeedNoConsentOfEachOtherViolateConnected() {
     event(0, new MutexEvent.DoMutex(I, 1, 1, set("A"), ids(K)));
     event(1, new MutexEvent.DoMutex(J, 1, 2, set("B"), ids(I, K)));
     assertThat(monitors.report().violations(MutexSpec.CONNECTED)).isZero();
@@ -155,7 +155,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void theTrueFormOfNonInterferenceExcusesWhoWaitsBehindAWaiter() {
+  void nonInterferenceExcusesARequestBehindAWaiter() {
     ask(0, K, 1, "A");
     enter(0, K, "A");
     ask(1, J, 2, "A B");
@@ -168,7 +168,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void whoStandsBehindNobodyIsOwedAccessWithinD3() {
+  void aRequestWithoutCompetitorsIsOwedAccessWithinD3() {
     ask(0, K, 1, "A");
     enter(0, K, "A");
     ask(1, I, 3, "B");
@@ -190,7 +190,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void nothingWithinD2IsOwedWhileSomebodyHoldsForTooLong() {
+  void servedIsNotOwedWhileAHolderIsOverdue() {
     ask(0, K, 1, "A");
     enter(0, K, "A");
     ask(60, I, 3, "A");
@@ -216,7 +216,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void aRequestThatNeedsOthersThanBeforeIsOwedAnew() {
+  void aRequestThatNeedsOtherParticipantsHasItsWholeBoundAgain() {
     ask(0, I, 1, "A");
     event(9, new MutexEvent.Known(I, 1, ids(J, K)));
     enter(19, I, "A");
@@ -224,7 +224,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void nothingIsOwedThatNeedsADeadOneUntilAViewIsWithoutIt() {
+  void nothingIsOwedWhileACrashedParticipantIsNeeded() {
     ask(0, I, 1, "A");
     ask(0, J, 2, "B");
     monitors.observe(new TraceEvent.Fault(5, K.robot(), "crash", ""));
@@ -240,7 +240,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void nothingIsOwedWhereAGhostStandsAndNothingToThoseBehind() {
+  void nothingIsOwedInAFencedSectionOrBehindSuchARequest() {
     View ghost = View.closed(List.of(I, J, K)).next().confined(K, set("A"));
     event(0, new MutexEvent.Learned(I, ghost));
     event(0, new MutexEvent.DoMutex(I, 1, 1, set("A B"), ids(J)));
@@ -252,7 +252,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void nothingIsOwedWhileTheNetworkIsFoul() {
+  void nothingIsOwedDuringANetworkFault() {
     ask(0, I, 1, "A");
     RobotId world = TraceEvent.Fault.WORLD;
     monitors.observe(new TraceEvent.Fault(5, world, "begin", "loss 0.9"));
@@ -262,7 +262,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void aWithdrawnRequestAndOneOfARobotThatLeftAreOwedNothing() {
+  void withdrawnRequestsAndRobotsThatLeftAreOwedNothing() {
     ask(0, I, 1, "A");
     ask(0, J, 2, "B");
     event(5, new MutexEvent.Withdraw(I, 1, MutexFailure.WITHDRAWN));
@@ -272,7 +272,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void otherInstancesAndOtherEventsAreNotLookedAt() {
+  void otherInstancesAndEventsAreIgnored() {
     monitors.observe(
         new TraceEvent.Action(0, I.robot(), "mutex/y", "od_mutex", List.of("nonsense")));
     monitors.observe(new TraceEvent.Variable(0, I.robot(), "mutex/x", "crit", "true"));
@@ -301,7 +301,7 @@ class MutexSpecTest {
   }
 
   @Test
-  void aMutexsActionThatCannotBeReadIsNamed() {
+  void anUnreadableActionIsReported() {
     TraceEvent bad =
         new TraceEvent.Action(0, I.robot(), "mutex/x", "od_mutex", List.of("i#1", "two", "A"));
     assertThatThrownBy(() -> MutexTrace.read(bad))

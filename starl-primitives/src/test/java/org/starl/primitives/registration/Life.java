@@ -9,9 +9,9 @@ import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
 
 /**
- * A town's life, drawn from its seed: robots come and go, crash and restart, take each other for
- * crashed, rightly or wrongly, the network is foul and cut; then all heals, and whoever wants in or out
- * must get there, and no list may speak of any other.
+ * A random run of a town, from its seed: robots register and unregister, crash and restart, and suspect
+ * each other, rightly or wrongly, over a faulty and partitioned network. Then all heals: every robot must
+ * reach its goal, and the list must hold exactly the robots that want to be registered.
  */
 final class Life {
 
@@ -23,7 +23,7 @@ final class Life {
   private final Rng rng;
   private boolean foul = true;
 
-  /** Whether, after the healing, everybody got what it wants within the bound. */
+  /** Whether, after healing, every robot reached its goal within the bound. */
   boolean gotWell;
 
   Life(long seed) {
@@ -53,7 +53,7 @@ final class Life {
         () -> town.robots.values().stream().allMatch(TownRobot::isSatisfied) && isTidy(), BOUND_MS);
   }
 
-  /** Whether the latest list that anybody knows has nobody but those who want to be in. */
+  /** Whether the latest known list has only robots that want to be registered. */
   private boolean isTidy() {
     View latest = View.NONE;
     SortedSet<ProcessId> members = new TreeSet<>();

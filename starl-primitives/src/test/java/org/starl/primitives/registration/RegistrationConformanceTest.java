@@ -44,7 +44,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void eachEventIsTheActionOfTheTable() {
+  void eventsMapToTheActionsInTheTable() {
     sees("a", "0:");
     acts("a", "do_register", "a#1");
     sees("a", "1:a#1@1");
@@ -81,7 +81,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void whatTheDeploymentGivesHasBeenAskedForAndIsWhoItsRobotsAreAtTheirFirstStart() {
+  void theFirstViewGivesTheRobotsTheirIds() {
     sees("a", "0:");
     acts("a", "first_view", "1:a#1@1,b#1@1");
     sees("a", "1:a#1@1,b#1@1");
@@ -101,7 +101,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void aListThatIsKnownTooEarlyWaitsForThoseBelowIt() {
+  void aListSeenTooEarlyWaitsForLowerNumbers() {
     acts("a", "do_register", "a#1");
     acts("b", "do_register", "b#1");
     sees("a", "2:a#1@1,b#1@2");
@@ -125,7 +125,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void aNumberThatNobodyKnowsIsAsTheOneBefore() {
+  void anUnseenNumberRepeatsTheListBefore() {
     aAndBAreIn();
     acts("a", "unregister", "a#1");
     sees("b", "4:b#1@1");
@@ -141,7 +141,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void aListThatForgetsAMemberDeviatesAlsoWhereNumbersAreMissing() {
+  void aListWithoutAMemberDeviatesEvenIfNumbersAreMissing() {
     aAndBAreIn();
     sees("a", "3:a#1@1");
     assertThat(details())
@@ -152,7 +152,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void anotherRobotsWordDoesNotLetAMemberGo() {
+  void anotherRobotCannotUnregisterAMember() {
     aAndBAreIn();
     acts("b", "unregister", "a#1");
     acts("b", "give_up", "a#1");
@@ -162,14 +162,14 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void whoNeverAskedOrComesBackOnAListDeviates() {
+  void anIdThatNeverAskedOrReturnsDeviates() {
     aAndBAreIn();
     sees("a", "2:a#1@1,b#1@1,c#1@2");
     assertThat(details().get(0)).endsWith("[c#1] never asked");
   }
 
   @Test
-  void whoComesBackOnAListDeviates() {
+  void anIdThatReturnsToAListDeviates() {
     aAndBAreIn();
     acts("a", "unregister", "a#1");
     sees("b", "2:b#1@1");
@@ -178,7 +178,7 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void aListThatIsAnotherThanTheDecidedOneDeviates() {
+  void aListThatDiffersFromTheDecidedOneDeviates() {
     aAndBAreIn();
     sees("b", "2:a#1@1,b#1@1");
     sees("c", "2:a#1@1");
@@ -187,21 +187,21 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void aListThatIsShownUnderAnotherNumberDeviates() {
+  void aListShownUnderAnotherNumberDeviates() {
     aAndBAreIn();
     shows("b", "0:[a, b]");
     assertThat(details()).containsExactly(HERE + ": ts(b#1) is 1, but the trace has 0");
   }
 
   @Test
-  void inALongRunOldListsAreForgottenAndLatestOnesLookedAt() {
+  void aLongRunForgetsOldListsAndChecksNewOnes() {
     acts("a", "do_register", "a#1");
     for (int number = 1; number <= 2_000; number++) {
       if (number % 3 > 0) {
         sees("a", number + ":a#1@1");
       }
     }
-    sees("b", "3:"); // of so long ago that nobody knows any more
+    sees("b", "3:"); // too old to be compared
     assertThat(run.report().holds()).isTrue();
     sees("b", "1990:");
     assertThat(details()).hasSize(1);

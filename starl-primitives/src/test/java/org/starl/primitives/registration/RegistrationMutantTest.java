@@ -142,13 +142,13 @@ class RegistrationMutantTest {
 
   @ParameterizedTest
   @EnumSource
-  void theSpecificationSeesWhatIsWrong(Mutant mutant) {
+  void theSpecificationDetectsTheMutant(Mutant mutant) {
     assertSeen(mutant, mutant.lemma);
   }
 
   @ParameterizedTest
   @EnumSource(names = {"OWN_VALUE", "LIST_LACKS_MEMBER", "READMIT", "WHO_NEVER_ASKED"})
-  void itIsNoRunOfTheTheory(Mutant mutant) {
+  void theMutantDeviatesFromTheTheory(Mutant mutant) {
     assertSeen(mutant, RegistrationAutomaton.REGISTRATION_DECLS);
   }
 
@@ -165,12 +165,12 @@ class RegistrationMutantTest {
   }
 
   @Test
-  void whereNobodyIsLetInTheSpecificationSeesIt() {
+  void refusedAdmissionsViolateRegistered() {
     assertThat(notRegistered(false)).isZero();
     assertThat(notRegistered(true)).isPositive();
   }
 
-  /** How many of four who register are not in within 2 s. */
+  /** The number of robots, of four, that are not registered within 2 s. */
   private static long notRegistered(boolean isWrong) {
     Town town = new Town(1, 4, 4, new RegistrationSpec(2_000_000_000L));
     town.weather = Weather.FAIR;

@@ -20,7 +20,7 @@ class RegistrationProtocolTest {
   private static final Weather TEN_MS = new Weather(0, 0, 10, 10, 0);
 
   @Property(tries = 400)
-  void whateverHappensTheSpecificationHoldsAndAfterHealingAllGetWhatTheyWant(@ForAll long seed) {
+  void theSpecificationHoldsUnderFaultsAndAllChangesComeAfterHealing(@ForAll long seed) {
     Life life = new Life(seed);
     SpecReport report = life.live();
     assertThat(report.holds()).as("seed %d: %s", seed, report).isTrue();
@@ -59,7 +59,7 @@ class RegistrationProtocolTest {
   }
 
   @Property(tries = 50)
-  void robotsThatJoinAtOnceUnderLossAreInWithinSeconds(@ForAll long seed) {
+  void simultaneousJoinsUnderLossSucceedWithinSeconds(@ForAll long seed) {
     Town town = new Town(seed, 4, 4, new RegistrationSpec());
     town.weather = Weather.LOSSY;
     town.startAll();
@@ -73,7 +73,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void withoutAMajorityAJoinIsToldThatItFailed() {
+  void withoutAMajorityAJoinFails() {
     Town town = new Town(3, 4, 4, new RegistrationSpec());
     town.settings = town.settings.withDeadlineMs(3_000);
     town.startAll();
@@ -88,7 +88,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void anAttemptThatWasGivenUpIsTakenOutAgainIfOthersCompleteIt() {
+  void anAbandonedAttemptThatOthersCompleteIsRemoved() {
     Town town = new Town(5, 3, 3, new RegistrationSpec());
     town.weather = TEN_MS;
     town.settings = town.settings.withDeadlineMs(25);
@@ -110,7 +110,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void whoUnregistersIsOutAndMayRegisterAnewUnderAnotherId() {
+  void anUnregisteredRobotMayRegisterUnderAnotherId() {
     Town town = fourUp();
     town.robot(0).do_register();
     town.runForMs(100);
@@ -128,7 +128,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void theListIsNullWhileANewerOneIsOnItsWayAndNoLongerThanTheBound() {
+  void theListIsNullWhileANewerOneIsExpectedUpToTheBound() {
     Town town = fourUp();
     town.robot(0).do_register();
     town.runForMs(100);
@@ -159,7 +159,7 @@ class RegistrationProtocolTest {
   }
 
   @Property(tries = 50)
-  void whoLeavesAndIsGoneBeforeAnybodyKnowsIsForgottenAllTheSame(@ForAll long seed) {
+  void aRobotThatLeavesBeforeOthersKnowIsForgotten(@ForAll long seed) {
     Town town = new Town(seed, 5, 5, new RegistrationSpec());
     town.startAll();
     town.robots.values().forEach(TownRobot::do_register);
@@ -182,7 +182,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void aFirstViewMayBeGivenAndIsBuiltUpon() {
+  void laterViewsDeriveFromAGivenFirstView() {
     Town town = new Town(11, 3, 3, new RegistrationSpec());
     View first =
         View.closed(
@@ -201,12 +201,12 @@ class RegistrationProtocolTest {
     assertThat(second.ids()).containsAll(first.ids()).hasSize(3);
     town.robot(0).crash();
     town.robot(0).start();
-    assertThat(isIn(town, 0)).as("a restarted robot is nobody's successor").isFalse();
+    assertThat(isIn(town, 0)).as("a restarted robot has a new id").isFalse();
     assertThat(town.finish().holds()).isTrue();
   }
 
   @Test
-  void whoIsConfinedIsOutAndItsGhostGoesByItsOwnWord() {
+  void aConfinedRobotIsRemovedAndItsGhostGoesAfterStandsIn() {
     Town town = fourUp();
     town.robots.values().forEach(TownRobot::do_register);
     town.runForMs(3_000);
@@ -232,7 +232,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void whoIsConfinedMayUnregisterAndIsOutOnceNoListMentionsIt() {
+  void aConfinedRobotMayUnregister() {
     Town town = fourUp();
     town.robots.values().forEach(TownRobot::do_register);
     town.runForMs(3_000);
@@ -254,7 +254,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void theNextStartOfACrashedRobotSaysWhereItStands() {
+  void theNextStartOfACrashedRobotConfinesItsOldId() {
     Town town = fourUp();
     town.robots.values().forEach(TownRobot::do_register);
     town.runForMs(3_000);
@@ -276,7 +276,7 @@ class RegistrationProtocolTest {
   }
 
   @Property(tries = 50)
-  void aFewRoadsideAcceptorsServeThoseWhoComeAndGoThoughOneOfThemIsDown(@ForAll long seed) {
+  void aFewRoadsideAcceptorsServeManyRobotsThoughOneIsDown(@ForAll long seed) {
     Town town = new Town(seed, 7, 3, new RegistrationSpec());
     town.weather = Weather.LOSSY;
     town.startAll();
@@ -297,7 +297,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void aMemberThatCrashesDuringAChangeNeitherStopsItNorIsLost() {
+  void aCrashDuringAChangeNeitherStopsItNorRemovesTheMember() {
     for (long seed = 0; seed < 50; seed++) {
       Town town = new Town(seed, 5, 5, new RegistrationSpec());
       town.startAll();
@@ -318,7 +318,7 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void callsOutOfOrderAreBugs() {
+  void callsInTheWrongPhaseThrow() {
     Town town = fourUp();
     assertThatThrownBy(() -> town.robot(0).unregister()).isInstanceOf(IllegalStateException.class);
     town.robot(0).do_register();

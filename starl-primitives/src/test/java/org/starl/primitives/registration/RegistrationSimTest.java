@@ -86,7 +86,7 @@ class RegistrationSimTest {
   }
 
   @Property(tries = 20)
-  void guestsComeAndGoUnderLoss(@ForAll long seed) {
+  void robotsRegisterAndUnregisterUnderLoss(@ForAll long seed) {
     SimResult result = guests(seed).build().run();
     assertThat(result.isFinished()).as("unfinished: %s", result.unfinished()).isTrue();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();

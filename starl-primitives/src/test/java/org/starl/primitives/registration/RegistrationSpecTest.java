@@ -18,7 +18,7 @@ class RegistrationSpecTest {
   private final Monitors monitors = new Monitors(List.of(new RegistrationSpec(1_000)));
 
   @Test
-  void joinsAndALeaveThatWasAskedForHold() {
+  void joinsAndARequestedLeaveHold() {
     acts(0, "a", "do_register", "a#1");
     acts(0, "b", "do_register", "b#1");
     sees(10, "a", "1:a#1@1");
@@ -40,7 +40,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void aListShownThatIsNotItsViewViolatesAgreement() {
+  void aListThatDiffersFromItsViewViolatesAgreement() {
     acts(0, "a", "do_register", "a#1");
     sees(10, "a", "1:a#1@1");
     shows(10, "a", "1:[a, b]");
@@ -48,7 +48,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void aMemberLostViolatesKeepsEvenIfTheViewsAreSeenInReverse() {
+  void aMissingMemberViolatesKeepsInEitherOrderOfViews() {
     acts(0, "a", "do_register", "a#1");
     acts(0, "b", "do_register", "b#1");
     sees(10, "b", "3:b#1@3");
@@ -57,7 +57,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void anotherRobotsWordDoesNotLetAMemberGo() {
+  void anotherRobotCannotUnregisterAMember() {
     acts(0, "a", "do_register", "a#1");
     acts(0, "b", "do_register", "b#1");
     sees(10, "a", "1:a#1@1");
@@ -77,13 +77,13 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void inALongRunTheLatestViewsAreStillWatched() {
+  void aLongRunStillChecksTheLatestViews() {
     acts(0, "a", "do_register", "a#1");
     acts(0, "b", "do_register", "b#1");
     for (int number = 1; number <= 2_000; number++) {
       sees(number, "a", number + ":a#1@1");
     }
-    sees(2_001, "b", "3:b#1@3"); // of so long ago that nobody knows any more
+    sees(2_001, "b", "3:b#1@3"); // too old to be compared
     assertThat(monitors.report().violations(RegistrationSpec.AGREEMENT)).isZero();
     sees(2_002, "b", "1990:b#1@1990");
     assertThat(report(2_003).violations(RegistrationSpec.AGREEMENT)).isEqualTo(1);
@@ -98,7 +98,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void whoIsNotInWithinTheBoundViolatesRegistered() {
+  void aRobotNotRegisteredWithinTheBoundViolatesRegistered() {
     acts(0, "a", "do_register", "a#1");
     acts(500, "a", "do_register", "a#2");
     sees(900, "a", "1:a#1@1");
@@ -106,7 +106,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void whoIsInOrToldThatItFailedIsOwedNothing() {
+  void aRegisteredOrFailedRobotIsOwedNothing() {
     acts(0, "a", "do_register", "a#1");
     acts(0, "b", "do_register", "b#1");
     acts(0, "c", "do_register", "c#1");
@@ -117,7 +117,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void nothingIsOwedWithoutAMajorityOfAcceptorsAndAllOfItAnewAfterwards() {
+  void withoutAMajorityOfAcceptorsTheBoundIsSuspended() {
     monitors.observe(new Action(0, new RobotId("a"), HERE, "acceptors", List.of("x", "y")));
     acts(0, "a", "do_register", "a#1");
     fault(100, "x", "crash");
@@ -128,14 +128,14 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void whoCrashesIsOwedNothing() {
+  void aCrashedRobotIsOwedNothing() {
     acts(0, "a", "do_register", "a#1");
     fault(100, "a", "crash");
     assertThat(report(5_000).holds()).isTrue();
   }
 
   @Test
-  void whoIsConfinedByOneWhoIsInBothListsIsKeptAsItsGhost() {
+  void confinementByAFencerInBothListsKeepsAGhost() {
     threeAreIn();
     confines(20, "b", "a#1", "A B", "b#1");
     sees(30, "b", "2:b#1@1,c#1@1|a#1@1[A B]");
@@ -147,7 +147,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void whoIsConfinedByNobodyOrToLessThanIsVouchedForViolatesKeeps() {
+  void confinementWithoutFencerOrToFewerSectionsViolatesKeeps() {
     threeAreIn();
     sees(30, "b", "2:b#1@1,c#1@1|a#1@1[A B]");
     assertThat(monitors.report().violations(RegistrationSpec.KEEPS)).isEqualTo(1);
@@ -166,7 +166,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void aGhostThatGrowsOrComesBackIsAViolation() {
+  void aGhostThatGrowsOrReturnsIsAViolation() {
     threeAreIn();
     confines(20, "b", "a#1", "A", "b#1");
     sees(30, "c", "2:b#1@1,c#1@1|a#1@1[A]");
@@ -177,7 +177,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void anotherRobotsOwnWordCountsForNothing() {
+  void aConfinementWithoutFencersByAnotherRobotDoesNotCount() {
     threeAreIn();
     confines(20, "b", "a#1", "", "");
     sees(30, "b", "2:b#1@1,c#1@1");
@@ -185,7 +185,7 @@ class RegistrationSpecTest {
   }
 
   @Test
-  void anotherInstanceIsAnotherMatter() {
+  void instancesAreJudgedSeparately() {
     acts(0, "a", "do_register", "a#1");
     sees(10, "a", "1:a#1@1");
     monitors.observe(new Variable(20, new RobotId("b"), "registration/there", "view", "1:"));

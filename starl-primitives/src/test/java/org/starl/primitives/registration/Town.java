@@ -46,7 +46,7 @@ final class Town extends FoulNetwork {
   /** Whether writes are said to be stable before they are. */
   boolean flushesLie;
 
-  /** Whether nothing that is sent reliably is sent at all, as by one who goes away at once. */
+  /** Whether reliable messages are dropped, as if the sender went away at once. */
   boolean newsIsLost;
 
   /** Whether all robots number their ballots alike. */

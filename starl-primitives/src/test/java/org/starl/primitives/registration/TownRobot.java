@@ -64,7 +64,7 @@ final class TownRobot {
     running().call(() -> protocol().unregister(town.nowNs()));
   }
 
-  /** Works for the confinement of somebody in its list, as if it had vowed; if it is in itself. */
+  /** Proposes to confine a robot on its list, as if it had fenced it; only if it is on the list itself. */
   void confine(Rng rng) {
     Program up = program;
     if (up == null || up.protocol.phase() != Phase.IN) {
@@ -90,7 +90,7 @@ final class TownRobot {
       if (up.protocol.phase() != Phase.OUT) {
         mine.remove(up.protocol.me());
       }
-      mine.forEach(id -> up.call(() -> up.protocol.isIdleForEver(id, town.nowNs())));
+      mine.forEach(id -> up.call(() -> up.protocol.markIdle(id, town.nowNs())));
       up.call(() -> up.protocol.standsIn(new TreeSet<>(), town.nowNs()));
     }
   }
@@ -282,29 +282,29 @@ final class TownRobot {
     }
 
     @Override
-    public void isGiven(View first) {
+    public void given(View first) {
       List<String> args = List.of(first.toString());
       town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, "first_view", args));
     }
 
     @Override
-    public void asksFor(ProcessId id) {
+    public void register(ProcessId id) {
       action("do_register", id);
     }
 
     @Override
-    public void unregisters(ProcessId id) {
+    public void unregister(ProcessId id) {
       action("unregister", id);
     }
 
     @Override
-    public void confines(Confinement confinement) {
+    public void confine(Confinement confinement) {
       List<String> args = confinement.args();
       town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, "confine", args));
     }
 
     @Override
-    public void givesUp(ProcessId id) {
+    public void giveUp(ProcessId id) {
       action("give_up", id);
     }
 

@@ -50,8 +50,7 @@ class ViewFormatTest {
   }
 
   @Property(tries = 300, edgeCases = EdgeCasesMode.NONE)
-  void damagedBytesAreReadAsSomethingOrRefusedAndNothingElse(
-      @ForAll("views") View view, @ForAll int at, @ForAll byte with) {
+  void damagedBytesAreReadOrRefused(@ForAll("views") View view, @ForAll int at, @ForAll byte with) {
     byte[] bytes = ViewFormat.toValue(view).bytes();
     bytes[Math.floorMod(at, bytes.length)] = with;
     for (Value damaged :
@@ -78,12 +77,12 @@ class ViewFormatTest {
   }
 
   @Test
-  void fortyRobotsFitAndAHundredDoNot() {
+  void fortyRobotsFitAViewAndAHundredDoNot() {
     assertThat(ViewFormat.fits(viewOf(40))).isTrue();
     assertThat(ViewFormat.fits(viewOf(100))).isFalse();
   }
 
-  /** Each ghost as it would have been confined, by the first who is free. */
+  /** The confinement of each ghost, by the first free id. */
   private static List<Confinement> confinements(View view) {
     List<Confinement> all = new ArrayList<>();
     List<ProcessId> fencers = view.ids().subList(0, Math.min(1, view.ids().size()));

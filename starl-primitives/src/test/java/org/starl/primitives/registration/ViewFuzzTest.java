@@ -59,7 +59,7 @@ public class ViewFuzzTest {
   }
 
   @Test
-  void aViewHasOneSpelling() {
+  void equalViewsHaveEqualBytes() {
     ProcessId one = new ProcessId(new RobotId("one"), 1);
     ProcessId two = new ProcessId(new RobotId("two"), 1L << 32);
     ProcessId three = new ProcessId(new RobotId("three"), 5);

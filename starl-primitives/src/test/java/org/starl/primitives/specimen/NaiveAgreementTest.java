@@ -25,7 +25,7 @@ class NaiveAgreementTest {
     "FIRST_HEARD, SetAgreement_decls",
     "SUM_OF_ALL, SetAgreement_decls",
   })
-  void whatIsNoAgreementIsCaught(NaiveAgreement.Way way, String lemma) {
+  void naiveAgreementsAreDetected(NaiveAgreement.Way way, String lemma) {
     long seed = 0;
     SimResult result;
     do {

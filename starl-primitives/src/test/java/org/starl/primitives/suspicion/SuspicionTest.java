@@ -23,7 +23,7 @@ class SuspicionTest {
   private final Suspicion suspicion = new Suspicion(SILENCE_NS);
 
   @Test
-  void whoIsNotNeededIsNeverSuspected() {
+  void aParticipantThatIsNotNeededIsNeverSuspected() {
     suspicion.heard(A, 5);
     assertThat(suspicion.suspects(A, 1_000_000)).isFalse();
     assertThat(suspicion.suspects(1_000_000)).isEmpty();
@@ -39,7 +39,7 @@ class SuspicionTest {
   }
 
   @Test
-  void anyWordBeginsTheSilenceAnewAndTakesASuspicionBack() {
+  void anyMessageRestartsTheSilenceAndEndsASuspicion() {
     suspicion.expects(A, 0);
     assertThat(suspicion.suspects(A, 130)).isTrue();
     suspicion.heard(A, 130);
@@ -49,7 +49,7 @@ class SuspicionTest {
   }
 
   @Test
-  void whoIsReleasedIsSuspectedOnlyAfterANewNeed() {
+  void aReleasedParticipantIsSuspectedOnlyWhenNeededAgain() {
     suspicion.expects(A, 0);
     suspicion.releases(A);
     assertThat(suspicion.suspects(A, 500)).isFalse();
@@ -59,7 +59,7 @@ class SuspicionTest {
   }
 
   @Test
-  void aRestartedRobotIsSomebodyElse() {
+  void aRestartedRobotIsAnotherParticipant() {
     suspicion.expects(A, 0);
     suspicion.heard(A_AGAIN, 90);
     assertThat(suspicion.suspects(A, 100)).isTrue();
@@ -77,7 +77,7 @@ class SuspicionTest {
   }
 
   @Test
-  void theNextLookIsWhenTheNextOneFallsUnderSuspicion() {
+  void theWakeTimeIsTheNextSuspicion() {
     suspicion.expects(A, 0);
     suspicion.expects(B, 30);
     assertThat(suspicion.wakeAtNs(0)).isEqualTo(100);
@@ -87,7 +87,7 @@ class SuspicionTest {
   }
 
   @Test
-  void aSilenceOfNoLengthIsRefused() {
+  void aSilenceOfZeroIsRefused() {
     assertThatThrownBy(() -> new Suspicion(0))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("above 0");
@@ -95,7 +95,7 @@ class SuspicionTest {
 
   /** By the definition: needed since, nothing heard since, and the time is up. */
   @Property(tries = 300)
-  void oneIsSuspectedExactlyWhenItsSilenceHasLasted(
+  void aParticipantIsSuspectedExactlyAfterItsSilence(
       @ForAll @Size(max = 60) List<@IntRange(min = 0, max = 399) Integer> steps) {
     Suspicion tried = new Suspicion(SILENCE_NS);
     List<String> history = new ArrayList<>();

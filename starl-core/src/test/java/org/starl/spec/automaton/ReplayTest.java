@@ -10,7 +10,7 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
 /** A lamp that is switched on and off. */
-class ReplaysTest {
+class ReplayTest {
 
   private static final TraceEvent EVENT =
       new TraceEvent.Action(7_000_000, new RobotId("bot1"), "lamp/x", "switch_on", List.of());
@@ -58,9 +58,10 @@ class ReplaysTest {
 
   private final List<String> steps = new ArrayList<>();
   private final SpecReport report = new SpecReport();
-  private final Replays<Boolean, Switch> replays =
-      new Replays<>(
+  private final Replay<Boolean, Switch> replay =
+      new Replay<>(
           new Lamp(),
+          "lamp/x",
           new Steps<>() {
             @Override
             public void stepped(String instance, TraceEvent event, Switch action, Boolean after) {
@@ -74,8 +75,7 @@ class ReplaysTest {
           });
 
   @Test
-  void enabledStepsAreTakenAndReported() {
-    Replay<Boolean, Switch> replay = replays.of("lamp/x");
+  void enabledStepsArePassedToTheListener() {
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.result(EVENT, "on", 1, true, replay.state(), report);
     replay.step(EVENT, new Switch.switch_off(1, 2), report);
@@ -87,8 +87,7 @@ class ReplaysTest {
   }
 
   @Test
-  void theFirstDisabledStepIsReportedWithItsFirstFalseConjunctAndEndsTheReplay() {
-    Replay<Boolean, Switch> replay = replays.of("lamp/x");
+  void aStepThatIsNotEnabledIsReportedAndEndsTheReplay() {
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.step(EVENT, new Switch.switch_on(0), report);
@@ -99,33 +98,22 @@ class ReplaysTest {
         .containsExactly(
             "Lamp_decls violated at 0.007 s by bot1: lamp/x: switch_on(1) is not enabled:"
                 + " NOT on(s) is false: on(s) = true");
-    // The step that deviates is claimed as well: who proves the claims shall find it.
+    // The listener gets the deviating step as well, so that a proof of the steps finds it.
     assertThat(steps).containsExactly("lamp/x switch_on(1) true", "lamp/x switch_on(1) true");
   }
 
   @Test
   void theFirstOfSeveralFalseConjunctsIsReported() {
-    replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
-    replays.of("lamp/x").step(EVENT, new Switch.switch_on(-1), report);
+    replay.step(EVENT, new Switch.switch_on(1), report);
+    replay.step(EVENT, new Switch.switch_on(-1), report);
     assertThat(report.violations().get(0).detail()).endsWith("i > 0 is false: i = -1");
   }
 
   @Test
-  void aResultThatDiffersFromTheAutomatonsIsReported() {
-    Replay<Boolean, Switch> replay = replays.of("lamp/x");
+  void aResultThatDiffersFromTheAutomatonIsReported() {
     replay.result(EVENT, "on", 1, true, replay.state(), report);
     assertThat(report.violations())
         .extracting(SpecReport.Violation::detail)
         .containsExactly("lamp/x: on(1) is false, but the trace has true");
-  }
-
-  @Test
-  void instancesAreReplayedSeparately() {
-    replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
-    replays.of("lamp/x").step(EVENT, new Switch.switch_on(1), report);
-    replays.of("lamp/y").step(EVENT, new Switch.switch_on(1), report);
-    List<String> seen = new ArrayList<>();
-    replays.forEach(replay -> seen.add(replay.instance() + " " + replay.isOver()));
-    assertThat(seen).containsExactly("lamp/x true", "lamp/y false");
   }
 }

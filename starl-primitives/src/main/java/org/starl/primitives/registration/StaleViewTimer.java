@@ -3,17 +3,17 @@ package org.starl.primitives.registration;
 import org.starl.random.Rng;
 
 /**
- * The time between hearing of a proposal for a higher number and learning that number. Meanwhile the
- * list that is known is hidden, for the paper's interface has null between two lists; no longer than
- * a bound, and then it is shown until the next one is learned, so that a stream of proposals cannot
- * hide it for ever. Nothing safe rests on hiding.
+ * Watches the time between a rumour of a higher view number and learning that view. Meanwhile the known
+ * list is hidden, since the paper's interface shows null between two lists. After a bound it is shown
+ * again until the next view is learned, so that a series of proposals cannot hide it for ever. Safety
+ * does not depend on hiding.
  *
- * <p>A number that is not learned within the bound is asked for; and after about as long again it is
- * worked for, since whoever proposed it may be gone, and may have had it decided.
+ * <p>When the bound is over, the view is asked for. After about as long again this robot proposes for
+ * that number itself: the proposer may have gone, perhaps after the decision.
  */
-final class Suspense {
+final class StaleViewTimer {
 
-  /** What a timer finds to be done. */
+  /** What is due. */
   enum Due {
     NOTHING,
     ASK,
@@ -24,18 +24,18 @@ final class Suspense {
   private final Rng rng;
   private long learned;
   private long rumoured;
-  private boolean patienceIsOver;
+  private boolean expired;
   private Due next = Due.NOTHING;
   private long wakeAtNs = Long.MAX_VALUE;
 
-  Suspense(long boundNs, Rng rng) {
+  StaleViewTimer(long boundNs, Rng rng) {
     this.boundNs = boundNs;
     this.rng = rng;
   }
 
-  /** Whether the list that is known is shown. */
+  /** Whether the known list is shown. */
   boolean isListShown() {
-    return rumoured <= learned || patienceIsOver;
+    return rumoured <= learned || expired;
   }
 
   void rumour(long number, long nowNs) {
@@ -47,7 +47,7 @@ final class Suspense {
   void learned(long number, long nowNs) {
     boolean wasShown = isListShown();
     learned = Math.max(learned, number);
-    patienceIsOver = false;
+    expired = false;
     hideIfNew(wasShown, nowNs);
     if (isListShown()) {
       await(Due.NOTHING, Long.MAX_VALUE);
@@ -64,8 +64,8 @@ final class Suspense {
     }
     Due due = next;
     if (due == Due.ASK) {
-      patienceIsOver = true;
-      // At random, so that not all who wait begin at once.
+      expired = true;
+      // At random, so that not all waiting robots begin at once.
       await(Due.COMPLETE, nowNs + boundNs + rng.nextLong(0, boundNs));
     } else {
       await(Due.NOTHING, Long.MAX_VALUE);

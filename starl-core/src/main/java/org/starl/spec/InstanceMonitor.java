@@ -1,0 +1,87 @@
+package org.starl.spec;
+
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Predicate;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * A monitor of all instances of one primitive. It holds the table of lemmas, keeps one state for each
+ * instance, and hands each event to the method for its kind. Instances are told apart by their source
+ * in the trace: {@code mutex/crossing}.
+ *
+ * @param <R> the state kept for one instance
+ */
+public abstract class InstanceMonitor<R> implements Monitor {
+
+  private final Predicate<String> isInstance;
+  private final Map<String, String> sentences = new LinkedHashMap<>();
+  private final Map<String, R> instances = new TreeMap<>();
+
+  /**
+   * @param isInstance whether a source is an instance of the primitive
+   */
+  protected InstanceMonitor(Predicate<String> isInstance) {
+    this.isInstance = isInstance;
+  }
+
+  /** Adds a lemma, and the sentence that explains it to a user. For constructors. */
+  protected final void lemma(String name, String sentence) {
+    sentences.put(name, sentence);
+  }
+
+  @Override
+  public final List<String> lemmas() {
+    return List.copyOf(sentences.keySet());
+  }
+
+  @Override
+  public final String says(String lemma) {
+    return sentences.getOrDefault(lemma, "");
+  }
+
+  /** The state of an instance before its first event. */
+  protected abstract R begin(String source);
+
+  /** The state of instance {@code source}, created at the first call. */
+  protected final R instance(String source) {
+    return instances.computeIfAbsent(source, this::begin);
+  }
+
+  /** All instances seen so far, in the order of their sources. */
+  protected final Map<String, R> instances() {
+    return instances;
+  }
+
+  @Override
+  public void observe(TraceEvent event, Report report) {
+    if (!dispatch(event, report)) {
+      happened(event, report);
+    }
+  }
+
+  /** Hands an instance's action or variable on; returns whether {@code event} was one. */
+  protected final boolean dispatch(TraceEvent event, Report report) {
+    switch (event) {
+      case Action action when isInstance.test(action.source()) -> acted(action, report);
+      case Variable variable when isInstance.test(variable.source()) -> changed(variable, report);
+      default -> {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  /** Sees an action of an instance. */
+  protected void acted(Action action, Report report) {}
+
+  /** Sees a new value of an instance's variable. */
+  protected void changed(Variable variable, Report report) {}
+
+  /** Sees any other event. */
+  protected void happened(TraceEvent event, Report report) {}
+}

@@ -1,0 +1,78 @@
+package org.starl.spec;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.function.LongFunction;
+import java.util.function.Predicate;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Left;
+
+/**
+ * The specification of a primitive: safety of each instance at every event, and progress within
+ * bounds, where bounds are given.
+ *
+ * @param <R> the state kept for one instance
+ */
+public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
+
+  protected final Circumstances circumstances = new Circumstances();
+  private final List<Dues> progress = new ArrayList<>();
+
+  /**
+   * @param isInstance whether a source is an instance of the primitive
+   */
+  protected InstanceSpec(Predicate<String> isInstance) {
+    super(isInstance);
+  }
+
+  /**
+   * Adds a lemma of progress. Without a bound it is not among the {@link #lemmas}. For constructors.
+   *
+   * @param boundNs as {@link Dues} has it, or {@link Dues#NO_BOUND}
+   * @param complaint the violation's text, for a debt since so many ns
+   */
+  protected final Dues progress(
+      String lemma, String sentence, long boundNs, LongFunction<String> complaint) {
+    Dues dues = new Dues(lemma, boundNs, complaint);
+    if (dues.isBounded()) {
+      lemma(lemma, sentence);
+    }
+    progress.add(dues);
+    return dues;
+  }
+
+  @Override
+  public final void observe(TraceEvent event, Report report) {
+    finish(event.timeNs(), report);
+    boolean isReviewed = circumstances.observe(event);
+    if (event instanceof Left || (event instanceof Fault f && f.name().equals(Fault.CRASH))) {
+      ended(event.robot());
+    }
+    isReviewed |= dispatch(event, report);
+    if (isReviewed) {
+      review(event.timeNs(), report);
+    }
+  }
+
+  @Override
+  public final void finish(long endNs, Report report) {
+    progress.forEach(dues -> dues.expire(endNs, report));
+  }
+
+  /** The robot's program has ended: it crashed, or the robot left. */
+  protected abstract void ended(RobotId robot);
+
+  /**
+   * Updates what is owed, and whether the assumptions of progress hold. Called after each event of an
+   * instance, and after each change of the {@link #circumstances}.
+   */
+  protected abstract void review(long nowNs, Report report);
+
+  /** Whether more than half of {@code voters} are up. */
+  protected final boolean hasMajorityUp(Collection<RobotId> voters) {
+    return 2 * voters.stream().filter(circumstances::isUp).count() > voters.size();
+  }
+}
