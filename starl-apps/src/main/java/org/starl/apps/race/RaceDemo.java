@@ -2,6 +2,7 @@ package org.starl.apps.race;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -15,7 +16,6 @@ import org.starl.apps.race.logic.Drive;
 import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.Scoreboard;
-import org.starl.apps.race.spec.RaceBounds;
 import org.starl.apps.race.spec.RaceSpec;
 import org.starl.apps.race.view.RaceLayer;
 import org.starl.body.MotionParameters;
@@ -31,24 +31,26 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 
-/** The paper's section 5.4, Race App: {@code starl run race}. */
+/** The paper's Race App (section 5.4): {@code starl run race}. */
 public final class RaceDemo implements Demo {
 
   private static final String XID = "race";
-  private static final int MOST_ROBOTS = 64;
-  private static final int MOST_DRAWN = 100;
+  private static final int MAX_ROBOTS = 64;
+  private static final int MAX_DRAWN = 100;
 
-  /** More robots than these get a larger floor. */
+  /** More robots than this get a larger floor. */
   private static final int ROBOTS_ON_DEFAULT_FLOOR = 12;
 
-  /** Robots may know their places worse, and then owe nothing by geocast. */
+  /** A robot with a larger position error owes nothing by geocast. */
   private static final double POSITION_ERROR_MM = 50;
 
   private static final Parameter POINTS =
       new Parameter(
-          "points", "", "a .wpt file: the WAY lines are raced to in their order; empty for drawn");
+          "points",
+          "",
+          "a .wpt file: its WAY lines are the points, in order; empty: drawn from the seed");
   private static final Parameter DRAWN =
-      new Parameter("drawn", "5", "how many points are drawn from the seed, 1 to 100");
+      new Parameter("drawn", "5", "number of points drawn from the seed, 1 to 100");
 
   @Override
   public String name() {
@@ -99,8 +101,8 @@ public final class RaceDemo implements Demo {
   @Override
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
-    if (robots < 1 || robots > MOST_ROBOTS) {
-      throw new BadInput("robots: " + robots + ": expected 1 to " + MOST_ROBOTS + " in a race");
+    if (robots < 1 || robots > MAX_ROBOTS) {
+      throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS + " in a race");
     }
     List<RacePoint> points = points(request, settings);
     RaceStory story = new RaceStory(points);
@@ -113,14 +115,14 @@ public final class RaceDemo implements Demo {
     return new Plan(simulation, story, new RaceLayer(points), Obstacles.NONE);
   }
 
-  /** Adds everything that is checked in a run of a race. */
+  /** Adds all monitors of a run. */
   static void watch(Simulation.Builder simulation, List<RacePoint> points, SimSettings settings) {
-    RaceBounds bounds =
-        RaceBounds.of(
+    RaceSpec.of(
+            points,
             settings.messageDelay().longestNs(),
             settings.messageLoss().probability(),
-            farthestMm(points, settings));
-    RaceSpec.of(points, bounds).forEach(simulation::monitor);
+            farthestMm(points, settings))
+        .forEach(simulation::monitor);
     RacePoint widest =
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
     MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);
@@ -128,21 +130,23 @@ public final class RaceDemo implements Demo {
     simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS));
   }
 
-  /** From any point, or any place on the floor, to any point. */
+  /** The greatest distance from a point, or from a place on the floor, to a point. */
   private static double farthestMm(List<RacePoint> points, SimSettings settings) {
+    double width = settings.get(Setting.FLOOR_WIDTH);
+    double height = settings.get(Setting.FLOOR_HEIGHT);
     List<Point> places = new ArrayList<>();
     points.forEach(point -> places.add(point.at()));
-    places.add(new Point(0, 0));
-    places.add(new Point(settings.get(Setting.FLOOR_WIDTH), 0));
-    places.add(new Point(0, settings.get(Setting.FLOOR_HEIGHT)));
-    places.add(new Point(settings.get(Setting.FLOOR_WIDTH), settings.get(Setting.FLOOR_HEIGHT)));
-    double farthestMm = 0;
-    for (Point place : places) {
-      for (RacePoint point : points) {
-        farthestMm = Math.max(farthestMm, place.distanceMm(point.at()));
-      }
-    }
-    return farthestMm;
+    Collections.addAll(
+        places,
+        new Point(0, 0),
+        new Point(width, 0),
+        new Point(0, height),
+        new Point(width, height));
+    return places.stream()
+        .flatMapToDouble(
+            place -> points.stream().mapToDouble(point -> place.distanceMm(point.at())))
+        .max()
+        .orElse(0);
   }
 
   private List<RacePoint> points(Request request, SimSettings settings) {
@@ -151,7 +155,7 @@ public final class RaceDemo implements Demo {
       return RacePoints.read(file);
     }
     try {
-      int count = (int) Quantities.whole(request.parameter(DRAWN.key()), 1, MOST_DRAWN);
+      int count = (int) Quantities.whole(request.parameter(DRAWN.key()), 1, MAX_DRAWN);
       return RacePoints.drawn(count, settings, new Rng(request.seed()).fork(name()));
     } catch (BadInput error) {
       throw Quantities.in(DRAWN.key(), error);

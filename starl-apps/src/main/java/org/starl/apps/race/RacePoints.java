@@ -18,14 +18,16 @@ import org.starl.sim.world.WaypointFiles;
 /** The points of a race: the {@code WAY} lines of a file in their order, or drawn. */
 final class RacePoints {
 
-  /** A claim's point is two bytes on the air. */
-  private static final int MOST = 1000;
+  /** A claim has two bytes for the point's number. */
+  private static final int MAX = 1000;
 
   private static final int TRIES = 100;
 
   private RacePoints() {}
 
-  /** @throws BadInput if it cannot be read, or holds no race */
+  /**
+   * @throws BadInput if the file cannot be read or its points cannot be raced to
+   */
   static List<RacePoint> read(String file) {
     List<RacePoint> points = new ArrayList<>();
     Set<String> names = new TreeSet<>();
@@ -41,14 +43,16 @@ final class RacePoints {
       points.add(
           new RacePoint(waypoint.name(), new Point(waypoint.xMm(), waypoint.yMm()), radiusMm));
     }
-    if (points.isEmpty() || points.size() > MOST) {
+    if (points.isEmpty() || points.size() > MAX) {
       throw new BadInput(
-          file + ": has " + points.size() + " points: expected 1 to " + MOST + " WAY lines");
+          file + ": has " + points.size() + " points: expected 1 to " + MAX + " WAY lines");
     }
     return points;
   }
 
-  /** So many on the floor; each, if there is room, a quarter of its width from the one before. */
+  /**
+   * Random points on the floor, each, if there is room, a quarter of its width from the one before.
+   */
   static List<RacePoint> drawn(int count, SimSettings settings, Rng rng) {
     double widthMm = settings.get(Setting.FLOOR_WIDTH);
     double heightMm = settings.get(Setting.FLOOR_HEIGHT);

@@ -3,7 +3,6 @@ package org.starl.apps.race;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.Measures;
@@ -12,13 +11,12 @@ import org.starl.apps.Story;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RaceTrace;
-import org.starl.apps.race.logic.Scoreboard;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** Who won which point, when, and who bumped into whom. */
+/** Which robot won which point, when, and how many robots arrived. */
 final class RaceStory implements Story {
 
   private static final double NS_PER_S = 1e9;
@@ -29,11 +27,11 @@ final class RaceStory implements Story {
   private int returned;
   private long endNs;
 
-  /** For one point. */
+  /** The race to one point. */
   private static final class Race {
     private final SortedMap<RobotId, Claim> known = new TreeMap<>();
     private int arrivals;
-    private long firstNs = -1;
+    private long firstNs;
     private long lastNs;
   }
 
@@ -44,17 +42,14 @@ final class RaceStory implements Story {
 
   @Override
   public void observed(TraceEvent event) {
-    if (!(event instanceof Action action) || !action.source().equals(RaceTrace.SOURCE)) {
-      return;
-    }
-    if (action.name().equals(RaceTrace.ARRIVE)) {
+    if (event instanceof Action action && RaceTrace.is(action, RaceTrace.ARRIVE)) {
       races.get(Integer.parseInt(action.args().get(0))).arrivals++;
-    } else if (action.name().equals(Scoreboard.TAKEN)) {
-      Claim claim = Scoreboard.claim(action.args());
+    } else if (event instanceof Action action && RaceTrace.is(action, RaceTrace.TAKEN)) {
+      Claim claim = Claim.ofTrace(action.args());
       Race race = races.get(claim.point());
-      race.known.put(action.robot(), claim);
-      race.firstNs = race.firstNs < 0 ? action.timeNs() : race.firstNs;
+      race.firstNs = race.known.isEmpty() ? action.timeNs() : race.firstNs;
       race.lastNs = action.timeNs();
+      race.known.put(action.robot(), claim);
     }
   }
 
@@ -71,58 +66,58 @@ final class RaceStory implements Story {
     for (int i = 0; i < races.size(); i++) {
       lines.add(points.get(i).name() + ": " + told(races.get(i)));
     }
-    lines.add(returned + " of " + robots + " robots came to the end, at " + seconds(endNs));
+    lines.add(returned + " of " + robots + " robots ended, at " + seconds(endNs));
     return lines;
   }
 
   private static String told(Race race) {
     if (race.known.isEmpty()) {
-      return "nobody's";
+      return "not won";
     }
     Claim best = race.known.values().stream().min(Claim::compareTo).orElseThrow();
-    StringBuilder line = new StringBuilder(best.winner().name());
-    line.append(" at ").append(seconds(best.atNs()));
-    if (best.wasKeptOff()) {
-      line.append(", kept off by ").append(best.keptOffMm()).append(" mm");
-    }
-    if (race.arrivals > 1) {
-      line.append(", of ").append(race.arrivals).append(" that arrived");
-    }
-    return line.append("; all knew after ").append(seconds(race.lastNs - race.firstNs)).toString();
+    return best.winner()
+        + " at "
+        + seconds(best.atNs())
+        + (best.wasKeptOff() ? ", kept off by " + best.keptOffMm() + " mm" : "")
+        + (race.arrivals > 1 ? ", of " + race.arrivals + " that arrived" : "")
+        + "; all robots knew after "
+        + seconds(race.lastNs - race.firstNs);
   }
 
   @Override
   public Measures measures() {
-    List<Long> waits = new ArrayList<>();
     SortedMap<String, Long> counts = new TreeMap<>();
-    long before = 0;
     for (Race race : races) {
-      if (race.firstNs >= 0) {
-        waits.add(Math.max(0, race.firstNs - before));
-        before = race.firstNs;
-      }
       counts.merge("arrivals", (long) race.arrivals, Long::sum);
-      for (Claim claim : Map.copyOf(race.known).values().stream().distinct().toList()) {
-        counts.merge("kept_off", claim.wasKeptOff() ? 1L : 0L, Long::sum);
-      }
+      race.known.values().stream()
+          .distinct()
+          .forEach(claim -> counts.merge("kept_off", claim.wasKeptOff() ? 1L : 0L, Long::sum));
     }
-    return new Measures(robots, returned, waits, new TreeMap<>(), counts);
+    return new Measures(robots, returned, waitsNs(), new TreeMap<>(), counts);
   }
 
   @Override
   public List<Sample> samples() {
-    List<Long> taken = new ArrayList<>();
-    List<Long> spread = new ArrayList<>();
-    for (Race race : races) {
-      if (race.firstNs >= 0) {
-        taken.add(race.firstNs);
-        spread.add(race.lastNs - race.firstNs);
-      }
-    }
     return List.of(
-        Sample.when("points taken", taken),
-        Sample.howLong("time between two points' being taken", measures().waitsNs()),
-        Sample.howLong("time until all knew who had a point", spread));
+        Sample.when("points taken", won().stream().map(race -> race.firstNs).toList()),
+        Sample.howLong("time from one point's winner to the next", waitsNs()),
+        Sample.howLong(
+            "time until all robots knew a winner",
+            won().stream().map(race -> race.lastNs - race.firstNs).toList()));
+  }
+
+  private List<Race> won() {
+    return races.stream().filter(race -> !race.known.isEmpty()).toList();
+  }
+
+  private List<Long> waitsNs() {
+    List<Long> waits = new ArrayList<>();
+    long before = 0;
+    for (Race race : won()) {
+      waits.add(Math.max(0, race.firstNs - before));
+      before = race.firstNs;
+    }
+    return waits;
   }
 
   private static String seconds(long ns) {

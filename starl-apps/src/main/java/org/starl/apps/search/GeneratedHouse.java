@@ -13,9 +13,9 @@ import org.starl.geometry.Rectangle;
 import org.starl.random.Rng;
 
 /**
- * A house drawn from the seed: a hall from the bottom up, corridors across it, rooms along both sides
- * of each corridor. Rooms differ in width and depth; in some a wall or a pillar stands. Robots start
- * at the hall's lower end.
+ * A house drawn from the seed: a hall from the bottom up, corridors across it, rooms along both
+ * sides of each corridor. Rooms differ in width and depth; in some a wall or a pillar stands.
+ * Robots start at the hall's lower end.
  */
 final class GeneratedHouse {
 
@@ -63,8 +63,7 @@ final class GeneratedHouse {
   /** A place in one of the rooms that a robot can see. */
   static Point somewhere(House house, Rng rng) {
     Room room = house.room(rng.nextInt(house.rooms().size()));
-    List<Integer> cells = new ArrayList<>();
-    room.forEachCell(cells::add);
+    List<Integer> cells = new ArrayList<>(room.cells().stream().boxed().toList());
     int cell;
     do {
       cell = cells.remove(rng.nextInt(cells.size()));
@@ -173,7 +172,10 @@ final class GeneratedHouse {
     }
   }
 
-  /** Where there are rooms on one side only, the corridor has a wall on the other; and one at its end. */
+  /**
+   * Where there are rooms on one side only, the corridor has a wall on the other; and one at its
+   * end.
+   */
   private void closeCorridor(int corridor, int longest, boolean right, int below, int above) {
     if (longest == 0) {
       return;

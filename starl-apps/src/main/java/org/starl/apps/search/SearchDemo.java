@@ -2,8 +2,9 @@ package org.starl.apps.search;
 
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.regex.Matcher;
@@ -14,7 +15,7 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
-import org.starl.apps.search.logic.Driving;
+import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.SearchApp;
@@ -50,10 +51,10 @@ public final class SearchDemo implements Demo {
   private static final Pattern PLACE = Pattern.compile("(-?[0-9]{1,6}),(-?[0-9]{1,6})");
   private static final double UP_RAD = StrictMath.PI / 2;
 
-  /** "3/3 found": three runs of its own. */
+  /** Of three runs of the original StarL. */
   private static final String ORIGINAL = "found in 3 of 3";
 
-  /** Of the original's sensor. */
+  /** As far as the original's sensor. */
   private static final double RANGE_MM = 600;
 
   private static final List<Scenario> SCENARIOS =
@@ -69,7 +70,7 @@ public final class SearchDemo implements Demo {
       new Parameter(
           "object",
           DRAWN,
-          "what is to be found: drawn (the files' things; in a generated house a place from the"
+          "the thing to find: drawn (the files' things; in a generated house, at a place from the"
               + " seed), none, or x,y in mm");
   private static final Parameter FILES =
       new Parameter(
@@ -122,74 +123,64 @@ public final class SearchDemo implements Demo {
 
   @Override
   public Plan plan(Request request, SimSettings settings) {
-    Rng rng = new Rng(request.seed()).fork(name());
-    SearchScene scene = scene(request, settings, rng);
+    SearchScene scene = scene(request, settings);
     House house = scene.house();
-    Obstacles walls = scene.plan().walls();
-    List<ItemPosition> things = scene.things();
+    Obstacles walls = house.plan().walls();
     SearchStory story = new SearchStory();
-    TrueSensors sensors = new TrueSensors(house, things);
+    TrueSensors sensors = new TrueSensors(house, scene.things());
     Simulation.Builder simulation =
         Simulation.builder().settings(settings).obstacles(walls).director(sensors).observer(story);
-    for (SearchScene.Start start : scene.robots()) {
-      simulation.robot(
-          new RobotSpec(
-              start.robot(),
-              start.pose(),
-              true,
-              gvh -> new SearchApp(gvh, XID, house, sensors.of(start.robot()))));
-    }
-    watch(simulation, house, things, settings);
-    return new Plan(simulation, story, new SearchLayer(house, things), walls);
+    scene
+        .starts()
+        .forEach((robot, start) ->
+            simulation.robot(
+                new RobotSpec(
+                    robot, start, true, gvh -> new SearchApp(gvh, XID, house, sensors.of(robot)))));
+    watch(simulation, house, scene.things(), settings);
+    return new Plan(simulation, story, new SearchLayer(house, scene.things()), walls);
   }
 
-  /** Adds everything that is checked in a run. */
+  /** Adds all monitors of a run. */
   static void watch(
       Simulation.Builder simulation, House house, List<ItemPosition> things, SimSettings settings) {
     SearchSpec.of(house, things).forEach(simulation::monitor);
-    MotionParameters motion = Driving.motion(settings.motionParameters(0));
+    MotionParameters motion = Drive.motion(settings.motionParameters(0));
     simulation.monitor(() -> new MotionSpec(motion));
     simulation.monitor(AgreementSpec::new);
     simulation.monitor(ElectionSpec::new);
     simulation.monitor(() -> new TubesSpec(SearchSpec.toldNs(house)));
   }
 
-  private static SearchScene scene(Request request, SimSettings settings, Rng rng) {
-    MotionParameters body = settings.motionParameters(0);
+  private SearchScene scene(Request request, SimSettings settings) {
     String files = request.parameter(FILES.key());
     String scenario = request.parameter(SCENARIO.key());
-    SearchScene scene;
-    switch (scenario) {
-      case GENERATED ->
-          scene =
-              files.isEmpty()
-                  ? generated(request, settings, body, rng)
-                  : ofFiles(files, request, body);
-      case FILES_SCENARIO -> {
-        if (files.isEmpty()) {
-          throw new BadInput("files='': expected the folder of the house's .wpt files");
-        }
-        scene = ofFiles(files, request, body);
-      }
-      default ->
-          throw new BadInput(
-              "scenario=" + BadInput.quote(scenario) + ": expected generated or files");
+    if (!scenario.equals(GENERATED) && !scenario.equals(FILES_SCENARIO)) {
+      throw new BadInput("scenario=" + BadInput.quote(scenario) + ": expected generated or files");
     }
-    return withObject(scene, request.parameter(OBJECT.key()));
+    if (scenario.equals(FILES_SCENARIO) && files.isEmpty()) {
+      throw new BadInput("files='': expected the folder of the house's .wpt files");
+    }
+    SearchScene scene =
+        files.isEmpty() ? generated(request, settings) : ofFiles(files, request, settings);
+    String object = request.parameter(OBJECT.key());
+    return switch (object) {
+      case DRAWN -> scene;
+      case NONE -> scene.withThings(List.of());
+      default -> scene.withThings(List.of(objectAt(object, scene.house())));
+    };
   }
 
-  private static SearchScene ofFiles(String files, Request request, MotionParameters body) {
-    SearchScene scene = HouseFiles.read(Path.of(files), RANGE_MM, body);
-    int robots = scene.robots().size();
-    if (request.robots().isPresent() && request.robots().getAsInt() != robots) {
+  private static SearchScene ofFiles(String files, Request request, SimSettings settings) {
+    SearchScene scene = HouseFiles.read(Path.of(files), RANGE_MM, settings.motionParameters(0));
+    int robots = scene.starts().size();
+    if (request.robots().orElse(robots) != robots) {
       throw new BadInput(
           "robots: " + request.robots().getAsInt() + ": expected " + robots + ", as in start.wpt");
     }
     return scene;
   }
 
-  private static SearchScene generated(
-      Request request, SimSettings settings, MotionParameters body, Rng rng) {
+  private SearchScene generated(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
     if (robots < 1 || robots > MAX_ROBOTS) {
       throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS);
@@ -200,34 +191,31 @@ public final class SearchDemo implements Demo {
     } catch (BadInput error) {
       throw Quantities.in(ROOMS.key(), error);
     }
+    Rng rng = new Rng(request.seed()).fork(name());
     HousePlan plan = GeneratedHouse.of(rooms, robots, rng.fork("house"));
-    House house = House.of(plan, RANGE_MM, Driving.clearanceMm(body, plan.bounds()));
-    List<SearchScene.Start> starts = new ArrayList<>();
+    MotionParameters body = settings.motionParameters(0);
+    House house = House.of(plan, RANGE_MM, Drive.clearanceMm(body, plan.bounds()));
+    Map<RobotId, Pose> starts = new LinkedHashMap<>();
     for (Point start : plan.starts()) {
-      RobotId robot = new RobotId(settings.robotName() + starts.size());
-      starts.add(new SearchScene.Start(robot, Pose.of(start, UP_RAD)));
+      starts.put(new RobotId(settings.robotName() + starts.size()), Pose.of(start, UP_RAD));
     }
     Point place = GeneratedHouse.somewhere(house, rng.fork("object"));
-    return new SearchScene(
-        house, starts, List.of(new ItemPosition("object", place.xMm(), place.yMm())));
+    return new SearchScene(house, starts, List.of(object(place)));
   }
 
-  private static SearchScene withObject(SearchScene scene, String object) {
-    if (object.equals(DRAWN)) {
-      return scene;
-    }
-    if (object.equals(NONE)) {
-      return new SearchScene(scene.house(), scene.robots(), List.of());
-    }
-    Matcher place = PLACE.matcher(object);
+  private static ItemPosition objectAt(String text, House house) {
+    Matcher place = PLACE.matcher(text);
     if (place.matches()) {
       Point at = new Point(Double.parseDouble(place.group(1)), Double.parseDouble(place.group(2)));
-      if (scene.house().bounds().contains(at)) {
-        return new SearchScene(
-            scene.house(), scene.robots(), List.of(new ItemPosition("object", at.xMm(), at.yMm())));
+      if (house.bounds().contains(at)) {
+        return object(at);
       }
     }
     throw new BadInput(
-        "object=" + BadInput.quote(object) + ": expected drawn, none or x,y on the floor, in mm");
+        "object=" + BadInput.quote(text) + ": expected drawn, none or x,y on the floor, in mm");
+  }
+
+  private static ItemPosition object(Point at) {
+    return new ItemPosition("object", at.xMm(), at.yMm());
   }
 }

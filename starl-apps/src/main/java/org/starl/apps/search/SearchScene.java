@@ -1,30 +1,22 @@
 package org.starl.apps.search;
 
 import java.util.List;
+import java.util.Map;
 import org.starl.apps.search.logic.House;
-import org.starl.apps.search.logic.HousePlan;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
 /**
- * A search to be simulated.
+ * A search to simulate. Immutable.
  *
  * @param house as robots know it
- * @param robots who searches
- * @param things to find; none is fine
+ * @param starts where each robot starts, in the order in which robots join
+ * @param things the things to find; may be none
  */
-record SearchScene(House house, List<Start> robots, List<ItemPosition> things) {
+record SearchScene(House house, Map<RobotId, Pose> starts, List<ItemPosition> things) {
 
-  /** A robot and where it starts. */
-  record Start(RobotId robot, Pose pose) {}
-
-  SearchScene {
-    robots = List.copyOf(robots);
-    things = List.copyOf(things);
-  }
-
-  HousePlan plan() {
-    return house.plan();
+  SearchScene withThings(List<ItemPosition> newThings) {
+    return new SearchScene(house, starts, List.copyOf(newThings));
   }
 }

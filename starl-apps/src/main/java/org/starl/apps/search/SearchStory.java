@@ -19,7 +19,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
-/** Who led, who searched which room, and how it ended. */
+/** Which robots led, which robot searched which room, and how the search ended. */
 final class SearchStory implements Story {
 
   private static final double NS_PER_S = 1e9;
@@ -28,66 +28,55 @@ final class SearchStory implements Story {
   private final SortedMap<RobotId, Long> endedNs = new TreeMap<>();
   private final SortedSet<String> answers = new TreeSet<>();
   private final SortedSet<RobotId> leaders = new TreeSet<>();
-  private final SortedSet<RobotId> came = new TreeSet<>();
+  private final SortedSet<RobotId> joined = new TreeSet<>();
   private final SortedMap<String, Long> sweptNs = new TreeMap<>();
 
   @Override
   public void observed(TraceEvent event) {
+    RobotId robot = event.robot();
     switch (event) {
-      case TraceEvent.Joined joined -> came.add(joined.robot());
-      case Fault fault -> {
-        if (fault.name().equals(Fault.CRASH) || fault.name().equals(Fault.RESTART)) {
-          leaders.remove(fault.robot());
-          boolean isCrash = fault.name().equals(Fault.CRASH);
-          tell(fault, isCrash ? "crashes" : "starts anew");
+      case TraceEvent.Joined any -> joined.add(robot);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> {
+        leaders.remove(robot);
+        tell(fault, "crashes");
+      }
+      case Fault fault when fault.name().equals(Fault.RESTART) -> {
+        leaders.remove(robot);
+        tell(fault, "restarts");
+      }
+      case Variable duty when SearchTrace.is(duty, SearchTrace.DUTY) -> {
+        if (duty.value().isEmpty()) {
+          leaders.remove(robot);
+        } else if (leaders.add(robot)) {
+          tell(duty, "leads");
         }
       }
-      case Variable variable -> {
-        if (variable.source().equals(SearchTrace.SOURCE)) {
-          changed(variable);
+      case Variable room when SearchTrace.is(room, SearchTrace.ROOM) -> {
+        if (!room.value().isEmpty()) {
+          tell(room, "takes room " + room.value());
         }
       }
-      case Action action -> {
-        if (action.source().equals(SearchTrace.SOURCE)) {
-          acted(action);
+      case Action swept when SearchTrace.is(swept, SearchTrace.SWEPT) -> {
+        sweptNs.putIfAbsent(swept.args().get(0), swept.timeNs());
+        tell(swept, "has searched room " + swept.args().get(0) + " in full");
+      }
+      case Action found when SearchTrace.is(found, SearchTrace.FOUND) ->
+          tell(found, "sees " + found.args().get(0));
+      case Action answer when SearchTrace.is(answer, SearchTrace.ANSWER) -> {
+        endedNs.put(robot, answer.timeNs());
+        if (answers.add(answer.args().get(0))) {
+          tell(answer, "ends: " + answer.args().get(0));
         }
       }
       default -> {
-        // Of no account here.
-      }
-    }
-  }
-
-  private void changed(Variable variable) {
-    if (variable.name().equals(SearchTrace.DUTY)) {
-      if (variable.value().isEmpty()) {
-        leaders.remove(variable.robot());
-      } else if (leaders.add(variable.robot())) {
-        tell(variable, "leads");
-      }
-    } else if (variable.name().equals(SearchTrace.ROOM) && !variable.value().isEmpty()) {
-      tell(variable, "takes room " + variable.value());
-    }
-  }
-
-  private void acted(Action action) {
-    if (action.name().equals(SearchTrace.SWEPT)) {
-      sweptNs.putIfAbsent(action.args().get(0), action.timeNs());
-      tell(action, "has searched room " + action.args().get(0) + " in full");
-    } else if (action.name().equals(SearchTrace.FOUND)) {
-      tell(action, "sees " + action.args().get(0));
-    } else if (action.name().equals(SearchTrace.ANSWER)) {
-      endedNs.put(action.robot(), action.timeNs());
-      if (answers.add(action.args().get(0))) {
-        tell(action, "ends: " + action.args().get(0));
+        // Not part of the story.
       }
     }
   }
 
   private void tell(TraceEvent event, String what) {
-    lines.add(
-        String.format(
-            Locale.ROOT, "%6.1f s  %s %s", event.timeNs() / NS_PER_S, event.robot(), what));
+    double seconds = event.timeNs() / NS_PER_S;
+    lines.add(String.format(Locale.ROOT, "%6.1f s  %s %s", seconds, event.robot(), what));
   }
 
   @Override
@@ -109,11 +98,11 @@ final class SearchStory implements Story {
       String kind =
           answer.startsWith(Answer.FOUND)
               ? "found"
-              : answer.equals(Answer.NOTHING) ? "nothing there" : "gave up";
+              : answer.equals(Answer.NOTHING) ? Answer.NOTHING : "gave up";
       counts.merge("answer: " + kind, 1L, Long::sum);
     }
-    return new Measures(
-        came.size(), endedNs.size(), new ArrayList<>(endedNs.values()), figures, counts);
+    List<Long> ends = List.copyOf(endedNs.values());
+    return new Measures(joined.size(), ends.size(), ends, figures, counts);
   }
 
   @Override

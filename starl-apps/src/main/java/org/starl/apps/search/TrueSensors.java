@@ -1,6 +1,5 @@
 package org.starl.apps.search;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.search.logic.House;
@@ -12,8 +11,9 @@ import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 
 /**
- * The robots' sensors in the simulator: they show what is in range and sight of the robot's true body,
- * whatever the robot believes. A director, since its control knows the bodies; it changes nothing.
+ * The robots' sensors in the simulator: they show what is in range and sight of the robot's true
+ * body, wherever the robot believes to be. A director, since its control knows the bodies; it
+ * changes nothing.
  */
 final class TrueSensors implements Director {
 
@@ -32,20 +32,15 @@ final class TrueSensors implements Director {
   }
 
   Sensing of(RobotId robot) {
-    return () -> sensed(robot);
-  }
-
-  private List<ItemPosition> sensed(RobotId robot) {
-    if (things.isEmpty() || control == null || !control.isOnFloor(robot)) {
-      return List.of();
-    }
-    Point at = control.truePose(robot).at();
-    List<ItemPosition> sensed = new ArrayList<>();
-    for (ItemPosition thing : things) {
-      if (at.distanceMm(thing.at()) <= house.rangeMm() && house.sight().sees(at, thing.at())) {
-        sensed.add(thing);
+    return () -> {
+      if (things.isEmpty() || control == null || !control.isOnFloor(robot)) {
+        return List.of();
       }
-    }
-    return sensed;
+      Point at = control.truePose(robot).at();
+      return things.stream()
+          .filter(thing -> at.distanceMm(thing.at()) <= house.rangeMm())
+          .filter(thing -> house.sight().sees(at, thing.at()))
+          .toList();
+    };
   }
 }

@@ -55,7 +55,7 @@ class RaceTest {
     return plan;
   }
 
-  /** Runs it; every robot that is up at the end has named the same winner of every point. */
+  /** Runs a race; all specifications must hold and all robots that are up must end. */
   private static SimResult run(
       long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
     Plan plan = plan(seed, robots, parameters, settings);
@@ -78,7 +78,7 @@ class RaceTest {
 
   @ParameterizedTest
   @CsvSource({"four.wpt, 2", "four1.wpt, 4", "four.wpt, 16"})
-  void theOriginalsPointsAreAllWonAlsoWithLoss(String file, int robots) {
+  void allPointsOfTheOriginalsFilesAreWonWithAndWithoutLoss(String file, int robots) {
     Path points =
         Path.of(System.getProperty("starl.shared", "../../shared"))
             .resolve("data/starl-original/race")
@@ -119,7 +119,7 @@ class RaceTest {
   }
 
   @Test
-  void robotsThatDieHoldNobodyUp() {
+  void robotsThatCrashDoNotHoldUpTheOthers() {
     for (long seed = 1; seed <= 5; seed++) {
       Map<String, String> faults =
           Map.of("faults", "crash(bot1,at=8s); crash(bot2,at=15s)", "messageLoss", "0.2");
@@ -135,7 +135,7 @@ class RaceTest {
     }
   }
 
-  /** Crashes, for good, whoever claims the first point, within a millisecond. */
+  /** Crashes the winner of the first point for ever, within a millisecond. */
   private static final class KillsFirstWinner implements Director, SimObserver {
     private @Nullable RobotId winner;
 
@@ -156,7 +156,9 @@ class RaceTest {
     }
   }
 
-  /** When each robot first knew of the first point's winner after {@code fromNs}, and who arrived. */
+  /**
+   * When each robot first knew the first point's winner after {@code fromNs}, and which arrived.
+   */
   private static final class FirstPoint implements SimObserver {
     private final long fromNs;
     private final Map<RobotId, Long> knewNs = new TreeMap<>();
@@ -213,7 +215,7 @@ class RaceTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"", "loss(1,from=bot0,to=bot2)"})
-  void aWinnerThatDiesAtOnceHasWonAndWhoHasNotHeardItHearsItFromOthers(String fault) {
+  void othersRepeatTheClaimOfAWinnerThatCrashesAtOnce(String fault) {
     FirstPoint first = new FirstPoint(0);
     SimResult result = withDeadWinner(first, fault);
     assertThat(result.results()).hasSize(3);
@@ -225,7 +227,7 @@ class RaceTest {
   }
 
   @Test
-  void whoStartsAnewAsksAndDoesNotRaceToWhatIsWon() {
+  void aRobotThatRestartsAsksAndDoesNotRaceToAPointThatIsWon() {
     long restartNs = 7_000_000_000L;
     FirstPoint first = new FirstPoint(restartNs);
     SimResult result =
@@ -238,14 +240,14 @@ class RaceTest {
   }
 
   @Test
-  void aPointOnWhichSomebodyDiesUnheardIsWonFromAsNearAsCanBe() {
+  void aPointOnWhichARobotCrashedUnheardIsWonFromBesideIt() {
     SimResult result = withDeadWinner(new FirstPoint(0), "loss(1,from=bot0)");
     assertThat(result.results()).hasSize(3);
     assertThat(winners(result, 2).get(0)).isNotEqualTo("bot0");
   }
 
   @Test
-  void whoeverArrivesBeforeTheNewsDoesAllAgreeInTheEnd() {
+  void robotsThatArriveBeforeTheyHearOfAWinnerAgreeInTheEnd() {
     long arrivals = 0;
     for (long seed = 1; seed <= 10; seed++) {
       Map<String, String> settings =
@@ -258,7 +260,7 @@ class RaceTest {
   }
 
   @Test
-  void theFileOfPointsIsReadAndNamedWhereItIsBad(@TempDir Path folder) throws IOException {
+  void aFileOfPointsIsReadAndABadOneIsNamed(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("points.wpt");
     Files.writeString(file, "// two\nWAY,1,2,0,A\nWAY,3,4,0,B,10\nSENSE,5,6,0,C\n");
     assertThat(RacePoints.read(file.toString()))

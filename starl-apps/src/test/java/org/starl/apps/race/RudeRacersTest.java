@@ -12,20 +12,20 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** Racers that are rude: what is checked of a race must see them. */
+/** The monitor of its lemma reports each planted bug of {@link RudeRacer}. */
 class RudeRacersTest {
 
   private static final int SEEDS = 20;
 
   private static SimResult run(RudeRacer.Bug bug, long seed) {
-    // Bodies pass through each other and news are slow: now and then two are at a point at once.
+    // Bodies pass through each other and messages are slow: sometimes two robots arrive at once.
     SimSettings settings =
         SimSettings.builder()
             .set("duration", "600s")
             .set("idealMotion", "true")
             .set("messageDelay", "uniform(500ms,3s)")
             .set("robots", "6")
-            // So far that who is not told does not get there before it should know.
+            // So far that a robot that hears nothing does not arrive before it should know.
             .set("floorWidth", bug == RudeRacer.Bug.TELLS_NOBODY ? "30m" : "5m")
             .build();
     List<RacePoint> points = RacePoints.drawn(4, settings, new Rng(seed).fork("race"));

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.apps.search.logic.Driving;
+import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.RudeSearcher;
@@ -20,7 +20,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** Whole searchers that are rude: what is checked of a search must see them. */
+/** The monitor of its lemma reports each planted bug of {@link RudeSearcher}. */
 class RudeSearchersTest {
 
   private static final int ROBOTS = 3;
@@ -30,7 +30,7 @@ class RudeSearchersTest {
     SimSettings settings = SimSettings.builder().duration(Duration.ofHours(1)).build();
     HousePlan plan = GeneratedHouse.of(ROOMS, ROBOTS, new Rng(1));
     House house =
-        House.of(plan, 600, Driving.clearanceMm(settings.motionParameters(0), plan.bounds()));
+        House.of(plan, 600, Drive.clearanceMm(settings.motionParameters(0), plan.bounds()));
     Point thing = GeneratedHouse.somewhere(house, new Rng(1));
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(plan.walls());
     if (fault == RudeSearcher.Fault.FORGETS_THE_DEAD || fault == RudeSearcher.Fault.IS_TIMID) {

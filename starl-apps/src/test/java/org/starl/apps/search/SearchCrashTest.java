@@ -20,12 +20,12 @@ import org.starl.sim.world.Unsynced;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
-/** Whole searches in which a robot crashes: the others, and it itself if it comes back, go on. */
+/** Whole searches in which a robot crashes: the others go on, and so does it after a restart. */
 class SearchCrashTest {
 
-  /** It dies between two legs of its sweep: of what it bars, all can be seen from beside it. */
+  /** It crashes between two legs of its sweep: all that it bars can be seen from beside it. */
   @Test
-  void aroundASearcherThatDiesInTheOriginalsHouseTheRoomIsSearchedInFull() {
+  void othersSearchTheRoomInFullAroundARobotThatCrashedInIt() {
     Map<String, String> files = Map.of("files", Searches.originals().toString(), "object", "none");
     Plan plan = Searches.plan(8, 0, files, Map.of());
     plan.simulation().fault("crash(bot1,at=35s)");
@@ -33,9 +33,9 @@ class SearchCrashTest {
     assertThat(plan.story().lines()).anyMatch(line -> line.endsWith("has searched room E in full"));
   }
 
-  /** It dies inside by the door, and leaves a way past itself, but not to all that it has not seen. */
+  /** It crashes inside by the door: a way leads past it, but not to all that it has not seen. */
   @Test
-  void whereASearcherBarsTheOnlyRoomTheOthersTryItAndSaySoInTime() {
+  void theOthersTryARoomThatACrashedRobotBarsAndGiveItUpInTime() {
     Plan plan = Searches.plan(3, 3, Map.of("rooms", "1", "object", "none"), Map.of());
     plan.simulation().fault("crash(bot0,at=35s)");
     assertThat(Searches.answer(plan)).isEqualTo("gave up, could not search A");
@@ -44,7 +44,7 @@ class SearchCrashTest {
     assertThat(lines).anyMatch(line -> line.endsWith("bot2 takes room A"));
   }
 
-  /** Crashes a robot of which something is told, soon after that; and looks on. */
+  /** Crashes the first robot with a certain event, soon after it, and observes the others. */
   private static final class Killer implements Director, SimObserver {
     private static final long AFTER_NS = 12_000_000_000L;
 
@@ -59,7 +59,7 @@ class SearchCrashTest {
     private boolean isBack;
 
     /**
-     * @param downNs for so long; 0: for good
+     * @param downNs how long the robot is down; 0: for ever
      */
     Killer(Director also, long downNs, Predicate<Variable> isIt) {
       this.also = also;
@@ -129,14 +129,14 @@ class SearchCrashTest {
   }
 
   @Test
-  void whenTheLeaderDiesAnotherOneGoesOn() {
+  void anotherRobotLeadsWhenTheLeaderCrashes() {
     for (long seed = 1; seed <= 3; seed++) {
       assertThat(killed(seed, 0, leadersSweep()).isSucceeded).as("seed %d", seed).isTrue();
     }
   }
 
   @Test
-  void aLeaderThatComesBackSearchesOnWithTheOthers() {
+  void aLeaderThatRestartsSearchesOnWithTheOthers() {
     for (long seed = 7; seed <= 8; seed++) {
       Killer killer = killed(seed, 20_000_000_000L, leadersSweep());
       assertThat(killer.isSucceeded).as("seed %d: led by another", seed).isTrue();
@@ -145,14 +145,14 @@ class SearchCrashTest {
   }
 
   @Test
-  void theRoomOfASearcherThatDiesInItIsGivenToAnother() {
+  void theRoomOfASearcherThatCrashesIsAssignedToAnother() {
     for (long seed = 4; seed <= 6; seed++) {
       Killer killer = killed(seed, 0, tells(SearchTrace.LOCATION, "SWEEP"));
       assertThat(killer.isFollowed).as("seed %d", seed).isTrue();
     }
   }
 
-  /** All but the room of the dead is searched in full; that one as far as the dead does not bar it. */
+  /** All rooms are searched in full, that of the crashed robot only as far as it is not barred. */
   private static Killer killed(long seed, long downNs, Predicate<Variable> isIt) {
     Map<String, String> empty = Map.of("rooms", "4", "object", "none");
     Plan plan = Searches.plan(seed, 3, empty, Map.of("messageLoss", "0.1"));

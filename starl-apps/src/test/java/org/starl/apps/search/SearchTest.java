@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedSet;
@@ -15,7 +16,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Plan;
-import org.starl.apps.search.logic.Driving;
+import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
 import org.starl.apps.search.logic.Room;
@@ -29,25 +30,25 @@ import org.starl.sim.SimObserver;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** Whole searches, and what they read. */
+/** Whole searches, and their input files. */
 class SearchTest {
 
   @Test
-  void inTheOriginalsHouseTheObjectIsFound() {
+  void theObjectInTheOriginalsHouseIsFound() {
     Map<String, String> files = Map.of("files", Searches.originals().toString());
     assertThat(Searches.answer(Searches.plan(1, 0, files, Map.of("messageLoss", "0.2"))))
         .startsWith("found object1 at 11000,6000 by bot");
   }
 
   @Test
-  void theOriginalsRoomsFollowFromWallsAndDoors() {
+  void theRoomsOfTheOriginalsHouseAreDerivedFromWallsAndDoors() {
     SearchScene scene = HouseFiles.read(Searches.originals(), 600, MotionParameters.DEFAULT);
     assertThat(scene.house().rooms())
         .extracting(Room::name)
         .containsExactly("A", "B", "C", "D", "E", "F", "G");
     double[] squareMetres = {13, 6.5, 13, 17, 4, 5, 19};
     for (Room room : scene.house().rooms()) {
-      double area = room.size() * 0.0025;
+      double area = room.cells().cardinality() * 0.0025;
       assertThat(area)
           .as("%s", room)
           .isBetween(squareMetres[room.index()] * 0.9, squareMetres[room.index()] * 1.1);
@@ -59,11 +60,10 @@ class SearchTest {
   }
 
   @Test
-  void generatedHousesCanBeSearchedEverywhere() {
+  void allOfAGeneratedHouseCanBeSearched() {
     for (long seed = 1; seed <= 8; seed++) {
       HousePlan plan = GeneratedHouse.of((int) (3 * seed), 4, new Rng(seed));
-      House house =
-          House.of(plan, 600, Driving.clearanceMm(MotionParameters.DEFAULT, plan.bounds()));
+      House house = House.of(plan, 600, Drive.clearanceMm(MotionParameters.DEFAULT, plan.bounds()));
       assertThat(house.rooms()).hasSize((int) (3 * seed)).allMatch(Room::isEnterable);
       Room room = house.room(house.rooms().size() - 1);
       assertThat(Sweep.of(house, room, room.door()).hidden().isEmpty())
@@ -74,14 +74,14 @@ class SearchTest {
 
   @ParameterizedTest
   @CsvSource({"1, 0", "2, 0.2", "3, 0", "4, 0.2"})
-  void whatIsThereIsFound(long seed, String loss) {
+  void theObjectInAGeneratedHouseIsFound(long seed, String loss) {
     Plan plan = Searches.plan(seed, 3, Map.of("rooms", "3"), Map.of("messageLoss", loss));
     assertThat(Searches.answer(plan)).startsWith("found object at ");
   }
 
   @ParameterizedTest
   @CsvSource({"1, 0", "2, 0.2"})
-  void whereNothingIsThatIsTheAnswer(long seed, String loss) {
+  void aHouseWithoutAnObjectIsAnsweredWithNothingThere(long seed, String loss) {
     Map<String, String> empty = Map.of("rooms", "3", "object", "none");
     assertThat(Searches.answer(Searches.plan(seed, 3, empty, Map.of("messageLoss", loss))))
         .isEqualTo("nothing there");
@@ -89,13 +89,13 @@ class SearchTest {
 
   @ParameterizedTest
   @CsvSource({"1, moving", "2, moving", "3, moving", "1, spatial", "2, spatial"})
-  void underChaosThereIsOneAnswer(long seed, String envelope) {
+  void underChaosAllRobotsEndWithOneAnswer(long seed, String envelope) {
     Searches.answer(Searches.plan(seed, 4, Map.of("rooms", "3"), Map.of("chaos", envelope)));
   }
 
   @Test
-  void twoSeeTheThingAtOnceAndAgreeOnAFinder() {
-    // Before the front two, in sight of both: each says so before it has heard of the other.
+  void twoRobotsThatSeeTheThingAtOnceAgreeOnOneFinder() {
+    // In sight of both robots in front: each announces it before it has heard of the other.
     Plan plan =
         Searches.plan(
             1, 4, Map.of("rooms", "2", "object", "8500,1600"), Map.of("messageDelay", "400ms"));
@@ -115,14 +115,14 @@ class SearchTest {
   }
 
   @Test
-  void equalSeedsGiveEqualRuns() {
-    List<String> first = new java.util.ArrayList<>();
+  void equalSeedsGiveEqualStories() {
+    List<String> stories = new ArrayList<>();
     for (int i = 0; i < 2; i++) {
       Plan plan = Searches.plan(5, 3, Map.of("rooms", "2"), Map.of("messageLoss", "0.2"));
       Searches.answer(plan);
-      first.add(String.join("\n", plan.story().lines()));
+      stories.add(String.join("\n", plan.story().lines()));
     }
-    assertThat(first.get(0)).isEqualTo(first.get(1));
+    assertThat(stories.get(0)).isEqualTo(stories.get(1));
   }
 
   @ParameterizedTest
@@ -136,7 +136,7 @@ class SearchTest {
     "object, '-5000,0', 'expected drawn, none or x,y'",
     "files, /nowhere, 'no such file'",
   })
-  void badParametersAreNamed(String key, String value, String expected) {
+  void aBadParameterIsNamed(String key, String value, String expected) {
     assertThatThrownBy(() -> Searches.plan(1, 3, Map.of(key, value), Map.of()))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining(expected);
@@ -151,9 +151,10 @@ class SearchTest {
     "dest.wpt, '', 'expected doors'",
     "dest.wpt, 'WAY,50,900,0,A', 'door A'",
     "start.wpt, 'WAY,900,900,0,7', 'robot''s name'",
+    "start.wpt, 'WAY,900,900,0,bot0\nWAY,900,1500,0,bot0', 'two robots'",
     "senseObjects.wpt, 'SENSE,1', 'senseObjects.wpt:1:'",
   })
-  void badLinesAreNamed(String file, String line, String expected, @TempDir Path folder)
+  void aBadLineOfAFileIsNamed(String file, String line, String expected, @TempDir Path folder)
       throws IOException {
     Files.writeString(
         folder.resolve("obstacles.wpt"),

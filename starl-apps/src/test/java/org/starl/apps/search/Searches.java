@@ -14,7 +14,7 @@ import org.starl.apps.Request;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 
-/** Runs whole searches: in every one all specifications hold, and all end with one answer. */
+/** Runs whole searches: all specifications must hold, and all robots end with one answer. */
 final class Searches {
 
   private Searches() {}
@@ -34,7 +34,7 @@ final class Searches {
     return plan;
   }
 
-  /** Runs it, and tells the one answer of all that ended. */
+  /** Runs a search and returns the answer of all robots. */
   static String answer(Plan plan) {
     SimResult result = plan.simulation().build().run();
     String story = "seed " + result.seed() + "\n" + String.join("\n", plan.story().lines());

@@ -1,14 +1,16 @@
 package org.starl.apps.race.logic;
 
 import java.util.Comparator;
+import java.util.List;
 import org.starl.id.RobotId;
 
 /**
- * A robot has won a point. Of several claims on one point the least one counts, everywhere.
+ * A robot claims to have won a point. Of several claims on one point the least one counts, on every
+ * robot.
  *
- * @param point its place in the race, from 0
+ * @param point the point's number in the race, from 0
  * @param atNs when the winner arrived, by its own clock
- * @param keptOffMm 0 if it was at the point; else something stood there, and the winner was so far off
+ * @param keptOffMm 0 if the winner was at the point; else how far from it something kept the winner
  */
 public record Claim(int point, RobotId winner, long atNs, int keptOffMm)
     implements RaceMessage, Comparable<Claim> {
@@ -22,18 +24,21 @@ public record Claim(int point, RobotId winner, long atNs, int keptOffMm)
 
   public Claim {
     if (point < 0 || atNs < 0 || keptOffMm < 0) {
-      throw new IllegalArgumentException(
-          "claim on point "
-              + point
-              + " at "
-              + atNs
-              + " ns, "
-              + keptOffMm
-              + " mm off: expected >= 0");
+      String values = point + " at " + atNs + " ns, " + keptOffMm + " mm off";
+      throw new IllegalArgumentException("claim on point " + values + ": expected >= 0");
     }
   }
 
-  /** Whether the winner could not get to the point, because something stands there. */
+  /** The claim in the arguments of {@link RaceTrace#TAKEN}. */
+  public static Claim ofTrace(List<String> args) {
+    return new Claim(
+        Integer.parseInt(args.get(0)),
+        new RobotId(args.get(2)),
+        Long.parseLong(args.get(3)),
+        Integer.parseInt(args.get(4)));
+  }
+
+  /** Whether something on the point kept the winner from it. */
   public boolean wasKeptOff() {
     return keptOffMm > 0;
   }

@@ -9,16 +9,16 @@ import org.starl.motion.Location.Known;
 import org.starl.random.Rng;
 
 /**
- * How a robot drives in a race: to a point, turning away from whom it bumps into for a time drawn at
- * random; or back from it, to a place near by that is drawn at random too. Robots that get into each
- * other's way again and again do not do so for ever. Strand only.
+ * Drives a robot to a point, turning away from robots that it bumps into, or back from the point.
+ * How long it turns away and where it drives back to is random, so that two robots do not get into
+ * each other's way for ever. Strand only.
  */
 public final class Drive {
 
   private static final long NO_PROGRESS_MS = 5_000;
   private static final double BACK_RAD = StrictMath.PI / 4;
-  private static final double LEAST_BACK_RADII = 4;
-  private static final double MOST_BACK_RADII = 8;
+  private static final double MIN_BACK_RADII = 4;
+  private static final double MAX_BACK_RADII = 8;
 
   private final GlobalVarHolder gvh;
   private final MotionParameters usual;
@@ -48,20 +48,17 @@ public final class Drive {
     gvh.plat.moat.doMove(new ItemPosition(point.name(), point.at().xMm(), point.at().yMm()));
   }
 
-  /** To a place drawn behind this robot, seen from {@code point}. */
+  /** Drives to a random place behind this robot, as seen from {@code point}. */
   void backFrom(RacePoint point) {
     Point at = gvh.gps.pose().at();
-    double outwards = at.minus(point.at()).angleRad();
-    double angle = outwards + BACK_RAD * (2 * rng.nextDouble() - 1);
-    double mm =
-        usual.robotRadiusMm()
-            * (LEAST_BACK_RADII + (MOST_BACK_RADII - LEAST_BACK_RADII) * rng.nextDouble());
-    gvh.plat.moat.doMove(
-        new ItemPosition(
-            "back", at.xMm() + mm * StrictMath.cos(angle), at.yMm() + mm * StrictMath.sin(angle)));
+    double angle = at.minus(point.at()).angleRad() + BACK_RAD * (2 * rng.nextDouble() - 1);
+    double radii = MIN_BACK_RADII + (MAX_BACK_RADII - MIN_BACK_RADII) * rng.nextDouble();
+    double mm = usual.robotRadiusMm() * radii;
+    Point back = at.plus(new Point(mm * StrictMath.cos(angle), mm * StrictMath.sin(angle)));
+    gvh.plat.moat.doMove(new ItemPosition("back", back.xMm(), back.yMm()));
   }
 
-  /** Whether a robot that is {@code known} to be somewhere is at {@code point}. */
+  /** Whether a robot with this fix is at {@code point}. */
   boolean isAt(RacePoint point, Known known) {
     return known.pose().distanceMm(point.at()) <= point.radiusMm()
         && known.errorMm() <= usual.maxErrorMm();

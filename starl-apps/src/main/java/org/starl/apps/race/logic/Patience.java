@@ -1,11 +1,11 @@
 package org.starl.apps.race.logic;
 
 /**
- * Tells when a robot that does not get to its point may take it from where it is: something stands
- * there, such as a robot that has crashed for good. After three motions in vain, none of which has
- * brought it nearer, a body's length and the point's radius will do, 405 mm for a point of 75 mm and
- * bodies of 165 mm; after each further one as much more. Every motion ends within a bound: so no point
- * holds a race up for ever, wherever it lies. Pure.
+ * Decides when a robot that does not get to its point may win it from a distance, because something
+ * stands there, such as a robot that has crashed for ever. After three motions in vain, none of
+ * which has brought it nearer, a body's diameter plus the point's radius is enough (405 mm for a
+ * point of 75 mm and bodies of 165 mm); after each further one as much again. Every motion ends
+ * within a bound, so no point holds up a race for ever. Pure.
  */
 public final class Patience {
 
@@ -17,13 +17,13 @@ public final class Patience {
   private double bestMm = Double.POSITIVE_INFINITY;
   private int inVain;
 
-  public Patience(RacePoint point, double bodyRadiusMm) {
+  Patience(RacePoint point, double bodyRadiusMm) {
     this.point = point;
     this.bodyRadiusMm = bodyRadiusMm;
   }
 
-  /** Whether it will do that the robot is so far from the point after one more motion in vain. */
-  public boolean isEnough(double distanceMm) {
+  /** One more motion was in vain: whether the robot may win the point from this distance. */
+  boolean isEnough(double distanceMm) {
     if (distanceMm < bestMm - NEARER_MM) {
       bestMm = distanceMm;
       inVain = 0;
@@ -32,7 +32,10 @@ public final class Patience {
     return distanceMm <= allowedMm(point, bodyRadiusMm, inVain);
   }
 
-  /** How far off will do after so many motions in vain; not above 0 if none will. */
+  /**
+   * The greatest distance from which a robot may win after so many motions in vain; not above 0 for
+   * none.
+   */
   public static double allowedMm(RacePoint point, double bodyRadiusMm, int inVain) {
     return (inVain - TRIES + 1) * (2 * bodyRadiusMm + point.radiusMm());
   }

@@ -2,22 +2,23 @@ package org.starl.apps.race.logic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.gvh.GvhCell;
+import org.starl.id.RobotId;
 import org.starl.motion.Location.Known;
 
 /**
- * One robot in a race. It drives to the first point that it knows of nobody to have won; whoever is
- * there first says so to all, and all stop and take the next one. Who bumps into somebody turns away
- * until nothing is in front and drives on (the motion automaton's {@code USE_COLAVOID}); who comes no
- * nearer that way drives to a place near by, drawn at random, and tries again: robots that get into
- * each other's way again and again do not do so for ever. What lies between two sleeps is one atomic
- * action.
+ * A robot in a race. It drives to the first point without a known winner; the first robot there
+ * announces that it has won, and all robots stop and take the next point. A robot that bumps into
+ * another turns away until nothing is in front and drives on (the motion automaton's {@code
+ * USE_COLAVOID}). If it gets no nearer that way, it drives to a random place near by and tries
+ * again.
  */
 public final class RaceApp extends LogicThread {
 
-  /** Where the program is. */
+  /** The state of the program. */
   public enum Location {
     START,
     PICK,
@@ -27,7 +28,7 @@ public final class RaceApp extends LogicThread {
     DONE
   }
 
-  /** Who has not acknowledged the winners after so long is taken for dead. */
+  /** A robot that has not acknowledged the winners after so long is taken for dead. */
   public static final long TELL_PATIENCE_MS = 90_000;
 
   private static final long PERIOD_MS = 100;
@@ -41,13 +42,14 @@ public final class RaceApp extends LogicThread {
   private final GvhCell<Location> location;
   private final GvhCell<String> racingTo;
 
-  private int point;
+  private int number;
+  private RacePoint point;
   private Patience patience;
   private long sinceNs;
 
   /**
-   * @param xid the race: robots with another one are in another race
-   * @param points at least one, in the order in which they are raced to
+   * @param xid the name of the race: robots with another one are in another race
+   * @param points at least one, in the order in which the robots race to them
    */
   public RaceApp(GlobalVarHolder gvh, String xid, List<RacePoint> points) {
     super(gvh);
@@ -55,12 +57,16 @@ public final class RaceApp extends LogicThread {
     drive = new Drive(gvh);
     location = gvh.variable(RaceTrace.SOURCE, RaceTrace.LOCATION, Location.START);
     racingTo = gvh.variable(RaceTrace.SOURCE, RaceTrace.POINT, "");
-    board = new Scoreboard(gvh, xid, points, RaceTrace.SOURCE);
+    board = new Scoreboard(gvh, xid, points);
     way = new RightOfWay(gvh, xid);
-    patience = new Patience(points.get(0), bodyMm());
+    point = points.get(0);
+    patience = patience();
   }
 
-  /** Returns the name of each point's winner, in the points' order, and then who may not know. */
+  /**
+   * Returns the name of each point's winner, in the points' order, and then, if there are any, the
+   * robots that may not know the winners.
+   */
   @Override
   public List<Object> callStarL() {
     while (true) {
@@ -74,7 +80,7 @@ public final class RaceApp extends LogicThread {
         case RACE -> race();
         case MAKE_WAY -> makeWay();
         case TELL -> {
-          if (board.isConfirmed() || hasLasted(TELL_PATIENCE_MS)) {
+          if (board.unconfirmed().isEmpty() || hasLasted(TELL_PATIENCE_MS)) {
             location.set(Location.DONE);
           }
         }
@@ -88,58 +94,60 @@ public final class RaceApp extends LogicThread {
 
   private void pick() {
     gvh.plat.moat.motion_stop();
-    point = board.next();
-    if (point == points.size()) {
+    number = board.next();
+    if (number == points.size()) {
       racingTo.set("");
       enter(Location.TELL);
       return;
     }
-    racingTo.set(points.get(point).name());
-    patience = new Patience(points.get(point), bodyMm());
+    point = points.get(number);
+    racingTo.set(point.name());
+    patience = patience();
     drive();
   }
 
   private void drive() {
-    drive.to(points.get(point));
+    drive.to(point);
     enter(Location.RACE);
   }
 
   private void race() {
-    if (board.isTaken(point)) {
+    if (board.isTaken(number)) {
       location.set(Location.PICK);
     } else if (gvh.gps.location() instanceof Known known) {
-      double distanceMm = known.pose().distanceMm(points.get(point).at());
-      if (drive.isAt(points.get(point), known)) {
-        arrive(0); // also in the midst of turning away from somebody
+      double distanceMm = known.pose().distanceMm(point.at());
+      if (drive.isAt(point, known)) {
+        arrive(0); // maybe while it turns away from another robot
       } else if (gvh.plat.moat.failed()) {
         inVain(distanceMm);
       } else if (!gvh.plat.moat.inMotion()) {
-        drive(); // a fix has shown that it is not quite there
-      } else if (way.isOthers(point)) {
+        drive(); // a new fix shows that it is not quite there
+      } else if (way.isOthers(number)) {
         giveWay(distanceMm);
       }
     }
   }
 
+  /** A motion has failed. */
   private void inVain(double distanceMm) {
     if (patience.isEnough(distanceMm)) {
       arrive((int) Math.ceil(distanceMm));
-    } else if (way.isOthers(point)) {
+    } else if (way.isOthers(number)) {
       giveWay(distanceMm);
     } else if (way.hasAsked()) {
       drawBack();
     } else {
-      way.ask(point, points.get(point).at(), distanceMm);
+      way.ask(number, point.at(), distanceMm);
       drive();
     }
   }
 
-  /** Unless this robot is nearer, and has not had its turn. */
+  /** Draws back, unless this robot is nearer than the one with the way and has not had its turn. */
   private void giveWay(double distanceMm) {
     if (way.hasAsked() || !way.isNearer(distanceMm)) {
       drawBack();
     } else {
-      way.ask(point, points.get(point).at(), distanceMm);
+      way.ask(number, point.at(), distanceMm);
       if (!gvh.plat.moat.inMotion()) {
         drive();
       }
@@ -147,23 +155,30 @@ public final class RaceApp extends LogicThread {
   }
 
   private void makeWay() {
-    if (board.isTaken(point)) {
+    if (board.isTaken(number)) {
       location.set(Location.PICK);
-    } else if (!way.isOthers(point) && hasLasted(MAKE_WAY_MS)) {
+    } else if (!way.isOthers(number) && hasLasted(MAKE_WAY_MS)) {
       drive();
     } else if (gvh.plat.moat.failed()) {
-      drive.backFrom(points.get(point));
+      drive.backFrom(point);
     }
   }
 
   private void arrive(int keptOffMm) {
-    RaceTrace.arrive(gvh, point, points.get(point), keptOffMm);
-    board.claim(point, keptOffMm);
+    gvh.trace.action(
+        RaceTrace.SOURCE,
+        RaceTrace.ARRIVE,
+        number,
+        point.name(),
+        gvh.gps.pose().distanceMm(point.at()),
+        gvh.gps.errorMm(),
+        Math.max(point.radiusMm(), keptOffMm));
+    board.claim(number, keptOffMm);
     location.set(Location.PICK);
   }
 
   private void drawBack() {
-    drive.backFrom(points.get(point));
+    drive.backFrom(point);
     enter(Location.MAKE_WAY);
   }
 
@@ -176,15 +191,16 @@ public final class RaceApp extends LogicThread {
     return gvh.plat.clock.nowNs() - sinceNs >= ms * NS_PER_MS;
   }
 
-  private double bodyMm() {
-    return gvh.plat.moat.parameters().robotRadiusMm();
+  private Patience patience() {
+    return new Patience(point, gvh.plat.moat.parameters().robotRadiusMm());
   }
 
   private List<Object> results() {
     List<Object> results = new ArrayList<>();
-    board.claims().forEach(claim -> results.add(claim.winner().name()));
-    if (!board.isConfirmed()) {
-      results.add("not confirmed by " + board.unconfirmed());
+    board.winners().forEach(winner -> results.add(winner.name()));
+    Set<RobotId> unconfirmed = board.unconfirmed();
+    if (!unconfirmed.isEmpty()) {
+      results.add("not confirmed by " + unconfirmed);
     }
     return results;
   }

@@ -3,9 +3,9 @@ package org.starl.apps.race.logic;
 import org.starl.geometry.Point;
 
 /**
- * A point that robots race to.
+ * A point to which robots race.
  *
- * @param radiusMm a robot whose centre is as near as this is there; above 0
+ * @param radiusMm a robot is at the point if its centre is within this radius; above 0
  */
 public record RacePoint(String name, Point at, double radiusMm) {
 

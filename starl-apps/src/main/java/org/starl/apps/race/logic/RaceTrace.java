@@ -1,8 +1,10 @@
 package org.starl.apps.race.logic;
 
 import org.starl.GlobalVarHolder;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
 
-/** How one robot in a race appears in a trace. */
+/** The names of a race's events in the trace. */
 public final class RaceTrace {
 
   /** {@code source} of the app's events. */
@@ -11,25 +13,41 @@ public final class RaceTrace {
   /** Variable: the {@link RaceApp.Location}. */
   public static final String LOCATION = "location";
 
-  /** Variable: the name of the point that the robot races to; empty if there is none. */
+  /** Variable: the name of the point to which the robot races; empty if there is none. */
   public static final String POINT = "point";
 
   /**
-   * Action with a point's place and name, this robot's distance from it in mm, that distance's error
-   * bound, and the mm from which it may be won.
+   * Action: the robot has arrived at a point. Arguments: the point's number and name, the robot's
+   * distance from it in mm, the error bound of that, and the distance from which it may win.
    */
   public static final String ARRIVE = "arrive";
 
+  /**
+   * Action: the robot knows a (better) claim. Arguments: the point's number and name, the winner,
+   * its time and how far it was kept off.
+   */
+  public static final String TAKEN = "taken";
+
   private RaceTrace() {}
 
-  static void arrive(GlobalVarHolder gvh, int place, RacePoint point, int keptOffMm) {
+  /** Whether it is this app's action of that name. */
+  public static boolean is(Action action, String name) {
+    return action.source().equals(SOURCE) && action.name().equals(name);
+  }
+
+  /** Whether it is this app's variable of that name. */
+  public static boolean is(Variable variable, String name) {
+    return variable.source().equals(SOURCE) && variable.name().equals(name);
+  }
+
+  static void taken(GlobalVarHolder gvh, Claim claim, RacePoint point) {
     gvh.trace.action(
         SOURCE,
-        ARRIVE,
-        place,
+        TAKEN,
+        claim.point(),
         point.name(),
-        gvh.gps.pose().distanceMm(point.at()),
-        gvh.gps.errorMm(),
-        Math.max(point.radiusMm(), keptOffMm));
+        claim.winner(),
+        claim.atNs(),
+        claim.keptOffMm());
   }
 }

@@ -12,10 +12,10 @@ import org.starl.id.RobotId;
 import org.starl.primitives.geocast.Geocast;
 
 /**
- * Who may go first where robots hold each other up: one that gets no nearer to its point asks the
- * robots around the point, by Geocast, to make way. The nearest of those who ask has it for 8 s; all
- * others who have heard draw back meanwhile. It rests no safety on this: who has not heard is in the
- * way for longer. Strand only.
+ * Decides which robot goes first where robots hold each other up. A robot that gets no nearer to
+ * its point asks the robots around the point, by Geocast, to make way. The nearest robot that asks
+ * has the right of way for 8 s; all others that have heard it draw back meanwhile. Safety does not
+ * depend on it: a robot that has not heard is only in the way for longer. Strand only.
  */
 final class RightOfWay {
 
@@ -23,20 +23,19 @@ final class RightOfWay {
   private static final long ASK_MS = 2_000;
   private static final double AREA_RADII = 12;
 
+  private static final Comparator<Held> NEAREST =
+      Comparator.comparingInt((Held held) -> held.ask.distanceMm).thenComparing(held -> held.robot);
+
   private final GlobalVarHolder gvh;
   private final double areaMm;
   private final Geocast<Ask> geocast;
   private @Nullable Held held;
   private long askedNs = -LASTS_NS;
 
-  /** A robot so far from a point asks for the way to it. */
+  /** A robot at this distance from a point asks for the way to it. */
   private record Ask(int point, int distanceMm) {}
 
-  private record Held(RobotId robot, Ask ask, long sinceNs) {
-    private static final Comparator<Held> NEAREST =
-        Comparator.comparingInt((Held held) -> held.ask.distanceMm)
-            .thenComparing(held -> held.robot);
-  }
+  private record Held(RobotId robot, Ask ask, long sinceNs) {}
 
   RightOfWay(GlobalVarHolder gvh, String xid) {
     this.gvh = gvh;
@@ -44,7 +43,7 @@ final class RightOfWay {
     geocast = new Geocast<>(gvh, xid, new AskCodec(), this::heard, Scoreboard.SETTINGS);
   }
 
-  /** This robot, so far from {@code point}, gets no nearer. */
+  /** This robot, at this distance from {@code point}, gets no nearer. */
   void ask(int point, Point at, double distanceMm) {
     askedNs = gvh.plat.clock.nowNs();
     Ask ask = new Ask(point, (int) distanceMm);
@@ -52,30 +51,30 @@ final class RightOfWay {
     geocast.do_geocast(ask, new Circle(at, areaMm), ASK_MS);
   }
 
-  /** Whether this robot has asked lately: then it is others' turn. */
+  /** Whether this robot has asked a short time ago: then it is the turn of others. */
   boolean hasAsked() {
     return gvh.plat.clock.nowNs() - askedNs < LASTS_NS;
   }
 
   /** Whether another robot has the way to {@code point}. */
   boolean isOthers(int point) {
-    return isHeld(point) && held != null && !held.robot().equals(gvh.id.name());
+    return isHeld(point) && held != null && !held.robot.equals(gvh.id.name());
   }
 
-  /** Whether this robot, so far from that point, would get the way if it asked. */
+  /** Whether this robot, at this distance from that point, would get the way if it asked. */
   boolean isNearer(double distanceMm) {
-    return held == null || (int) distanceMm < held.ask().distanceMm();
+    return held == null || (int) distanceMm < held.ask.distanceMm;
   }
 
   private boolean isHeld(int point) {
     return held != null
-        && held.ask().point() == point
-        && gvh.plat.clock.nowNs() - held.sinceNs() < LASTS_NS;
+        && held.ask.point == point
+        && gvh.plat.clock.nowNs() - held.sinceNs < LASTS_NS;
   }
 
   private void heard(RobotId robot, Ask ask) {
     Held wanted = new Held(robot, ask, gvh.plat.clock.nowNs());
-    if (held == null || !isHeld(ask.point()) || Held.NEAREST.compare(wanted, held) < 0) {
+    if (held == null || !isHeld(ask.point) || NEAREST.compare(wanted, held) < 0) {
       held = wanted;
     }
   }
@@ -83,8 +82,8 @@ final class RightOfWay {
   private static final class AskCodec implements Codec<Ask> {
     @Override
     public void write(Ask ask, WireWriter out) {
-      out.u16(ask.point());
-      out.i32(ask.distanceMm());
+      out.u16(ask.point);
+      out.i32(ask.distanceMm);
     }
 
     @Override

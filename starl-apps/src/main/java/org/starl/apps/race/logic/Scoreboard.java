@@ -2,7 +2,6 @@ package org.starl.apps.race.logic;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
@@ -15,24 +14,21 @@ import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.random.Rng;
 
 /**
- * Who has won which point, as far as one robot knows. What it learns it announces by Broadcast, the
- * winner's own claim as well as others', again and again until every robot of the deployment has
- * acknowledged: so a winner that crashes as soon as one robot has heard of it is not forgotten, and
- * whoever was cut off learns when it is not any more. It goes on when the app has ended, as long as
- * the robot is up. After the first time it leaves that to others as long as it hears them do it, as
- * Trickle does (Levis et al., RFC 6206): robots that are dead are called by one at a time. Strand
+ * The winners of the points, as far as one robot knows them. It broadcasts every claim that it
+ * learns, its own and others', again and again until all robots of the deployment have acknowledged
+ * it. So a claim survives its winner's crash once another robot has heard it, and a robot that was
+ * cut off learns it later. It goes on after the app has ended, as long as the robot is up. After
+ * its first announcement a robot stays quiet while it hears others announce the same claim, as in
+ * Trickle (Levis et al., RFC 6206): only one robot at a time calls robots that are dead. Strand
  * only.
  */
 public final class Scoreboard {
 
-  /** Action with a point's place and name, the winner, its time and how far it was kept off. */
-  public static final String TAKEN = "taken";
-
   private static final long NS_PER_MS = 1_000_000;
   private static final long ANNOUNCE_MS = 5_000;
   private static final long ROUND_MS = 500;
-  private static final long LEAST_QUIET_MS = 6_000;
-  private static final long MOST_QUIET_MS = 8_000;
+  private static final long MIN_QUIET_MS = 6_000;
+  private static final long MAX_QUIET_MS = 8_000;
 
   /** Clocks that are up to 200 ppm off differ by no more after four minutes. */
   public static final long CLOCK_SKEW_NS = 100_000_000;
@@ -45,7 +41,6 @@ public final class Scoreboard {
           false);
 
   private final GlobalVarHolder gvh;
-  private final String source;
   private final List<RacePoint> points;
   private final List<Entry> entries = new ArrayList<>();
   private final Broadcast<RaceMessage> broadcast;
@@ -55,10 +50,13 @@ public final class Scoreboard {
   /** What is known of one point. */
   private static final class Entry {
     private @Nullable Claim best;
-    // Who knows the best claim, or a better one, for certain.
+
+    /** The robots that certainly know the best claim, or a better one. */
     private final Set<RobotId> informed = new TreeSet<>();
+
     private @Nullable GeocastReceipt cast;
-    // Others call out the best claim: this robot need not until then.
+
+    /** Until then this robot leaves the announcement of the best claim to others. */
     private long quietUntilNs;
 
     void learnAcknowledgements() {
@@ -67,7 +65,7 @@ public final class Scoreboard {
       }
     }
 
-    /** Whoever has acknowledged it before does not know it now, and has to be told again. */
+    /** A robot does not know the claim any more, so a new announcement has to reach it. */
     void forgottenBy(RobotId robot) {
       learnAcknowledgements();
       if (informed.remove(robot)) {
@@ -77,15 +75,14 @@ public final class Scoreboard {
   }
 
   /**
-   * @param xid the race: robots with another one are in another race
-   * @param source of its trace events
+   * @param xid the name of the race: robots with another one are in another race
    */
-  public Scoreboard(GlobalVarHolder gvh, String xid, List<RacePoint> points, String source) {
+  Scoreboard(GlobalVarHolder gvh, String xid, List<RacePoint> points) {
     this.gvh = gvh;
-    this.source = source;
     this.points = List.copyOf(points);
     points.forEach(point -> entries.add(new Entry()));
-    broadcast = new Broadcast<>(gvh, xid, new RaceCodec(points.size()), this::heard, SETTINGS);
+    RaceMessage.Wire wire = new RaceMessage.Wire(points.size());
+    broadcast = new Broadcast<>(gvh, xid, wire, this::heard, SETTINGS);
     rng = gvh.plat.entropy.fork("scoreboard");
     rounds = gvh.plat.timers.timer(this::round);
     if (gvh.id.boot() > 1) {
@@ -93,17 +90,8 @@ public final class Scoreboard {
     }
   }
 
-  /** What the arguments of {@link #TAKEN} say. */
-  public static Claim claim(List<String> args) {
-    return new Claim(
-        Integer.parseInt(args.get(0)),
-        new RobotId(args.get(2)),
-        Long.parseLong(args.get(3)),
-        Integer.parseInt(args.get(4)));
-  }
-
-  /** The first point that nobody is known to have won; as many as there are points if all are won. */
-  public int next() {
+  /** The first point without a known winner; the number of points if all have one. */
+  int next() {
     int next = 0;
     while (next < entries.size() && isTaken(next)) {
       next++;
@@ -111,43 +99,41 @@ public final class Scoreboard {
     return next;
   }
 
-  public boolean isTaken(int point) {
+  boolean isTaken(int point) {
     return entries.get(point).best != null;
   }
 
-  /** The best claim on each point that is known, in the points' order. */
-  public List<Claim> claims() {
-    List<Claim> claims = new ArrayList<>();
-    entries.forEach(entry -> Optional.ofNullable(entry.best).ifPresent(claims::add));
-    return claims;
+  /** The winners of the points that have one, in the points' order. */
+  List<RobotId> winners() {
+    List<RobotId> winners = new ArrayList<>();
+    for (Entry entry : entries) {
+      if (entry.best != null) {
+        winners.add(entry.best.winner());
+      }
+    }
+    return winners;
   }
 
   /**
    * This robot has won {@code point}, as far as it knows.
    *
-   * @param keptOffMm 0 if it is there
+   * @param keptOffMm 0 if it is at the point
    */
-  public void claim(int point, int keptOffMm) {
+  void claim(int point, int keptOffMm) {
     learn(new Claim(point, gvh.id.name(), gvh.plat.clock.nowNs(), keptOffMm));
   }
 
-  /** Whether every other robot has acknowledged every winner that this one knows. */
-  public boolean isConfirmed() {
-    return unconfirmed().isEmpty();
-  }
-
-  /** The robots of which it is not certain that they know every winner that this one knows. */
-  public Set<RobotId> unconfirmed() {
+  /** The robots that have not acknowledged every winner that this one knows. */
+  Set<RobotId> unconfirmed() {
     Set<RobotId> missing = new TreeSet<>();
-    for (Entry entry : entries) {
-      if (entry.best != null) {
-        missing.addAll(missingOf(entry));
-      }
-    }
+    entries.forEach(entry -> missing.addAll(missingOf(entry)));
     return missing;
   }
 
   private Set<RobotId> missingOf(Entry entry) {
+    if (entry.best == null) {
+      return Set.of();
+    }
     entry.learnAcknowledgements();
     Set<RobotId> missing = new TreeSet<>(gvh.id.participants().asList());
     missing.removeAll(entry.informed);
@@ -156,76 +142,63 @@ public final class Scoreboard {
   }
 
   private void heard(RobotId from, RaceMessage message) {
-    switch (message) {
-      case Claim claim -> heard(from, claim);
-      case RaceMessage.Question question -> {
-        for (Entry entry : entries) {
-          entry.forgottenBy(from);
-          announce(entry);
-        }
+    if (message instanceof Claim claim) {
+      learn(claim);
+      Entry entry = entries.get(claim.point());
+      if (claim.equals(entry.best)) {
+        entry.informed.add(from);
+        keepQuiet(entry);
+      } else {
+        inform(from, entry); // it knows no better claim: it may have restarted
       }
+    } else {
+      entries.forEach(entry -> inform(from, entry)); // it has restarted
     }
   }
 
-  private void heard(RobotId from, Claim claim) {
-    learn(claim);
-    Entry entry = entries.get(claim.point());
-    if (claim.equals(entry.best)) {
-      entry.informed.add(from);
-      keepQuiet(entry);
-    } else {
-      // Who claims what another has won already has to be told; it may have started anew.
-      entry.forgottenBy(from);
-      announce(entry);
-    }
+  private void inform(RobotId robot, Entry entry) {
+    entry.forgottenBy(robot);
+    announce(entry);
   }
 
   private void learn(Claim claim) {
     Entry entry = entries.get(claim.point());
-    if (entry.best != null && entry.best.compareTo(claim) <= 0) {
-      return;
+    if (entry.best == null || claim.compareTo(entry.best) < 0) {
+      entry.best = claim;
+      entry.cast = null;
+      entry.informed.clear();
+      RaceTrace.taken(gvh, claim, points.get(claim.point()));
+      announce(entry);
     }
-    entry.best = claim;
-    entry.cast = null;
-    entry.informed.clear();
-    gvh.trace.action(
-        source,
-        TAKEN,
-        claim.point(),
-        points.get(claim.point()).name(),
-        claim.winner(),
-        claim.atNs(),
-        claim.keptOffMm());
-    announce(entry);
   }
 
-  /** Unless an announcement is under way already. */
+  /** Announces the best claim, unless an announcement is under way. */
   private void announce(Entry entry) {
     Claim best = entry.best;
     if (best != null && (entry.cast == null || entry.cast.isComplete())) {
       entry.cast = broadcast.BCast(best, ANNOUNCE_MS);
       keepQuiet(entry);
-      rounds.set(gvh.plat.clock.nowNs() + ROUND_MS * NS_PER_MS);
+      setNextRound();
     }
   }
 
   private void keepQuiet(Entry entry) {
-    long quietMs = rng.nextLong(LEAST_QUIET_MS, MOST_QUIET_MS);
+    long quietMs = rng.nextLong(MIN_QUIET_MS, MAX_QUIET_MS);
     entry.quietUntilNs = gvh.plat.clock.nowNs() + quietMs * NS_PER_MS;
   }
 
+  private void setNextRound() {
+    rounds.set(gvh.plat.clock.nowNs() + ROUND_MS * NS_PER_MS);
+  }
+
   private void round() {
-    boolean isOver = true;
     for (Entry entry : entries) {
-      if (entry.best != null && !missingOf(entry).isEmpty()) {
-        isOver = false;
+      if (!missingOf(entry).isEmpty()) {
+        setNextRound();
         if (gvh.plat.clock.nowNs() >= entry.quietUntilNs) {
           announce(entry);
         }
       }
-    }
-    if (!isOver) {
-      rounds.set(gvh.plat.clock.nowNs() + ROUND_MS * NS_PER_MS);
     }
   }
 }

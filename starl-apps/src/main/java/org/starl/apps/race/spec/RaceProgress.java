@@ -2,7 +2,9 @@ package org.starl.apps.race.spec;
 
 import java.util.List;
 import java.util.Objects;
+import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RacePoint;
+import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
@@ -14,10 +16,10 @@ import org.starl.trace.TraceEvent.Action;
  * What a race owes while the world behaves.
  *
  * <ul>
- *   <li>{@code told}: within a bound of the first who knows that a point is won, everybody who is up
- *       knows that.
+ *   <li>{@code told}: within a bound of the first robot that knows a point's winner, all robots
+ *       that are up know a winner.
  *   <li>{@code taken}: within a bound of one point the next one is won.
- *   <li>{@code agreed}: at the end, all whose apps have come to their end know the same winners.
+ *   <li>{@code agreed}: at the end, all robots whose apps have ended know the same winners.
  * </ul>
  */
 final class RaceProgress implements Monitor {
@@ -27,21 +29,23 @@ final class RaceProgress implements Monitor {
   private static final String AGREED = "agreed";
 
   private final List<RacePoint> points;
-  private final RaceBounds bounds;
   private final Records records = new Records();
   private final Circumstances circumstances = new Circumstances();
-  private final Within<Seat> told;
+  private final Within<Hearing> told;
   private final Within<Integer> taken;
   private long fairSinceNs;
 
   /** A robot that has to hear of a point. */
-  private record Seat(RobotId robot, int point) {}
+  private record Hearing(RobotId robot, int point) {}
 
-  RaceProgress(List<RacePoint> points, RaceBounds bounds) {
+  /**
+   * @param toldNs from the first robot that knows a point's winner to the last
+   * @param takenNs from one point to the next
+   */
+  RaceProgress(List<RacePoint> points, long toldNs, long takenNs) {
     this.points = List.copyOf(points);
-    this.bounds = bounds;
-    told = new Within<>(bounds.toldNs());
-    taken = new Within<>(bounds.takenNs());
+    told = new Within<>(toldNs);
+    taken = new Within<>(takenNs);
   }
 
   @Override
@@ -53,31 +57,31 @@ final class RaceProgress implements Monitor {
   public String says(String lemma) {
     return switch (lemma) {
       case TOLD ->
-          "Once somebody knows who has won a point, everybody who is up knows within the bound.";
+          "Once a robot knows the winner of a point, all robots that are up know one in time.";
       case TAKEN -> "Within the bound after one point the next one is won.";
-      case AGREED -> "All who come to the end know the same winners.";
+      case AGREED -> "All robots that end know the same winners.";
       default -> "";
     };
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
+    long nowNs = event.timeNs();
+    expire(nowNs, report);
     if (circumstances.observe(event)) {
-      long nowNs = event.timeNs();
-      told.assumeAll(circumstances.isFair(), nowNs);
-      taken.assumeAll(circumstances.isFair(), nowNs);
-      fairSinceNs = circumstances.isFair() ? nowNs : Long.MAX_VALUE;
+      boolean isFair = circumstances.isFair();
+      told.assumeAll(isFair, nowNs);
+      taken.assumeAll(isFair, nowNs);
+      fairSinceNs = isFair ? nowNs : Long.MAX_VALUE;
     }
     records.observe(event);
-    switch (event) {
-      case Action action when Records.isTaken(action) ->
-          update(Integer.parseInt(action.args().get(0)), action.timeNs(), report);
-      case TraceEvent.Joined joined -> updateAll(joined.timeNs(), report);
-      case TraceEvent.Left left -> updateAll(left.timeNs(), report);
-      case TraceEvent.Fault fault -> updateAll(fault.timeNs(), report);
-      default -> {
-        // Nothing more is owed, nothing less.
+    if (event instanceof Action action && RaceTrace.is(action, RaceTrace.TAKEN)) {
+      update(Claim.ofTrace(action.args()).point(), nowNs, report);
+    } else if (event instanceof TraceEvent.Joined
+        || event instanceof TraceEvent.Left
+        || event instanceof TraceEvent.Fault) {
+      for (int point = 0; point < points.size(); point++) {
+        update(point, nowNs, report);
       }
     }
   }
@@ -85,26 +89,20 @@ final class RaceProgress implements Monitor {
   @Override
   public void finish(long endNs, Report report) {
     expire(endNs, report);
-    if (circumstances.isFair() && endNs - fairSinceNs > bounds.toldNs()) {
+    if (circumstances.isFair() && endNs - fairSinceNs > told.boundNs()) {
       for (int point = 0; point < points.size(); point++) {
         agree(point, endNs, report);
       }
     }
   }
 
-  private void updateAll(long nowNs, Report report) {
-    for (int point = 0; point < points.size(); point++) {
-      update(point, nowNs, report);
-    }
-  }
-
   private void update(int point, long nowNs, Report report) {
     boolean isKnown = records.isKnown(point);
     for (RobotId robot : records.robots()) {
-      Seat seat = new Seat(robot, point);
+      Hearing hearing = new Hearing(robot, point);
       if (isKnown && records.claim(robot, point) == null) {
-        told.owe(seat, nowNs);
-      } else if (told.settle(seat)) {
+        told.owe(hearing, nowNs);
+      } else if (told.settle(hearing)) {
         report.checked(TOLD);
       }
     }
@@ -120,19 +118,14 @@ final class RaceProgress implements Monitor {
   }
 
   private void agree(int point, long endNs, Report report) {
-    List<RobotId> done = records.robots().stream().filter(records::isDone).toList();
     report.checked(AGREED);
-    for (RobotId robot : done) {
-      if (!Objects.equals(records.claim(robot, point), records.claim(done.get(0), point))) {
-        report.violated(
-            AGREED,
-            endNs,
-            List.of(done.get(0), robot),
-            points.get(point).name()
-                + ": "
-                + records.claim(done.get(0), point)
-                + " and "
-                + records.claim(robot, point));
+    for (RobotId robot : records.done()) {
+      RobotId first = records.done().get(0);
+      Claim theirs = records.claim(first, point);
+      Claim own = records.claim(robot, point);
+      if (!Objects.equals(theirs, own)) {
+        String detail = points.get(point).name() + ": " + theirs + " and " + own;
+        report.violated(AGREED, endNs, List.of(first, robot), detail);
         return;
       }
     }
@@ -141,27 +134,24 @@ final class RaceProgress implements Monitor {
   private void expire(long nowNs, Report report) {
     told.expire(
         nowNs,
-        (seat, sinceNs, deadlineNs) -> {
-          // Who has crashed since owes nothing.
-          if (records.robots().contains(seat.robot()) && records.isKnown(seat.point())) {
+        (hearing, sinceNs, deadlineNs) -> {
+          // A robot that has crashed since owes nothing.
+          RobotId robot = hearing.robot();
+          if (records.robots().contains(robot) && records.isKnown(hearing.point())) {
+            String name = points.get(hearing.point()).name();
             report.violated(
                 TOLD,
                 deadlineNs,
-                List.of(seat.robot()),
-                "does not know that "
-                    + points.get(seat.point()).name()
-                    + " is won, which others know since "
-                    + sinceNs
-                    + " ns");
+                List.of(robot),
+                "does not know the winner of " + name + ", others have since " + sinceNs + " ns");
           }
         });
     taken.expire(
         nowNs,
-        (point, sinceNs, deadlineNs) ->
-            report.violated(
-                TAKEN,
-                deadlineNs,
-                List.of(),
-                points.get(point).name() + " is open since " + sinceNs + " ns, and not won"));
+        (point, sinceNs, deadlineNs) -> {
+          String name = points.get(point).name();
+          report.violated(
+              TAKEN, deadlineNs, List.of(), name + " has not been won since " + sinceNs + " ns");
+        });
   }
 }

@@ -1,18 +1,15 @@
 package org.starl.apps.race.spec;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.Patience;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RaceTrace;
-import org.starl.apps.race.logic.Scoreboard;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Bodies;
@@ -22,14 +19,16 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What holds in a race whatever the world does.
+ * What holds in a race under all faults.
  *
  * <ul>
- *   <li>{@code at_the_point}: who arrives is there by its true body: within the point's radius and the
- *       error bound of its position; or, kept off, within what its {@link Patience} allows.
- *   <li>{@code truly_won}: every winner that anybody knows of has arrived, and has claimed so itself.
- *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a better
- *       one, in the order of {@link Claim}: so any two that know the same claims agree.
+ *   <li>{@code at_the_point}: a robot that arrives at a point is there by its true body: within the
+ *       point's radius and the error bound of its position; or, kept off, within what its {@link
+ *       Patience} allows.
+ *   <li>{@code truly_won}: every winner that a robot knows has arrived and has claimed the point
+ *       itself.
+ *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a
+ *       better one, in the order of {@link Claim}: so two robots that know the same claims agree.
  * </ul>
  */
 final class RaceSafety implements Monitor {
@@ -60,7 +59,7 @@ final class RaceSafety implements Monitor {
     return switch (lemma) {
       case AT_THE_POINT -> "A robot that arrives at a point is there, by its true body.";
       case TRULY_WON ->
-          "Every winner that anybody knows of has arrived, and has claimed so itself.";
+          "Every winner that a robot knows has arrived and has claimed the point itself.";
       case ONE_WINNER ->
           "A robot knows one winner of each point, and replaces it only by a better one.";
       default -> "";
@@ -71,20 +70,14 @@ final class RaceSafety implements Monitor {
   public void observe(TraceEvent event, Report report) {
     bodies.observe(event);
     switch (event) {
-      case Action action when Records.isTaken(action) -> taken(action, report);
-      case Action action
-          when action.source().equals(RaceTrace.SOURCE) && action.name().equals(RaceTrace.ARRIVE) ->
-          arrived(action, report);
-      case Variable variable
-          when variable.source().equals(RaceTrace.SOURCE)
-              && variable.name().equals(RaceTrace.POINT) ->
-          inVain.put(variable.robot(), 0);
-      case Variable variable
-          when variable.name().equals("motionflag")
-              && variable.value().equals(MotionFlag.FAIL.name()) ->
-          inVain.merge(variable.robot(), 1, Integer::sum);
+      case Action taken when RaceTrace.is(taken, RaceTrace.TAKEN) -> taken(taken, report);
+      case Action arrived when RaceTrace.is(arrived, RaceTrace.ARRIVE) -> arrived(arrived, report);
+      case Variable point when RaceTrace.is(point, RaceTrace.POINT) -> inVain.put(point.robot(), 0);
+      case Variable flag
+          when flag.name().equals("motionflag") && flag.value().equals(MotionFlag.FAIL.name()) ->
+          inVain.merge(flag.robot(), 1, Integer::sum);
       default -> {
-        // Nobody wins.
+        // Concerns no winner.
       }
     }
     records.observe(event);
@@ -95,17 +88,18 @@ final class RaceSafety implements Monitor {
     int number = Integer.parseInt(action.args().get(0));
     RacePoint point = points.get(number);
     double errorMm = Double.parseDouble(action.args().get(3));
-    double withinMm = Double.parseDouble(action.args().get(4));
+    double saidMm = Double.parseDouble(action.args().get(4));
     arrivedAt.put(robot, number);
     report.checked(AT_THE_POINT);
-    double bodyMm = bodies.isOnFloor(robot) ? bodies.radiusMm(robot) : 0;
+    boolean isOnFloor = bodies.isOnFloor(robot);
     double truthMm =
-        bodies.isOnFloor(robot)
+        isOnFloor
             ? bodies.poseAt(robot, action.timeNs()).distanceMm(point.at())
             : Double.POSITIVE_INFINITY;
+    double bodyMm = isOnFloor ? bodies.radiusMm(robot) : 0;
     int tries = inVain.getOrDefault(robot, 0);
     double allowedMm = Math.max(point.radiusMm(), Patience.allowedMm(point, bodyMm, tries));
-    if (truthMm > Math.min(withinMm, allowedMm) + errorMm + ROUNDING_MM) {
+    if (truthMm > Math.min(saidMm, allowedMm) + errorMm + ROUNDING_MM) {
       report.violated(
           AT_THE_POINT,
           action.timeNs(),
@@ -115,7 +109,7 @@ final class RaceSafety implements Monitor {
               "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm",
               point.name(),
               truthMm,
-              withinMm,
+              saidMm,
               allowedMm,
               errorMm));
     }
@@ -123,33 +117,21 @@ final class RaceSafety implements Monitor {
 
   private void taken(Action action, Report report) {
     RobotId robot = action.robot();
-    Claim claim = Scoreboard.claim(action.args());
+    Claim claim = Claim.ofTrace(action.args());
+    List<RobotId> concerned = List.copyOf(new TreeSet<>(List.of(robot, claim.winner())));
     Integer here = robot.equals(claim.winner()) ? arrivedAt.remove(robot) : null;
     if (here != null && here == claim.point()) {
       made.add(claim);
     }
     report.checked(TRULY_WON);
     if (!made.contains(claim)) {
-      report.violated(
-          TRULY_WON, action.timeNs(), concerned(robot, claim), claim + " was never made");
+      report.violated(TRULY_WON, action.timeNs(), concerned, claim + " was never made");
     }
     report.checked(ONE_WINNER);
-    @Nullable Claim before = records.claim(robot, claim.point());
+    Claim before = records.claim(robot, claim.point());
     if (before != null && before.compareTo(claim) <= 0) {
-      report.violated(
-          ONE_WINNER,
-          action.timeNs(),
-          concerned(robot, claim),
-          before + " is replaced by " + claim + ", which is no better");
+      String detail = before + " is replaced by " + claim + ", which is no better";
+      report.violated(ONE_WINNER, action.timeNs(), concerned, detail);
     }
-  }
-
-  private static List<RobotId> concerned(RobotId robot, Claim claim) {
-    List<RobotId> both = new ArrayList<>(List.of(robot));
-    if (!claim.winner().equals(robot)) {
-      both.add(claim.winner());
-    }
-    both.sort(null);
-    return both;
   }
 }

@@ -2,12 +2,13 @@ package org.starl.apps.race.spec;
 
 import java.util.List;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceTrace;
-import org.starl.apps.race.logic.Scoreboard;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -16,64 +17,65 @@ import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Variable;
 
-/** What each robot that is up knows of the points' winners, as it has told. */
+/** The winners that each robot knows, by the trace. A crash ends what a robot knows. */
 final class Records {
 
-  private final SortedMap<RobotId, Past> records = new TreeMap<>();
+  /** Of each robot whose program runs: its best claim on each point. */
+  private final SortedMap<RobotId, SortedMap<Integer, Claim>> claims = new TreeMap<>();
 
-  /** Of one start of a robot's program. */
-  private static final class Past {
-    private final SortedMap<Integer, Claim> claims = new TreeMap<>();
-    private boolean isDone;
-  }
+  private final SortedSet<RobotId> done = new TreeSet<>();
 
-  /** What a program that ends knew is forgotten. */
   void observe(TraceEvent event) {
+    RobotId robot = event.robot();
     switch (event) {
-      case Joined joined -> records.putIfAbsent(joined.robot(), new Past());
-      case Left left -> records.remove(left.robot());
-      case Fault fault when fault.name().equals(Fault.CRASH) -> records.remove(fault.robot());
-      case Fault fault when fault.name().equals(Fault.RESTART) ->
-          records.put(fault.robot(), new Past());
-      case Action action when isTaken(action) -> {
-        Claim claim = Scoreboard.claim(action.args());
-        of(action.robot()).claims.put(claim.point(), claim);
+      case Joined joined -> of(robot);
+      case Left left -> forget(robot);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> forget(robot);
+      case Fault fault when fault.name().equals(Fault.RESTART) -> {
+        forget(robot);
+        of(robot);
       }
-      case Variable variable
-          when variable.source().equals(RaceTrace.SOURCE)
-              && variable.name().equals(RaceTrace.LOCATION) ->
-          of(variable.robot()).isDone = variable.value().equals(Location.DONE.name());
+      case Action taken when RaceTrace.is(taken, RaceTrace.TAKEN) -> {
+        Claim claim = Claim.ofTrace(taken.args());
+        of(robot).put(claim.point(), claim);
+      }
+      case Variable location when RaceTrace.is(location, RaceTrace.LOCATION) -> {
+        if (location.value().equals(Location.DONE.name())) {
+          done.add(robot);
+        }
+      }
       default -> {
         // Says nothing of winners.
       }
     }
   }
 
-  static boolean isTaken(Action action) {
-    return action.source().equals(RaceTrace.SOURCE) && action.name().equals(Scoreboard.TAKEN);
+  private SortedMap<Integer, Claim> of(RobotId robot) {
+    return claims.computeIfAbsent(robot, any -> new TreeMap<>());
   }
 
-  private Past of(RobotId robot) {
-    return records.computeIfAbsent(robot, anybody -> new Past());
+  private void forget(RobotId robot) {
+    claims.remove(robot);
+    done.remove(robot);
   }
 
-  /** The robots whose programs are there. */
+  /** The robots whose programs run. */
   List<RobotId> robots() {
-    return List.copyOf(records.keySet());
+    return List.copyOf(claims.keySet());
   }
 
-  /** Whether its app has come to its end. */
-  boolean isDone(RobotId robot) {
-    return of(robot).isDone;
+  /** The robots whose programs have ended. */
+  List<RobotId> done() {
+    return List.copyOf(done);
   }
 
-  /** The winner of {@code point} that {@code robot} knows of, or null. */
+  /** The claim on {@code point} that {@code robot} knows, or null. */
   @Nullable Claim claim(RobotId robot, int point) {
-    return of(robot).claims.get(point);
+    return claims.getOrDefault(robot, new TreeMap<>()).get(point);
   }
 
-  /** Whether anybody who is up knows a winner of {@code point}. */
+  /** Whether a robot that is up knows a winner of {@code point}. */
   boolean isKnown(int point) {
-    return records.values().stream().anyMatch(record -> record.claims.containsKey(point));
+    return claims.values().stream().anyMatch(known -> known.containsKey(point));
   }
 }

@@ -1,6 +1,6 @@
 /**
- * The race's specifications, as monitors: who wins a point is at it, all agree on the winners, and the
- * race goes on ({@link org.starl.apps.race.spec.RaceSpec}).
+ * The specification of a race, as monitors over the trace: the winner of a point is at it, all
+ * robots agree on the winners, and the race goes on ({@link org.starl.apps.race.spec.RaceSpec}).
  *
  * <p>May import: core, primitives, {@code logic} beside it.
  */

@@ -6,20 +6,18 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RaceTrace;
-import org.starl.apps.race.logic.Scoreboard;
 import org.starl.geometry.Point;
-import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
@@ -29,8 +27,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * Draws each point as a target, in its winner's colour once it is won, the course dashed, and dotted
- * where each robot drives to.
+ * Draws each point as a target, in its winner's colour once it is won, the course dashed, and
+ * dotted lines from the robots to their points.
  */
 public final class RaceLayer implements Layer {
 
@@ -38,8 +36,8 @@ public final class RaceLayer implements Layer {
   private static final String TARGETS = "targets";
   private static final String WAYS = "ways";
   private static final double TARGET_MM = 230;
-  private static final int LETTERS_MM = 110;
-  private static final int SMALL_MM = 85;
+  private static final int NAME_MM = 110;
+  private static final int WINNER_MM = 85;
   private static final double NS_PER_S = 1e9;
 
   private final List<RacePoint> points;
@@ -58,10 +56,8 @@ public final class RaceLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    if (event instanceof Action action
-        && action.source().equals(RaceTrace.SOURCE)
-        && action.name().equals(Scoreboard.TAKEN)) {
-      Claim claim = Scoreboard.claim(action.args());
+    if (event instanceof Action action && RaceTrace.is(action, RaceTrace.TAKEN)) {
+      Claim claim = Claim.ofTrace(action.args());
       winners.merge(claim.point(), claim, (a, b) -> a.compareTo(b) <= 0 ? a : b);
     }
   }
@@ -74,21 +70,17 @@ public final class RaceLayer implements Layer {
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     if (look.shows(COURSE)) {
-      course(floor, look);
+      floor.setColor(look.theme().shade());
+      floor.setStroke(look.dashes(14, 60));
+      for (int i = 1; i < points.size(); i++) {
+        floor.draw(line(points.get(i - 1).at(), points.get(i).at()));
+      }
     }
     for (int i = 0; look.shows(TARGETS) && i < points.size(); i++) {
       target(floor, points.get(i), winners.get(i), scene, look);
     }
     for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
       way(floor, robot, scene, look);
-    }
-  }
-
-  private void course(Graphics2D floor, Look look) {
-    floor.setColor(look.theme().shade());
-    floor.setStroke(look.dashes(14, 60));
-    for (int i = 1; i < points.size(); i++) {
-      floor.draw(line(points.get(i - 1).at(), points.get(i).at()));
     }
   }
 
@@ -106,12 +98,12 @@ public final class RaceLayer implements Layer {
     int x = (int) (point.at().xMm() + TARGET_MM + 30);
     int y = (int) -point.at().yMm();
     upright.setColor(look.theme().edge(colour));
-    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, LETTERS_MM));
+    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, NAME_MM));
     upright.drawString(point.name(), x, y);
     if (won != null) {
-      upright.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, SMALL_MM));
+      upright.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, WINNER_MM));
       String when = String.format(Locale.ROOT, " %.1f s", won.atNs() / NS_PER_S);
-      upright.drawString(won.winner().name() + when, x, y + LETTERS_MM);
+      upright.drawString(won.winner().name() + when, x, y + NAME_MM);
     }
     upright.dispose();
   }
@@ -120,38 +112,35 @@ public final class RaceLayer implements Layer {
     String name = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.POINT);
     for (RacePoint point : points) {
       if (point.name().equals(name) && scene.pose(robot).isPresent()) {
-        Pose pose = scene.pose(robot).get();
         floor.setColor(look.robot(scene, robot));
         floor.setStroke(look.dots(16, 45));
-        floor.draw(line(pose.at(), point.at()));
+        floor.draw(line(scene.pose(robot).get().at(), point.at()));
       }
     }
   }
 
+  /** Around the targets, with room for the names of their winners to the right. */
   @Override
   public List<Point> corners() {
-    List<Point> corners = new ArrayList<>();
-    points.forEach(point -> {
-      corners.add(point.at().plus(new Point(-TARGET_MM, -TARGET_MM)));
-      // Right of it stands who has won it.
-      corners.add(point.at().plus(new Point(4 * TARGET_MM, TARGET_MM)));
-    });
-    return corners;
+    return points.stream()
+        .flatMap(point ->
+            Stream.of(
+                point.at().plus(new Point(-TARGET_MM, -TARGET_MM)),
+                point.at().plus(new Point(4 * TARGET_MM, TARGET_MM))))
+        .toList();
   }
 
   @Override
   public String describe(RobotId robot, Scene scene) {
-    List<String> won = new ArrayList<>();
-    for (Map.Entry<Integer, Claim> entry : winners.entrySet()) {
-      if (entry.getValue().winner().equals(robot)) {
-        won.add(points.get(entry.getKey()).name());
-      }
-    }
-    String wins = won.isEmpty() ? "" : "has won " + String.join(" ", won);
-    return doing(robot, scene) + (wins.isEmpty() ? "" : ", " + wins);
+    String won =
+        winners.values().stream()
+            .filter(claim -> claim.winner().equals(robot))
+            .map(claim -> points.get(claim.point()).name())
+            .collect(Collectors.joining(" "));
+    return activity(robot, scene) + (won.isEmpty() ? "" : ", has won " + won);
   }
 
-  private static String doing(RobotId robot, Scene scene) {
+  private static String activity(RobotId robot, Scene scene) {
     String location = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.LOCATION);
     String point = scene.variable(robot, RaceTrace.SOURCE, RaceTrace.POINT);
     if (location.isEmpty()) {
@@ -161,7 +150,7 @@ public final class RaceLayer implements Layer {
       case START -> "waits for its position";
       case PICK, RACE -> "races to " + point;
       case MAKE_WAY -> "makes way to " + point;
-      case TELL -> "tells the winners";
+      case TELL -> "announces the winners";
       case DONE -> "has finished";
     };
   }

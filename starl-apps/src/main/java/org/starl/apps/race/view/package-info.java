@@ -1,8 +1,7 @@
 /**
- * How a race is drawn: points, who has won them, who drives where.
+ * Draws a race: the points, their winners, and where each robot drives.
  *
- * <p>May import: core, primitives, sim, the app's {@code logic} and {@code spec}, {@code
- * java.awt}.
+ * <p>May import: core, primitives, sim, the app's {@code logic} and {@code spec}, {@code java.awt}.
  */
 @NullMarked
 package org.starl.apps.race.view;

@@ -1,44 +1,41 @@
 package org.starl.apps.search.logic;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
-import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.suspicion.Suspicion;
 
 /**
- * The leader's work in one term: gives each idle robot the nearest room that nobody has searched and
- * nobody is at, takes it from who falls silent, and concludes. It begins with what everybody tells of
- * itself, so that a new leader goes on where the one before was. Pure and clock-driven.
+ * The leader's work in one term: assigns to each idle robot the nearest room that no robot has
+ * searched or is searching, takes the room from a robot that falls silent, and concludes the
+ * search. It begins with what all robots report of themselves, so a new leader goes on where the
+ * one before stopped. Pure and clock-driven.
  *
- * <p>No safety rests on it: two robots in one room are in each other's way, no more.
+ * <p>Safety does not depend on it: two robots in one room only hinder each other.
  */
 final class Assigner {
 
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long SILENCE_NS = 6_000 * NS_PER_MS;
+  private static final long NS_PER_S = 1_000_000_000;
+  private static final long SILENCE_NS = 6 * NS_PER_S;
 
-  /** Who has been silent for so long will not come back, to all appearances. */
-  private static final long DEATH_NS = 60_000 * NS_PER_MS;
+  /** After so long a silence a robot is not expected to come back. */
+  private static final long DEATH_NS = 60 * NS_PER_S;
 
-  private static final long TAKEN_WITHIN_NS = 10_000 * NS_PER_MS;
+  private static final long TAKEN_WITHIN_NS = 10 * NS_PER_S;
 
-  /** Beside somebody dead, who may lie in the only way, a room is tried so often by each. */
+  /** How often each robot tries a room while a dead robot may block the only way to it. */
   private static final int TRIES_BESIDE_THE_DEAD = 2;
 
-  /** Else who is in the way will go on. */
+  /** How often each robot tries a room otherwise: a robot in its way will move on. */
   private static final int TRIES = 8;
-
-  /** Robots of whatever incarnation: silence is of the robot. */
-  private static final long ANY_LIFE = 1;
 
   private final House house;
   private final Participants participants;
@@ -49,7 +46,10 @@ final class Assigner {
   private final SortedMap<RobotId, Given> given = new TreeMap<>();
   private int numbers;
 
-  private record Given(Report.Task task, long atNs, boolean taken) {}
+  /** A task, when it was assigned, and whether its robot has reported to be at it. */
+  private record Given(Report.Task task, long atNs, boolean isTaken) {}
+
+  private record Match(int tries, int distanceMm, RobotId robot, Room room) {}
 
   Assigner(House house, RobotId me, Participants participants, long term, long nowNs) {
     this.house = house;
@@ -57,22 +57,27 @@ final class Assigner {
     this.term = term;
     for (RobotId robot : participants) {
       if (!robot.equals(me)) {
-        suspicion.expects(new ProcessId(robot, ANY_LIFE), nowNs);
-        death.expects(new ProcessId(robot, ANY_LIFE), nowNs);
+        suspicion.expects(anyLife(robot), nowNs);
+        death.expects(anyLife(robot), nowNs);
       }
     }
     heard.add(me);
+  }
+
+  /** A robot is silent or not whatever its incarnation. */
+  private static ProcessId anyLife(RobotId robot) {
+    return new ProcessId(robot, 1);
   }
 
   long term() {
     return term;
   }
 
-  /** A report of {@code robot} has come. */
+  /** A report of {@code robot} has arrived. */
   void heard(RobotId robot, long nowNs) {
     heard.add(robot);
-    suspicion.heard(new ProcessId(robot, ANY_LIFE), nowNs);
-    death.heard(new ProcessId(robot, ANY_LIFE), nowNs);
+    suspicion.heard(anyLife(robot), nowNs);
+    death.heard(anyLife(robot), nowNs);
   }
 
   Report.Duty duty() {
@@ -81,137 +86,97 @@ final class Assigner {
     return new Report.Duty(term, tasks);
   }
 
-  /** Looks at who is where, and gives rooms; the end of the search, if this is it. */
-  Optional<Answer> work(Board board, long nowNs) {
+  /** Assigns rooms by what the robots report; returns the end of the search, if this is it. */
+  Optional<String> work(Knowledge known, long nowNs) {
     List<RobotId> up = new ArrayList<>();
     for (RobotId robot : participants) {
-      if (!suspicion.suspects(new ProcessId(robot, ANY_LIFE), nowNs)) {
+      if (!suspicion.suspects(anyLife(robot), nowNs)) {
         if (!heard.contains(robot)) {
-          return Optional.empty(); // who may be at work somewhere
+          return Optional.empty(); // it may be searching a room
         }
         up.add(robot);
       }
     }
-    given.keySet().removeIf(robot -> !up.contains(robot));
+    given.keySet().retainAll(up);
     SortedSet<Integer> busy = new TreeSet<>();
+    List<Report> idle = new ArrayList<>();
     for (RobotId robot : up) {
-      Report report = board.latest().get(robot);
+      Report report = known.latest().get(robot);
       if (report != null) {
-        followUp(robot, report, board, nowNs);
+        followUp(robot, report, known, nowNs);
         busy.add(report.room());
+        if (report.isIdle() && report.at().isPresent() && !given.containsKey(robot)) {
+          idle.add(report);
+        }
       }
     }
-    given.values().forEach(what -> busy.add(what.task().room()));
-    int limit = death.suspects(nowNs).isEmpty() ? TRIES : TRIES_BESIDE_THE_DEAD;
-    List<RobotId> idle = idle(up, board);
-    boolean hasHope = giveRooms(idle, openRooms(board, busy), limit, board, nowNs);
     busy.remove(Report.NO_ROOM);
-    boolean isOver = !hasHope && busy.isEmpty() && idle.size() == up.size() && given.isEmpty();
-    return isOver ? Optional.of(conclusion(board)) : Optional.empty();
+    given.values().forEach(what -> busy.add(what.task().room()));
+    List<Room> open = new ArrayList<>();
+    for (Room room : house.rooms()) {
+      if (room.isEnterable()
+          && !known.swept().contains(room.index())
+          && !busy.contains(room.index())) {
+        open.add(room);
+      }
+    }
+    boolean isIdle = busy.isEmpty() && idle.size() == up.size();
+    int limit = death.suspects(nowNs).isEmpty() ? TRIES : TRIES_BESIDE_THE_DEAD;
+    assign(matches(idle, open, limit), nowNs);
+    return isIdle && given.isEmpty() ? Optional.of(conclusion(known)) : Optional.empty();
   }
 
-  /** A task ends when its room was searched, or its robot has tried, or does something else. */
-  private void followUp(RobotId robot, Report report, Board board, long nowNs) {
+  /** A task ends when its room was searched, or its robot gives it up or does something else. */
+  private void followUp(RobotId robot, Report report, Knowledge known, long nowNs) {
     Given what = given.get(robot);
     if (what == null) {
       return;
     }
-    int room = what.task().room();
-    if (board.isSwept(room)) {
+    boolean isLate = nowNs - what.atNs() > TAKEN_WITHIN_NS;
+    if (known.swept().contains(what.task().room())) {
       given.remove(robot);
-    } else if (report.room() == room) {
+    } else if (report.room() == what.task().room()) {
       given.put(robot, new Given(what.task(), what.atNs(), true));
-    } else if (what.taken() || !report.isIdle() || nowNs - what.atNs() > TAKEN_WITHIN_NS) {
+    } else if (what.isTaken() || !report.isIdle() || isLate) {
       given.remove(robot);
     }
   }
 
-  private List<RobotId> idle(List<RobotId> up, Board board) {
-    List<RobotId> idle = new ArrayList<>();
-    for (RobotId robot : up) {
-      Report report = board.latest().get(robot);
-      if (report != null
-          && report.isIdle()
-          && report.at().isPresent()
-          && !given.containsKey(robot)) {
-        idle.add(robot);
-      }
-    }
-    return idle;
-  }
-
-  private List<Room> openRooms(Board board, SortedSet<Integer> busy) {
-    List<Room> open = new ArrayList<>();
-    for (Room room : house.rooms()) {
-      int index = room.index();
-      if (room.isEnterable() && !board.isSwept(index) && !busy.contains(index)) {
-        open.add(room);
-      }
-    }
-    return open;
-  }
-
-  private record Match(int tries, int distanceMm, RobotId robot, Room room) {
-    boolean isBetterThan(@Nullable Match other) {
-      return other == null
-          || tries < other.tries
-          || (tries == other.tries && distanceMm < other.distanceMm);
-    }
-  }
-
-  /**
-   * Gives rooms, the nearest pair first.
-   *
-   * @return whether somebody idle has a room left to try
-   */
-  private boolean giveRooms(
-      List<RobotId> idle, List<Room> rooms, int limit, Board board, long nowNs) {
-    List<RobotId> robots = new ArrayList<>(idle);
-    List<Room> open = new ArrayList<>(rooms);
-    SortedMap<RobotId, int[]> distances = new TreeMap<>();
-    boolean hasHope = false;
-    Match best = best(robots, open, limit, board, distances);
-    while (best != null) {
-      hasHope = true;
-      numbers++;
-      given.put(
-          best.robot(), new Given(new Report.Task(best.room().index(), numbers), nowNs, false));
-      robots.remove(best.robot());
-      open.remove(best.room());
-      best = best(robots, open, limit, board, distances);
-    }
-    return hasHope;
-  }
-
-  private @Nullable Match best(
-      List<RobotId> robots,
-      List<Room> open,
-      int limit,
-      Board board,
-      Map<RobotId, int[]> distances) {
-    Match best = null;
-    for (RobotId robot : robots) {
-      Report report = board.latest().get(robot);
+  /** All pairs of an idle robot and an open room, the best first. */
+  private List<Match> matches(List<Report> idle, List<Room> open, int limit) {
+    List<Match> matches = new ArrayList<>();
+    for (Report report : open.isEmpty() ? List.<Report>of() : idle) {
+      int[] distances = house.distancesMm(report.at().orElseThrow());
       for (Room room : open) {
-        int tries = report == null ? limit : report.tries().get(room.index());
-        if (report != null && tries < limit && report.at().isPresent()) {
-          int[] toRooms =
-              distances.computeIfAbsent(robot, id -> house.distancesMm(report.at().get()));
-          Match match = new Match(tries, toRooms[room.index()], robot, room);
-          best = match.isBetterThan(best) ? match : best;
+        int tries = report.tries().get(room.index());
+        if (tries < limit) {
+          matches.add(new Match(tries, distances[room.index()], report.from().robot(), room));
         }
       }
     }
-    return best;
+    matches.sort(Comparator.comparingInt(Match::tries).thenComparingInt(Match::distanceMm));
+    return matches;
   }
 
-  private Answer conclusion(Board board) {
+  private void assign(List<Match> matches, long nowNs) {
+    List<Match> left = new ArrayList<>(matches);
+    while (!left.isEmpty()) {
+      Match best = left.get(0);
+      numbers++;
+      Report.Task task = new Report.Task(best.room().index(), numbers);
+      given.put(best.robot(), new Given(task, nowNs, false));
+      left.removeIf(match ->
+          match.robot().equals(best.robot()) || match.room().index() == best.room().index());
+    }
+  }
+
+  private String conclusion(Knowledge known) {
     List<String> left = new ArrayList<>();
     for (Room room : house.rooms()) {
-      if (!board.isSwept(room.index())) {
+      if (!known.swept().contains(room.index())) {
         left.add(room.name());
       }
     }
-    return left.isEmpty() ? new Answer.Nothing() : new Answer.GaveUp(left);
+    return Answer.nothing(left);
   }
 }

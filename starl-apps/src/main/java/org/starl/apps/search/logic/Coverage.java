@@ -2,14 +2,15 @@ package org.starl.apps.search.logic;
 
 import java.util.BitSet;
 import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
 
 /**
- * How much of a room one robot has seen for certain, by its own positions and their error bounds.
- * Strand only.
+ * What one robot has not seen yet of some cells, by its positions and their error bounds. Strand
+ * only.
  */
 final class Coverage {
 
-  /** A robot that moved less has hardly anything new in view. */
+  /** A robot that moved less sees hardly anything new. */
   private static final double STEP_MM = 20;
 
   private final House house;
@@ -25,27 +26,16 @@ final class Coverage {
     unseen = (BitSet) wanted.clone();
   }
 
-  /** The sensor is looked at now, and the robot is within {@code errorMm} of {@code at}. */
+  /** The sensor was read now, and the robot is within {@code errorMm} of {@code at}. */
   void look(Point at, double errorMm) {
-    boolean isNews = at.distanceMm(last) >= STEP_MM || errorMm < lastErrorMm;
-    if (unseen.isEmpty() || !isNews) {
-      return;
+    if (at.distanceMm(last) >= STEP_MM || errorMm < lastErrorMm) {
+      last = at;
+      lastErrorMm = errorMm;
+      unseen.andNot(house.view(at, errorMm, unseen));
     }
-    last = at;
-    lastErrorMm = errorMm;
-    house
-        .grid()
-        .forEachWithin(
-            at,
-            house.rangeMm(),
-            cell -> {
-              if (unseen.get(cell) && house.covers(at, errorMm, cell)) {
-                unseen.clear(cell);
-              }
-            });
   }
 
-  /** These cells need not be seen: no place has them in view. */
+  /** These cells need not be seen. */
   void forget(BitSet hidden) {
     unseen.andNot(hidden);
   }
@@ -54,18 +44,14 @@ final class Coverage {
     return unseen.isEmpty();
   }
 
-  /** A set of the caller's own. */
+  /** The caller may change the set. */
   BitSet unseen() {
     return (BitSet) unseen.clone();
   }
 
-  /** Whether something unseen may come into view on the way from one point to the other. */
-  boolean isWorthGoing(Leg leg) {
-    for (int cell = unseen.nextSetBit(0); cell >= 0; cell = unseen.nextSetBit(cell + 1)) {
-      if (leg.distanceMm(house.grid().centre(cell)) <= house.rangeMm()) {
-        return true;
-      }
-    }
-    return false;
+  /** Whether a cell that was not seen may come into view on a leg. */
+  boolean isWorthDriving(Segment leg) {
+    return unseen.stream()
+        .anyMatch(cell -> leg.distanceMm(house.grid().centre(cell)) <= house.rangeMm());
   }
 }

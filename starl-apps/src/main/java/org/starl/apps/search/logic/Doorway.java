@@ -8,76 +8,60 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
 /**
- * A door that is shut: two lines from the door's point to the walls beside it.
+ * A shut door: two lines from the door's point to the walls beside it.
  *
- * @param leaves the two lines, each a little way into its wall
+ * @param leaves the two lines; each ends a little way inside its wall
  */
 record Doorway(String name, Point at, List<Segment> leaves) {
 
-  /** Two walls beside a door lie in directions at least so far apart, as a cosine: 84 degrees. */
-  private static final double MOST_COSINE = 0.1;
+  /** The walls beside a door are at least 84 degrees apart: the cosine of that angle. */
+  private static final double MAX_COSINE = 0.1;
 
   private static final double OVERLAP_MM = 1;
 
-  private record Jamb(Point at, double distanceMm) {}
-
   /**
-   * The doorway of a door: of all pairs of walls that its point sees, in directions at least 84
-   * degrees apart, the one with the shortest way from wall to wall over the point.
+   * Shuts a door. Of all pairs of walls that the door's point sees, at least 84 degrees apart,
+   * takes the pair with the shortest way from one wall over the point to the other.
    *
-   * @throws IllegalArgumentException if there are no two such walls
+   * @throws IllegalArgumentException if there is no such pair
    */
   static Doorway of(ItemPosition door, HousePlan plan, Sight sight) {
-    List<Jamb> jambs = new ArrayList<>();
+    Point at = door.at();
+    List<Point> jambs = new ArrayList<>();
     for (Obstacle wall : plan.walls().all()) {
       for (Segment side : wall.sides()) {
-        Point nearest = side.nearest(door.at());
-        double distanceMm = nearest.distanceMm(door.at());
-        if (distanceMm > OVERLAP_MM && isInView(door.at(), nearest, distanceMm, sight)) {
-          jambs.add(new Jamb(nearest, distanceMm));
+        Point jamb = side.nearest(at);
+        double mm = jamb.distanceMm(at);
+        if (mm > OVERLAP_MM && sight.sees(at, jamb.plus(at.minus(jamb).times(OVERLAP_MM / mm)))) {
+          jambs.add(jamb);
         }
       }
     }
-    Jamb left = null;
-    Jamb right = null;
+    double shortestMm = Double.POSITIVE_INFINITY;
+    List<Segment> leaves = List.of();
     for (int i = 0; i < jambs.size(); i++) {
-      for (int j = i + 1; j < jambs.size(); j++) {
-        Jamb a = jambs.get(i);
-        Jamb b = jambs.get(j);
-        boolean isShorter =
-            left == null
-                || right == null
-                || a.distanceMm() + b.distanceMm() < left.distanceMm() + right.distanceMm();
-        if (isShorter && areApart(door.at(), a, b)) {
-          left = a;
-          right = b;
+      double leftMm = jambs.get(i).distanceMm(at);
+      for (Point right : jambs.subList(i + 1, jambs.size())) {
+        double rightMm = right.distanceMm(at);
+        double dot = jambs.get(i).minus(at).dot(right.minus(at));
+        if (leftMm + rightMm < shortestMm && dot <= MAX_COSINE * leftMm * rightMm) {
+          shortestMm = leftMm + rightMm;
+          leaves = List.of(leaf(at, jambs.get(i), leftMm), leaf(at, right, rightMm));
         }
       }
     }
-    if (left == null || right == null) {
+    if (leaves.isEmpty()) {
       throw new IllegalArgumentException(
-          "door " + door.name() + " at " + door.at() + ": expected a wall on either side");
+          "door " + door.name() + " at " + at + ": expected a wall on either side");
     }
-    return new Doorway(
-        door.name(), door.at(), List.of(leaf(door.at(), left), leaf(door.at(), right)));
+    return new Doorway(door.name(), at, leaves);
   }
 
-  private static boolean isInView(Point door, Point wall, double distanceMm, Sight sight) {
-    Point before = wall.plus(door.minus(wall).times(OVERLAP_MM / distanceMm));
-    return sight.sees(door, before);
+  private static Segment leaf(Point door, Point jamb, double mm) {
+    return new Segment(door, jamb.plus(jamb.minus(door).times(OVERLAP_MM / mm)));
   }
 
-  private static boolean areApart(Point door, Jamb a, Jamb b) {
-    double dot = a.at().minus(door).dot(b.at().minus(door));
-    return dot <= MOST_COSINE * a.distanceMm() * b.distanceMm();
-  }
-
-  private static Segment leaf(Point door, Jamb jamb) {
-    Point beyond = jamb.at().minus(door).times(OVERLAP_MM / jamb.distanceMm());
-    return new Segment(door, jamb.at().plus(beyond));
-  }
-
-  /** Whether the shut door is on the line between two points. */
+  /** Whether the shut door cuts the line between two points. */
   boolean isBetween(Point from, Point to) {
     Segment line = new Segment(from, to);
     return leaves.get(0).crosses(line) || leaves.get(1).crosses(line);

@@ -7,13 +7,13 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
 /**
- * A house as somebody draws it: walls and doors, no rooms. Immutable.
+ * A house as drawn: walls and doors, no rooms. Immutable.
  *
  * @param bounds all robots stay inside
- * @param walls that everybody knows
- * @param doors a point in each doorway, or just before it; a room is called as its door is
- * @param starts where robots come from, at least one: what can be reached from there without
- *     passing a door is the hall
+ * @param walls every robot knows them
+ * @param doors a point in each doorway, or just in front of it; a room has the name of its door
+ * @param starts where robots start, at least one: the hall is the floor that can be reached from
+ *     there without passing a door
  */
 public record HousePlan(
     Rectangle bounds, Obstacles walls, List<ItemPosition> doors, List<Point> starts) {

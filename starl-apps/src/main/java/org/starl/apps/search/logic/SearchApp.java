@@ -5,19 +5,21 @@ import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 
 /**
- * A robot that searches a house with others (paper, section 5.4): a leader is elected and gives out
- * rooms; each robot drives to its room and sweeps it; who sees the thing says so; all end with one
- * {@link Answer}, which is what {@code callStarL} returns.
+ * A robot that searches a house with others (paper, section 5.4). The robots elect a leader; the
+ * leader assigns rooms; each robot drives to its room and sweeps it; a robot that sees the thing
+ * announces it; all end with one {@link Answer}, which {@code callStarL} returns.
  *
- * <p>What it promises is in {@code org.starl.apps.search.spec}. Who starts anew begins without memory,
- * hears from the others what was searched, and is given a room again.
+ * <p>{@code org.starl.apps.search.spec} specifies it. A robot that restarts begins without memory,
+ * hears from the others what was searched, and is assigned a room again.
  */
 public final class SearchApp extends LogicThread {
 
-  /** Where the program stands. */
+  /** The state of the program. */
   public enum Location {
     ELECT,
     WAIT,
@@ -28,77 +30,63 @@ public final class SearchApp extends LogicThread {
   }
 
   private static final long PERIOD_MS = 100;
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long REST_AFTER_NS = 3_000 * NS_PER_MS;
+  private static final long PARK_AFTER_NS = 3_000_000_000L;
 
   private final House house;
+  private final Sensing sensing;
   private final Team team;
-  private final Lookout lookout;
   private final Drive drive;
-  private final Rest rest;
+  private final Parking parking;
   private final GvhCell<Location> location;
   private final GvhCell<String> roomName;
   private @Nullable RoomSearch search;
   private long idleSinceNs;
 
   /**
-   * @param xid names this search: robots with another one search elsewhere
+   * @param xid the name of the search: robots with another one take part in another search
    * @param house the same on every robot
    */
   public SearchApp(GlobalVarHolder gvh, String xid, House house, Sensing sensing) {
     super(gvh);
     this.house = house;
+    this.sensing = sensing;
     location = gvh.variable(SearchTrace.SOURCE, SearchTrace.LOCATION, Location.ELECT);
     roomName = gvh.variable(SearchTrace.SOURCE, SearchTrace.ROOM, "");
     team = new Team(gvh, xid, house);
-    lookout = new Lookout(gvh, sensing, team);
-    drive = new Drive(gvh, Driving.paths(gvh, xid, house.bounds()));
-    rest = new Rest(gvh, house, drive, team::isSwept);
+    drive = new Drive(gvh, xid, house.bounds());
+    parking = new Parking(gvh, house, drive, team::isSwept);
   }
 
   @Override
   public List<Object> callStarL() {
     team.begin();
     while (location.get() != Location.DONE) {
-      lookout.look();
-      if (search != null) {
-        search.look();
-        team.saw(search.seen());
-      }
+      look();
       team.work();
       if (team.isDecided()) {
         location.set(Location.DONE);
         break;
       }
-      if (team.answer().isPresent() && location.get() != Location.ANSWER) {
+      if (team.hasAnswer() && location.get() != Location.ANSWER) {
         leave(Location.ANSWER);
       }
       switch (location.get()) {
         case ELECT -> {
           if (team.hasLeader()) {
-            waitFrom(Location.WAIT);
+            waitIn(Location.WAIT);
           }
         }
-        case WAIT -> {
-          Optional<Room> task = gvh.gps.hasFix() ? team.takeTask() : Optional.empty();
-          if (task.isPresent()) {
-            search = new RoomSearch(gvh, house, task.get(), team.seenOf(task.get()), drive);
-            roomName.set(task.get().name());
-            location.set(Location.GO);
-          } else if (gvh.plat.clock.nowNs() - idleSinceNs > REST_AFTER_NS) {
-            rest.step();
-          }
-        }
+        case WAIT -> takeRoomOrPark();
         case GO, SWEEP -> sweep();
         case ANSWER -> {
-          // Until all have agreed on it.
+          // Until the robots have agreed on it.
         }
         case DONE -> throw new IllegalStateException("the loop has ended");
       }
       sleep(PERIOD_MS);
     }
     drive.stop();
-    team.tellTheEnd();
+    team.tellDecision();
     gvh.trace.action(SearchTrace.SOURCE, SearchTrace.ANSWER, team.decision());
     return returnResults();
   }
@@ -108,13 +96,49 @@ public final class SearchApp extends LogicThread {
     return List.of(team.decision());
   }
 
+  /**
+   * Reads the sensor: a thing in view ends the search; else the robot has seen more of its room.
+   */
+  private void look() {
+    if (gvh.gps.hasFix()) {
+      for (ItemPosition thing : sensing.sensed()) {
+        if (!team.hasAnswer()) {
+          Point at = thing.at();
+          gvh.trace.action(
+              SearchTrace.SOURCE,
+              SearchTrace.FOUND,
+              thing.name(),
+              Math.round(at.xMm()),
+              Math.round(at.yMm()));
+          team.conclude(Answer.found(thing.name(), at, gvh.id.name()));
+        }
+      }
+    }
+    if (search != null) {
+      search.look();
+      team.known().saw(search.room().index(), search.seen());
+    }
+  }
+
+  private void takeRoomOrPark() {
+    Optional<Room> task = gvh.gps.hasFix() ? team.takeTask() : Optional.empty();
+    if (task.isPresent()) {
+      Room room = task.get();
+      search = new RoomSearch(gvh, house, room, team.known().seen(room.index()), drive);
+      roomName.set(room.name());
+      location.set(Location.GO);
+    } else if (gvh.plat.clock.nowNs() - idleSinceNs > PARK_AFTER_NS) {
+      parking.step();
+    }
+  }
+
   private void sweep() {
     RoomSearch now = search;
     if (now == null) {
       throw new IllegalStateException(location.get() + " without a room");
     }
     if (team.isSwept(now.room())) {
-      team.leaveRoom(); // somebody who was taken for dead has done it
+      team.leaveRoom(); // a robot that seemed to be dead has searched it
       leave(Location.WAIT);
       return;
     }
@@ -136,12 +160,12 @@ public final class SearchApp extends LogicThread {
     drive.stop();
     search = null;
     roomName.set("");
-    waitFrom(next);
+    waitIn(next);
   }
 
-  private void waitFrom(Location next) {
+  private void waitIn(Location next) {
     idleSinceNs = gvh.plat.clock.nowNs();
-    rest.begin();
+    parking.begin();
     location.set(next);
   }
 }

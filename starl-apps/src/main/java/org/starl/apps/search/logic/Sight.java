@@ -1,83 +1,75 @@
 package org.starl.apps.search.logic;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 
 /**
- * What can be seen from where: everything to which no side of an obstacle cuts the straight line; a
- * line that touches a side is cut. Robots' bodies hide nothing. Immutable.
+ * Line of sight: two points see each other unless a side of an obstacle cuts or touches the
+ * straight line between them. Robots' bodies hide nothing. Immutable.
  */
 public final class Sight {
 
-  private static final int BUCKET_MM = 1_000;
-
-  /** Corners of a cell are looked at so far inside: those on a wall's face belong to the wall. */
+  /** The corners of a cell are tested this far inside: on a wall's face they belong to the wall. */
   private static final double INSET_MM = 1;
 
-  private final double[] ax;
-  private final double[] ay;
-  private final double[] bx;
-  private final double[] by;
-  private final Grid buckets;
-  private final int[][] sidesIn;
+  private final List<Segment> sides;
 
-  public Sight(Obstacles obstacles, Rectangle bounds) {
+  private Sight(List<Segment> sides) {
+    this.sides = sides;
+  }
+
+  static Sight of(Obstacles obstacles) {
     List<Segment> sides = new ArrayList<>();
     for (Obstacle obstacle : obstacles.all()) {
       sides.addAll(obstacle.sides());
     }
-    int count = sides.size();
-    ax = new double[count];
-    ay = new double[count];
-    bx = new double[count];
-    by = new double[count];
-    buckets = new Grid(bounds, BUCKET_MM);
-    sidesIn = new int[buckets.count()][0];
-    for (int i = 0; i < count; i++) {
-      ax[i] = sides.get(i).from().xMm();
-      ay[i] = sides.get(i).from().yMm();
-      bx[i] = sides.get(i).to().xMm();
-      by[i] = sides.get(i).to().yMm();
-      file(i);
-    }
+    return new Sight(sides);
   }
 
-  /** Whether nothing solid is on the line between two points of the floor. */
+  /** The same for points within {@code reachMm} of {@code middle} along each axis, and faster. */
+  public Sight near(Point middle, double reachMm) {
+    List<Segment> near = new ArrayList<>();
+    for (Segment side : sides) {
+      if (boxesMeet(
+          side,
+          middle.xMm() - reachMm,
+          middle.yMm() - reachMm,
+          middle.xMm() + reachMm,
+          middle.yMm() + reachMm)) {
+        near.add(side);
+      }
+    }
+    return new Sight(near);
+  }
+
   public boolean sees(Point from, Point to) {
     return sees(from.xMm(), from.yMm(), to.xMm(), to.yMm());
   }
 
-  boolean sees(double px, double py, double qx, double qy) {
-    int fromColumn = clamp(buckets.column(Math.min(px, qx)), buckets.columns());
-    int toColumn = clamp(buckets.column(Math.max(px, qx)), buckets.columns());
-    int fromRow = clamp(buckets.row(Math.min(py, qy)), buckets.rows());
-    int toRow = clamp(buckets.row(Math.max(py, qy)), buckets.rows());
-    for (int row = fromRow; row <= toRow; row++) {
-      for (int column = fromColumn; column <= toColumn; column++) {
-        for (int side : sidesIn[buckets.cell(column, row)]) {
-          if (cuts(side, px, py, qx, qy)) {
-            return false;
-          }
-        }
+  private boolean sees(double px, double py, double qx, double qy) {
+    for (Segment side : sides) {
+      if (boxesMeet(side, px, py, qx, qy) && cuts(side, px, py, qx, qy)) {
+        return false;
       }
     }
     return true;
   }
 
   /**
-   * Whether all of a square cell that is not cut off from its centre by a wall is in sight, and within
-   * {@code rangeMm}, from wherever in the square of half side {@code errorMm} around {@code at} the
-   * sensor truly is: its centre and its corners are, from the middle and from each corner.
+   * Whether all of a square cell is in sight and within {@code rangeMm}, wherever the sensor is in
+   * the square of half side {@code errorMm} around {@code at}. Tests the cell's centre and corners
+   * from the middle and the corners of that square; a corner that a wall cuts off from the cell's
+   * own centre does not count.
    */
-  public boolean seesAll(Point at, double errorMm, Point centre, double halfMm, double rangeMm) {
-    double far = farthestMm(at, errorMm, centre, halfMm);
-    if (far > rangeMm || !seesFromAll(at, errorMm, centre.xMm(), centre.yMm())) {
+  boolean seesAll(Point at, double errorMm, Point centre, double halfMm, double rangeMm) {
+    double dx = Math.abs(at.xMm() - centre.xMm()) + errorMm + halfMm;
+    double dy = Math.abs(at.yMm() - centre.yMm()) + errorMm + halfMm;
+    if (StrictMath.sqrt(dx * dx + dy * dy) > rangeMm
+        || !seesFromAll(at, errorMm, centre.xMm(), centre.yMm())) {
       return false;
     }
     double inner = halfMm - INSET_MM;
@@ -91,64 +83,37 @@ public final class Sight {
     return true;
   }
 
-  /** From the farthest place of one square to the farthest one of the other. */
-  private static double farthestMm(Point at, double errorMm, Point centre, double halfMm) {
-    double dx = Math.abs(at.xMm() - centre.xMm()) + errorMm + halfMm;
-    double dy = Math.abs(at.yMm() - centre.yMm()) + errorMm + halfMm;
-    return StrictMath.sqrt(dx * dx + dy * dy);
-  }
-
   private boolean seesFromAll(Point at, double errorMm, double x, double y) {
-    if (!sees(at.xMm(), at.yMm(), x, y)) {
-      return false;
-    }
-    for (int corner = 0; corner < 4 && errorMm > 0; corner++) {
+    boolean isSeen = sees(at.xMm(), at.yMm(), x, y);
+    for (int corner = 0; corner < 4 && errorMm > 0 && isSeen; corner++) {
       double fromX = at.xMm() + ((corner & 1) == 0 ? -errorMm : errorMm);
       double fromY = at.yMm() + ((corner & 2) == 0 ? -errorMm : errorMm);
-      if (!sees(fromX, fromY, x, y)) {
-        return false;
-      }
+      isSeen = sees(fromX, fromY, x, y);
     }
-    return true;
+    return isSeen;
   }
 
-  private void file(int side) {
-    int fromColumn = clamp(buckets.column(Math.min(ax[side], bx[side])), buckets.columns());
-    int toColumn = clamp(buckets.column(Math.max(ax[side], bx[side])), buckets.columns());
-    int fromRow = clamp(buckets.row(Math.min(ay[side], by[side])), buckets.rows());
-    int toRow = clamp(buckets.row(Math.max(ay[side], by[side])), buckets.rows());
-    for (int row = fromRow; row <= toRow; row++) {
-      for (int column = fromColumn; column <= toColumn; column++) {
-        int bucket = buckets.cell(column, row);
-        int[] before = sidesIn[bucket];
-        int[] after = Arrays.copyOf(before, before.length + 1);
-        after[before.length] = side;
-        sidesIn[bucket] = after;
-      }
-    }
+  private static boolean boxesMeet(Segment side, double px, double py, double qx, double qy) {
+    Point a = side.from();
+    Point b = side.to();
+    return Math.max(a.xMm(), b.xMm()) >= Math.min(px, qx)
+        && Math.min(a.xMm(), b.xMm()) <= Math.max(px, qx)
+        && Math.max(a.yMm(), b.yMm()) >= Math.min(py, qy)
+        && Math.min(a.yMm(), b.yMm()) <= Math.max(py, qy);
   }
 
-  /** What lies off the floor is filed at its border. */
-  private static int clamp(int index, int count) {
-    return Math.max(0, Math.min(count - 1, index));
-  }
-
-  private boolean cuts(int side, double px, double py, double qx, double qy) {
-    double x = ax[side];
-    double y = ay[side];
-    double u = bx[side];
-    double v = by[side];
-    if (Math.max(x, u) < Math.min(px, qx)
-        || Math.min(x, u) > Math.max(px, qx)
-        || Math.max(y, v) < Math.min(py, qy)
-        || Math.min(y, v) > Math.max(py, qy)) {
-      return false;
-    }
+  /**
+   * Of lines whose boxes meet: whether neither has both its ends strictly on one side of the other.
+   */
+  private static boolean cuts(Segment side, double px, double py, double qx, double qy) {
+    double x = side.from().xMm();
+    double y = side.from().yMm();
+    double u = side.to().xMm();
+    double v = side.to().yMm();
     double ofA = (qx - px) * (y - py) - (qy - py) * (x - px);
     double ofB = (qx - px) * (v - py) - (qy - py) * (u - px);
     double ofP = (u - x) * (py - y) - (v - y) * (px - x);
     double ofQ = (u - x) * (qy - y) - (v - y) * (qx - x);
-    // Each one's ends are not both strictly on one side of the other; the boxes meet.
     return !((ofA > 0 && ofB > 0) || (ofA < 0 && ofB < 0))
         && !((ofP > 0 && ofQ > 0) || (ofP < 0 && ofQ < 0));
   }

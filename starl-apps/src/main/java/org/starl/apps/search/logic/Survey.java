@@ -3,9 +3,8 @@ package org.starl.apps.search.logic;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
@@ -13,131 +12,98 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 
 /**
- * Derives rooms from walls and doors. With every {@link Doorway} shut the floor falls into parts, by
- * flood filling cell by cell: a step goes from one cell's middle to the next one's unless a wall or a
- * shut door is between them. The part in which robots start is the hall. Behind a door between a part
- * that has a name and one that has none lies a room, called as the door is; a room may be entered
- * through another one, and may have more doors than the one that gave it its name.
+ * Derives the rooms of a house from its walls and doors. With every {@link Doorway} shut, a flood
+ * fill divides the floor into parts; a step goes from the centre of a cell to that of its neighbour
+ * unless a wall or a shut door is between them. The part in which robots start is the hall. Where a
+ * door has a part with a name on one side and a part without on the other, the latter becomes the
+ * door's room. So a room may open from another room, and may have more doors than the one that
+ * names it.
  */
 final class Survey {
 
-  private static final int UNKNOWN = -1;
   private static final double BESIDE_DOOR_MM = 150;
 
   private final HousePlan plan;
   private final double clearanceMm;
   private final Grid grid;
   private final Sight sight;
+
+  /**
+   * Distance from each cell's centre to the nearest wall, exact up to the clearance; 0 inside one.
+   */
   private final double[] toWallMm;
+
   private final List<Doorway> doorways = new ArrayList<>();
 
   /** Cells from which a step may lead through a shut door. */
   private final BitSet atDoors = new BitSet();
 
-  /** Of each cell the part of the floor in which it lies. */
-  private final int[] part;
+  /** The parts of the floor that walls and shut doors divide. */
+  private final List<BitSet> parts = new ArrayList<>();
 
   Survey(HousePlan plan, double clearanceMm) {
     this.plan = plan;
     this.clearanceMm = clearanceMm;
     grid = new Grid(plan.bounds(), House.CELL_MM);
-    sight = new Sight(plan.walls(), plan.bounds());
+    sight = Sight.of(plan.walls());
     toWallMm = new double[grid.count()];
-    part = new int[grid.count()];
     measureWalls();
-    for (ItemPosition door : plan.doors()) {
-      int cell = grid.cellAt(door.at());
-      if (cell < 0 || toWallMm[cell] == 0) {
-        throw new IllegalArgumentException(
-            "door " + door.name() + " at " + door.at() + ": expected on the floor, in no wall");
-      }
-      Doorway doorway = Doorway.of(door, plan, sight);
-      for (Segment leaf : doorway.leaves()) {
-        forEachCellNear(List.of(leaf.from(), leaf.to()), House.CELL_MM, atDoors::set);
-      }
-      doorways.add(doorway);
-    }
-    floodParts();
+    plan.doors().forEach(this::shut);
+    divide();
   }
 
   House house(double rangeMm) {
-    int[] roomOfPart = namedParts();
+    List<BitSet> cells = roomParts();
     BitSet places = places();
-    int[] labels = new int[grid.count()];
-    BitSet[] cells = new BitSet[doorways.size()];
-    for (int i = 0; i < cells.length; i++) {
-      cells[i] = new BitSet();
-    }
-    for (int cell = 0; cell < labels.length; cell++) {
-      labels[cell] = part[cell] == UNKNOWN ? House.NOWHERE : roomOfPart[part[cell]];
-      if (labels[cell] >= 0) {
-        cells[labels[cell]].set(cell);
-      }
-    }
     List<Room> rooms = new ArrayList<>();
-    for (int i = 0; i < cells.length; i++) {
-      rooms.add(room(i, cells[i], places));
+    for (int i = 0; i < cells.size(); i++) {
+      rooms.add(room(i, cells.get(i), places));
     }
-    return new House(plan, rangeMm, grid, sight, labels, places, rooms);
+    return new House(plan, rangeMm, grid, sight, places, rooms);
   }
 
   private void measureWalls() {
     Arrays.fill(toWallMm, Double.POSITIVE_INFINITY);
     for (Obstacle wall : plan.walls().all()) {
       for (Segment side : wall.sides()) {
-        forEachCellNear(
-            List.of(side.from(), side.to()),
-            clearanceMm + House.CELL_MM,
-            cell -> toWallMm[cell] = Math.min(toWallMm[cell], side.distanceMm(grid.centre(cell))));
+        Rectangle box = Rectangle.around(List.of(side.from(), side.to()));
+        grid.in(box.widened(clearanceMm + House.CELL_MM))
+            .forEach(cell ->
+                toWallMm[cell] = Math.min(toWallMm[cell], side.distanceMm(grid.centre(cell))));
       }
       if (wall.closed()) {
-        forEachCellNear(
-            wall.points(),
-            0,
-            cell -> {
-              if (wall.distanceMm(grid.centre(cell)) == 0) {
-                toWallMm[cell] = 0;
-              }
-            });
+        grid.in(Rectangle.around(wall.points()))
+            .filter(cell -> wall.distanceMm(grid.centre(cell)) == 0)
+            .forEach(cell -> toWallMm[cell] = 0);
       }
     }
   }
 
-  /** The cells of the box around some points, widened. */
-  private void forEachCellNear(List<Point> points, double reachMm, Grid.Visitor visitor) {
-    Rectangle box = Rectangle.around(points).widened(reachMm);
-    int toRow = Math.min(grid.rows() - 1, grid.row(box.yMaxMm()));
-    int toColumn = Math.min(grid.columns() - 1, grid.column(box.xMaxMm()));
-    for (int row = Math.max(0, grid.row(box.yMinMm())); row <= toRow; row++) {
-      for (int column = Math.max(0, grid.column(box.xMinMm())); column <= toColumn; column++) {
-        visitor.visit(grid.cell(column, row));
-      }
+  private void shut(ItemPosition door) {
+    int cell = grid.cellAt(door.at());
+    if (cell < 0 || toWallMm[cell] == 0) {
+      throw new IllegalArgumentException(
+          "door " + door.name() + " at " + door.at() + ": expected on the floor, in no wall");
     }
+    Doorway doorway = Doorway.of(door, plan, sight);
+    for (Segment leaf : doorway.leaves()) {
+      Rectangle box = Rectangle.around(List.of(leaf.from(), leaf.to()));
+      grid.in(box.widened(House.CELL_MM)).forEach(atDoors::set);
+    }
+    doorways.add(doorway);
   }
 
-  private void floodParts() {
-    Arrays.fill(part, UNKNOWN);
-    int[] queue = new int[grid.count()];
-    int parts = 0;
-    for (int seed = 0; seed < part.length; seed++) {
-      if (part[seed] != UNKNOWN || toWallMm[seed] == 0) {
-        continue;
-      }
-      int head = 0;
-      int tail = 0;
-      queue[tail++] = seed;
-      part[seed] = parts;
-      while (head < tail) {
-        int cell = queue[head++];
-        for (int side = 0; side < 4; side++) {
-          int next = grid.neighbour(cell, side);
-          if (next >= 0 && part[next] == UNKNOWN && isOpen(cell, next)) {
-            part[next] = parts;
-            queue[tail++] = next;
-          }
-        }
-      }
-      parts++;
+  private void divide() {
+    BitSet free = new BitSet();
+    for (int cell = 0; cell < toWallMm.length; cell++) {
+      free.set(cell, toWallMm[cell] > 0);
+    }
+    while (!free.isEmpty()) {
+      BitSet seed = new BitSet();
+      seed.set(free.nextSetBit(0));
+      BitSet part = grid.reached(seed, this::isOpen);
+      parts.add(part);
+      free.andNot(part);
     }
   }
 
@@ -147,146 +113,101 @@ final class Survey {
     }
     Point from = grid.centre(cell);
     Point to = grid.centre(next);
-    boolean nearWall = Math.min(toWallMm[cell], toWallMm[next]) <= House.CELL_MM;
-    if (nearWall && !sight.sees(from, to)) {
+    boolean isNearWall = Math.min(toWallMm[cell], toWallMm[next]) <= House.CELL_MM;
+    if (isNearWall && !sight.sees(from, to)) {
       return false;
     }
-    for (Doorway doorway : atDoors.get(cell) ? doorways : List.<Doorway>of()) {
-      if (doorway.isBetween(from, to)) {
-        return false;
-      }
-    }
-    return true;
+    return !atDoors.get(cell) || doorways.stream().noneMatch(door -> door.isBetween(from, to));
   }
 
-  /** Of each part the number of its room, or HALL, or NOWHERE. */
-  private int[] namedParts() {
-    int parts = Arrays.stream(part).max().orElse(UNKNOWN) + 1;
-    int[] named = new int[parts];
-    Arrays.fill(named, House.NOWHERE);
+  /** The part of the floor that is the room of each door, in the order of the doors. */
+  private List<BitSet> roomParts() {
+    List<BitSet> named = new ArrayList<>();
     for (Point start : plan.starts()) {
       int cell = grid.cellAt(start);
-      if (cell < 0 || part[cell] == UNKNOWN) {
-        throw new IllegalArgumentException("start at " + start + ": expected on the free floor");
-      }
-      named[part[cell]] = House.HALL;
+      named.add(
+          parts.stream()
+              .filter(part -> cell >= 0 && part.get(cell))
+              .findFirst()
+              .orElseThrow(() ->
+                  new IllegalArgumentException(
+                      "start at " + start + ": expected on the free floor")));
     }
-    int[][] beside = new int[doorways.size()][];
-    for (int i = 0; i < beside.length; i++) {
-      beside[i] = partsBeside(doorways.get(i));
-    }
-    boolean[] isRoom = new boolean[beside.length];
-    boolean more = true;
-    while (more) {
-      more = false;
-      for (int i = 0; i < beside.length; i++) {
-        int inside = isRoom[i] ? UNKNOWN : unnamedBehind(beside[i], named);
-        if (inside != UNKNOWN) {
-          named[inside] = i;
-          isRoom[i] = true;
-          more = true;
+    List<List<BitSet>> beside = new ArrayList<>();
+    doorways.forEach(door -> beside.add(partsBeside(door)));
+    BitSet[] rooms = new BitSet[doorways.size()];
+    boolean isChanged = true;
+    while (isChanged) {
+      isChanged = false;
+      for (int i = 0; i < rooms.length; i++) {
+        boolean isFirstNamed = named.contains(beside.get(i).get(0));
+        boolean isSecondNamed = named.contains(beside.get(i).get(1));
+        if (rooms[i] == null && isFirstNamed != isSecondNamed) {
+          rooms[i] = beside.get(i).get(isFirstNamed ? 1 : 0);
+          named.add(rooms[i]);
+          isChanged = true;
         }
       }
     }
-    for (int i = 0; i < isRoom.length; i++) {
-      if (!isRoom[i]) {
-        throw new IllegalArgumentException(
-            "door " + doorways.get(i).name() + ": expected a room of its own behind it");
+    int without = Arrays.asList(rooms).indexOf(null);
+    if (without >= 0) {
+      throw new IllegalArgumentException(
+          "door " + doorways.get(without).name() + ": expected a room of its own behind it");
+    }
+    return List.of(rooms);
+  }
+
+  private List<BitSet> partsBeside(Doorway door) {
+    List<BitSet> beside = new ArrayList<>();
+    for (BitSet part : parts) {
+      if (grid.within(door.at(), BESIDE_DOOR_MM).anyMatch(part::get)) {
+        beside.add(part);
       }
     }
-    return named;
-  }
-
-  private static int unnamedBehind(int[] beside, int[] named) {
-    boolean isFirst = named[beside[0]] != House.NOWHERE;
-    boolean isSecond = named[beside[1]] != House.NOWHERE;
-    if (isFirst == isSecond) {
-      return UNKNOWN;
-    }
-    return isFirst ? beside[1] : beside[0];
-  }
-
-  private int[] partsBeside(Doorway doorway) {
-    SortedMap<Integer, Integer> counts = new TreeMap<>();
-    grid.forEachWithin(
-        doorway.at(),
-        BESIDE_DOOR_MM,
-        cell -> {
-          if (part[cell] != UNKNOWN) {
-            counts.merge(part[cell], 1, Integer::sum);
-          }
-        });
-    if (counts.size() != 2) {
+    if (beside.size() != 2) {
       throw new IllegalArgumentException(
           "door "
-              + doorway.name()
+              + door.name()
               + " at "
-              + doorway.at()
-              + ": expected to shut one part of the floor off from another, has "
-              + counts.size()
+              + door.at()
+              + ": expected to divide two parts of the floor, has "
+              + beside.size()
               + " beside it");
     }
-    return new int[] {counts.firstKey(), counts.lastKey()};
+    return beside;
   }
 
-  /** Where a robot may stand that comes from a start. */
+  /** Where a robot that comes from a start may stand. */
   private BitSet places() {
     BitSet free = new BitSet();
-    Rectangle bounds = plan.bounds();
     for (int cell = 0; cell < toWallMm.length; cell++) {
-      double inMm = bounds.depthMm(grid.centre(cell));
-      if (toWallMm[cell] >= clearanceMm && inMm >= clearanceMm) {
-        free.set(cell);
-      }
+      boolean isInside = plan.bounds().depthMm(grid.centre(cell)) >= clearanceMm;
+      free.set(cell, isInside && toWallMm[cell] >= clearanceMm);
     }
-    BitSet reached = new BitSet();
-    int[] queue = new int[free.cardinality()];
-    int tail = 0;
-    for (Point start : plan.starts()) {
-      // The robot itself may stand nearer to a wall than it will ever again.
-      for (int cell = free.nextSetBit(0); cell >= 0; cell = free.nextSetBit(cell + 1)) {
-        if (!reached.get(cell) && grid.centre(cell).distanceMm(start) <= clearanceMm) {
-          reached.set(cell);
-          queue[tail++] = cell;
-        }
-      }
-    }
-    for (int head = 0; head < tail; head++) {
-      for (int side = 0; side < 4; side++) {
-        int next = grid.neighbour(queue[head], side);
-        if (next >= 0 && free.get(next) && !reached.get(next)) {
-          reached.set(next);
-          queue[tail++] = next;
-        }
-      }
-    }
-    return reached;
+    BitSet first = new BitSet();
+    // A start itself may be nearer to a wall than the robot will ever be again.
+    plan.starts().forEach(start -> grid.within(start, clearanceMm).forEach(first::set));
+    first.and(free);
+    return grid.reached(first, (cell, next) -> free.get(next));
   }
 
   private Room room(int index, BitSet cells, BitSet allPlaces) {
     BitSet places = (BitSet) cells.clone();
     places.and(allPlaces);
     Point door = doorways.get(index).at();
-    Point entry = door;
-    Point rest = door;
-    double nearestMm = Double.POSITIVE_INFINITY;
-    double farthestMm = Double.NEGATIVE_INFINITY;
-    for (int cell = places.nextSetBit(0); cell >= 0; cell = places.nextSetBit(cell + 1)) {
-      Point at = grid.centre(cell);
-      double toDoorMm = at.distanceMm(door);
-      if (toDoorMm < nearestMm) {
-        nearestMm = toDoorMm;
-        entry = at;
-      }
-      double toAnyMm = toDoorMm;
-      for (Doorway doorway : doorways) {
-        toAnyMm = Math.min(toAnyMm, doorway.distanceMm(at));
-      }
-      if (toAnyMm > farthestMm) {
-        farthestMm = toAnyMm;
-        rest = at;
-      }
-    }
-    return new Room(index, doorways.get(index).name(), door, cells, places, entry, rest);
+    Comparator<Point> byDoor = Comparator.comparingDouble(door::distanceMm);
+    Comparator<Point> byAnyDoor =
+        Comparator.comparingDouble(at ->
+            doorways.stream()
+                .mapToDouble(doorway -> doorway.distanceMm(at))
+                .reduce(at.distanceMm(door), Math::min));
+    return new Room(
+        index,
+        doorways.get(index).name(),
+        door,
+        cells,
+        places,
+        places.stream().mapToObj(grid::centre).min(byDoor).orElse(door),
+        places.stream().mapToObj(grid::centre).max(byAnyDoor).orElse(door));
   }
 }

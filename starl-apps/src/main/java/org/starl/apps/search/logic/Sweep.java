@@ -1,236 +1,197 @@
 package org.starl.apps.search.logic;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.BitSet;
+import java.util.Comparator;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
 
 /**
- * How to search a room: legs to drive, in order, from which all of it comes into view. Lanes are laid
- * along the room's longer side, from wall to wall, so far apart that a robot on one sees half way to
- * the next (boustrophedon
- * sweep; Choset, Pignon, "Coverage path planning: the boustrophedon cellular decomposition", FSR
- * 1997); what walls still hide gets stops of its own, most first. Then all are put in order: each time
- * the nearest end comes next.
+ * A plan to search a room: legs to drive, in order, from which all of the room comes into view.
+ * Lanes run along the room's longer side, from wall to wall, so far apart that a robot on one sees
+ * half way to the next (boustrophedon sweep; Choset, Pignon, "Coverage path planning: the
+ * boustrophedon cellular decomposition", FSR 1997). What walls hide from the lanes gets stops of
+ * its own: each time the place that sees most of the rest. The legs are then ordered, the nearest
+ * end first. Immutable: nothing may change the set of cells.
  *
- * <p>Everything is computed from the room's cells and the sensor's range. What lies in no place's
- * view is in {@link #hidden}. Immutable.
- *
- * @param legs in order
- * @param hidden cells that no robot can see whole from any of the room's places
+ * @param legs in order; a stop is a leg with equal ends
+ * @param hidden cells that no robot can see whole from any of the places that it may use
  */
-public record Sweep(List<Leg> legs, BitSet hidden) {
+public record Sweep(List<Segment> legs, BitSet hidden) {
 
-  /** Half the distance of two lanes, as a part of what a robot can see to the side. */
+  /** Half the distance between two lanes, as a part of how far a robot sees to the side. */
   private static final double LANE = 0.85;
 
-  /** Beside the longest row of a room, shorter ones get no lanes of their own. */
+  /** Rows shorter than this part of the longest row, as in a doorway, get no lane. */
   private static final double SMALL = 0.2;
 
-  /** Coarser, places are looked at first. */
+  /** Candidates for stops: first on a coarse grid of so many cells, then all places. */
   private static final int COARSE_CELLS = 3;
 
   public Sweep {
     legs = List.copyOf(legs);
-    hidden = (BitSet) hidden.clone();
-  }
-
-  @Override
-  public BitSet hidden() {
-    return (BitSet) hidden.clone();
   }
 
   /** The sweep of a whole room, for a robot that comes from {@code from}. */
   public static Sweep of(House house, Room room, Point from) {
-    Maker maker = new Maker(house, room);
-    List<Leg> lanes = maker.lanes();
-    BitSet rest = room.cells();
-    lanes.forEach(lane -> maker.see(lane, rest));
-    return maker.sweep(lanes, rest, from);
+    List<Segment> lanes = lanes(house, room);
+    BitSet rest = (BitSet) room.cells().clone();
+    for (Segment lane : lanes) {
+      int steps = (int) StrictMath.ceil(lengthMm(lane) / (2 * House.CELL_MM));
+      for (int i = 0; i <= steps; i++) {
+        rest.andNot(house.view(pointOn(lane, i, steps), House.SLACK_MM, rest));
+      }
+    }
+    return withStops(house, lanes, rest, room.places(), from);
+  }
+
+  /** The sweep of some cells of a room, by stops at some of its places alone. */
+  static Sweep ofRest(House house, BitSet rest, BitSet places, Point from) {
+    return withStops(house, List.of(), rest, places, from);
+  }
+
+  /** The point after {@code i} of {@code steps} equal parts of a leg. */
+  static Point pointOn(Segment leg, int i, int steps) {
+    double part = steps == 0 ? 0 : (double) i / steps;
+    return leg.from().plus(leg.to().minus(leg.from()).times(part));
+  }
+
+  static double lengthMm(Segment leg) {
+    return leg.from().distanceMm(leg.to());
+  }
+
+  static Segment reversed(Segment leg) {
+    return new Segment(leg.to(), leg.from());
+  }
+
+  private static Sweep withStops(
+      House house, List<Segment> lanes, BitSet rest, BitSet places, Point from) {
+    BitSet unseen = (BitSet) rest.clone();
+    List<Segment> legs = new ArrayList<>(lanes);
+    addStops(house, unseen, places, COARSE_CELLS, legs);
+    addStops(house, unseen, places, 1, legs);
+    return new Sweep(inOrder(legs, from), unseen);
+  }
+
+  private static List<Segment> lanes(House house, Room room) {
+    Grid grid = house.grid();
+    int[] perColumn = new int[grid.columns()];
+    int[] perRow = new int[grid.rows()];
+    room.places().stream()
+        .forEach(cell -> {
+          perColumn[cell % grid.columns()]++;
+          perRow[cell / grid.columns()]++;
+        });
+    List<Integer> columns = longLines(perColumn);
+    List<Integer> rows = longLines(perRow);
+    List<Segment> lanes = new ArrayList<>();
+    if (columns.isEmpty()) {
+      return lanes;
+    }
+    boolean isAlongX = last(columns) - columns.get(0) >= last(rows) - rows.get(0);
+    List<Integer> across = isAlongX ? rows : columns;
+    int first = across.get(0);
+    int width = last(across) - first;
+    double viewMm = house.rangeMm() - House.SLACK_MM - House.CELL_MM;
+    double spacing = Math.max(1, 2 * LANE * viewMm / House.CELL_MM);
+    int gaps = (int) StrictMath.ceil(width / spacing);
+    for (int i = 0; i <= gaps; i++) {
+      int line = gaps == 0 ? first : first + (int) Math.round((double) width * i / gaps);
+      addLanes(grid, room.places(), line, isAlongX, lanes);
+    }
+    return lanes;
+  }
+
+  /** Rows or columns whose number of places is not small beside the greatest. */
+  private static List<Integer> longLines(int[] counts) {
+    int most = IntStream.of(counts).max().orElse(0);
+    List<Integer> lines = new ArrayList<>();
+    for (int i = 0; i < counts.length; i++) {
+      if (counts[i] > 0 && counts[i] >= SMALL * most) {
+        lines.add(i);
+      }
+    }
+    return lines;
+  }
+
+  private static int last(List<Integer> lines) {
+    return lines.get(lines.size() - 1);
+  }
+
+  /** Adds the parts of a row or column over which a robot may drive. */
+  private static void addLanes(
+      Grid grid, BitSet places, int line, boolean isAlongX, List<Segment> lanes) {
+    int length = isAlongX ? grid.columns() : grid.rows();
+    int first = -1;
+    int before = -1;
+    for (int i = 0; i <= length; i++) {
+      int cell = isAlongX ? grid.cell(i, line) : grid.cell(line, i);
+      boolean isPlace = i < length && places.get(cell);
+      if (isPlace && first < 0) {
+        first = cell;
+      } else if (!isPlace && first >= 0) {
+        lanes.add(new Segment(grid.centre(first), grid.centre(before)));
+        first = -1;
+      }
+      before = cell;
+    }
   }
 
   /**
-   * The sweep of what is left of a room.
-   *
-   * @param barred places that are not to be used; what only they have in view is {@link #hidden}
+   * Adds stops, each at the place that sees most of {@code unseen}, and takes out what they see.
    */
-  static Sweep ofRest(House house, Room room, BitSet rest, BitSet barred, Point from) {
-    Maker maker = new Maker(house, room);
-    maker.places.andNot(barred);
-    return maker.sweep(List.of(), rest, from);
-  }
-
-  private static final class Maker {
-    private final House house;
-    private final Grid grid;
-    private final BitSet places;
-
-    Maker(House house, Room room) {
-      this.house = house;
-      grid = house.grid();
-      places = room.places();
-    }
-
-    /** Adds stops for the cells of {@code rest}, and puts all in order. */
-    Sweep sweep(List<Leg> lanes, BitSet rest, Point from) {
-      BitSet unseen = (BitSet) rest.clone();
-      List<Leg> legs = new ArrayList<>(lanes);
-      addStops(unseen, COARSE_CELLS, legs);
-      addStops(unseen, 1, legs);
-      return new Sweep(inOrder(legs, from), unseen);
-    }
-
-    List<Leg> lanes() {
-      int[] columns = new int[grid.columns()];
-      int[] rows = new int[grid.rows()];
-      for (int cell = places.nextSetBit(0); cell >= 0; cell = places.nextSetBit(cell + 1)) {
-        columns[cell % grid.columns()]++;
-        rows[cell / grid.columns()]++;
-      }
-      List<Leg> lanes = new ArrayList<>();
-      if (places.isEmpty()) {
-        return lanes;
-      }
-      int[] width = bulk(columns);
-      int[] height = bulk(rows);
-      boolean alongX = width[1] - width[0] >= height[1] - height[0];
-      int[] across = alongX ? height : width;
-      for (int lane : spread(across[0], across[1])) {
-        addLanes(lane, alongX, lanes);
-      }
-      return lanes;
-    }
-
-    /** The first and the last one that is not small beside the greatest, as a doorway's are. */
-    private static int[] bulk(int[] counts) {
-      double least = SMALL * Arrays.stream(counts).max().orElse(0);
-      int from = 0;
-      while (counts[from] < least) {
-        from++;
-      }
-      int to = counts.length - 1;
-      while (counts[to] < least) {
-        to--;
-      }
-      return new int[] {from, to};
-    }
-
-    /** Rows, or columns, for lanes, the first and the last one right at the walls. */
-    private List<Integer> spread(int from, int to) {
-      double sideMm = house.rangeMm() - House.SLACK_MM - House.CELL_MM;
-      double spacing = Math.max(1, 2 * LANE * sideMm / House.CELL_MM);
-      int gaps = (int) StrictMath.ceil((to - from) / spacing);
-      List<Integer> lanes = new ArrayList<>();
-      for (int i = 0; i <= gaps; i++) {
-        lanes.add(gaps == 0 ? from : from + (int) Math.round((double) (to - from) * i / gaps));
-      }
-      return lanes;
-    }
-
-    private void addLanes(int across, boolean alongX, List<Leg> lanes) {
-      int length = alongX ? grid.columns() : grid.rows();
-      int first = -1;
-      for (int i = 0; i <= length; i++) {
-        boolean isPlace = i < length && places.get(at(i, across, alongX));
-        if (isPlace && first < 0) {
-          first = i;
-        } else if (!isPlace && first >= 0) {
-          lanes.add(
-              new Leg(
-                  grid.centre(at(first, across, alongX)), grid.centre(at(i - 1, across, alongX))));
-          first = -1;
-        }
-      }
-    }
-
-    private int at(int along, int across, boolean alongX) {
-      return alongX ? grid.cell(along, across) : grid.cell(across, along);
-    }
-
-    /** Takes out of {@code rest} what comes into view on a leg. */
-    void see(Leg leg, BitSet rest) {
-      int steps = (int) StrictMath.ceil(leg.lengthMm() / (2 * House.CELL_MM));
-      for (int i = 0; i <= steps; i++) {
-        rest.andNot(view(leg.at(steps == 0 ? 0 : (double) i / steps), rest));
-      }
-    }
-
-    private BitSet view(Point at, BitSet among) {
-      BitSet view = new BitSet();
-      grid.forEachWithin(
-          at,
-          house.rangeMm(),
-          cell -> {
-            if (among.get(cell) && house.covers(at, House.SLACK_MM, cell)) {
-              view.set(cell);
-            }
-          });
-      return view;
-    }
-
-    private void addStops(BitSet unseen, int spacing, List<Leg> legs) {
-      if (unseen.isEmpty()) {
-        return;
-      }
-      List<Integer> stops = new ArrayList<>();
-      List<BitSet> views = new ArrayList<>();
-      for (int place = places.nextSetBit(0); place >= 0; place = places.nextSetBit(place + 1)) {
-        boolean isNext =
-            place % grid.columns() % spacing == 0 && place / grid.columns() % spacing == 0;
-        BitSet view = isNext ? view(grid.centre(place), unseen) : new BitSet();
+  private static void addStops(
+      House house, BitSet unseen, BitSet places, int spacing, List<Segment> legs) {
+    Grid grid = house.grid();
+    List<Point> stops = new ArrayList<>();
+    List<BitSet> views = new ArrayList<>();
+    for (int place = places.nextSetBit(0);
+        place >= 0 && !unseen.isEmpty();
+        place = places.nextSetBit(place + 1)) {
+      if (place % grid.columns() % spacing == 0 && place / grid.columns() % spacing == 0) {
+        BitSet view = house.view(grid.centre(place), House.SLACK_MM, unseen);
         if (!view.isEmpty()) {
-          stops.add(place);
+          stops.add(grid.centre(place));
           views.add(view);
         }
       }
-      int best = largest(views);
-      while (best >= 0) {
-        Point at = grid.centre(stops.get(best));
-        legs.add(new Leg(at, at));
-        BitSet seen = (BitSet) views.get(best).clone();
-        unseen.andNot(seen);
-        views.forEach(view -> view.andNot(seen));
-        best = largest(views);
-      }
     }
+    while (!views.isEmpty()) {
+      int[] sizes = views.stream().mapToInt(BitSet::cardinality).toArray();
+      int most = IntStream.of(sizes).max().orElse(0);
+      if (most == 0) {
+        return;
+      }
+      int best = 0;
+      while (sizes[best] < most) {
+        best++;
+      }
+      legs.add(new Segment(stops.get(best), stops.get(best)));
+      BitSet seen = (BitSet) views.get(best).clone();
+      unseen.andNot(seen);
+      views.forEach(view -> view.andNot(seen));
+    }
+  }
 
-    /** The first one of the greatest; -1 if all are empty. */
-    private static int largest(List<BitSet> views) {
-      int best = -1;
-      int most = 0;
-      for (int i = 0; i < views.size(); i++) {
-        int size = views.get(i).cardinality();
-        if (size > most) {
-          most = size;
-          best = i;
-        }
-      }
-      return best;
+  private static List<Segment> inOrder(List<Segment> legs, Point from) {
+    List<Segment> left = new ArrayList<>(legs);
+    List<Segment> order = new ArrayList<>();
+    Point at = from;
+    while (!left.isEmpty()) {
+      Point here = at;
+      Segment next =
+          left.stream()
+              .min(
+                  Comparator.comparingDouble(
+                      leg -> Math.min(leg.from().distanceMm(here), leg.to().distanceMm(here))))
+              .orElseThrow();
+      left.remove(next);
+      boolean isReversed = next.to().distanceMm(here) < next.from().distanceMm(here);
+      order.add(isReversed ? reversed(next) : next);
+      at = order.get(order.size() - 1).to();
     }
-
-    private static List<Leg> inOrder(List<Leg> legs, Point from) {
-      List<Leg> left = new ArrayList<>(legs);
-      List<Leg> order = new ArrayList<>();
-      Point at = from;
-      while (!left.isEmpty()) {
-        int best = 0;
-        double bestMm = Double.POSITIVE_INFINITY;
-        boolean isReversed = false;
-        for (int i = 0; i < left.size(); i++) {
-          double toFromMm = left.get(i).from().distanceMm(at);
-          double toToMm = left.get(i).to().distanceMm(at);
-          if (Math.min(toFromMm, toToMm) < bestMm) {
-            best = i;
-            bestMm = Math.min(toFromMm, toToMm);
-            isReversed = toToMm < toFromMm;
-          }
-        }
-        Leg next = left.remove(best);
-        order.add(isReversed ? next.reversed() : next);
-        at = order.get(order.size() - 1).to();
-      }
-      return order;
-    }
+    return order;
   }
 }

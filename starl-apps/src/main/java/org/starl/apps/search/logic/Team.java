@@ -1,10 +1,11 @@
 package org.starl.apps.search.logic;
 
-import java.util.ArrayList;
-import java.util.BitSet;
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
@@ -18,32 +19,32 @@ import org.starl.primitives.election.Leader;
 import org.starl.primitives.geocast.Broadcast;
 
 /**
- * One robot's part in the team: tells everybody by Broadcast what it does and knows, once a second;
- * leads while Election says so; and brings about one answer by SetAgreement. Strand only.
+ * One robot's part in the team: broadcasts once a second what the robot does and knows, leads while
+ * it is elected, and brings about one answer by SetAgreement. Strand only.
  */
 final class Team {
 
   private static final long NS_PER_MS = 1_000_000;
   private static final long PERIOD_NS = 1_000 * NS_PER_MS;
   private static final long TELL_MS = 950;
-  private static final long LAST_WORD_MS = 30_000;
-  private static final long LOOK_NS = 500 * NS_PER_MS;
+  private static final long LAST_REPORT_MS = 30_000;
+  private static final long LEAD_PERIOD_NS = 500 * NS_PER_MS;
 
   private final GlobalVarHolder gvh;
   private final House house;
-  private final Board board;
+  private final Knowledge known;
   private final Election election;
-  private final SetAgreement end;
+  private final SetAgreement agreement;
   private final Broadcast<Report> broadcast;
   private final ProcessId me;
-  private final int[] tries;
+  private final Integer[] tries;
   private final GvhCell<String> duty;
   private final GvhCell<String> swept;
   private @Nullable Assigner assigner;
   private int room = Report.NO_ROOM;
   private long reports;
   private long tellAtNs;
-  private long lookAtNs;
+  private long leadAtNs;
   private long takenTerm;
   private int takenNumber;
   private boolean isProposing;
@@ -51,36 +52,35 @@ final class Team {
   Team(GlobalVarHolder gvh, String xid, House house) {
     this.gvh = gvh;
     this.house = house;
-    board = new Board(house);
+    known = new Knowledge(house);
     me = gvh.id.freshProcess();
-    tries = new int[house.rooms().size()];
+    tries = new Integer[house.rooms().size()];
+    Arrays.fill(tries, 0);
     duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");
     swept = gvh.variable(SearchTrace.SOURCE, SearchTrace.SWEPT, "");
     election = new Election(gvh, xid);
-    end = new SetAgreement(gvh, xid);
-    broadcast =
-        new Broadcast<>(
-            gvh, xid, new ReportCodec(house.rooms().size()), (from, report) -> heard(from, report));
+    agreement = new SetAgreement(gvh, xid);
+    broadcast = new Broadcast<>(gvh, xid, new Report.Wire(tries.length), this::heard);
   }
 
   void begin() {
     election.do_election();
-    end.refresh();
+    agreement.refresh();
   }
 
-  /** The robot's periodic share: stands for election, leads, tells, agrees. */
+  /** The robot's work for the team; to be called every period. */
   void work() {
     if (election.failed().get()) {
       election.do_election();
     }
     lead();
-    long nowNs = gvh.plat.clock.nowNs();
-    if (nowNs >= tellAtNs) {
+    if (gvh.plat.clock.nowNs() >= tellAtNs) {
       tell(TELL_MS);
     }
-    if (board.answer().isPresent() && !isDecided() && (!isProposing || end.failed().get())) {
+    Optional<String> answer = known.answer();
+    if (answer.isPresent() && !isDecided() && (!isProposing || agreement.failed().get())) {
       isProposing = true;
-      end.propose(Answer.toBytes(board.answer().get()));
+      agreement.propose(answer.get().getBytes(StandardCharsets.UTF_8));
     }
   }
 
@@ -88,36 +88,38 @@ final class Team {
     return election.Leader().get().isElected();
   }
 
-  /** Whether all have one answer, as far as this robot knows. */
+  /** Whether the robots have agreed on an answer, as far as this one knows. */
   boolean isDecided() {
-    return end.decided().get().isDecided();
+    return agreement.decided().get().isDecided();
   }
 
-  /** What all have agreed on; it must be decided. */
-  Answer decision() {
-    if (end.decided().get() instanceof Decision.Decided decided) {
-      return Answer.of(decided.value().bytes());
+  /** The answer that the robots have agreed on; {@link #isDecided} must hold. */
+  String decision() {
+    if (agreement.decided().get() instanceof Decision.Decided decided) {
+      return new String(decided.value().bytes(), StandardCharsets.UTF_8);
     }
     throw new IllegalStateException("nothing is decided yet");
   }
 
-  /** The end as far as this robot knows, agreed on or not. */
-  Optional<Answer> answer() {
-    return board.answer();
+  /** Whether this robot knows an answer, agreed on or not. */
+  boolean hasAnswer() {
+    return known.answer().isPresent();
   }
 
-  void conclude(Answer answer) {
-    board.conclude(answer);
+  void conclude(String answer) {
+    known.conclude(answer);
     tellSoon();
   }
 
-  /** The room of a task that this robot has not taken before; it has now. */
+  /**
+   * Takes the task that the leader has assigned to this robot, unless it has taken that one before.
+   */
   Optional<Room> takeTask() {
-    Report.Duty latest = board.duty().orElse(null);
+    Report.Duty latest = known.duty().orElse(null);
     Report.Task task = latest == null ? null : latest.tasks().get(gvh.id.name());
     if (latest == null
         || task == null
-        || board.isSwept(task.room())
+        || known.swept().contains(task.room())
         || latest.term() < takenTerm
         || (latest.term() == takenTerm && task.number() <= takenNumber)) {
       return Optional.empty();
@@ -130,27 +132,21 @@ final class Team {
   }
 
   boolean isSwept(Room which) {
-    return board.isSwept(which.index());
+    return known.swept().contains(which.index());
   }
 
-  /** What somebody has seen of a room, as far as is known here. */
-  BitSet seenOf(Room which) {
-    return board.seen(which.index());
-  }
-
-  /** This robot has seen so much of its room. */
-  void saw(BitSet cells) {
-    board.saw(room, cells);
+  Knowledge known() {
+    return known;
   }
 
   /** This robot has searched its room in full. */
   void sweptRoom() {
-    board.swept(room);
+    known.addSwept(room);
     gvh.trace.action(SearchTrace.SOURCE, SearchTrace.SWEPT, house.room(room).name());
     leaveRoom();
   }
 
-  /** This robot has not come into its room, or not everywhere in it. */
+  /** This robot could not enter its room or could not see all of it. */
   void failedRoom() {
     tries[room] = Math.min(Report.MAX_TRIES, tries[room] + 1);
     leaveRoom();
@@ -162,10 +158,12 @@ final class Team {
     tellSoon();
   }
 
-  /** Its last word, for a while: whoever has missed the end hears of it. */
-  void tellTheEnd() {
-    board.conclude(decision());
-    tell(LAST_WORD_MS);
+  /**
+   * The robot's last report, sent for a while: a robot that has missed the decision hears of it.
+   */
+  void tellDecision() {
+    known.conclude(decision());
+    tell(LAST_REPORT_MS);
   }
 
   private void tellSoon() {
@@ -173,23 +171,20 @@ final class Team {
   }
 
   private void lead() {
-    boolean leads = election.isLeader() && election.Leader().get() instanceof Leader.Name;
-    if (!leads || !(election.Leader().get() instanceof Leader.Name name)) {
+    if (!election.isLeader() || !(election.Leader().get() instanceof Leader.Name name)) {
       assigner = null;
       duty.set("");
       return;
     }
     long nowNs = gvh.plat.clock.nowNs();
-    Assigner mine = assigner;
-    if (mine == null || mine.term() != name.term()) {
-      mine = new Assigner(house, gvh.id.name(), gvh.id.participants(), name.term(), nowNs);
-      assigner = mine;
+    if (assigner == null || assigner.term() != name.term()) {
+      assigner = new Assigner(house, gvh.id.name(), gvh.id.participants(), name.term(), nowNs);
     }
-    if (nowNs >= lookAtNs && board.answer().isEmpty()) {
-      lookAtNs = nowNs + LOOK_NS;
-      board.hear(report(Optional.of(mine.duty())));
-      mine.work(board, nowNs).ifPresent(this::conclude);
-      String text = text(mine.duty());
+    if (nowNs >= leadAtNs && !hasAnswer()) {
+      leadAtNs = nowNs + LEAD_PERIOD_NS;
+      known.hear(report());
+      assigner.work(known, nowNs).ifPresent(this::conclude);
+      String text = text(assigner.duty());
       if (!text.equals(duty.get())) {
         duty.set(text);
         tellSoon();
@@ -198,54 +193,47 @@ final class Team {
   }
 
   private void tell(long forMs) {
-    Report report = report(Optional.ofNullable(assigner).map(Assigner::duty));
-    board.hear(report);
+    Report report = report();
+    known.hear(report);
     broadcast.BCast(report, forMs);
     tellAtNs = gvh.plat.clock.nowNs() + PERIOD_NS;
     showSwept();
   }
 
-  private Report report(Optional<Report.Duty> myDuty) {
+  private Report report() {
     reports++;
-    List<Integer> triedRooms = new ArrayList<>();
-    for (int count : tries) {
-      triedRooms.add(count);
-    }
     Optional<Point> at = gvh.gps.hasFix() ? Optional.of(gvh.gps.pose().at()) : Optional.empty();
-    List<Integer> seen =
-        room == Report.NO_ROOM ? List.of() : Runs.of(board.seen(room), house.room(room));
     return new Report(
         me,
         reports,
         at,
         room,
-        seen,
-        new TreeSet<>(board.swept()),
-        triedRooms,
-        myDuty,
-        board.answer());
+        room == Report.NO_ROOM ? List.of() : RunLengths.of(known.seen(room), house.room(room)),
+        new TreeSet<>(known.swept()),
+        List.of(tries),
+        Optional.ofNullable(assigner).map(Assigner::duty),
+        known.answer());
   }
 
   private void heard(RobotId from, Report report) {
     if (!report.from().robot().equals(from)) {
-      return; // nobody speaks for another robot
+      return; // a report in another robot's name
     }
-    board.hear(report);
+    known.hear(report);
     showSwept();
     if (assigner != null) {
       assigner.heard(from, gvh.plat.clock.nowNs());
     }
     if (report.answer().isEmpty() && isDecided()) {
-      // It has missed the end, or is back from the dead.
-      board.conclude(decision());
+      // It has missed the decision, or has restarted since.
+      known.conclude(decision());
       tell(TELL_MS);
     }
   }
 
   private void showSwept() {
-    List<String> names = new ArrayList<>();
-    board.swept().forEach(index -> names.add(house.room(index).name()));
-    swept.set(String.join(" ", names));
+    swept.set(
+        known.swept().stream().map(house::room).map(Room::name).collect(Collectors.joining(" ")));
   }
 
   /** {@code 3 bot1=A bot2=C}. */
@@ -253,9 +241,8 @@ final class Team {
     StringBuilder text = new StringBuilder().append(latest.term());
     latest
         .tasks()
-        .forEach((robot, task) -> {
-          text.append(' ').append(robot).append('=').append(house.room(task.room()).name());
-        });
+        .forEach((robot, task) ->
+            text.append(' ').append(robot).append('=').append(house.room(task.room()).name()));
     return text.toString();
   }
 }

@@ -1,14 +1,13 @@
 /**
  * Distributed search (paper, section 5.4): robots elect a leader, the leader assigns rooms, each
- * searches its rooms, and all end with one answer.
+ * robot searches its rooms, and all end with one answer.
  *
- * <p>{@link org.starl.apps.search.logic.House} is what a robot knows of the floor: rooms, and where it
- * may stand. {@link org.starl.apps.search.logic.SearchApp} is the robot; {@link
- * org.starl.apps.search.logic.Sensing} is its sensor, given to it by whoever starts it. Election,
- * SetAgreement, Broadcast, Suspicion and DistributedPathPlanning do the work.
+ * <p>{@link org.starl.apps.search.logic.SearchApp} is the robot. Its {@link
+ * org.starl.apps.search.logic.House} is its map: rooms, and where it may stand; {@link
+ * org.starl.apps.search.logic.Sensing} is its sensor. Election, SetAgreement, Broadcast, Suspicion
+ * and DistributedPathPlanning do the work.
  *
- * <p>Distances in mm, directions counter-clockwise from the x axis. Strand only, unless a class says
- * that it is immutable.
+ * <p>Distances in mm. Strand only, unless a class says that it is immutable.
  *
  * <p>May import: core and primitives only.
  */

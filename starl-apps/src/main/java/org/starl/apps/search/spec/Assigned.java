@@ -1,5 +1,6 @@
 package org.starl.apps.search.spec;
 
+import java.util.Collection;
 import java.util.List;
 import java.util.Set;
 import java.util.SortedMap;
@@ -15,8 +16,8 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * {@code assigned}: a leader that is up takes a room, within a bound, from a robot that is down. Of
- * several leaders the one of the latest term counts. Nothing is owed once somebody has ended.
+ * {@code assigned}: a leader that is up takes its room from a robot that is down, within a bound.
+ * Of several leaders the one of the latest term counts. Nothing is owed once a robot has ended.
  */
 final class Assigned implements Monitor {
 
@@ -24,7 +25,10 @@ final class Assigned implements Monitor {
 
   private final Within<RobotId> within;
   private final Circumstances circumstances = new Circumstances();
-  private final SortedMap<RobotId, String> duties = new TreeMap<>();
+
+  /** What each leader has told last: its term, then {@code robot=room} for each assignment. */
+  private final SortedMap<RobotId, List<String>> duties = new TreeMap<>();
+
   private final Set<RobotId> owed = new TreeSet<>();
   private boolean isOver;
 
@@ -39,25 +43,25 @@ final class Assigned implements Monitor {
 
   @Override
   public String says(String lemma) {
-    return "No room stays with a robot that is down: a leader takes it back within the bound.";
+    return "A leader takes its room from a robot that is down, within the bound.";
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
+    finish(event.timeNs(), report);
     boolean isChanged = circumstances.observe(event);
     if (isChanged) {
       within.assumeAll(circumstances.isFair(), event.timeNs());
     }
-    if (event instanceof Variable variable
-        && variable.source().equals(SearchTrace.SOURCE)
-        && variable.name().equals(SearchTrace.DUTY)) {
-      duties.put(variable.robot(), variable.value());
+    if (event instanceof Variable variable && SearchTrace.is(variable, SearchTrace.DUTY)) {
+      if (variable.value().isEmpty()) {
+        duties.remove(variable.robot());
+      } else {
+        duties.put(variable.robot(), List.of(variable.value().split(" ", -1)));
+      }
       report.checked(ASSIGNED);
       isChanged = true;
-    } else if (event instanceof Action action
-        && action.source().equals(SearchTrace.SOURCE)
-        && action.name().equals(SearchTrace.ANSWER)) {
+    } else if (event instanceof Action action && SearchTrace.is(action, SearchTrace.ANSWER)) {
       isOver = true;
       isChanged = true;
     }
@@ -68,53 +72,45 @@ final class Assigned implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    expire(endNs, report);
-  }
-
-  private void review(long nowNs) {
-    Set<RobotId> downWithRoom = new TreeSet<>();
-    for (String entry : isOver ? new String[0] : latestDuty().split(" ", -1)) {
-      int equals = entry.indexOf('=');
-      if (equals > 0) {
-        RobotId robot = new RobotId(entry.substring(0, equals));
-        if (!circumstances.isUp(robot)) {
-          downWithRoom.add(robot);
-        }
-      }
-    }
-    for (RobotId robot : owed) {
-      if (!downWithRoom.contains(robot)) {
-        within.settle(robot);
-      }
-    }
-    owed.clear();
-    owed.addAll(downWithRoom);
-    owed.forEach(robot -> within.owe(robot, nowNs));
-  }
-
-  /** What the leader of the latest term says, if it is up. */
-  private String latestDuty() {
-    long latest = 0;
-    RobotId leader = null;
-    for (RobotId robot : duties.keySet()) {
-      String duty = duties.getOrDefault(robot, "");
-      long term = duty.isEmpty() ? 0 : Long.parseLong(duty.split(" ", -1)[0]);
-      if (term > latest) {
-        latest = term;
-        leader = robot;
-      }
-    }
-    return leader != null && circumstances.isUp(leader) ? duties.getOrDefault(leader, "") : "";
-  }
-
-  private void expire(long nowNs, Report report) {
     within.expire(
-        nowNs,
+        endNs,
         (robot, sinceNs, deadlineNs) ->
             report.violated(
                 ASSIGNED,
                 deadlineNs,
                 List.of(robot),
-                "is down, and still has its room: " + latestDuty()));
+                "is down, and still has its room: " + String.join(" ", latestDuty())));
+  }
+
+  private void review(long nowNs) {
+    Set<RobotId> downWithRoom = new TreeSet<>();
+    Collection<String> duty = isOver ? List.of() : latestDuty();
+    for (String entry : duty) {
+      int equals = entry.indexOf('=');
+      if (equals > 0 && !circumstances.isUp(new RobotId(entry.substring(0, equals)))) {
+        downWithRoom.add(new RobotId(entry.substring(0, equals)));
+      }
+    }
+    owed.removeAll(downWithRoom);
+    owed.forEach(within::settle);
+    owed.clear();
+    owed.addAll(downWithRoom);
+    owed.forEach(robot -> within.owe(robot, nowNs));
+  }
+
+  /** What the leader of the latest term has told, if it is up. */
+  private List<String> latestDuty() {
+    long latest = 0;
+    RobotId leader = null;
+    for (RobotId robot : duties.keySet()) {
+      long term = Long.parseLong(duties.getOrDefault(robot, List.of()).get(0));
+      if (term > latest) {
+        latest = term;
+        leader = robot;
+      }
+    }
+    return leader != null && circumstances.isUp(leader)
+        ? duties.getOrDefault(leader, List.of())
+        : List.of();
   }
 }

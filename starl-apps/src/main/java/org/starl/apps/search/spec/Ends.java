@@ -15,7 +15,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 
-/** {@code agreed} and {@code ended}: all end, with one answer. */
+/** {@code agreed} and {@code ended}: all robots end, with one answer. */
 final class Ends implements Monitor {
 
   private static final String AGREED = "agreed";
@@ -46,29 +46,20 @@ final class Ends implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
+    finish(event.timeNs(), report);
     boolean isChanged = circumstances.observe(event);
-    switch (event) {
-      case Joined joined -> {
-        robots.add(joined.robot());
-        within.owe(joined.robot(), joined.timeNs());
-      }
-      case Fault fault -> {
-        if (fault.name().equals(Fault.CRASH)) {
-          within.settle(fault.robot());
-        } else if (fault.name().equals(Fault.RESTART) && !answers.containsKey(fault.robot())) {
-          within.owe(fault.robot(), fault.timeNs());
-        }
-      }
-      case Action action -> {
-        if (action.source().equals(SearchTrace.SOURCE)
-            && action.name().equals(SearchTrace.ANSWER)) {
-          ended(action, report);
-        }
-      }
-      default -> {
-        // Ends nothing.
-      }
+    RobotId robot = event.robot();
+    if (event instanceof Joined) {
+      robots.add(robot);
+      within.owe(robot, event.timeNs());
+    } else if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+      within.settle(robot);
+    } else if (event instanceof Fault fault
+        && fault.name().equals(Fault.RESTART)
+        && !answers.containsKey(robot)) {
+      within.owe(robot, event.timeNs());
+    } else if (event instanceof Action action && SearchTrace.is(action, SearchTrace.ANSWER)) {
+      ended(action, report);
     }
     if (isChanged) {
       within.assumeAll(circumstances.isFair() && isMajorityUp(), event.timeNs());
@@ -77,7 +68,13 @@ final class Ends implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    expire(endNs, report);
+    within.expire(
+        endNs,
+        (robot, sinceNs, deadlineNs) -> {
+          report.checked(ENDED);
+          report.violated(
+              ENDED, deadlineNs, List.of(robot), "has searched since " + sinceNs + " ns, no end");
+        });
   }
 
   private boolean isMajorityUp() {
@@ -100,18 +97,5 @@ final class Ends implements Monitor {
       }
     });
     answers.put(action.robot(), answer);
-  }
-
-  private void expire(long nowNs, Report report) {
-    within.expire(
-        nowNs,
-        (robot, sinceNs, deadlineNs) -> {
-          report.checked(ENDED);
-          report.violated(
-              ENDED,
-              deadlineNs,
-              List.of(robot),
-              "searches since " + sinceNs + " ns without an end");
-        });
   }
 }

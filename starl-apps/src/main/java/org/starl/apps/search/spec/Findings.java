@@ -13,14 +13,14 @@ import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** {@code found}, {@code nothing} and {@code gave_up}: what robots say is so, in truth. */
+/** {@code found}, {@code nothing} and {@code gave_up}: what robots announce is true. */
 final class Findings implements Monitor {
 
   private static final String FOUND = "found";
   private static final String NOTHING = "nothing";
   private static final String GAVE_UP = "gave_up";
 
-  /** Things are told in whole mm. */
+  /** Places of things are told in whole mm. */
   private static final double ROUNDING_MM = 1;
 
   private final House house;
@@ -44,11 +44,11 @@ final class Findings implements Monitor {
   public String says(String lemma) {
     return switch (lemma) {
       case FOUND ->
-          "A robot that says it has found a thing sees it, and the thing is where it says.";
+          "A robot that announces a thing has it in range and sight, and tells its true place.";
       case NOTHING ->
-          "\"Nothing there\" is said only when every place of every room was truly seen.";
+          "\"Nothing there\" is announced only when every place of every room was truly seen.";
       case GAVE_UP ->
-          "A room is given up only if robots that are down bar some of it, or none can get in.";
+          "A room is given up only if robots that are down bar some of it, or no robot can enter.";
       default -> "";
     };
   }
@@ -57,11 +57,17 @@ final class Findings implements Monitor {
   public void observe(TraceEvent event, Report report) {
     view.observe(event);
     reach.observe(event);
-    if (event instanceof Action action && action.source().equals(SearchTrace.SOURCE)) {
-      if (action.name().equals(SearchTrace.FOUND)) {
+    if (event instanceof Action action) {
+      if (SearchTrace.is(action, SearchTrace.FOUND)) {
         checkFound(action, report);
-      } else if (action.name().equals(SearchTrace.ANSWER)) {
-        checkAnswer(action, action.args().get(0), report);
+      } else if (SearchTrace.is(action, SearchTrace.ANSWER)) {
+        String answer = action.args().get(0);
+        if (answer.equals(Answer.NOTHING)) {
+          checkNothing(action, report);
+        } else if (answer.startsWith(Answer.GAVE_UP)) {
+          String rooms = answer.substring(Answer.GAVE_UP.length());
+          checkGaveUp(action, List.of(rooms.split(" ", -1)), report);
+        }
       }
     }
   }
@@ -69,33 +75,19 @@ final class Findings implements Monitor {
   private void checkFound(Action action, Report report) {
     report.checked(FOUND);
     RobotId robot = action.robot();
-    double xMm = Double.parseDouble(action.args().get(1));
-    Point told = new Point(xMm, Double.parseDouble(action.args().get(2)));
-    Point at = view.isOnFloor(robot) ? view.at(robot, action.timeNs()) : null;
+    List<String> args = action.args();
+    Point told = new Point(Double.parseDouble(args.get(1)), Double.parseDouble(args.get(2)));
+    Point at = view.robots().contains(robot) ? view.at(robot, action.timeNs()) : null;
     for (ItemPosition thing : things) {
-      boolean isIt =
-          thing.name().equals(action.args().get(0)) && thing.at().distanceMm(told) <= ROUNDING_MM;
-      if (isIt
+      if (thing.name().equals(args.get(0))
+          && thing.at().distanceMm(told) <= ROUNDING_MM
           && at != null
           && at.distanceMm(thing.at()) <= house.rangeMm() + ROUNDING_MM
           && house.sight().sees(at, thing.at())) {
         return;
       }
     }
-    report.violated(
-        FOUND,
-        action.timeNs(),
-        List.of(robot),
-        "says that it sees " + action.args() + ", and is at " + at);
-  }
-
-  private void checkAnswer(Action action, String answer, Report report) {
-    if (answer.equals(Answer.NOTHING)) {
-      checkNothing(action, report);
-    } else if (answer.startsWith(Answer.GAVE_UP)) {
-      checkGaveUp(
-          action, List.of(answer.substring(Answer.GAVE_UP.length()).split(" ", -1)), report);
-    }
+    violated(FOUND, action, "announces " + args + ", and is at " + at, report);
   }
 
   private void checkNothing(Action action, Report report) {
@@ -103,17 +95,13 @@ final class Findings implements Monitor {
     int missed = view.missed();
     if (missed >= 0) {
       Point at = house.grid().centre(missed);
-      report.violated(
-          NOTHING,
-          action.timeNs(),
-          List.of(action.robot()),
-          "nobody has had (" + at.xMm() + ", " + at.yMm() + ") mm in range and sight");
+      String where = "(" + at.xMm() + ", " + at.yMm() + ") mm";
+      violated(NOTHING, action, "no robot has had " + where + " in range and sight", report);
       return;
     }
     for (ItemPosition thing : things) {
       if (house.roomAt(thing.at()) >= 0 && house.canBeSeen(house.grid().cellAt(thing.at()))) {
-        report.violated(
-            NOTHING, action.timeNs(), List.of(action.robot()), thing.name() + " is there");
+        violated(NOTHING, action, thing.name() + " is there", report);
       }
     }
   }
@@ -127,14 +115,16 @@ final class Findings implements Monitor {
       }
     }
     for (Room room : house.rooms()) {
-      boolean isLeft = rooms.contains(room.name());
-      if (isLeft && room.isEnterable() && reach.isInReach(room, up, action.timeNs())) {
-        report.violated(
-            GAVE_UP,
-            action.timeNs(),
-            List.of(action.robot()),
-            "no robot that is down bars anything of room " + room.name());
+      if (rooms.contains(room.name())
+          && room.isEnterable()
+          && reach.isInReach(room, up, action.timeNs())) {
+        violated(
+            GAVE_UP, action, "no robot that is down bars anything of room " + room.name(), report);
       }
     }
+  }
+
+  private static void violated(String lemma, Action action, String detail, Report report) {
+    report.violated(lemma, action.timeNs(), List.of(action.robot()), detail);
   }
 }

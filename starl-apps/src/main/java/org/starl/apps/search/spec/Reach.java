@@ -15,14 +15,15 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Where robots that are up could get in spite of those that are down: what these hold bars the way for
- * ever, or until they are back. Of a robot that has only just come back nobody knows yet that it is.
+ * Where robots that are up can get past those that are down. The tubes of a robot that is down bar
+ * the way until it is back, and for a while after that: the others do not know at once that it is
+ * back.
  */
 final class Reach {
 
   private static final long JUST_BACK_NS = 30_000_000_000L;
 
-  /** Planners need some room beside a tube, and robots stand beside their goals. */
+  /** Planners need some room beside a tube, and robots stop beside their goals. */
   private static final double MARGIN_MM = 100;
 
   private static final String TUBES = "tubes/";
@@ -56,9 +57,10 @@ final class Reach {
   }
 
   /**
-   * Whether each cell of a room that robots can see at all can be seen from a place that is not barred.
+   * Whether each cell of a room that can be seen at all can be seen from a place that robots can
+   * reach.
    *
-   * @param from where robots are that are up
+   * @param from positions of the robots that are up
    */
   boolean isInReach(Room room, List<Point> from, long nowNs) {
     BitSet open = house.places();
@@ -70,9 +72,8 @@ final class Reach {
     });
     BitSet reached = new BitSet();
     from.forEach(at -> reached.or(house.reachable(at, open)));
-    boolean[] isAll = {true};
-    room.forEachCell(cell -> isAll[0] &= house.canBeSeen(cell, reached) || !house.canBeSeen(cell));
-    return isAll[0];
+    return room.cells().stream()
+        .allMatch(cell -> house.canBeSeen(cell, reached) || !house.canBeSeen(cell));
   }
 
   private void bar(Tube tube, BitSet open) {

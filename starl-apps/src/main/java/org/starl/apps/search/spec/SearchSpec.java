@@ -6,12 +6,12 @@ import org.starl.apps.search.logic.House;
 import org.starl.geometry.ItemPosition;
 import org.starl.spec.Monitor;
 
-/** Everything that is checked of a search itself. */
+/** The monitors of a search itself. */
 public final class SearchSpec {
 
   private static final long NS_PER_S = 1_000_000_000;
 
-  /** Silence, and the leader's own look at things, twice: the leader may have changed meanwhile. */
+  /** Twice the silence and the leader's period: the leader may change meanwhile. */
   private static final long ASSIGNED_NS = 20 * NS_PER_S;
 
   private static final long START_NS = 300 * NS_PER_S;
@@ -20,9 +20,9 @@ public final class SearchSpec {
   private SearchSpec() {}
 
   /**
-   * Monitors' makers, as each run needs its own.
+   * Suppliers of monitors: each run needs its own.
    *
-   * @param things that are there to be found
+   * @param things the things to find
    */
   public static List<Supplier<? extends Monitor>> of(House house, List<ItemPosition> things) {
     return List.of(
@@ -32,8 +32,8 @@ public final class SearchSpec {
   }
 
   /**
-   * Within this time all is over: one robot alone would search a room in {@link #ROOM_NS}, and as long
-   * it may take until everybody has tried in vain to get into a room that somebody dead bars.
+   * The bound on a whole search. One robot alone searches a room in {@link #ROOM_NS}; it may take
+   * as long again until all robots have failed to enter a room that a dead robot bars.
    */
   public static long toldNs(House house) {
     return START_NS + 2L * house.rooms().size() * ROOM_NS;

@@ -4,8 +4,10 @@ import java.util.BitSet;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.starl.apps.search.logic.Grid;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.Room;
+import org.starl.apps.search.logic.Sight;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
@@ -13,9 +15,8 @@ import org.starl.spec.Circumstances;
 import org.starl.trace.TraceEvent;
 
 /**
- * What was truly in view: each cell of a room whose middle was in range and sight of a robot's true
- * position while its program ran. Bodies are looked at every 50 ms of movement. For monitors and
- * pictures.
+ * The cells that were truly seen: those of a room whose centre was in range and sight of a robot's
+ * true position while its program ran. Samples every 50 ms of movement. For monitors and pictures.
  */
 public final class TrueView {
 
@@ -31,9 +32,7 @@ public final class TrueView {
 
   public TrueView(House house) {
     this(house, new Bodies(), new Circumstances());
-    for (Room room : house.rooms()) {
-      room.forEachCell(unseen::set);
-    }
+    house.rooms().forEach(room -> unseen.or(room.cells()));
   }
 
   private TrueView(House house, Bodies bodies, Circumstances circumstances) {
@@ -42,7 +41,7 @@ public final class TrueView {
     this.circumstances = circumstances;
   }
 
-  /** The same at this moment, from now on apart. */
+  /** The state at this moment; the copy and this one change apart from now on. */
   public TrueView copy() {
     TrueView copy = new TrueView(house, bodies.copy(), circumstances.copy());
     copy.lookedFrom.putAll(lookedFrom);
@@ -53,71 +52,47 @@ public final class TrueView {
 
   /** Sees the next event. */
   public void observe(TraceEvent event) {
-    advance(event.timeNs());
+    for (; nextNs <= event.timeNs(); nextNs += STEP_NS) {
+      look(nextNs);
+    }
     circumstances.observe(event);
     bodies.observe(event);
   }
 
-  /** Time goes on to {@code timeNs}. */
-  public void advance(long timeNs) {
-    while (nextNs <= timeNs) {
-      look(nextNs);
-      nextNs += STEP_NS;
-    }
-  }
-
-  /** Where a body truly is. */
+  /** The true position of a body. */
   Point at(RobotId robot, long timeNs) {
     return bodies.poseAt(robot, timeNs).at();
   }
 
-  /** Whose bodies are on the floor. */
+  /** The robots whose bodies are on the floor. */
   Set<RobotId> robots() {
     return bodies.robots();
   }
 
-  boolean isOnFloor(RobotId robot) {
-    return bodies.isOnFloor(robot);
+  /** The cells of a room that have been in view; the caller may change the set. */
+  public BitSet seen(Room room) {
+    BitSet seen = (BitSet) room.cells().clone();
+    seen.andNot(unseen);
+    return seen;
   }
 
-  /** Whether a cell of a room was in view at some time. */
-  public boolean wasSeen(int cell) {
-    return !unseen.get(cell);
-  }
-
-  /** The first cell that was not in view though a robot can see it; -1 if there is none. */
+  /** The first cell that has not been in view though a robot can see it; -1 if there is none. */
   int missed() {
-    for (int cell = unseen.nextSetBit(0); cell >= 0; cell = unseen.nextSetBit(cell + 1)) {
-      if (house.canBeSeen(cell)) {
-        return cell;
-      }
-    }
-    return -1;
+    return unseen.stream().filter(house::canBeSeen).findFirst().orElse(-1);
   }
 
   private void look(long timeNs) {
     for (RobotId robot : bodies.robots()) {
-      if (circumstances.isUp(robot)) {
-        Point at = bodies.poseAt(robot, timeNs).at();
-        Point before = lookedFrom.get(robot);
-        if (before == null || before.distanceMm(at) >= STEP_MM) {
-          lookedFrom.put(robot, at);
-          see(at);
-        }
+      Point at = at(robot, timeNs);
+      Point before = lookedFrom.get(robot);
+      if (circumstances.isUp(robot) && (before == null || before.distanceMm(at) >= STEP_MM)) {
+        lookedFrom.put(robot, at);
+        Grid grid = house.grid();
+        Sight near = house.sight().near(at, house.rangeMm());
+        grid.within(at, house.rangeMm())
+            .filter(cell -> unseen.get(cell) && near.sees(at, grid.centre(cell)))
+            .forEach(unseen::clear);
       }
     }
-  }
-
-  private void see(Point at) {
-    house
-        .grid()
-        .forEachWithin(
-            at,
-            house.rangeMm(),
-            cell -> {
-              if (unseen.get(cell) && house.sight().sees(at, house.grid().centre(cell))) {
-                unseen.clear(cell);
-              }
-            });
   }
 }

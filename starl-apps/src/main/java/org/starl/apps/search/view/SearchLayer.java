@@ -8,9 +8,8 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
-import java.util.ArrayList;
+import java.util.BitSet;
 import java.util.List;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -33,8 +32,8 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Draws rooms with their names, what was seen of them in the colour of who has the room, each sweep's
- * legs dotted, the things to find, and a crown on the leader.
+ * Draws the rooms with their names, the floor that was seen in the colour of the robot that has the
+ * room, the legs of each sweep dotted, the things to find, and a crown on the leader.
  */
 public final class SearchLayer implements Layer {
 
@@ -43,6 +42,7 @@ public final class SearchLayer implements Layer {
   private static final String THINGS = "things";
   private static final String LEADER = "leader";
   private static final int SEEN_ALPHA = 70;
+  private static final int NAME_MM = 360;
   private static final double THING_MM = 110;
 
   private final House house;
@@ -80,28 +80,24 @@ public final class SearchLayer implements Layer {
   @Override
   public void observe(TraceEvent event) {
     view.observe(event);
-    if (event instanceof Variable variable
-        && variable.source().equals(SearchTrace.SOURCE)
-        && variable.name().equals(SearchTrace.ROOM)) {
-      tookRoom(variable.robot(), variable.value());
-    } else if (event instanceof Action action && action.source().equals(SearchTrace.SOURCE)) {
-      if (action.name().equals(SearchTrace.SWEPT)) {
-        done.add(action.args().get(0));
-      } else if (action.name().equals(SearchTrace.SWEEP)) {
-        sweeps.putIfAbsent(action.args().get(0), action.args().get(1));
-      } else if (action.name().equals(SearchTrace.ANSWER)) {
-        ends.put(action.robot(), action.args().get(0));
-      }
-    } else if (event instanceof Fault fault) {
-      if (fault.name().equals(Fault.CRASH)) {
-        down.add(fault.robot());
-      } else if (fault.name().equals(Fault.RESTART)) {
-        down.remove(fault.robot());
+    switch (event) {
+      case Variable room when SearchTrace.is(room, SearchTrace.ROOM) ->
+          tookRoom(room.robot(), room.value());
+      case Action swept when SearchTrace.is(swept, SearchTrace.SWEPT) ->
+          done.add(swept.args().get(0));
+      case Action sweep when SearchTrace.is(sweep, SearchTrace.SWEEP) ->
+          sweeps.putIfAbsent(sweep.args().get(0), sweep.args().get(1));
+      case Action answer when SearchTrace.is(answer, SearchTrace.ANSWER) ->
+          ends.put(answer.robot(), answer.args().get(0));
+      case Fault fault when fault.name().equals(Fault.CRASH) -> down.add(fault.robot());
+      case Fault fault when fault.name().equals(Fault.RESTART) -> down.remove(fault.robot());
+      default -> {
+        // Changes nothing in the picture.
       }
     }
   }
 
-  /** A room that was given up is drawn as one that nobody has gone to. */
+  /** Notes the robot's new room; the sweep of a room that it has given up is not drawn any more. */
   private void tookRoom(RobotId robot, String room) {
     String before = rooms.getOrDefault(robot, "");
     if (!done.contains(before)) {
@@ -120,18 +116,27 @@ public final class SearchLayer implements Layer {
   }
 
   @Override
+  public List<Point> corners() {
+    return List.of(
+        new Point(house.bounds().xMinMm(), house.bounds().yMinMm()),
+        new Point(house.bounds().xMaxMm(), house.bounds().yMaxMm()));
+  }
+
+  @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
-    for (Room room : look.shows(ROOMS) ? house.rooms() : List.<Room>of()) {
-      paintRoom(floor, room, scene, look);
+    if (look.shows(ROOMS)) {
+      house.rooms().forEach(room -> paintRoom(floor, room, scene, look));
     }
-    for (Map.Entry<String, String> sweep : sweeps.entrySet()) {
-      RobotId robot = searchers.get(sweep.getKey());
-      if (robot != null && look.shows(SWEEPS)) {
-        paintSweep(floor, sweep.getValue(), look.robot(scene, robot), look);
-      }
+    if (look.shows(SWEEPS)) {
+      sweeps.forEach((room, legs) -> {
+        RobotId robot = searchers.get(room);
+        if (robot != null) {
+          paintSweep(floor, legs, look.robot(scene, robot), look);
+        }
+      });
     }
-    for (ItemPosition thing : look.shows(THINGS) ? things : List.<ItemPosition>of()) {
-      paintThing(floor, thing.at(), look);
+    if (look.shows(THINGS)) {
+      things.forEach(thing -> paintThing(floor, thing.at(), look));
     }
     for (RobotId robot : scene.robots()) {
       if (look.shows(LEADER) && isLeader(robot, scene) && scene.pose(robot).isPresent()) {
@@ -140,162 +145,132 @@ public final class SearchLayer implements Layer {
     }
   }
 
-  @Override
-  public List<Point> corners() {
-    return List.of(
-        new Point(house.bounds().xMinMm(), house.bounds().yMinMm()),
-        new Point(house.bounds().xMaxMm(), house.bounds().yMaxMm()));
-  }
-
   private void paintRoom(Graphics2D floor, Room room, Scene scene, Look look) {
     RobotId robot = searchers.get(room.name());
-    Color seen = look.theme().floor();
-    if (robot != null) {
-      seen = Theme.faded(look.robot(scene, robot), SEEN_ALPHA);
-    }
-    Strips strips = new Strips(floor, house.grid(), seen, look.theme().shade());
-    // Smoothed edges of strips side by side would show as lines.
-    Object before = floor.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
-    floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
-    room.forEachCell(strips);
-    strips.flush();
-    floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, before);
-    write(floor, room.name(), room.rest(), 360, look);
-  }
-
-  /** Cells side by side are painted as one, lest their seams show. */
-  private final class Strips implements Grid.Visitor {
-    private final Graphics2D floor;
-    private final Grid grid;
-    private final Color seen;
-    private final Color unseen;
-    private int first = -1;
-    private int last = -1;
-    private boolean isSeen;
-
-    Strips(Graphics2D floor, Grid grid, Color seen, Color unseen) {
-      this.floor = floor;
-      this.grid = grid;
-      this.seen = seen;
-      this.unseen = unseen;
-    }
-
-    @Override
-    public void visit(int cell) {
-      boolean goesOn =
-          first >= 0
-              && cell == last + 1
-              && cell % grid.columns() != 0
-              && view.wasSeen(cell) == isSeen;
-      if (!goesOn) {
-        flush();
-        first = cell;
-        isSeen = view.wasSeen(cell);
-      }
-      last = cell;
-    }
-
-    void flush() {
-      if (first >= 0) {
-        double half = grid.cellMm() / 2.0;
-        floor.setColor(isSeen ? seen : unseen);
-        floor.fill(
-            new Rectangle2D.Double(
-                grid.centreX(first) - half,
-                grid.centreY(first) - half,
-                (last - first + 1.0) * grid.cellMm(),
-                grid.cellMm()));
-      }
-      first = -1;
-    }
-  }
-
-  private static void write(Graphics2D floor, String text, Point at, int sizeMm, Look look) {
+    Color colour =
+        robot == null ? look.theme().floor() : Theme.faded(look.robot(scene, robot), SEEN_ALPHA);
+    BitSet seen = view.seen(room);
+    BitSet unseen = (BitSet) room.cells().clone();
+    unseen.andNot(seen);
+    paintCells(floor, seen, colour);
+    paintCells(floor, unseen, look.theme().shade());
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
-    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, sizeMm));
+    upright.setFont(new Font(Font.SANS_SERIF, Font.BOLD, NAME_MM));
     upright.setColor(look.theme().muted());
-    int half = upright.getFontMetrics().stringWidth(text) / 2;
-    upright.drawString(text, (int) at.xMm() - half, (int) -at.yMm() + sizeMm / 3);
+    int half = upright.getFontMetrics().stringWidth(room.name()) / 2;
+    int x = (int) room.rest().xMm() - half;
+    upright.drawString(room.name(), x, (int) -room.rest().yMm() + NAME_MM / 3);
     upright.dispose();
   }
 
-  /** A list of legs as text: {@code [500,1500>900,1500, 700,700]}. */
+  /**
+   * Paints the cells of a row that are side by side as one, and edges unsmoothed: no seams show.
+   */
+  private void paintCells(Graphics2D floor, BitSet cells, Color colour) {
+    Object before = floor.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
+    floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_OFF);
+    floor.setColor(colour);
+    Grid grid = house.grid();
+    int end;
+    for (int first = cells.nextSetBit(0); first >= 0; first = cells.nextSetBit(end)) {
+      int nextRow = (first / grid.columns() + 1) * grid.columns();
+      end = Math.min(cells.nextClearBit(first), nextRow);
+      Point centre = grid.centre(first);
+      double half = grid.cellMm() / 2.0;
+      double widthMm = (double) (end - first) * grid.cellMm();
+      floor.fill(
+          new Rectangle2D.Double(centre.xMm() - half, centre.yMm() - half, widthMm, grid.cellMm()));
+    }
+    floor.setRenderingHint(RenderingHints.KEY_ANTIALIASING, before);
+  }
+
+  /**
+   * Paints the legs, and the straight ways between them where nothing is in the way.
+   *
+   * @param legs as text: {@code [500,1500>900,1500, 700,700]}
+   */
   private void paintSweep(Graphics2D floor, String legs, Color colour, Look look) {
     Path2D path = new Path2D.Double();
     Point last = null;
-    for (Point point : points(legs)) {
-      // From one leg to the next it finds its way; where that is straight it is drawn.
-      if (last == null || !house.sight().sees(last, point)) {
-        path.moveTo(point.xMm(), point.yMm());
-      } else {
-        path.lineTo(point.xMm(), point.yMm());
+    for (String end : legs.substring(1, legs.length() - 1).split(", |>", -1)) {
+      int comma = end.indexOf(',');
+      if (comma > 0) {
+        Point point =
+            new Point(
+                Integer.parseInt(end.substring(0, comma)),
+                Integer.parseInt(end.substring(comma + 1)));
+        if (last == null || !house.sight().sees(last, point)) {
+          path.moveTo(point.xMm(), point.yMm());
+        } else {
+          path.lineTo(point.xMm(), point.yMm());
+        }
+        last = point;
       }
-      last = point;
     }
     floor.setColor(look.theme().edge(colour));
     floor.setStroke(look.dots(30, 90));
     floor.draw(path);
   }
 
-  private static List<Point> points(String legs) {
-    List<Point> points = new ArrayList<>();
-    for (String leg : legs.substring(1, legs.length() - 1).split(", ", -1)) {
-      for (String end : leg.isEmpty() ? new String[0] : leg.split(">", -1)) {
-        int comma = end.indexOf(',');
-        points.add(
-            new Point(
-                Integer.parseInt(end.substring(0, comma)),
-                Integer.parseInt(end.substring(comma + 1))));
-      }
-    }
-    return points;
-  }
-
   private void paintThing(Graphics2D floor, Point at, Look look) {
-    floor.setColor(look.theme().alarm());
-    Path2D star = new Path2D.Double();
+    double[] star = new double[20];
     for (int i = 0; i < 10; i++) {
       double radius = i % 2 == 0 ? THING_MM * 1.8 : THING_MM * 0.75;
       double angle = StrictMath.PI * (0.5 + i / 5.0);
-      double x = at.xMm() + radius * StrictMath.cos(angle);
-      double y = at.yMm() + radius * StrictMath.sin(angle);
-      if (i == 0) {
-        star.moveTo(x, y);
-      } else {
-        star.lineTo(x, y);
-      }
+      star[2 * i] = at.xMm() + radius * StrictMath.cos(angle);
+      star[2 * i + 1] = at.yMm() + radius * StrictMath.sin(angle);
     }
-    star.closePath();
-    floor.fill(star);
+    floor.setColor(look.theme().alarm());
+    floor.fill(polygon(star));
     floor.setStroke(look.line(12));
     double range = house.rangeMm();
     floor.draw(new Ellipse2D.Double(at.xMm() - range, at.yMm() - range, 2 * range, 2 * range));
   }
 
-  private boolean isLeader(RobotId robot, Scene scene) {
-    return !down.contains(robot)
-        && !scene.variable(robot, SearchTrace.SOURCE, SearchTrace.DUTY).isEmpty();
-  }
-
   private static void paintCrown(Graphics2D floor, Point at, double radiusMm, Look look) {
-    double base = at.yMm() + radiusMm + 20;
+    double x = at.xMm();
     double half = radiusMm * 0.85;
-    double high = radiusMm * 1.1;
-    Path2D crown = new Path2D.Double();
-    crown.moveTo(at.xMm() - half, base);
-    crown.lineTo(at.xMm() - half, base + high);
-    crown.lineTo(at.xMm() - half / 2, base + high / 2);
-    crown.lineTo(at.xMm(), base + high);
-    crown.lineTo(at.xMm() + half / 2, base + high / 2);
-    crown.lineTo(at.xMm() + half, base + high);
-    crown.lineTo(at.xMm() + half, base);
-    crown.closePath();
+    double base = at.yMm() + radiusMm + 20;
+    double top = base + radiusMm * 1.1;
+    double notch = base + radiusMm * 0.55;
+    Path2D crown =
+        polygon(
+            x - half,
+            base,
+            x - half,
+            top,
+            x - half / 2,
+            notch,
+            x,
+            top,
+            x + half / 2,
+            notch,
+            x + half,
+            top,
+            x + half,
+            base);
     floor.setColor(look.theme().gold());
     floor.fill(crown);
     floor.setColor(look.theme().edge(look.theme().gold()));
     floor.setStroke(look.line(14));
     floor.draw(crown);
+  }
+
+  /** The polygon with corners x, y, x, y, ... */
+  private static Path2D polygon(double... corners) {
+    Path2D polygon = new Path2D.Double();
+    polygon.moveTo(corners[0], corners[1]);
+    for (int i = 2; i < corners.length; i += 2) {
+      polygon.lineTo(corners[i], corners[i + 1]);
+    }
+    polygon.closePath();
+    return polygon;
+  }
+
+  private boolean isLeader(RobotId robot, Scene scene) {
+    return !down.contains(robot)
+        && !scene.variable(robot, SearchTrace.SOURCE, SearchTrace.DUTY).isEmpty();
   }
 
   @Override
@@ -309,7 +284,7 @@ public final class SearchLayer implements Layer {
         switch (location) {
           case "ELECT" -> "elects a leader";
           case "WAIT" -> "waits for a room";
-          case "GO" -> "goes to room " + room;
+          case "GO" -> "drives to room " + room;
           case "SWEEP" -> "sweeps room " + room;
           case "ANSWER" -> "agrees on the answer";
           default -> ends.getOrDefault(robot, location);

@@ -20,7 +20,7 @@ class RaceMessagesTest {
 
   private static final int POINTS = 5;
 
-  private final RaceCodec codec = new RaceCodec(POINTS);
+  private final RaceMessage.Wire codec = new RaceMessage.Wire(POINTS);
 
   @Provide
   Arbitrary<Claim> claims() {
@@ -33,7 +33,7 @@ class RaceMessagesTest {
             new Claim(point, new RobotId("bot" + robot), atNs, offMm));
   }
 
-  private static byte[] bytes(RaceCodec codec, RaceMessage message) {
+  private static byte[] bytes(RaceMessage.Wire codec, RaceMessage message) {
     byte[] buffer = new byte[200];
     WireWriter out = new WireWriter(buffer);
     codec.write(message, out);
@@ -43,12 +43,12 @@ class RaceMessagesTest {
   }
 
   @Property
-  void whatIsWrittenIsRead(@ForAll("claims") Claim claim) {
+  void aClaimIsReadAsItWasWritten(@ForAll("claims") Claim claim) {
     assertThat(codec.read(new WireReader(bytes(codec, claim)))).isEqualTo(claim);
   }
 
   @Property
-  void ofTwoUnequalClaimsOneIsBetterAndAllOrdersAgree(
+  void theOrderOfClaimsIsTotal(
       @ForAll("claims") Claim a, @ForAll("claims") Claim b, @ForAll("claims") Claim c) {
     assertThat(a.compareTo(b) == 0).isEqualTo(a.equals(b));
     assertThat(Integer.signum(a.compareTo(b))).isEqualTo(-Integer.signum(b.compareTo(a)));
@@ -58,7 +58,7 @@ class RaceMessagesTest {
   }
 
   @Test
-  void atThePointGoesBeforeKeptOffThenEarlierThenTheName() {
+  void aClaimAtThePointIsBetterThanOneKeptOffThenTheEarlierThenTheFirstName() {
     RobotId first = new RobotId("bot2");
     RobotId second = new RobotId("bot10");
     assertThat(new Claim(0, second, 9, 0)).isLessThan(new Claim(0, first, 5, 300));
@@ -67,19 +67,19 @@ class RaceMessagesTest {
   }
 
   @Test
-  void aQuestionIsReadAndWhatIsNoMessageIsRefused() {
+  void aQuestionIsReadAndMalformedMessagesAreRefused() {
     RaceMessage question = new RaceMessage.Question();
     assertThat(codec.read(new WireReader(bytes(codec, question)))).isEqualTo(question);
     assertThatThrownBy(() -> codec.read(new WireReader(new byte[] {7})))
         .isInstanceOf(WireFormatException.class);
-    byte[] another = bytes(new RaceCodec(9), new Claim(POINTS, new RobotId("bot0"), 1, 0));
+    byte[] another = bytes(new RaceMessage.Wire(9), new Claim(POINTS, new RobotId("bot0"), 1, 0));
     assertThatThrownBy(() -> codec.read(new WireReader(another)))
         .isInstanceOf(WireFormatException.class)
         .hasMessageContaining("point 5 of a race of 5");
   }
 
   @Test
-  void patienceIsOutAfterThreeMotionsInVainAndNeverBeforeTheRobotComesNearer() {
+  void patienceEndsAfterThreeMotionsInVainAndBeginsAnewWhenTheRobotComesNearer() {
     RacePoint point = new RacePoint("A", new Point(0, 0), 75);
     Patience patience = new Patience(point, 165);
     assertThat(patience.isEnough(400)).isFalse();

@@ -8,22 +8,21 @@ import org.starl.geometry.ItemPosition;
 import org.starl.gvh.GvhCell;
 import org.starl.primitives.geocast.Broadcast;
 
-/** A racer without the scoreboard, right but for one bug. */
+/** A racer without the scoreboard, with one planted bug. */
 public final class RudeRacer extends LogicThread {
 
-  /** What is wrong. */
   public enum Bug {
-    /** It claims the point that it sets out for. */
+    /** Claims its point when it sets out for it. */
     CLAIMS_FROM_AFAR,
-    /** Whatever claim it hears, it says to have been won by who comes first by name. */
+    /** Replaces the winner in each claim that it hears by the robot with the first name. */
     TELLS_OF_ANOTHER_WINNER,
-    /** The claim that it hears last counts. */
+    /** Takes the claim that it hears last. */
     LAST_HEARD_COUNTS,
-    /** The claim that it hears first counts. */
+    /** Takes the claim that it hears first. */
     FIRST_HEARD_COUNTS,
-    /** It keeps it to itself. */
+    /** Announces nothing. */
     TELLS_NOBODY,
-    /** It stands still. */
+    /** Stands still. */
     DOES_NOT_DRIVE
   }
 
@@ -42,7 +41,7 @@ public final class RudeRacer extends LogicThread {
         new Broadcast<>(
             gvh,
             "race",
-            new RaceCodec(points.size()),
+            new RaceMessage.Wire(points.size()),
             (from, message) -> heard((Claim) message),
             Scoreboard.SETTINGS);
   }
@@ -101,13 +100,6 @@ public final class RudeRacer extends LogicThread {
 
   private void record(Claim claim) {
     best.put(claim.point(), claim);
-    gvh.trace.action(
-        RaceTrace.SOURCE,
-        Scoreboard.TAKEN,
-        claim.point(),
-        points.get(claim.point()).name(),
-        claim.winner(),
-        claim.atNs(),
-        claim.keptOffMm());
+    RaceTrace.taken(gvh, claim, points.get(claim.point()));
   }
 }

@@ -11,7 +11,7 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
-/** The leader gives rooms, takes them back, and knows when it is over. */
+/** The leader assigns rooms, takes them back, and concludes the search. */
 class AssignerTest {
 
   private static final long SECOND_NS = 1_000_000_000;
@@ -21,14 +21,14 @@ class AssignerTest {
   private static final Participants ALL = Participants.of(ME, OTHER, THIRD);
   private static final House HOUSE = TwoRooms.HOUSE;
 
-  private final Board board = new Board(HOUSE);
+  private final Knowledge known = new Knowledge(HOUSE);
   private final Assigner leader = new Assigner(HOUSE, ME, ALL, 1, 0);
   private long reports;
 
   private void hear(RobotId robot, double xMm, int room, List<Integer> swept, int... tries) {
     List<Integer> all = tries.length == 0 ? List.of(0, 0) : List.of(tries[0], tries[1]);
     reports++;
-    board.hear(
+    known.hear(
         new Report(
             new ProcessId(robot, 1),
             reports,
@@ -56,70 +56,70 @@ class AssignerTest {
   }
 
   @Test
-  void itHearsEverybodyBeforeItGivesAnything() {
+  void itAssignsNothingBeforeItHasHeardAllRobotsThatAreNotSilent() {
     hear(ME, 4_000, Report.NO_ROOM, List.of());
     isUp(OTHER, 5_000, Report.NO_ROOM, 1);
-    assertThat(leader.work(board, SECOND_NS)).isEmpty();
+    assertThat(leader.work(known, SECOND_NS)).isEmpty();
     assertThat(leader.duty().tasks()).isEmpty();
     // The third one has been silent for long enough.
-    assertThat(leader.work(board, 6 * SECOND_NS)).isEmpty();
+    assertThat(leader.work(known, 6 * SECOND_NS)).isEmpty();
     assertThat(leader.duty().tasks()).hasSize(2);
   }
 
   @Test
-  void theNearestRobotsGetTheRooms() {
+  void theNearestRobotGetsARoom() {
     hear(ME, 4_000, Report.NO_ROOM, List.of());
     isUp(OTHER, 5_500, Report.NO_ROOM, 1);
     isUp(THIRD, 2_500, Report.NO_ROOM, 1);
-    assertThat(leader.work(board, SECOND_NS)).isEmpty();
+    assertThat(leader.work(known, SECOND_NS)).isEmpty();
     assertThat(roomOf(OTHER)).isEqualTo(1);
     assertThat(roomOf(THIRD)).isZero();
     assertThat(roomOf(ME)).isEqualTo(Report.NO_ROOM);
   }
 
   @Test
-  void whatSomebodyDoesAlreadyIsLeftToIt() {
+  void aRoomThatARobotSearchesIsNotAssigned() {
     hear(ME, 4_000, Report.NO_ROOM, List.of());
     isUp(OTHER, 5_500, 0, 1);
     isUp(THIRD, 2_500, Report.NO_ROOM, 1);
-    assertThat(leader.work(board, SECOND_NS)).isEmpty();
+    assertThat(leader.work(known, SECOND_NS)).isEmpty();
     assertThat(leader.duty().tasks().values()).extracting(Report.Task::room).containsExactly(1);
   }
 
   @Test
-  void theRoomOfWhoFallsSilentIsGivenAgain() {
-    theNearestRobotsGetTheRooms();
+  void theRoomOfARobotThatFallsSilentIsAssignedAgain() {
+    theNearestRobotGetsARoom();
     isUp(OTHER, 5_500, 1, 5);
     isUp(THIRD, 2_500, 0, 5);
-    leader.work(board, 5 * SECOND_NS);
+    leader.work(known, 5 * SECOND_NS);
     isUp(OTHER, 5_500, 1, 12);
-    leader.work(board, 12 * SECOND_NS);
+    leader.work(known, 12 * SECOND_NS);
     assertThat(roomOf(THIRD)).isEqualTo(Report.NO_ROOM);
     assertThat(roomOf(ME)).isZero();
   }
 
   @Test
-  void whenAllIsSweptThereIsNothing() {
-    theNearestRobotsGetTheRooms();
+  void whenAllRoomsAreSearchedTheAnswerIsNothingThere() {
+    theNearestRobotGetsARoom();
     hear(OTHER, 5_500, Report.NO_ROOM, List.of(0, 1));
     hear(THIRD, 5_500, Report.NO_ROOM, List.of(0, 1));
-    assertThat(leader.work(board, 2 * SECOND_NS)).contains(new Answer.Nothing());
+    assertThat(leader.work(known, 2 * SECOND_NS)).contains(Answer.NOTHING);
   }
 
   @Test
-  void aRoomIsGivenUpWhenAllHaveTriedAndSomebodyIsDead() {
+  void aRoomIsGivenUpWhenAllHaveTriedItAndARobotIsDead() {
     hear(ME, 4_000, Report.NO_ROOM, List.of(0), 0, 2);
     isUp(OTHER, 5_500, Report.NO_ROOM, 1, 0, 2);
     isUp(THIRD, 2_500, Report.NO_ROOM, 1, 0, 2);
-    assertThat(leader.work(board, 2 * SECOND_NS)).as("all are up").isEmpty();
+    assertThat(leader.work(known, 2 * SECOND_NS)).as("all are up").isEmpty();
     Assigner later = new Assigner(HOUSE, ME, ALL, 2, 0);
     later.heard(OTHER, 9 * SECOND_NS);
-    assertThat(later.work(board, 9 * SECOND_NS)).as("silent, maybe not dead").isEmpty();
+    assertThat(later.work(known, 9 * SECOND_NS)).as("silent, maybe not dead").isEmpty();
     assertThat(roomIn(later, OTHER)).isEqualTo(1);
     later.heard(OTHER, 61 * SECOND_NS);
     hear(OTHER, 5_500, 1, List.of(0), 0, 2);
-    assertThat(later.work(board, 61 * SECOND_NS)).as("it tries").isEmpty();
+    assertThat(later.work(known, 61 * SECOND_NS)).as("it tries").isEmpty();
     hear(OTHER, 5_500, Report.NO_ROOM, List.of(0), 0, 3);
-    assertThat(later.work(board, 61 * SECOND_NS)).contains(new Answer.GaveUp(List.of("B")));
+    assertThat(later.work(known, 61 * SECOND_NS)).contains(Answer.GAVE_UP + "B");
   }
 }

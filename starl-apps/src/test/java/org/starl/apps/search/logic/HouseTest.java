@@ -15,7 +15,7 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** Rooms follow from walls and doors. */
+/** Rooms are derived from walls and doors. */
 class HouseTest {
 
   private static final Rectangle BOUNDS = new Rectangle(0, 0, 6_000, 4_000);
@@ -47,7 +47,7 @@ class HouseTest {
   }
 
   @Test
-  void aRoomIsWhatLiesBehindItsDoor() {
+  void aRoomIsTheFloorBehindItsDoor() {
     House house = house(RIGHT, LEFT);
     assertThat(house.rooms()).extracting(Room::name).containsExactly("R", "L");
     assertThat(house.roomAt(new Point(500, 3_500))).isEqualTo(1);
@@ -56,12 +56,12 @@ class HouseTest {
     assertThat(house.roomAt(new Point(3_050, 1_500))).isNegative();
     assertThat(house.roomAt(new Point(-10, 0))).isNegative();
     // 3000 by 2700 mm, and half of each doorway, in cells of 50 by 50.
-    assertThat(house.room(1).size()).isBetween(3_240, 3_240 + 18 + 36);
+    assertThat(house.room(1).cells().cardinality()).isBetween(3_240, 3_240 + 18 + 36);
     assertThat(house.rooms()).allMatch(Room::isEnterable);
   }
 
   @Test
-  void robotsRestFarFromDoorsAndComeInNearThem() {
+  void theEntryOfARoomIsAtItsDoorAndItsRestFarFromIt() {
     House house = house(LEFT, RIGHT);
     assertThat(house.room(0).rest().distanceMm(LEFT.at())).isGreaterThan(1_500);
     assertThat(house.room(0).entry().distanceMm(LEFT.at())).isLessThan(150);
@@ -71,14 +71,14 @@ class HouseTest {
   }
 
   @Test
-  void aRoomWithTooNarrowADoorIsThereAndCannotBeEntered() {
+  void aRoomWithTooNarrowADoorCannotBeEntered() {
     House house = house(460, LEFT, RIGHT);
     assertThat(house.rooms()).hasSize(2).noneMatch(Room::isEnterable);
     assertThat(house.canBeSeen(house.grid().cellAt(new Point(5_500, 3_500)))).isFalse();
   }
 
   @Test
-  void aDoorThatShutsNothingOffIsNamed() {
+  void aDoorThatDividesNothingIsNamed() {
     assertThatThrownBy(() -> house(new ItemPosition("X", 1_000, 600)))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessageContaining("door X");
@@ -96,9 +96,9 @@ class HouseTest {
   }
 
   @Property(tries = 200)
-  void sightIsCutByASideAndByNothingElse(@ForAll long seed) {
+  void aSideOfAnObstacleCutsTheLineOfSightAndNothingElseDoes(@ForAll long seed) {
     Rng rng = new Rng(seed);
-    Sight sight = new Sight(WALLS, BOUNDS);
+    Sight sight = Sight.of(WALLS);
     Point from = new Point(rng.nextLong(0, 6_000), rng.nextLong(0, 4_000));
     Point to = new Point(rng.nextLong(0, 6_000), rng.nextLong(0, 4_000));
     Segment line = new Segment(from, to);
@@ -107,5 +107,7 @@ class HouseTest {
             .flatMap(body -> body.sides().stream())
             .anyMatch(side -> side.crosses(line));
     assertThat(sight.sees(from, to)).as("%s", line).isEqualTo(!isCut);
+    double reachMm = Math.max(Math.abs(to.xMm() - from.xMm()), Math.abs(to.yMm() - from.yMm()));
+    assertThat(sight.near(from, reachMm).sees(from, to)).as("near %s", line).isEqualTo(!isCut);
   }
 }

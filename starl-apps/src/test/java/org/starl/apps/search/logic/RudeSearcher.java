@@ -5,27 +5,27 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 
-/** A searcher that does one thing wrong: what is checked of a search must see it. */
+/** A searcher with one planted bug, which a monitor must report. */
 public final class RudeSearcher extends LogicThread {
 
-  /** What it does wrong. */
   public enum Fault {
-    /** It has found the thing without having been there. */
+    /** Announces the thing without having been near it. */
     SEES_THROUGH_WALLS,
-    /** It says that nothing is there before anybody has looked. */
+    /** Answers that nothing is there before any robot has searched. */
     DOES_NOT_LOOK,
-    /** It gives rooms up that it could get into. */
+    /** Gives up a room that it could enter. */
     IS_LAZY,
-    /** It gives rooms up because somebody is down, who is not in the way. */
+    /** Gives up a room because a robot is down that is not in the way. */
     IS_TIMID,
-    /** Each ends with an answer of its own. */
+    /** Each robot ends with a different answer. */
     IS_STUBBORN,
-    /** It leads, and leaves a room with a robot that has crashed. */
+    /** Leads, and leaves a room with a robot that has crashed. */
     FORGETS_THE_DEAD,
-    /** It never ends. */
+    /** Never ends. */
     NEVER_ENDS
   }
 
@@ -45,13 +45,13 @@ public final class RudeSearcher extends LogicThread {
     switch (fault) {
       case SEES_THROUGH_WALLS ->
           gvh.trace.action(SearchTrace.SOURCE, SearchTrace.FOUND, "object", 1, 2);
-      case DOES_NOT_LOOK -> answer(new Answer.Nothing());
-      case IS_LAZY -> answer(new Answer.GaveUp(List.of("A")));
+      case DOES_NOT_LOOK -> answer(Answer.NOTHING);
+      case IS_LAZY -> answer(Answer.GAVE_UP + "A");
       case IS_TIMID -> {
         sleep(5_000);
-        answer(new Answer.GaveUp(List.of("A")));
+        answer(Answer.GAVE_UP + "A");
       }
-      case IS_STUBBORN -> answer(new Answer.Found("object", 1, 2, me.name()));
+      case IS_STUBBORN -> answer(Answer.found("object", new Point(1, 2), me));
       case FORGETS_THE_DEAD -> {
         if (isFirst) {
           Map<String, String> rooms = new TreeMap<>();
@@ -65,7 +65,7 @@ public final class RudeSearcher extends LogicThread {
     return List.of();
   }
 
-  private void answer(Answer answer) {
+  private void answer(String answer) {
     gvh.trace.action(SearchTrace.SOURCE, SearchTrace.ANSWER, answer);
   }
 }

@@ -12,9 +12,10 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** A sweep sees all of its room, in rooms of many shapes, by another reckoning than its own. */
+/** A sweep sees all of its room: checked by a second computation, in rooms of many shapes. */
 class SweepTest {
 
   private static final double RANGE_MM = 600;
@@ -65,7 +66,7 @@ class SweepTest {
 
     Reckoning(HousePlan plan, Sweep sweep) {
       this.plan = plan;
-      for (Leg leg : sweep.legs()) {
+      for (Segment leg : sweep.legs()) {
         double lengthMm = leg.from().distanceMm(leg.to());
         int steps = (int) (lengthMm / 50);
         for (int i = 0; i <= steps; i++) {
@@ -102,73 +103,65 @@ class SweepTest {
   }
 
   @Property(tries = 20)
-  void everythingThatCanBeSeenComesIntoView(@ForAll long seed) {
+  void allCellsThatCanBeSeenComeIntoView(@ForAll long seed) {
     HousePlan plan = drawn(new Rng(seed));
     House house = House.of(plan, RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
     Sweep sweep = Sweep.of(house, room, room.entry());
     Reckoning reckoning = new Reckoning(plan, sweep);
     assertThat(reckoning.keepsClear()).as("clear of walls, seed %d", seed).isTrue();
-    room.forEachCell(cell -> {
-      boolean isSeen = reckoning.seesFromSomewhere(house.grid().centre(cell));
-      boolean isHidden = sweep.hidden().get(cell);
-      assertThat(isSeen || isHidden)
-          .as("%s of seed %d comes into view", house.grid().centre(cell), seed)
-          .isTrue();
-    });
+    room.cells().stream()
+        .forEach(cell -> {
+          boolean isSeen = reckoning.seesFromSomewhere(house.grid().centre(cell));
+          boolean isHidden = sweep.hidden().get(cell);
+          assertThat(isSeen || isHidden)
+              .as("%s of seed %d comes into view", house.grid().centre(cell), seed)
+              .isTrue();
+        });
   }
 
   @Property(tries = 25)
-  void onlyWhatNoPlaceHasInViewIsCalledHidden(@ForAll long seed) {
+  void onlyCellsThatNoPlaceSeesAreHidden(@ForAll long seed) {
     House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
     Sweep sweep = Sweep.of(house, room, room.entry());
-    room.forEachCell(cell -> {
-      if (sweep.hidden().get(cell)) {
-        boolean[] isSeen = {false};
-        house
-            .grid()
-            .forEachWithin(
-                house.grid().centre(cell),
-                RANGE_MM,
-                place ->
-                    isSeen[0] |=
-                        room.isPlace(place)
-                            && house.covers(house.grid().centre(place), House.SLACK_MM, cell));
-        assertThat(isSeen[0]).as("cell %d of seed %d", cell, seed).isFalse();
-      }
-    });
+    room.cells().stream()
+        .forEach(cell -> {
+          if (sweep.hidden().get(cell)) {
+            assertThat(house.canBeSeen(cell, room.places())).as("cell %d", cell).isFalse();
+          }
+        });
   }
 
   @Property(tries = 25)
-  void whatIsLeftIsSweptByStopsOfItsOwn(@ForAll long seed) {
+  void theRestOfARoomIsSweptByStops(@ForAll long seed) {
     House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
-    var rest = room.cells();
+    BitSet rest = (BitSet) room.cells().clone();
     int half = rest.length() - rest.cardinality() / 2;
     rest.clear(0, half);
-    Sweep sweep = Sweep.ofRest(house, room, rest, new BitSet(), room.entry());
+    Sweep sweep = Sweep.ofRest(house, rest, room.places(), room.entry());
     Coverage coverage = new Coverage(house, rest);
     coverage.forget(sweep.hidden());
-    for (Leg leg : sweep.legs()) {
-      assertThat(leg.isPlace()).isTrue();
+    for (Segment leg : sweep.legs()) {
+      assertThat(leg.from()).isEqualTo(leg.to());
       coverage.look(leg.from(), House.SLACK_MM);
     }
     assertThat(coverage.isComplete()).as("seed %d", seed).isTrue();
   }
 
   @Property(tries = 25)
-  void whatIsLeftIsLookedAtFromPlacesThatAreNotBarred(@ForAll long seed) {
+  void theRestOfARoomIsSeenFromPlacesThatAreNotBarred(@ForAll long seed) {
     House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
     Point first =
-        Sweep.ofRest(house, room, room.cells(), new BitSet(), room.entry()).legs().get(0).from();
-    BitSet barred = new BitSet();
-    house.grid().forEachWithin(first, 300, barred::set);
-    Sweep sweep = Sweep.ofRest(house, room, room.cells(), barred, room.entry());
+        Sweep.ofRest(house, room.cells(), room.places(), room.entry()).legs().get(0).from();
+    BitSet places = (BitSet) room.places().clone();
+    house.grid().within(first, 300).forEach(places::clear);
+    Sweep sweep = Sweep.ofRest(house, room.cells(), places, room.entry());
     Coverage coverage = new Coverage(house, room.cells());
     coverage.forget(sweep.hidden());
-    for (Leg leg : sweep.legs()) {
+    for (Segment leg : sweep.legs()) {
       assertThat(leg.from().distanceMm(first)).as("seed %d", seed).isGreaterThan(300);
       coverage.look(leg.from(), House.SLACK_MM);
     }

@@ -11,7 +11,7 @@ import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
-/** What a robot that is down holds bars the way, and nothing else does. */
+/** The tubes of a robot that is down bar the way; nothing else does. */
 class ReachTest {
 
   private static final long SECOND_NS = 1_000_000_000;
@@ -35,7 +35,7 @@ class ReachTest {
   }
 
   @Test
-  void whoIsUpBarsNothing() {
+  void aRobotThatIsUpBarsNothing() {
     holds("244@2000,1500");
     assertThat(isInReach(A, 3)).isTrue();
   }
@@ -49,7 +49,7 @@ class ReachTest {
   }
 
   @Test
-  void aTubeInTheHallBarsNothingIfThereIsAWayPastIt() {
+  void aTubeInTheHallBarsNothingIfAWayLeadsPastIt() {
     holds("244@4000,300");
     crashes();
     assertThat(isInReach(A, 3)).isTrue();
@@ -57,18 +57,18 @@ class ReachTest {
   }
 
   @Test
-  void aTubeInACornerBarsWhatCanBeSeenOnlyFromThere() {
+  void aTubeInACornerBarsTheCellsThatCanOnlyBeSeenFromThere() {
     holds("244@300,300");
     crashes();
     assertThat(isInReach(A, 3)).isFalse();
   }
 
   @Test
-  void whoHasComeBackBarsNothingAfterAWhile() {
+  void aRobotThatIsBackBarsNothingAfterAWhile() {
     holds("244@2000,1500");
     crashes();
     reach.observe(new Fault(10 * SECOND_NS, DEAD, Fault.RESTART, ""));
-    assertThat(isInReach(A, 11)).as("nobody knows yet").isFalse();
+    assertThat(isInReach(A, 11)).as("others do not know yet").isFalse();
     assertThat(isInReach(A, 60)).isTrue();
   }
 }

@@ -1,4 +1,4 @@
-package org.starl.apps.search.logic;
+package org.starl.primitives.paths;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -11,13 +11,9 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
-import org.starl.primitives.paths.Capsule;
-import org.starl.primitives.paths.Path;
-import org.starl.primitives.paths.Plan;
-import org.starl.primitives.paths.PlanTask;
 import org.starl.random.Rng;
 
-/** The straight way is taken where it is free, and only there. */
+/** Takes the straight way where it is free, and only there. */
 class StraightFirstTest {
 
   private static final Rectangle BOUNDS = new Rectangle(0, 0, 4_000, 4_000);
@@ -37,7 +33,7 @@ class StraightFirstTest {
   }
 
   @Property(tries = 300)
-  void itKeepsClearOfEverything(@ForAll long seed) {
+  void aStraightWayKeepsTheMarginFromEverything(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Obstacles obstacles =
         Obstacles.of(
@@ -62,14 +58,14 @@ class StraightFirstTest {
   }
 
   @Test
-  void endsAreInWholeMillimetres() {
+  void theEndsAreWholeMillimetres() {
     Plan plan = plan(task(new Point(500.4, 600), new Point(900.6, 700), Obstacles.NONE, List.of()));
     assertThat(plan)
         .isEqualTo(new Plan.Found(new Path(List.of(new Point(500, 600), new Point(901, 700)))));
   }
 
   @Test
-  void whereItIsAlreadyThePlannerDecides() {
+  void theOtherPlannerDecidesWhereStartAndGoalAreEqual() {
     Point here = new Point(500, 600);
     assertThat(plan(task(here, here, Obstacles.NONE, List.of()))).isEqualTo(OTHER);
   }

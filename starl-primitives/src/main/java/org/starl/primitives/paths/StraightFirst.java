@@ -1,0 +1,41 @@
+package org.starl.primitives.paths;
+
+import java.util.List;
+import org.starl.geometry.Segment;
+
+/**
+ * Takes the straight way where it is free, without a plan of the floor, which costs much more; else
+ * asks another planner. For robots whose ways are mostly straight. Immutable.
+ */
+public final class StraightFirst implements PathPlanner {
+
+  /** More clearance than asked for, since ends are rounded to whole mm. */
+  static final double ROUNDING_MM = 2;
+
+  private final PathPlanner planner;
+
+  public StraightFirst(PathPlanner planner) {
+    this.planner = planner;
+  }
+
+  @Override
+  public Plan plan(PlanTask task) {
+    Segment way = new Segment(Tube.rounded(task.start()), Tube.rounded(task.goal()));
+    boolean isFree = task.keepOut().isEmpty() && !way.from().equals(way.to()) && isFree(way, task);
+    return isFree ? new Plan.Found(new Path(List.of(way.from(), way.to()))) : planner.plan(task);
+  }
+
+  private static boolean isFree(Segment way, PlanTask task) {
+    double marginMm = task.marginMm() + ROUNDING_MM;
+    return task.bounds().depthMm(way.from()) >= marginMm
+        && task.bounds().depthMm(way.to()) >= marginMm
+        && task.taken().stream()
+            .allMatch(other -> way.distanceMm(other.axis()) >= other.radiusMm() + marginMm)
+        && task.obstacles().all().stream()
+            // Of a solid one, the way might begin inside, away from all sides.
+            .allMatch(obstacle ->
+                obstacle.distanceMm(way.from()) >= marginMm
+                    && obstacle.sides().stream()
+                        .allMatch(side -> way.distanceMm(side) >= marginMm));
+  }
+}
