@@ -8,6 +8,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 import org.starl.apps.Demos;
 import org.starl.input.BadInput;
+import org.starl.launch.StackTraces;
 import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;

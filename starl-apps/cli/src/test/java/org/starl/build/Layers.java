@@ -31,8 +31,7 @@ final class Layers {
     "org.starl.cli..",
     "org.starl.workload..",
     "org.starl.proof..",
-    "org.starl.processes..",
-    "org.starl.deployment..",
+    "org.starl.launch..",
     "org.starl.android..",
     "org.starl.build..",
     "org.starl.docs.."
