@@ -8,9 +8,9 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.starl.deployment.DeploymentCheck;
-import org.starl.deployment.DeploymentFile;
 import org.starl.input.BadInput;
+import org.starl.launch.DeploymentCheck;
+import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.RobotEntry;
@@ -27,8 +27,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "check",
     description =
-        "Says what is wrong with a deployment, as far as can be told without running it: file, app and"
-            + " parameters, key, hosts; with --robot, what that robot's machine must have.",
+        "Checks a deployment without running it: file, app and parameters, key, hosts; with --robot,"
+            + " also the device, address and port of that robot's machine.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy check crossing.yaml --robot bot0 --probe"})
 final class DeployCheckCommand implements Callable<Integer> {
@@ -39,12 +39,12 @@ final class DeployCheckCommand implements Callable<Integer> {
   @Option(
       names = "--robot",
       paramLabel = "NAME",
-      description = "The robot whose machine this is: its device, address and port are looked at.")
+      description = "The robot whose machine this is: its device, address and port are checked.")
   private @Nullable String robot;
 
   @Option(
       names = "--probe",
-      description = "Also call what must listen on TCP: the world, the Creates' serial servers.")
+      description = "Also connect to the TCP servers: the world and the Creates' serial servers.")
   private boolean probes;
 
   @Mixin private JsonOption json = new JsonOption();
@@ -72,7 +72,7 @@ final class DeployCheckCommand implements Callable<Integer> {
     } else {
       problems.forEach(problem -> err.println("starl: " + problem));
       if (problems.isEmpty()) {
-        tell(deployment).forEach(out::println);
+        summary(deployment).forEach(out::println);
       }
     }
     return problems.isEmpty() ? ExitStatus.GOOD : ExitStatus.BAD_INPUT;
@@ -87,7 +87,7 @@ final class DeployCheckCommand implements Callable<Integer> {
     }
   }
 
-  private static List<String> tell(Deployment deployment) {
+  private static List<String> summary(Deployment deployment) {
     List<String> lines = new ArrayList<>();
     for (RobotEntry entry : deployment.robots().values()) {
       String wheels =
@@ -106,13 +106,13 @@ final class DeployCheckCommand implements Callable<Integer> {
     }
     lines.add(
         deployment.file()
-            + ": nothing is wrong: "
+            + ": no problem found: "
             + deployment.app()
             + " with "
             + deployment.robots().size()
             + (deployment.robots().size() == 1 ? " robot" : " robots")
             + (deployment.key() == null
-                ? ", no key: anybody on the network can speak"
+                ? ", no key: any computer on the network can send messages"
                 : ", sealed"));
     return lines;
   }

@@ -11,7 +11,7 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "deploy",
     description =
-        "Runs an app on real robots, as a deployment file says; docs/deployment.md tells how.",
+        "Runs an app on real robots that a deployment file describes; see docs/deployment.md.",
     mixinStandardHelpOptions = true,
     subcommands = {
       DeployCheckCommand.class,

@@ -9,9 +9,9 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
-import org.starl.deployment.Merge;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
+import org.starl.launch.TraceMerge;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
 import org.starl.sim.TraceRecorder;
@@ -26,9 +26,10 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "merge",
     description =
-        "Merges what the processes of a deployment have left into one trace, in an order of causes, and"
-            + " judges it by the app's specifications. Where clocks leave several orders, or measured bodies"
-            + " several places, what is violated in some and not in all that are tried is called possible.",
+        "Merges the traces of a deployment's processes into one trace in causal order, and checks the"
+            + " app's specifications. Uncertain clocks allow several orders and measured bodies several"
+            + " places: a violation in all cases that are tried is VIOLATED, one in only some cases is"
+            + " possible.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy merge bot*.trace --out merged.trace"})
 final class DeployMergeCommand implements Callable<Integer> {
@@ -38,27 +39,28 @@ final class DeployMergeCommand implements Callable<Integer> {
   @Parameters(
       arity = "1..*",
       paramLabel = "TRACE",
-      description = "Traces of 'deploy run', 'world'.")
+      description = "Traces of 'deploy run' and 'deploy world'.")
   private List<String> files = new ArrayList<>();
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "The merged trace, for 'starl replay'.")
+      description = "Where to write the merged trace, for 'starl replay'.")
   private @Nullable String out;
 
   @Option(
       names = "--clock-error",
       paramLabel = "TIME",
       defaultValue = "1s",
-      description = "The date of each machine is right within this (default: 1s).")
+      description = "The largest error of a machine's date (default: ${DEFAULT-VALUE}).")
   private String clockError = "1s";
 
   @Option(
       names = "--drift",
       paramLabel = "PPM",
       defaultValue = "100",
-      description = "Two clocks drift apart by so many parts in a million at most (default: 100).")
+      description =
+          "The largest drift between two clocks, in parts per million (default: ${DEFAULT-VALUE}).")
   private String drift = "100";
 
   @Mixin private JsonOption json = new JsonOption();
@@ -68,10 +70,11 @@ final class DeployMergeCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     CommandSpec command = Objects.requireNonNull(spec);
-    Merge merge = Merge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
+    TraceMerge merge =
+        TraceMerge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
     Plan plan = TraceFile.open(files.get(0), Main.demos(command)).plan();
     Blueprint blueprint = plan.simulation().build().blueprint();
-    Merge.Result result;
+    TraceMerge.Result result;
     try (ObserverFile file = ObserverFile.of("--out", out, TraceRecorder::new)) {
       List<SimObserver> observers = new ArrayList<>(blueprint.observers());
       observers.add(file.observer());
@@ -94,7 +97,7 @@ final class DeployMergeCommand implements Callable<Integer> {
     }
   }
 
-  private static List<String> lines(Merge.Result result) {
+  private static List<String> lines(TraceMerge.Result result) {
     List<String> lines = new ArrayList<>();
     lines.add(
         result.robots().size()
@@ -112,9 +115,9 @@ final class DeployMergeCommand implements Callable<Integer> {
                     + Quantities.durationText(result.uncertaintyNs())));
     if (result.withinMm() > 0) {
       lines.add(
-          "bodies as their robots measured them, true within "
+          "bodies as measured, true within "
               + Math.round(result.withinMm())
-              + " mm: smaller, larger and moved to each side by that, too");
+              + " mm: also tried smaller, larger and moved to each side by that");
     }
     result
         .lostMs()
@@ -123,24 +126,24 @@ final class DeployMergeCommand implements Callable<Integer> {
                 robot
                     + " was not measured for up to "
                     + Math.round(ms)
-                    + " ms at a time: nobody saw whether it was pushed then"));
+                    + " ms at a time: a push in that time is not seen"));
     result
         .dead()
-        .forEach(robot -> lines.add(robot + "'s trace is cut off: its process was killed there"));
+        .forEach(robot -> lines.add(robot + "'s trace is cut off: its process was killed"));
     result.violations().stream()
         .limit(SHOWN)
         .forEach(violation -> lines.add("VIOLATED: " + violation));
     result.possible().stream()
         .limit(SHOWN)
         .forEach(violation ->
-            lines.add("possible, within what clocks and measurements leave: " + violation));
+            lines.add("possible, within the errors of clocks and measurements: " + violation));
     if (result.violations().isEmpty() && result.possible().isEmpty()) {
       lines.add("safe: " + Outcome.held(result.run().spec()));
     }
     return lines;
   }
 
-  private static Map<String, Object> json(Merge.Result result) {
+  private static Map<String, Object> json(TraceMerge.Result result) {
     Map<String, Object> json = new LinkedHashMap<>();
     json.put("good", result.violations().isEmpty());
     json.put("robots", result.robots().stream().map(String::valueOf).toList());

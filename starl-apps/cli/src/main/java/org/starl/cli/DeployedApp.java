@@ -1,9 +1,7 @@
 package org.starl.cli;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.starl.apps.Demos;
-import org.starl.apps.Plan;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
@@ -11,7 +9,7 @@ import org.starl.robot.file.RobotEntry;
 import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 
-/** The app that a deployment names, with its parameters. */
+/** The app of a deployment, with its parameters. */
 final class DeployedApp {
 
   private final Deployment deployment;
@@ -22,7 +20,7 @@ final class DeployedApp {
     this.chosen = chosen;
   }
 
-  /** @throws BadInput if there is no such app, or a parameter is none of its own, or cannot be read */
+  /** @throws BadInput if the app or a parameter is unknown, or a value cannot be read */
   static DeployedApp of(Deployment deployment, Demos demos) {
     ScenarioFile file =
         new ScenarioFile(
@@ -31,25 +29,18 @@ final class DeployedApp {
   }
 
   /**
-   * Its run, a fresh one at each call.
+   * Its robots, monitors and world, fresh ones at each call.
    *
    * @throws BadInput if a value cannot be used, or its robots are not those of the deployment
    */
-  Plan plan() {
-    Plan plan;
+  Blueprint blueprint() {
+    Blueprint blueprint;
     try {
-      plan = chosen.plan(deployment.seed());
+      blueprint = chosen.plan(deployment.seed()).simulation().build().blueprint();
     } catch (BadInput e) {
       throw new BadInput(deployment.where("app") + e.getMessage());
     }
-    return plan;
-  }
-
-  /** The same, as robots, monitors and a world. */
-  Blueprint blueprint() {
-    Blueprint blueprint = plan().simulation().build().blueprint();
-    List<RobotId> known = new ArrayList<>();
-    blueprint.robots().stream().map(RobotSpec::id).forEach(known::add);
+    List<RobotId> known = blueprint.robots().stream().map(RobotSpec::id).toList();
     for (RobotEntry robot : deployment.robots().values()) {
       if (!known.contains(robot.id())) {
         throw new BadInput(

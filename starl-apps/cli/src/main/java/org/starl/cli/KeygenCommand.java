@@ -15,8 +15,8 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "keygen",
     description =
-        "Makes the key of a deployment in a new file that its owner alone may read. Who has it is one"
-            + " of the deployment's robots.",
+        "Makes the key of a deployment, in a new file that only its owner may read. Any program with"
+            + " the key can act as a robot of the deployment.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl keygen crossing.key"})
 final class KeygenCommand implements Runnable {
@@ -38,6 +38,6 @@ final class KeygenCommand implements Runnable {
     Objects.requireNonNull(spec)
         .commandLine()
         .getOut()
-        .println(file + ": a new key; copy it to every robot by a way that nobody reads along");
+        .println(file + ": a new key; copy it to every robot over a secure channel");
   }
 }

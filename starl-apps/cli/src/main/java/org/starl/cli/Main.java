@@ -14,6 +14,7 @@ import org.starl.apps.maze.MazeDemo;
 import org.starl.apps.race.RaceDemo;
 import org.starl.apps.search.SearchDemo;
 import org.starl.input.BadInput;
+import org.starl.launch.StackTraces;
 import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;

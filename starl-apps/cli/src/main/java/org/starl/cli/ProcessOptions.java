@@ -1,19 +1,18 @@
 package org.starl.cli;
 
-import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.processes.Fleet;
-import org.starl.processes.FleetResult;
-import org.starl.processes.FleetSettings;
-import org.starl.processes.Kill;
+import org.starl.launch.JavaProcess;
+import org.starl.launch.Kill;
+import org.starl.launch.LaunchResult;
+import org.starl.launch.LaunchSettings;
+import org.starl.launch.Launcher;
 import org.starl.random.Rng;
 import org.starl.sim.Blueprint;
 import org.starl.sim.Setting;
@@ -24,35 +23,35 @@ import org.starl.sim.fault.TimeRange;
 import org.starl.sim.fault.Who;
 import picocli.CommandLine.Option;
 
-/** What {@code run} takes where robots are processes. */
+/** The options of {@code run} for robots as processes. */
 final class ProcessOptions {
 
-  /** For a robot or two: it starts fast and leaves the processors to the others. */
-  private static final List<String> JAVA_OPTIONS =
-      List.of("-XX:+UseSerialGC", "-XX:TieredStopAtLevel=1", "-Xmx128m");
+  private static final int HEAP_MB = 128;
 
   @Option(
       names = "--processes",
       description =
-          "Each robot is an operating-system process over UDP on the loopback interface, in real"
-              + " time, with a simulated body.")
+          "Run each robot as an operating-system process over UDP on the loopback interface, in"
+              + " real time, with a simulated body.")
   private boolean on;
 
   @Option(
       names = "--rounds",
       paramLabel = "N",
-      description = "With --processes: each robot runs its app so often, each time as a new start.")
+      description =
+          "With --processes: how many times each robot runs its app, each time as a new start"
+              + " of its program (default: 1).")
   private @Nullable String rounds;
 
   @Option(
       names = "--kill",
       paramLabel = "WHO@WHEN",
       description =
-          "With --processes: kill -9 a robot's process: bot2@12s, or"
-              + " 'bot2@app.location=MOVE_WAIT+1500ms', so long after its trace says so.")
+          "With --processes: kill -9 a robot's process at a time (bot2@12s), or so long after a"
+              + " variable of its trace first has a value ('bot2@app.location=MOVE_WAIT+1500ms').")
   private List<String> kills = new ArrayList<>();
 
-  /** @throws BadInput if there are options for processes, and no processes */
+  /** @throws BadInput if an option for processes is given without {@code --processes} */
   boolean areOn() {
     if (!on && (rounds != null || !kills.isEmpty())) {
       throw new BadInput((rounds != null ? "--rounds" : "--kill") + ": expected --processes too");
@@ -60,7 +59,7 @@ final class ProcessOptions {
     return on;
   }
 
-  /** What must follow on the command line to say the same again. */
+  /** These options as words of a command line. */
   String replay() {
     StringBuilder line = new StringBuilder(" --processes");
     if (rounds != null) {
@@ -70,33 +69,22 @@ final class ProcessOptions {
     return line.toString();
   }
 
-  /** Runs the robots of {@code blueprint}, which {@code words} describe to {@link RobotCommand}. */
-  FleetResult run(Blueprint blueprint, List<String> words, PrintWriter err) throws IOException {
-    FleetSettings settings = settings(blueprint);
-    try (Fleet fleet = new Fleet(blueprint, command(words), settings, err::println)) {
-      return fleet.run();
+  /** Runs the robots of {@code blueprint}, which the options {@code words} describe. */
+  LaunchResult run(Blueprint blueprint, List<String> words, PrintWriter err) throws IOException {
+    LaunchSettings settings = settings(blueprint);
+    try (Launcher launcher = new Launcher(blueprint, command(words), settings, err::println)) {
+      return launcher.run();
     }
   }
 
-  /** Starts a robot of the run that {@code words} describe. */
+  /** The command line of a robot's process, for a {@link Launcher}. */
   static List<String> command(List<String> words) {
-    List<String> command = new ArrayList<>();
-    command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-    command.addAll(JAVA_OPTIONS);
-    command.addAll(List.of("-cp", absoluteClassPath(), Main.class.getName(), RobotCommand.NAME));
-    command.addAll(words);
-    return command;
+    List<String> args = new ArrayList<>(List.of(RobotCommand.NAME));
+    args.addAll(words);
+    return JavaProcess.command(HEAP_MB, Main.class.getName(), args);
   }
 
-  private static String absoluteClassPath() {
-    List<String> entries = new ArrayList<>();
-    for (String entry : System.getProperty("java.class.path").split(File.pathSeparator, -1)) {
-      entries.add(Path.of(entry).toAbsolutePath().toString());
-    }
-    return String.join(File.pathSeparator, entries);
-  }
-
-  private FleetSettings settings(Blueprint blueprint) {
+  private LaunchSettings settings(Blueprint blueprint) {
     List<Kill> all = new ArrayList<>();
     List<RobotId> robots = blueprint.header().robots();
     for (String kill : kills) {
@@ -114,7 +102,7 @@ final class ProcessOptions {
       throw new BadInput("--chaos: with --processes: expected --loss, --delay, --kill");
     }
     int count = rounds == null ? 1 : (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
-    return FleetSettings.within(limit(blueprint)).withRounds(count).withKills(all);
+    return new LaunchSettings(count, all, limit(blueprint), LaunchSettings.DEFAULT_QUIET);
   }
 
   private static Duration limit(Blueprint blueprint) {

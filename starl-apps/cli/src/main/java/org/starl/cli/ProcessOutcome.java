@@ -4,26 +4,24 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.Collectors;
 import org.starl.apps.Measures;
 import org.starl.id.RobotId;
-import org.starl.processes.FleetResult;
-import org.starl.processes.FleetResult.Death;
+import org.starl.launch.LaunchResult;
+import org.starl.launch.LaunchResult.Death;
 import org.starl.sim.SimResult;
 
-/** The result of robots that were processes, as the command line tells it. */
+/** The result of robots as processes, as the command line prints it. */
 final class ProcessOutcome {
 
   private ProcessOutcome() {}
 
-  static List<String> lines(FleetResult fleet) {
-    SimResult run = fleet.run();
+  static List<String> lines(LaunchResult result) {
+    SimResult run = result.run();
     List<String> lines = new ArrayList<>();
-    int ends = 0;
-    for (int rounds : fleet.rounds().values()) {
-      ends += rounds;
-    }
+    int ends = result.rounds().values().stream().mapToInt(Integer::intValue).sum();
     lines.add(
-        fleet.rounds().size()
+        result.rounds().size()
             + " processes came "
             + ends
             + (ends == 1 ? " time" : " times")
@@ -34,52 +32,52 @@ final class ProcessOutcome {
             + " datagrams sent, "
             + run.network().lost()
             + " copies lost on purpose; longest pause of a program "
-            + fleet.longestSilenceNs() / 1_000_000
+            + result.longestPauseNs() / 1_000_000
             + " ms");
-    fleet.deaths().forEach(death -> lines.add(line(death)));
+    result.deaths().forEach(death -> lines.add(line(death)));
     for (RobotId robot : run.unfinished()) {
-      lines.add(robot + " lives, and is not through: " + why(fleet));
+      lines.add(robot + " is alive but not finished: " + why(result));
     }
     if (run.spec().holds()) {
       lines.add("safe: " + Outcome.held(run.spec()));
     }
     run.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
-    fleet.errors().forEach(error -> lines.add("FAILED: " + error));
-    if (!fleet.isGood() && fleet.deaths().isEmpty() && !run.isFinished()) {
+    result.errors().forEach(error -> lines.add("FAILED: " + error));
+    if (!result.isGood() && result.deaths().isEmpty() && !run.isFinished()) {
       lines.add("NOT FINISHED: " + run.unfinished());
     }
     return lines;
   }
 
   private static String line(Death death) {
-    String how = death.wasKilled() ? " was killed at " : " ended by itself at ";
+    String how = death.isKill() ? " was killed at " : " ended by itself at ";
     return death.robot()
         + "'s process "
         + death.pid()
         + how
         + Outcome.seconds(death.atNs())
-        + (death.wasAsked() ? ", as asked" : "")
-        + ": its body stands where it was, and nobody is let in where it may be";
+        + (death.isPlanned() ? ", as asked" : "")
+        + ": its body stands where it was, and no robot may enter the zones that it may hold";
   }
 
-  private static String why(FleetResult fleet) {
-    if (fleet.deaths().isEmpty()) {
-      return "the time is over";
+  private static String why(LaunchResult result) {
+    if (result.deaths().isEmpty()) {
+      return "the time limit was reached";
     }
-    List<String> dead = new ArrayList<>();
-    fleet.deaths().forEach(death -> dead.add(death.robot().name()));
-    return "it waits for what " + String.join(" and ", dead) + " may still hold";
+    return result.deaths().stream()
+        .map(death -> death.robot().name())
+        .collect(Collectors.joining(" and ", "it waits for what ", " may still hold"));
   }
 
-  static Map<String, Object> json(String app, FleetResult fleet, Measures measures) {
-    Map<String, Object> json = Outcome.json(app, fleet.run(), measures);
-    json.put("good", fleet.isGood());
-    json.put("safe", fleet.isSafe());
+  static Map<String, Object> json(String app, LaunchResult result, Measures measures) {
+    Map<String, Object> json = Outcome.json(app, result.run(), measures);
+    json.put("good", result.isGood());
+    json.put("safe", result.isSafe());
     Map<String, Object> rounds = new LinkedHashMap<>();
-    fleet.rounds().forEach((robot, count) -> rounds.put(robot.name(), count));
+    result.rounds().forEach((robot, count) -> rounds.put(robot.name(), count));
     json.put("rounds", rounds);
-    json.put("dead", fleet.deaths().stream().map(death -> death.robot().name()).toList());
-    json.put("errors", fleet.errors());
+    json.put("dead", result.deaths().stream().map(death -> death.robot().name()).toList());
+    json.put("errors", result.errors());
     return json;
   }
 }

@@ -8,18 +8,18 @@ import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
-import org.starl.processes.RobotProcess;
+import org.starl.launch.RobotProcess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** One robot of {@code starl run --processes}, which alone calls this. */
+/** One robot of {@code starl run --processes}, which starts this command. */
 @Command(
     name = RobotCommand.NAME,
     hidden = true,
-    description = "One robot as a process: what 'starl run --processes' starts.",
+    description = "One robot as a process; 'starl run --processes' starts this.",
     mixinStandardHelpOptions = true)
 final class RobotCommand implements Callable<Integer> {
 
@@ -32,10 +32,10 @@ final class RobotCommand implements Callable<Integer> {
   @Parameters(index = "1", description = "The robot's name.")
   private String robot = "";
 
-  @Parameters(index = "2", description = "A folder for its stable storage.")
+  @Parameters(index = "2", description = "The folder of its stable storage.")
   private String folder = "";
 
-  @Parameters(index = "3", description = "How often its app runs.")
+  @Parameters(index = "3", description = "How many times its app runs.")
   private int rounds;
 
   @Spec private @Nullable CommandSpec spec;

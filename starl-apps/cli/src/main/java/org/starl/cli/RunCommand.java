@@ -12,7 +12,7 @@ import org.starl.apps.Measures;
 import org.starl.apps.Plan;
 import org.starl.apps.Product;
 import org.starl.input.BadInput;
-import org.starl.processes.FleetResult;
+import org.starl.launch.LaunchResult;
 import org.starl.proof.RunTheories;
 import org.starl.sim.Blueprint;
 import org.starl.sim.SimResult;
@@ -206,7 +206,7 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  private record Processes(FleetResult result) implements Ran {
+  private record Processes(LaunchResult result) implements Ran {
     @Override
     public List<String> lines(Measures measures) {
       return ProcessOutcome.lines(result);

@@ -21,27 +21,26 @@ import picocli.CommandLine.Spec;
 @Command(
     name = "simulated-create",
     description =
-        "An iRobot Create that is not there: any program that drives one finds it behind a serial"
-            + " port (Linux, macOS) or at a TCP port, until this command is ended. It tells how fast"
-            + " its wheels turn, and stands on an open floor.",
+        "Simulates an iRobot Create on an open floor, at a serial port (Linux, macOS) or a TCP port,"
+            + " until this command is ended. Prints each change of its wheels' speeds.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl simulated-create --pty create0"})
 final class SimulatedCreateCommand implements Runnable {
 
-  /** Where the robot is to be found. */
+  /** The robot's end of the line. */
   private static final class Line {
     @Option(
         names = "--pty",
         paramLabel = "NAME",
         required = true,
-        description = "Be a serial port of this name.")
+        description = "The name of the serial port to make.")
     private @Nullable String pty;
 
     @Option(
         names = "--tcp",
         paramLabel = "PORT",
         required = true,
-        description = "Listen at this port of the loopback interface; 0: any that is free.")
+        description = "The port of the loopback interface to listen at; 0 for any free one.")
     private int tcp;
   }
 
@@ -71,7 +70,7 @@ final class SimulatedCreateCommand implements Runnable {
       out.flush();
       Thread.currentThread().join();
     } catch (IOException e) {
-      throw new Lacking("no line for the robot: " + e.getMessage());
+      throw new Lacking("the port cannot be opened: " + e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -88,7 +87,7 @@ final class SimulatedCreateCommand implements Runnable {
     return "port " + server.getLocalPort();
   }
 
-  /** Nothing to bump into; each change of the wheels is told. */
+  /** A floor without obstacles; prints each change of the wheels. */
   private static final class OpenFloor implements CreateBody {
     private final PrintWriter out;
     private String told = "";

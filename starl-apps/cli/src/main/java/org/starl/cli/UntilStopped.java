@@ -3,14 +3,15 @@ package org.starl.cli;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
-/** Stops something when somebody stops this process, and lets it come to its end. */
+/** Lets work end in order when this process is stopped from outside. */
 final class UntilStopped {
 
   private static final long LIMIT_S = 10;
 
-  private final CountDownLatch over = new CountDownLatch(1);
+  private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread hook;
 
+  /** @param stop makes the work end soon; called from another thread */
   UntilStopped(Runnable stop) {
     hook = new Thread(() -> end(stop), "stopped");
     Runtime.getRuntime().addShutdownHook(hook);
@@ -19,7 +20,7 @@ final class UntilStopped {
   private void end(Runnable stop) {
     stop.run();
     try {
-      if (!over.await(LIMIT_S, TimeUnit.SECONDS)) {
+      if (!ended.await(LIMIT_S, TimeUnit.SECONDS)) {
         Runtime.getRuntime().halt(ExitStatus.VIOLATED);
       }
     } catch (InterruptedException e) {
@@ -27,8 +28,8 @@ final class UntilStopped {
     }
   }
 
-  /** It has come to its end. */
-  void over() {
-    over.countDown();
+  /** The work has ended. */
+  void ended() {
+    ended.countDown();
   }
 }

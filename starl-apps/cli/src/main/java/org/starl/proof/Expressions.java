@@ -10,13 +10,13 @@ import java.util.StringJoiner;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Term;
 
-/** Values of an automaton as expressions of PVS. */
+/** Writes values of an automaton as PVS expressions. */
 final class Expressions {
 
   private final List<Formal> formals;
   private final Identifiers identifiers;
 
-  /** The values that stand for a type that is a parameter of the theory, {@code PIDS}. */
+  /** A type parameter of the theory, such as {@code PIDS}, and the Java class of its constants. */
   record Formal(String type, Class<?> values) {}
 
   Expressions(List<Formal> formals, Identifiers identifiers) {
@@ -24,12 +24,12 @@ final class Expressions {
     this.identifiers = identifiers;
   }
 
-  /** Whether it is a constant of a type that is a parameter. */
+  /** Whether the value is a constant of a type parameter. */
   boolean isConstant(Object value) {
     return formals.stream().anyMatch(formal -> formal.values().isInstance(value));
   }
 
-  /** The value as an expression, of a type that is plain from it. */
+  /** The value as an expression; its type follows from its class. */
   String of(Object value) {
     return of(value, value.getClass());
   }
@@ -47,7 +47,8 @@ final class Expressions {
       case Term term -> term(term);
       case Record record -> record(record, ", ");
       default ->
-          throw new IllegalArgumentException(value.getClass() + ": no value of a theory: " + value);
+          throw new IllegalArgumentException(
+              value.getClass() + ": not a value of a theory: " + value);
     };
   }
 
@@ -86,7 +87,7 @@ final class Expressions {
     return text.toString();
   }
 
-  /** A state as an expression, on each line a component. */
+  /** A state as an expression, one component a line. */
   String ofState(Record state) {
     return record(state, ",\n       ");
   }
@@ -100,7 +101,7 @@ final class Expressions {
     return text.toString();
   }
 
-  /** What it is made of, in order. */
+  /** The values of its components, in order. */
   static List<Object> components(Record of) {
     List<Object> values = new ArrayList<>();
     for (RecordComponent component : of.getClass().getRecordComponents()) {
@@ -125,6 +126,6 @@ final class Expressions {
         .filter(formal -> type.equals(formal.values()))
         .map(Formal::type)
         .findFirst()
-        .orElseThrow(() -> new IllegalArgumentException(type + ": no type of a theory"));
+        .orElseThrow(() -> new IllegalArgumentException(type + ": not a type of a theory"));
   }
 }

@@ -11,8 +11,8 @@ import java.util.regex.Pattern;
 import org.starl.id.ProcessId;
 
 /**
- * The names of one theory's constants: identifiers of PVS, each for one thing only, as near to the
- * thing's own name as may be. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of the
+ * Names the constants of one theory: a PVS identifier for each thing, unique, and as close to the
+ * thing's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of the
  * first start of bot1 and its second one, is {@code bot1_1_2}.
  */
 final class Identifiers {
@@ -30,7 +30,7 @@ final class Identifiers {
                       + " table then theorem theory true type var when where with xor")
                   .split(" ")));
 
-  /** What the theories' own text has: states, steps and their lemmas, bound variables, the library. */
+  /** Names in the theories' own text: states, steps and their lemmas, bound variables, the library. */
   private static final Pattern OURS =
       Pattern.compile(
           "[sa]_\\d+|(reached|step|result)_\\d+(_\\d+)?|begins|run_.*|[xi]|[A-Z]\\w*_decls|emptyset"
@@ -39,17 +39,17 @@ final class Identifiers {
   private final Set<String> taken = new TreeSet<>();
   private final Map<Object, String> names = new LinkedHashMap<>();
 
-  /** A name for {@code thing}, the same whenever it is asked for. */
+  /** The name of {@code thing}; always the same. */
   String of(Object thing) {
     return names.computeIfAbsent(thing, this::fresh);
   }
 
-  /** Takes {@code name}, which is not for any {@code thing}. */
+  /** Reserves {@code name}: no thing gets it. */
   void take(String name) {
     taken.add(name);
   }
 
-  /** The things, in the order in which they came, and their names. */
+  /** The things in the order of their naming, and their names. */
   Map<Object, String> all() {
     return Collections.unmodifiableMap(names);
   }
@@ -64,14 +64,14 @@ final class Identifiers {
     return name;
   }
 
-  /** No name that is said to be ours begins with n_. */
+  /** Names of {@link #OURS} never begin with {@code n_}. */
   private static String free(String name) {
     boolean isReserved =
         KEYWORDS.contains(name.toLowerCase(Locale.ROOT)) || OURS.matcher(name).matches();
     return isReserved ? "n_" + name : name;
   }
 
-  /** {@code text} with nothing in it that an identifier must not have. */
+  /** {@code text} with characters that identifiers cannot have replaced. */
   static String plain(String text) {
     String plain = text.replaceAll("[^A-Za-z0-9_]", "_");
     return plain.matches("[A-Za-z].*") ? plain : "n" + plain;

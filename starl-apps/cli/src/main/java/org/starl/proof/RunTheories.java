@@ -29,8 +29,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Writes a run as theories for PVS, when it is closed: one for each instance of a mutex, a
- * registration, an agreement or an election. Of {@code starl run --pvs FILE}.
+ * Writes a run as PVS theories when it is closed, one for each instance of a mutex, a registration, an
+ * agreement or an election. For {@code starl run --pvs FILE}.
  */
 public final class RunTheories implements SimObserver, Closeable {
 
@@ -88,16 +88,16 @@ public final class RunTheories implements SimObserver, Closeable {
   }
 
   /**
-   * Writes what was observed.
+   * Writes the theories.
    *
-   * @throws BadInput if nothing in the run is a run of a theory
+   * @throws BadInput if the run used none of these primitives
    */
   @Override
   public void close() throws IOException {
     monitors.finish(endNs);
     if (theories.isEmpty()) {
       throw new BadInput(
-          "--pvs: nothing in this run is a run of a theory in pvs/: expected an app that uses a mutex,"
+          "--pvs: this run has no primitive with a theory in pvs/: expected an app that uses a mutex,"
               + " a registration, an agreement or an election");
     }
     StringBuilder text = new StringBuilder();

@@ -14,12 +14,12 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Term;
 import org.starl.trace.TraceEvent;
 
-/** The run of one instance as a theory. Take its steps in, then write. */
+/** The run of one instance as a theory: add its steps, then write its text. */
 final class RunTheory {
 
   private static final double NS_PER_S = 1e9;
 
-  /** What was told of one step. */
+  /** One step of the automaton. */
   private record Step(TraceEvent event, Action action, Record after, List<Result> results) {}
 
   /** {@code function(argument, after)} is {@code value}. */
@@ -35,9 +35,9 @@ final class RunTheory {
 
   /**
    * @param instance {@code mutex/crossing}
-   * @param library the theory that has the automaton
-   * @param formals what it is instantiated with, in the order of its parameters
-   * @param first the state in which the run begins
+   * @param library the theory of the automaton
+   * @param formals its type parameters, in order
+   * @param first the start state of the run
    */
   RunTheory(String instance, String library, List<Formal> formals, Record first) {
     this.instance = instance;
@@ -155,9 +155,9 @@ final class RunTheory {
   }
 
   /**
-   * Rewriting does it, unless a function that is the same everywhere is changed to what it is: then
-   * the place where it is changed has to be looked at by itself. It is the action's first argument of
-   * a type that is a parameter; a registration's {@code decide} has none, and adds list {@code number}.
+   * Rewriting proves it, unless a step sets a constant function to the value that it has already: then
+   * the proof needs a case for the point that is set. The point is the action's first argument of a type
+   * parameter; a registration's {@code decide} has none, and adds list {@code number}.
    */
   private String proofOfStep(int n, Action action) {
     String place =
@@ -169,7 +169,7 @@ final class RunTheory {
     return "(then (split) (grind-with-ext) (case \"x!1 = " + place + "\") (grind))";
   }
 
-  /** A component of the states is one of their fields, anything else a function of the theory. */
+  /** A component of the state is read as a field; anything else is a function of the theory. */
   private String function(Result result, int n) {
     String argument = expressions.of(result.argument());
     boolean isField =

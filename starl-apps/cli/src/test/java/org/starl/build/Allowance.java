@@ -71,12 +71,8 @@ record Allowance(String rule, String path, String reason) {
             "gathers what the runs of a campaign give"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "processes/",
-            "pipes to real processes, whose robots have strands in real time"),
-        new Allowance(
-            "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "deployment/",
-            "sockets and robots in real time"),
+            "starl-apps/cli" + MAIN + "launch/",
+            "pipes, sockets and robots in real time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
             "starl-apps/cli" + MAIN + "cli/UntilStopped.java",

@@ -11,12 +11,14 @@ import java.nio.file.Path;
 import java.nio.file.attribute.PosixFilePermissions;
 import java.util.Arrays;
 import java.util.stream.Stream;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** {@code starl deploy check} and {@code starl keygen}: one line for every error, and no key shown. */
+@Tag("realtime")
 class DeployCheckTest {
 
   private static final String GOOD =
@@ -34,7 +36,7 @@ class DeployCheckTest {
         bot3: {chassis: {kind: create, port: /dev/ttyUSB1}}
       """;
 
-  /** What replaces what in {@link #GOOD}, and what is said of it. */
+  /** What to replace in {@link #GOOD}, and parts of the message. */
   private static final String BAD =
       """
       app: intersection | app: crossroads | :1: | 'crossroads' | expected one of
@@ -98,7 +100,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void aDeploymentWithoutFaultIsTold() throws IOException {
+  void aCorrectDeploymentIsSummarized() throws IOException {
     Cli cli = check(GOOD);
 
     assertThat(cli.status()).as("%s", cli).isZero();
@@ -116,7 +118,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void aSimulatedBodyNeedsCamerasThatItsWorldSpeaksFor() throws IOException {
+  void simulatedBodiesNeedNatNetPositions() throws IOException {
     String simulated =
         GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:4000")
             .replace("{kind: create, port: /dev/ttyUSB1}", "{kind: simulated}");
@@ -134,7 +136,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void aRobotThatCannotBeginEndsItsWorldAndSaysWhy() throws IOException {
+  void aRobotThatCannotBeginEndsItsWorldWithTheReason() throws IOException {
     try (DatagramSocket taken = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       String simulated =
           GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:" + freeTcpPort())
@@ -166,18 +168,18 @@ class DeployCheckTest {
   }
 
   @Test
-  void onARobotsMachineItsDeviceIsLookedFor() throws IOException {
+  void aMissingDeviceIsAProblemOnItsRobotsMachine() throws IOException {
     assertRefused(check(GOOD, "--robot", "bot1"), "robots.bot1.chassis.port", "no such device");
     assertRefused(check(GOOD, "--robot", "bot9"), "has no robot 'bot9'", "bot0, bot1");
   }
 
   @Test
-  void whatDoesNotAnswerIsTold() throws IOException {
+  void aServerThatDoesNotAnswerIsAProblem() throws IOException {
     assertRefused(check(GOOD.replace("4801", "1"), "--probe"), "bot0.chassis.port", "127.0.0.1:1");
   }
 
   @Test
-  void aKeyIsNotReplacedAndNotReadWhereOthersMayReadIt() throws IOException {
+  void aKeyIsNotReplacedNorReadIfOthersMayReadIt() throws IOException {
     check(GOOD);
     Path key = folder.resolve("my.key");
     byte[] before = Files.readAllBytes(key);
@@ -190,7 +192,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void whatIsNoKeyIsNotShown() throws IOException {
+  void aWrongKeyIsNotShown() throws IOException {
     check(GOOD);
     Path key = folder.resolve("my.key");
     String secret = "secret".repeat(11).substring(0, 64);

@@ -128,7 +128,7 @@ class NewCommandTest {
     assertThat(keygen.status()).as("%s", keygen).isZero();
     Cli check = copy.run("deploy", "check", file);
     assertThat(check.status()).as("%s", check).isZero();
-    assertThat(check.text()).contains("nothing is wrong");
+    assertThat(check.text()).contains("no problem found");
   }
 
   @Test

@@ -12,14 +12,14 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
-import org.starl.deployment.OwnSpecs;
 import org.starl.id.RobotId;
+import org.starl.launch.LocalSpecs;
 import org.starl.sim.SimObserver;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
-/** What a deployed robot judges by itself, it never holds against what was right. */
+/** The lemmas that a deployed robot checks by itself raise no false alarm. */
 class OwnLemmasTest {
 
   private static final int SEED = 3;
@@ -29,8 +29,8 @@ class OwnLemmasTest {
         .filter(demo -> !watch(demo, new ArrayList<>()).lemmas().isEmpty());
   }
 
-  private static OwnSpecs watch(Demo demo, List<Violation> violations) {
-    return new OwnSpecs(plan(demo).simulation().build().blueprint(), 0, violations::add);
+  private static LocalSpecs watch(Demo demo, List<Violation> violations) {
+    return new LocalSpecs(plan(demo).simulation().build().blueprint(), 0, violations::add);
   }
 
   private static Plan plan(Demo demo) {
@@ -45,7 +45,7 @@ class OwnLemmasTest {
 
   @ParameterizedTest
   @MethodSource("demos")
-  void ofARightRunNoRobotsOwnEventsViolateAnything(Demo demo) {
+  void aCorrectRunViolatesNoLemmaOfOneRobot(Demo demo) {
     List<TraceEvent> all = new ArrayList<>();
     Plan plan = plan(demo);
     plan.simulation()
@@ -60,7 +60,7 @@ class OwnLemmasTest {
         .run();
 
     // Each start of a program is another process, with specifications of its own.
-    Map<RobotId, OwnSpecs> processes = new TreeMap<>();
+    Map<RobotId, LocalSpecs> processes = new TreeMap<>();
     List<Violation> violations = new ArrayList<>();
     for (TraceEvent event : all) {
       if (event instanceof Fault fault && fault.name().equals(Fault.RESTART)) {

@@ -13,19 +13,21 @@ import java.util.OptionalInt;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Plan;
-import org.starl.processes.Fleet;
-import org.starl.processes.FleetResult;
-import org.starl.processes.FleetSettings;
-import org.starl.processes.Kill;
+import org.starl.launch.Kill;
+import org.starl.launch.LaunchResult;
+import org.starl.launch.LaunchSettings;
+import org.starl.launch.Launcher;
 import org.starl.sim.Blueprint;
 
 /** {@code starl run --processes}: robots that are processes of this machine, in real time. */
+@Tag("realtime")
 class ProcessesTest {
 
   private static final long LIMIT_S = 60;
@@ -41,7 +43,7 @@ class ProcessesTest {
   }
 
   @Test
-  void aKilledRobotIsToldAndTheOtherGoesOn() {
+  void aKillIsReportedAndTheOtherRobotGoesOn() {
     Cli cli = Cli.run(hello("--kill", "bot0@motion.motionflag=MOVING"));
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.text())
@@ -54,7 +56,7 @@ class ProcessesTest {
   void noRobotSurvivesItsParent() throws Exception {
     List<String> command = new ArrayList<>(ProcessOptions.command(List.of()));
     command.remove(RobotCommand.NAME);
-    // Who is killed so cannot tidy up.
+    // A parent that is killed leaves its temporary folder.
     command.add(1, "-Djava.io.tmpdir=" + folder);
     command.addAll(List.of(hello()));
     Process parent = new ProcessBuilder(command).start();
@@ -75,16 +77,16 @@ class ProcessesTest {
     }
   }
 
-  /** Two cars that need the same zones: whoever comes in first is killed inside. */
+  /** Two cars need the same zones; the first one inside is killed there. */
   @Test
-  void whereACarWasKilledInMidCrossingTheOtherStaysOut() throws Exception {
+  void noCarEntersTheZonesOfAKilledCar() throws Exception {
     List<String> words =
         List.of(
             "intersection", "--seed", "1", "--robots", "2", "--loss", "0.2", "--set", "debris=0");
     Plan plan = plan();
     Blueprint blueprint = plan.simulation().build().blueprint();
-    FleetSettings settings =
-        new FleetSettings(
+    LaunchSettings settings =
+        new LaunchSettings(
             1,
             List.of(
                 Kill.parse("bot0@app.location=MOVE_WAIT+2500ms"),
@@ -92,22 +94,23 @@ class ProcessesTest {
             Duration.ofSeconds(200),
             Duration.ofSeconds(3));
     List<String> told = new ArrayList<>();
-    FleetResult fleet;
-    try (Fleet cars = new Fleet(blueprint, ProcessOptions.command(words), settings, told::add)) {
-      fleet = cars.run();
+    LaunchResult result;
+    try (Launcher launcher =
+        new Launcher(blueprint, ProcessOptions.command(words), settings, told::add)) {
+      result = launcher.run();
     }
-    assertThat(fleet.isGood()).as("%s %s", fleet, told).isTrue();
-    assertThat(fleet.deaths()).hasSize(1);
-    assertThat(fleet.run().unfinished()).hasSize(1);
-    assertThat(fleet.run().spec().checks("traffic_safety")).isGreaterThan(100);
-    assertThat(ProcessOutcome.lines(fleet))
-        .anyMatch(line -> line.contains("lives, and is not through: it waits for what bot"))
+    assertThat(result.isGood()).as("%s %s", result, told).isTrue();
+    assertThat(result.deaths()).hasSize(1);
+    assertThat(result.run().unfinished()).hasSize(1);
+    assertThat(result.run().spec().checks("traffic_safety")).isGreaterThan(100);
+    assertThat(ProcessOutcome.lines(result))
+        .anyMatch(line -> line.contains("is alive but not finished: it waits for what bot"))
         .anyMatch(line -> line.startsWith("safe: "));
     assertThat(plan.story().lines()).anyMatch(line -> line.contains(", still waits for ["));
     assertThat(plan.story().lines()).anyMatch(line -> line.contains(", crashed at "));
   }
 
-  /** What the words of the test above say. */
+  /** The same as the options of the test above. */
   private static Plan plan() {
     Demo demo = Main.APPS.byName("intersection").orElseThrow();
     SortedMap<String, String> parameters = new TreeMap<>();
@@ -131,7 +134,7 @@ class ProcessesTest {
         "run hello --processes --fault crash(bot0,at=2s,restart=1s) | without restart",
         "run hello --processes --chaos | --chaos: ",
       })
-  void whatProcessesCannotDoIsRefused(String line, String expected) {
+  void optionsThatProcessesLackAreRefused(String line, String expected) {
     List<String> words = new ArrayList<>(List.of(line.split(" ")));
     words.addAll(List.of("--png", folder.resolve("a.png").toString()));
     Cli cli = Cli.run(words.toArray(String[]::new));

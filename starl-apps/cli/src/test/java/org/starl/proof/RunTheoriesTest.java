@@ -18,7 +18,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
-/** What is written of a run; whether it can be proved is for PVS to say. */
+/** The theories of a run; PVS decides whether they can be proved. */
 class RunTheoriesTest {
 
   private final ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -34,7 +34,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aRunOfTheMutexIsWrittenStateByStateWithWhatIsToBeProved() throws IOException {
+  void aMutexRunIsWrittenStateByStateWithItsObligations() throws IOException {
     acts("bot-1", "mutex/x", "do_mutex", "bot-1#1", "1", "1", "A 7", "");
     acts("bot-1", "mutex/x", "od_mutex", "bot-1#1", "1", "A 7");
     acts("bot-1", "mutex/x", "release", "bot-1#1", "1", "A", "7");
@@ -133,7 +133,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aRunOfTheRegistrationHasItsListsByNumber() throws IOException {
+  void aRegistrationRunHasItsListsByNumber() throws IOException {
     acts("b", "registration/x", "do_register", "b#1");
     theories.observed(new Variable(5, new RobotId("b"), "registration/x", "view", "1:b#1@1"));
     assertThat(text())
@@ -160,7 +160,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aRunOfAnAgreementHasItsValuesAndWhatIsNotKnownYet() throws IOException {
+  void anAgreementRunHasItsValuesAndTheUndecidedOnes() throws IOException {
     acts("b", "agreement/x", "propose", "01ff");
     theories.observed(new Variable(5, new RobotId("b"), "agreement/x", "decided", "01ff"));
     theories.observed(new Variable(6, new RobotId("b"), "agreement/x", "decided", "null"));
@@ -182,7 +182,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aRunOfAnElectionHasItsTermsByNumber() throws IOException {
+  void anElectionRunHasItsTermsByNumber() throws IOException {
     acts("b", "election/x", "Election", "2", "b#1");
     acts("b", "election/x", "do_election", "b#1");
     acts("b", "election/x", "candidate", "1", "b#1");
@@ -208,7 +208,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aStepThatDeviatesIsTheLastOneSoThatItIsRejected() throws IOException {
+  void aDeviatingStepIsTheLastOneSoThatPvsRejectsIt() throws IOException {
     acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
     acts("b", "mutex/x", "od_mutex", "b#1", "1", "B");
     acts("b", "mutex/x", "release", "b#1", "1", "B", "");
@@ -216,7 +216,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aRestartStandsInEveryInstanceAndInstancesInTheirOrder() throws IOException {
+  void everyInstanceHasTheRestartAndInstancesAreOrdered() throws IOException {
     acts("b", "mutex/y", "stands_in", "b#1", "");
     acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
     theories.observed(new TraceEvent.Fault(7, new RobotId("b"), "restart", ""));
@@ -227,7 +227,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void everyNameThatIsUsedIsDeclared() throws IOException {
+  void everyUsedNameIsDeclared() throws IOException {
     acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A or-else B", "");
     acts("c", "mutex/x", "do_mutex", "c#1", "1", "1", "true", "");
     Matcher type = Pattern.compile("TYPE = \\{(.*)}").matcher(text());
@@ -246,11 +246,10 @@ class RunTheoriesTest {
   }
 
   @Test
-  void whereNothingIsARunOfATheoryThatIsSaid() {
+  void aRunWithoutATheoryIsRefused() {
     acts("b", "app", "trip", "A B");
     assertThatThrownBy(theories::close)
         .isInstanceOf(BadInput.class)
-        .hasMessageStartingWith(
-            "--pvs: nothing in this run is a run of a theory in pvs/: expected");
+        .hasMessageStartingWith("--pvs: this run has no primitive with a theory in pvs/: expected");
   }
 }

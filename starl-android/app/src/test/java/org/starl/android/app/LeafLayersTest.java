@@ -9,7 +9,7 @@ import com.tngtech.archunit.core.importer.ImportOption;
 import com.tngtech.archunit.lang.ArchRule;
 import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
 import org.junit.jupiter.api.Test;
-import org.starl.deployment.DeploymentFile;
+import org.starl.launch.DeploymentFile;
 
 /** What the app for phones takes: all that is not in the APK would be missed on the phone alone. */
 class LeafLayersTest {

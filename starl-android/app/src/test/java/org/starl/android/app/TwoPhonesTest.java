@@ -43,6 +43,8 @@ import org.starl.android.app.RobotService.Phase;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.intersection.IntersectionDemo;
+import org.starl.geometry.Pose;
+import org.starl.launch.TraceMerge;
 import org.starl.robot.optitrack.NatNetServer;
 import org.starl.robot.optitrack.NatNetServerSettings;
 import org.starl.robot.optitrack.PoseSource;
@@ -51,8 +53,6 @@ import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
 import org.starl.robot.trace.Outbox;
 import org.starl.robot.udp.KeyFile;
-import org.starl.deployment.Merge;
-import org.starl.geometry.Pose;
 import org.starl.sim.Blueprint;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
@@ -269,8 +269,8 @@ public final class TwoPhonesTest {
         .extracting(file -> Path.of(file).getFileName().toString())
         .isEqualTo(Arrays.asList("bot0.1.trace", "bot1.1.trace"));
     traces.add(worldsTrace.toString());
-    Merge.Result result =
-        Merge.of(traces, CLOCK_ERROR_NS, DRIFT_PPM).judge(crossing, crossing.observers());
+    TraceMerge.Result result =
+        TraceMerge.of(traces, CLOCK_ERROR_NS, DRIFT_PPM).judge(crossing, crossing.observers());
     assertThat(result.dead()).isEmpty();
     assertThat(result.violations()).isEmpty();
     assertThat(result.possible()).isEmpty();

@@ -1,0 +1,93 @@
+package org.starl.cli;
+
+import java.io.BufferedOutputStream;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
+import java.util.function.Consumer;
+import org.starl.input.BadInput;
+import org.starl.launch.DeploymentFile;
+import org.starl.launch.RobotRun;
+import org.starl.robot.Wheelbase;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.RobotEntry;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.Parameters;
+
+/** The options of commands that run a deployment's robots or its world. */
+final class DeployOptions {
+
+  private static final int MAX_STARTS = 10_000;
+
+  @Parameters(index = "0", paramLabel = "FILE", description = "A deployment file.")
+  private String file = "";
+
+  @Option(
+      names = "--folder",
+      paramLabel = "DIR",
+      defaultValue = ".",
+      description =
+          "The folder of the traces and of the robots' storage (default: ${DEFAULT-VALUE}).")
+  private String folder = ".";
+
+  @Option(
+      names = "--rounds",
+      paramLabel = "N",
+      defaultValue = "1",
+      description =
+          "How many times a robot runs its app, each time as a new start of its program (default:"
+              + " ${DEFAULT-VALUE}). More than once only where the world is simulated and can put its"
+              + " body back.")
+  private String rounds = "1";
+
+  Deployment deployment() {
+    return DeploymentFile.read(file);
+  }
+
+  /** @throws BadInput if it is not a number from 1 */
+  int rounds() {
+    return (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
+  }
+
+  /** A new trace: {@code bot0.trace}, or {@code bot0.2.trace} if that exists. */
+  OutputStream trace(String name) throws IOException {
+    for (int start = 1; start < MAX_STARTS; start++) {
+      Path path = folder().resolve(name + (start == 1 ? "" : "." + start) + ".trace");
+      if (!Files.exists(path)) {
+        return new BufferedOutputStream(
+            Files.newOutputStream(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
+      }
+    }
+    throw new IOException(folder + " has " + MAX_STARTS + " traces of " + name + " already");
+  }
+
+  /** One robot of the deployment, with a new trace, which is closed when its run ends. */
+  RobotRun robot(
+      Deployment deployment,
+      RobotEntry entry,
+      DeployedApp app,
+      Wheelbase.Source wheels,
+      Consumer<String> console)
+      throws IOException {
+    RobotRun.Settings settings =
+        new RobotRun.Settings(
+            deployment,
+            entry,
+            DeploymentFile.key(deployment),
+            app::blueprint,
+            wheels,
+            folder().resolve(entry.id() + ".storage"),
+            rounds());
+    return new RobotRun(settings, trace(entry.id().name()), console);
+  }
+
+  private Path folder() {
+    try {
+      return Files.createDirectories(Path.of(folder));
+    } catch (IOException e) {
+      throw new BadInput("--folder: " + folder + ": " + e.getMessage() + "; expected a folder");
+    }
+  }
+}

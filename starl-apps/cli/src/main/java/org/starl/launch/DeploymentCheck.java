@@ -1,0 +1,203 @@
+package org.starl.launch;
+
+import java.io.IOException;
+import java.net.DatagramSocket;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.NetworkInterface;
+import java.net.Socket;
+import java.net.SocketException;
+import java.net.UnknownHostException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.body.MotionParameters;
+import org.starl.robot.RealMotion;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.HostPort;
+import org.starl.robot.file.Limits;
+import org.starl.robot.file.Positions;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.file.Wheels;
+import org.starl.robot.file.Wheels.Create;
+
+/**
+ * Checks a deployment without running it: whether hosts have addresses; on the machine of one robot,
+ * whether its device, address and port exist; on request, whether the TCP servers answer. Each problem is
+ * one line.
+ */
+public final class DeploymentCheck {
+
+  private static final int CONNECT_MS = 2000;
+  private static final double MS_PER_S = 1e3;
+
+  private final Deployment deployment;
+  private final List<String> problems = new ArrayList<>();
+
+  private DeploymentCheck(Deployment deployment) {
+    this.deployment = deployment;
+  }
+
+  /**
+   * Checks hosts and machines.
+   *
+   * @param here the robot whose machine this is; null for none
+   * @param probes whether to connect to the TCP servers
+   * @return a line for each problem
+   */
+  public static List<String> of(Deployment deployment, @Nullable RobotEntry here, boolean probes) {
+    DeploymentCheck check = new DeploymentCheck(deployment);
+    check.checkHosts();
+    if (here != null) {
+      check.checkMachine(here);
+    }
+    if (probes) {
+      check.probe();
+    }
+    return List.copyOf(check.problems);
+  }
+
+  /**
+   * Checks whether robots can drive at all within the deployment's limits. Safety needs no check here:
+   * each command is checked when it is given, with the reaction included.
+   *
+   * @param motion as the app has it
+   */
+  public static List<String> ofMotion(Deployment deployment, MotionParameters motion) {
+    DeploymentCheck check = new DeploymentCheck(deployment);
+    check.checkMotion(motion);
+    return List.copyOf(check.problems);
+  }
+
+  private void checkMotion(MotionParameters motion) {
+    Limits limits = deployment.limits();
+    if (limits.watchdogMs() <= motion.automatonPeriodMs()) {
+      problem(
+          at("limits", "watchdogMs"),
+          limits.watchdogMs(),
+          "expected more than "
+              + motion.automatonPeriodMs()
+              + ", the time between two commands of a program");
+    }
+    MotionParameters real = RealMotion.of(motion, limits);
+    // How long a command may be in effect too long, or not yet.
+    double lateS = (limits.reactionMs() + motion.automatonPeriodMs()) / MS_PER_S;
+    double lateMm = (1 + real.speedError()) * real.linSpeedMaxMmPerS() * lateS;
+    if (errorMm(deployment.positions()) + lateMm > real.maxErrorMm()) {
+      problem(
+          at("limits", "reactionMs"),
+          limits.reactionMs(),
+          "within it a robot goes "
+              + Math.round(lateMm)
+              + " mm; expected a time in which its position error stays below "
+              + Math.round(real.maxErrorMm())
+              + " mm, or a lower speedMmPerS");
+    }
+  }
+
+  private static double errorMm(Positions positions) {
+    return switch (positions) {
+      case Positions.NatNet natNet -> natNet.errorMm();
+      case Positions.JsonFeed json -> json.errorMm();
+    };
+  }
+
+  private void checkHosts() {
+    for (RobotEntry robot : deployment.robots().values()) {
+      resolve(at(robot, "address"), robot.address());
+      if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Tcp tcp) {
+        resolve(at(robot, "chassis.port"), tcp.address());
+      }
+    }
+    if (deployment.positions() instanceof Positions.NatNet natNet) {
+      resolve(at("positions", "server"), natNet.server());
+      if (natNet.multicast() != null) {
+        checkMulticast(natNet.multicast());
+      }
+    }
+    resolve(deployment.where("world") + "world", deployment.world());
+  }
+
+  private void checkMulticast(String group) {
+    String where = at("positions", "multicast");
+    try {
+      if (!InetAddress.getByName(group).isMulticastAddress()) {
+        problem(where, group, "expected 224.0.0.0 to 239.255.255.255");
+      }
+    } catch (UnknownHostException e) {
+      problem(where, group, "expected a group's address");
+    }
+  }
+
+  private @Nullable InetSocketAddress resolve(String where, @Nullable HostPort address) {
+    try {
+      return address == null ? null : address.resolve();
+    } catch (UnknownHostException e) {
+      problem(where, address, "expected a host that has an address");
+      return null;
+    }
+  }
+
+  private void checkMachine(RobotEntry robot) {
+    if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Device device) {
+      Path path = Path.of(device.path());
+      if (!Files.exists(path)) {
+        problem(at(robot, "chassis.port"), path, "no such device; expected the Create's");
+      } else if (!Files.isReadable(path) || !Files.isWritable(path)) {
+        problem(
+            at(robot, "chassis.port"),
+            path,
+            "expected a device that this user may read and write (group dialout?)");
+      }
+    }
+    String where = at(robot, "address");
+    InetSocketAddress address = resolve(where, robot.address());
+    if (address == null) {
+      return;
+    }
+    try {
+      if (NetworkInterface.getByInetAddress(address.getAddress()) == null
+          && !address.getAddress().isAnyLocalAddress()) {
+        problem(where, address.getHostString(), "no interface of this machine has it");
+        return;
+      }
+      new DatagramSocket(address).close();
+    } catch (SocketException e) {
+      problem(where, robot.address(), e.getMessage());
+    }
+  }
+
+  private void probe() {
+    HostPort world = deployment.world();
+    if (world != null) {
+      connect(deployment.where("world") + "world", world, "'starl deploy world' there");
+    }
+    for (RobotEntry robot : deployment.robots().values()) {
+      if (robot.wheels() instanceof Create create && create.port() instanceof Wheels.Tcp tcp) {
+        connect(at(robot, "chassis.port"), tcp.address(), "a Create's serial server there");
+      }
+    }
+  }
+
+  private void connect(String where, HostPort address, String expected) {
+    try (Socket socket = new Socket()) {
+      socket.connect(address.resolve(), CONNECT_MS);
+    } catch (IOException e) {
+      problem(where, address, e.getMessage() + "; expected " + expected);
+    }
+  }
+
+  private String at(String part, String field) {
+    return deployment.where(part) + part + "." + field;
+  }
+
+  private String at(RobotEntry robot, String field) {
+    return deployment.file() + ":" + robot.line() + ": robots." + robot.id() + "." + field;
+  }
+
+  private void problem(String where, @Nullable Object value, @Nullable String expected) {
+    problems.add(where + ": '" + value + "': " + expected);
+  }
+}

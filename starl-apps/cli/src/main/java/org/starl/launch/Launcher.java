@@ -1,0 +1,441 @@
+package org.starl.launch;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Point;
+import org.starl.id.RobotId;
+import org.starl.launch.LaunchResult.Death;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.trace.Word;
+import org.starl.sim.Blueprint;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimResult;
+import org.starl.sim.net.NetStatistics;
+import org.starl.spec.Bodies;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Variable;
+
+/**
+ * Runs each robot of a blueprint as a process of its own, once. No process outlives {@link #close} or
+ * this process.
+ */
+public final class Launcher implements AutoCloseable {
+
+  /** Between the centres of two bodies when one appears on the floor: one radius to spare. */
+  static final double ROOM_IN_RADII = 3;
+
+  private static final long POLL_MS = 20;
+  private static final Duration START_LIMIT = Duration.ofMinutes(2);
+  private static final Duration END_LIMIT = Duration.ofSeconds(10);
+
+  private final Blueprint blueprint;
+  private final LaunchSettings settings;
+  private final Consumer<String> console;
+  private final Path folder;
+  private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
+  private final SortedMap<RobotId, Robot> robots = new TreeMap<>();
+  private final Bodies bodies = new Bodies();
+  private final List<Robot> wantPlace = new ArrayList<>();
+  private final List<Death> deaths = new ArrayList<>();
+  private final List<String> errors = new ArrayList<>();
+  private final Map<Kill, Long> killsDue = new TreeMap<>(Comparator.comparing(Kill::toString));
+  private final Thread hook = new Thread(this::removeAll, "launcher's end");
+  private long originNs;
+  private boolean isRunning;
+  private boolean isEnding;
+
+  // What the robots have done since the last death, and when the last of it was new.
+  private final Set<String> done = new TreeSet<>();
+  private long lastProgressNs;
+
+  /**
+   * Starts the processes.
+   *
+   * @param command starts a robot's process when the robot's name, folder and rounds are appended; the
+   *     process calls {@link RobotProcess#run} with an equal blueprint
+   * @param console takes lines for people, as things happen
+   * @throws IOException if a process cannot be started, or a folder cannot be made
+   */
+  public Launcher(
+      Blueprint blueprint, List<String> command, LaunchSettings settings, Consumer<String> console)
+      throws IOException {
+    this.blueprint = blueprint;
+    this.settings = settings;
+    this.console = console;
+    folder = Files.createTempDirectory("starl-processes");
+    Runtime.getRuntime().addShutdownHook(hook);
+    try {
+      for (RobotSpec spec : blueprint.robots()) {
+        robots.put(spec.id(), new Robot(spec, command));
+      }
+    } catch (IOException e) {
+      close();
+      throw e;
+    }
+  }
+
+  /**
+   * Runs until every app has come to its end in all rounds, or the time is over.
+   *
+   * @throws IllegalStateException if a process does not start in time, or has another clock
+   */
+  public LaunchResult run() {
+    long startNs = RealClock.machineNs();
+    while (!isOver()) {
+      runNextTask();
+      if (isRunning) {
+        wantPlace.removeIf(Robot::placeIfFree);
+        killWhenDue();
+      } else if (RealClock.machineNs() - startNs > START_LIMIT.toNanos()) {
+        throw new IllegalStateException(
+            "processes did not start in time: "
+                + robots.values().stream().filter(robot -> robot.port == 0).toList());
+      }
+    }
+    end();
+    return result();
+  }
+
+  private void runNextTask() {
+    try {
+      Runnable task = tasks.poll(POLL_MS, TimeUnit.MILLISECONDS);
+      if (task != null) {
+        task.run();
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+      throw new IllegalStateException("interrupted", e);
+    }
+  }
+
+  private long nowNs() {
+    return RealClock.machineNs() - originNs;
+  }
+
+  private boolean all(Predicate<Robot> condition) {
+    return robots.values().stream().allMatch(condition);
+  }
+
+  private boolean isOver() {
+    boolean isQuiet = !deaths.isEmpty() && nowNs() - lastProgressNs > settings.quiet().toNanos();
+    return !errors.isEmpty()
+        || all(robot -> robot.isGone || robot.isThrough())
+        || (isRunning && (isQuiet || nowNs() > settings.limit().toNanos()));
+  }
+
+  private void begin() {
+    if (originNs == 0 && all(robot -> robot.isUp)) {
+      originNs = RealClock.machineNs();
+      robots.values().forEach(robot -> robot.process.tell(new ParentCommand.Begin(originNs)));
+    }
+  }
+
+  private void go() {
+    if (!all(robot -> robot.port != 0)) {
+      return;
+    }
+    SortedMap<RobotId, Integer> ports = new TreeMap<>();
+    robots.forEach((id, robot) -> ports.put(id, robot.port));
+    robots.values().forEach(robot -> robot.process.tell(new ParentCommand.Go(ports)));
+    isRunning = true;
+    for (Kill kill : settings.kills()) {
+      if (kill.variable() == null) {
+        killsDue.put(kill, kill.afterNs());
+      }
+    }
+  }
+
+  private void killWhenDue() {
+    long nowNs = nowNs();
+    killsDue.forEach((kill, dueNs) -> {
+      Robot robot = robots.get(kill.who());
+      if (robot != null && robot.killedNs < 0 && !robot.isGone && dueNs <= nowNs) {
+        robot.killedNs = nowNs;
+        robot.process.kill();
+      }
+    });
+  }
+
+  private void end() {
+    isEnding = true;
+    robots.values().forEach(robot -> robot.process.end());
+    long startNs = RealClock.machineNs();
+    while (!all(robot -> robot.isGone)) {
+      runNextTask();
+      if (RealClock.machineNs() - startNs > END_LIMIT.toNanos()) {
+        robots.values().forEach(robot -> robot.process.kill());
+      }
+    }
+  }
+
+  private LaunchResult result() {
+    List<ProcessTrace> traces = robots.values().stream().map(Robot::trace).toList();
+    SortedMap<RobotId, Integer> rounds = new TreeMap<>();
+    robots.forEach((id, robot) -> rounds.put(id, robot.rounds));
+    TraceMerge.Result merged =
+        new TraceMerge(traces, 0, 0).judge(blueprint, blueprint.observers(), this::complete);
+    long pauseNs =
+        robots.values().stream().mapToLong(robot -> robot.longestPauseNs).max().orElse(0);
+    return new LaunchResult(merged.run(), rounds, deaths, errors, pauseNs);
+  }
+
+  private SimResult complete(SimResult run) {
+    SortedMap<RobotId, List<Object>> results = new TreeMap<>();
+    List<RobotId> unfinished = new ArrayList<>();
+    robots.forEach((id, robot) -> {
+      if (robot.isThrough() && robot.results != null) {
+        results.put(id, robot.results);
+      } else if (deaths.stream().noneMatch(death -> death.robot().equals(id))) {
+        unfinished.add(id);
+      }
+    });
+    long copies =
+        robots.values().stream().mapToLong(robot -> robot.earlierCopies + robot.copies).sum();
+    long lost = robots.values().stream().mapToLong(robot -> robot.earlierLost + robot.lost).sum();
+    return new SimResult(
+        run.seed(),
+        run.behaviourSeed(),
+        run.endNs(),
+        run.events(),
+        results,
+        unfinished,
+        new NetStatistics(run.network().sent(), run.network().sentBytes(), copies - lost, lost),
+        run.collisions(),
+        run.spec());
+  }
+
+  /** Ends every process, and removes the files that they stored. */
+  @Override
+  public void close() {
+    try {
+      Runtime.getRuntime().removeShutdownHook(hook);
+    } catch (IllegalStateException e) {
+      console.accept("stopped"); // this process ends: the hook does the work
+      return;
+    }
+    removeAll();
+  }
+
+  private void removeAll() {
+    robots.values().forEach(robot -> robot.process.kill());
+    robots.values().forEach(robot -> robot.process.awaitEnd());
+    try (Stream<Path> files = Files.walk(folder)) {
+      for (Path file : files.sorted(Comparator.reverseOrder()).toList()) {
+        Files.deleteIfExists(file);
+      }
+    } catch (IOException e) {
+      console.accept(folder + " is left: " + e);
+    }
+  }
+
+  /** What the parent knows of a robot. */
+  private final class Robot implements ChildProcess.Listener {
+    private final RobotSpec spec;
+    private final RobotId id;
+    private final ChildProcess process;
+    private final List<TraceEvent> events = new ArrayList<>();
+    private boolean isUp;
+    private int port;
+    private int rounds;
+    private @Nullable List<Object> results;
+    private boolean isGone;
+    private boolean isComplete;
+    private long killedNs = -1;
+    private long lastNs;
+    private boolean isPromisedPlace;
+    private long copies;
+    private long lost;
+    private long earlierCopies;
+    private long earlierLost;
+    private long longestPauseNs;
+
+    Robot(RobotSpec spec, List<String> command) throws IOException {
+      this.spec = spec;
+      id = spec.id();
+      List<String> words = new ArrayList<>(command);
+      words.add(id.name());
+      words.add(folder.resolve(id.name()).toString());
+      words.add(Integer.toString(settings.rounds()));
+      process = new ChildProcess(id.name(), words, tasks::add, this);
+      console.accept(id + " is process " + process.pid());
+    }
+
+    boolean isThrough() {
+      return rounds == settings.rounds();
+    }
+
+    @Override
+    public void warned(String line) {
+      console.accept(id + ": " + line);
+    }
+
+    @Override
+    public void traced(TraceEvent event, long seenNs) {
+      if (Word.isOne(event)) {
+        told((Action) event, seenNs);
+        return;
+      }
+      lastNs = Math.max(lastNs, event.timeNs());
+      add(event);
+      if (event instanceof Joined) {
+        isPromisedPlace = false;
+      }
+      if (isProgress(event)) {
+        lastProgressNs = nowNs();
+      }
+      for (Kill kill : settings.kills()) {
+        if (!killsDue.containsKey(kill) && kill.isTriggeredBy(event)) {
+          killsDue.put(kill, event.timeNs() + kill.afterNs());
+        }
+      }
+    }
+
+    private void add(TraceEvent event) {
+      events.add(event);
+      bodies.observe(event);
+    }
+
+    /** A value or action that is new since the last death; repeated attempts are no progress. */
+    private boolean isProgress(TraceEvent event) {
+      return switch (event) {
+        case Variable variable -> done.add(variable.at(0).toString());
+        case Action action when action.source().indexOf('/') < 0 ->
+            done.add(action.at(0).toString());
+        default -> false;
+      };
+    }
+
+    private void told(Action action, long seenNs) {
+      List<String> args = action.args();
+      switch (Word.valueOf(action.name())) {
+        case HELLO -> {
+          isUp = true;
+          begin();
+        }
+        case PORT -> {
+          checkClock(action.timeNs(), seenNs - originNs);
+          port = Integer.parseInt(args.get(0));
+          go();
+        }
+        case WANTS_PLACE -> wantPlace.add(this);
+        case ALIVE -> {
+          lastNs = Math.max(lastNs, action.timeNs());
+          count(Long.parseLong(args.get(0)), Long.parseLong(args.get(1)));
+          longestPauseNs = Math.max(longestPauseNs, Long.parseLong(args.get(2)));
+        }
+        case FINISHED -> {
+          rounds++;
+          results = List.copyOf(args);
+        }
+        case LOG -> {
+          if (args.get(0).equals("WARN") || args.get(0).equals("ERROR")) {
+            warned(args.get(1) + ": " + args.get(2));
+          }
+        }
+        case ERROR -> errors.add(id + ": " + args.get(0).strip());
+        case CLOCK -> {
+          // One machine has one clock, which PORT confirms.
+        }
+      }
+    }
+
+    /** Each start of the program counts from 0. */
+    private void count(long newCopies, long newLost) {
+      if (newCopies < copies) {
+        earlierCopies += copies;
+        earlierLost += lost;
+      }
+      copies = newCopies;
+      lost = newLost;
+    }
+
+    /** The child's time lies between the parent's command and the parent's reading of the answer. */
+    private void checkClock(long childNs, long parentNs) {
+      if (childNs < 0 || childNs > parentNs) {
+        throw new IllegalStateException(
+            id
+                + "'s clock shows "
+                + childNs
+                + " ns where the parent's shows "
+                + parentNs
+                + ": expected one monotonic clock for all processes of this machine");
+      }
+    }
+
+    boolean placeIfFree() {
+      Point place = spec.start().at();
+      double apartMm = ROOM_IN_RADII * blueprint.settings().robotRadiusMm();
+      boolean isTaken =
+          bodies.robots().stream()
+                  .anyMatch(other -> bodies.poseAt(other, nowNs()).distanceMm(place) < apartMm)
+              || robots.values().stream()
+                  .anyMatch(other ->
+                      other.isPromisedPlace && other.spec.start().distanceMm(place) < apartMm);
+      if (!isTaken) {
+        isPromisedPlace = true;
+        process.tell(new ParentCommand.Place());
+      }
+      return !isTaken;
+    }
+
+    @Override
+    public void ended(boolean hasEnd, int status) {
+      isGone = true;
+      isPromisedPlace = false;
+      wantPlace.remove(this);
+      isComplete = isEnding && hasEnd;
+      if (isComplete) {
+        return;
+      }
+      lastNs = Math.max(lastNs, killedNs);
+      Death death = new Death(id, process.pid(), lastNs, killedNs >= 0, status);
+      deaths.add(death);
+      done.clear();
+      lastProgressNs = isRunning ? nowNs() : 0;
+      if (bodies.isOnFloor(id)) {
+        add(new Moved(lastNs, id, bodies.poseAt(id, lastNs), 0, 0));
+      }
+      if (!errors.isEmpty()) {
+        return;
+      }
+      if (!death.isKill()) {
+        errors.add(id + ": its process ended by itself, with status " + status);
+      } else if (!isRunning) {
+        errors.add(id + ": its process was killed before the run began");
+      } else if (isEnding && !death.isPlanned()) {
+        errors.add(id + ": its process did not end when it was told to");
+      }
+    }
+
+    /** All processes have the clock of this machine, from the same origin. */
+    ProcessTrace trace() {
+      return new ProcessTrace(
+          id.name(), id, "this", 0, 0, blueprint.header(), events, lastNs, isComplete, true);
+    }
+
+    @Override
+    public String toString() {
+      return id.name();
+    }
+  }
+}

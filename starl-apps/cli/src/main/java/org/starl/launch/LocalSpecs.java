@@ -1,0 +1,85 @@
+package org.starl.launch;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import org.starl.id.RobotId;
+import org.starl.sim.Blueprint;
+import org.starl.sim.SimObserver;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+import org.starl.trace.TraceEvent.Moved;
+
+/**
+ * Checks the app's specifications over the events of one robot, as they happen: only the lemmas that
+ * this robot can violate alone ({@link Monitor#ownLemmas}). The monitors do not see where its body was
+ * measured: a measurement's error must not stop a robot. Strand only.
+ */
+public final class LocalSpecs implements SimObserver {
+
+  private final List<Monitor> monitors = new ArrayList<>();
+  private final List<String> lemmas = new ArrayList<>();
+  private final long startNs;
+  private final Consumer<Violation> onViolation;
+
+  /**
+   * @param startNs the trace's time 0, on the clock of the events
+   * @param onViolation takes violations, with times of the trace
+   */
+  public LocalSpecs(Blueprint blueprint, long startNs, Consumer<Violation> onViolation) {
+    this.startNs = startNs;
+    this.onViolation = onViolation;
+    for (Monitor monitor : Monitors.of(blueprint.monitors()).all()) {
+      if (!monitor.ownLemmas().isEmpty()) {
+        monitors.add(monitor);
+        lemmas.addAll(monitor.ownLemmas());
+      }
+    }
+    // In real time no progress is owed.
+    show(new Fault(startNs, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
+  }
+
+  /** The lemmas that are checked. */
+  public List<String> lemmas() {
+    return List.copyOf(lemmas);
+  }
+
+  @Override
+  public void observed(TraceEvent event) {
+    if (!(event instanceof Joined || event instanceof Moved || event instanceof Left)) {
+      show(event);
+    }
+  }
+
+  private void show(TraceEvent event) {
+    for (Monitor monitor : monitors) {
+      monitor.observe(event, new Own(monitor.ownLemmas()));
+    }
+  }
+
+  /** Passes on the violations of these lemmas. */
+  private final class Own implements Monitor.Report {
+    private final List<String> own;
+
+    Own(List<String> own) {
+      this.own = own;
+    }
+
+    @Override
+    public void checked(String lemma) {
+      // Only violations count.
+    }
+
+    @Override
+    public void violated(String lemma, long timeNs, List<RobotId> robots, String detail) {
+      if (own.contains(lemma)) {
+        onViolation.accept(new Violation(lemma, Math.max(0, timeNs - startNs), robots, detail));
+      }
+    }
+  }
+}

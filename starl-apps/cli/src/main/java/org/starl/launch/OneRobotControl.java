@@ -1,0 +1,207 @@
+package org.starl.launch;
+
+import java.util.List;
+import java.util.function.BooleanSupplier;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.motion.MotionFlag;
+import org.starl.platform.Clock;
+import org.starl.random.Rng;
+import org.starl.robot.realtime.RealStrand;
+import org.starl.sim.Blueprint;
+import org.starl.sim.Director;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimControl;
+import org.starl.sim.net.SimNetwork;
+import org.starl.sim.world.Unsynced;
+
+/**
+ * What a scenario's director can do in the process of one robot: it directs this robot alone. All
+ * others are up, on the floor, far away and moving. Strand only.
+ */
+final class OneRobotControl implements SimControl {
+
+  private static final Pose FAR_AWAY = Pose.of(new Point(1e9, 1e9), 0);
+  private static final long RETRY_NS = 50_000_000;
+
+  /** The robot's body, wherever it is simulated. */
+  interface Body {
+
+    /** Asks for its place at the start; whether it stands there now. */
+    boolean place();
+
+    /** Takes it off the floor. */
+    void lift();
+
+    boolean isOnFloor();
+
+    /** Whether it would touch nothing there, as far as is known here. */
+    boolean isFree(Pose place);
+
+    /** Where it is on the floor. */
+    Pose pose();
+  }
+
+  private final Blueprint blueprint;
+  private final RobotSpec spec;
+  private final Body body;
+  private final RealStrand strand;
+  private final Clock clock;
+  private final Supplier<@Nullable GlobalVarHolder> gvh;
+  private final BooleanSupplier isFinished;
+
+  /**
+   * @param clock the robot's own, for its strand
+   * @param gvh the robot's, or null before it is up
+   * @param isFinished whether its app has come to its end
+   */
+  OneRobotControl(
+      Blueprint blueprint,
+      RobotSpec spec,
+      Body body,
+      RealStrand strand,
+      Clock clock,
+      Supplier<@Nullable GlobalVarHolder> gvh,
+      BooleanSupplier isFinished) {
+    this.blueprint = blueprint;
+    this.spec = spec;
+    this.body = body;
+    this.strand = strand;
+    this.clock = clock;
+    this.gvh = gvh;
+    this.isFinished = isFinished;
+  }
+
+  /** Puts the body on the floor and lets the director begin. Call from any thread, once. */
+  void begin() {
+    strand.post(() -> {
+      if (spec.onFloor()) {
+        placeSoon();
+      }
+      Director director = blueprint.director();
+      if (director != null) {
+        director.direct(this);
+      }
+    });
+  }
+
+  private void placeSoon() {
+    if (!body.place()) {
+      at(clock.nowNs() + RETRY_NS, this::placeSoon);
+    }
+  }
+
+  private boolean isHere(RobotId id) {
+    return id.equals(spec.id());
+  }
+
+  @Override
+  public long nowNs() {
+    return clock.nowNs();
+  }
+
+  @Override
+  public long events() {
+    return 0;
+  }
+
+  @Override
+  public void at(long atNs, Runnable action) {
+    strand.timer(action).set(atNs);
+  }
+
+  @Override
+  public Rng scenarioRng(String name) {
+    return new Rng(blueprint.header().scenarioSeed()).fork(name);
+  }
+
+  @Override
+  public List<RobotId> robots() {
+    return blueprint.header().robots();
+  }
+
+  @Override
+  public boolean isUp(RobotId id) {
+    return true;
+  }
+
+  @Override
+  public boolean putOnFloor(RobotId id) {
+    return !isHere(id) || body.place();
+  }
+
+  @Override
+  public void takeOffFloor(RobotId id) {
+    if (isHere(id)) {
+      body.lift();
+    }
+  }
+
+  @Override
+  public boolean isOnFloor(RobotId id) {
+    return !isHere(id) || body.isOnFloor();
+  }
+
+  @Override
+  public boolean isFree(Pose place) {
+    return body.isFree(place);
+  }
+
+  @Override
+  public Pose truePose(RobotId id) {
+    return isHere(id) ? body.pose() : FAR_AWAY;
+  }
+
+  @Override
+  public MotionFlag motionflag(RobotId id) {
+    GlobalVarHolder here = gvh.get();
+    if (!isHere(id)) {
+      return MotionFlag.MOVING;
+    }
+    return here == null ? MotionFlag.IDLE : here.plat.moat.motionflag().get();
+  }
+
+  @Override
+  public boolean isFinished(RobotId id) {
+    return isHere(id) && isFinished.getAsBoolean();
+  }
+
+  @Override
+  public void join(RobotSpec newcomer) {
+    throw unsupported("start " + newcomer.id());
+  }
+
+  @Override
+  public void crash(RobotId id) {
+    throw unsupported("crash " + id);
+  }
+
+  @Override
+  public void crash(RobotId id, long downNs, Unsynced unsynced) {
+    throw unsupported("crash " + id);
+  }
+
+  @Override
+  public void restart(RobotId id, Unsynced unsynced) {
+    throw unsupported("restart " + id);
+  }
+
+  @Override
+  public void leave(RobotId id) {
+    throw unsupported("remove " + id);
+  }
+
+  @Override
+  public SimNetwork network() {
+    throw unsupported("change the network");
+  }
+
+  private static UnsupportedOperationException unsupported(String what) {
+    return new UnsupportedOperationException(
+        "a director cannot " + what + " where robots are processes");
+  }
+}

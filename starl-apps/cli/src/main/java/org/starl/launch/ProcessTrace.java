@@ -1,0 +1,120 @@
+package org.starl.launch;
+
+import java.io.BufferedInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.robot.trace.MachineClock;
+import org.starl.robot.trace.Word;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceFormatException;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceReader;
+
+/**
+ * The trace of one process.
+ *
+ * @param name its file, or the robot
+ * @param robot whose it is; {@link Fault#WORLD} for the world's
+ * @param machine the machine whose monotonic clock its times are on; unique if unknown
+ * @param machineNs what that clock showed at the trace's time 0
+ * @param dateNs the date at the trace's time 0, in ns since 2020, by that machine
+ * @param events without the process's own actions ({@link Word})
+ * @param lastNs the time of the last sign of life
+ * @param isComplete whether the process ended in order; else it was killed
+ * @param hasTrueBodies whether its bodies are where they truly were; else where they were measured
+ */
+record ProcessTrace(
+    String name,
+    RobotId robot,
+    String machine,
+    long machineNs,
+    long dateNs,
+    TraceHeader header,
+    List<TraceEvent> events,
+    long lastNs,
+    boolean isComplete,
+    boolean hasTrueBodies) {
+
+  private static final int BUFFER_BYTES = 1 << 16;
+  private static final String EXPECTED = "; expected a trace of 'starl deploy run'";
+
+  ProcessTrace {
+    events = List.copyOf(events);
+  }
+
+  /** @throws BadInput if the file is missing, or is not a trace of a deployment */
+  static ProcessTrace read(String file) {
+    if (!Files.isRegularFile(Path.of(file))) {
+      throw new BadInput(file + ": there is no such file" + EXPECTED);
+    }
+    try (InputStream in =
+            new BufferedInputStream(Files.newInputStream(Path.of(file)), BUFFER_BYTES);
+        TraceReader reader = new TraceReader(file, in)) {
+      return read(file, reader);
+    } catch (IOException e) {
+      String message = String.valueOf(e.getMessage());
+      throw new BadInput(message.startsWith(file) ? message : file + ": " + message);
+    }
+  }
+
+  private static ProcessTrace read(String file, TraceReader reader) throws IOException {
+    List<TraceEvent> events = new ArrayList<>();
+    Action clock = null;
+    boolean isComplete = false;
+    try {
+      for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
+        if (!Word.isOne(event)) {
+          events.add(event);
+        } else if (event instanceof Action action && action.name().equals(Word.CLOCK.name())) {
+          clock = action;
+        }
+      }
+      isComplete = reader.end() != null;
+    } catch (TraceFormatException wrong) {
+      if (clock == null || !isLast(reader)) {
+        throw wrong;
+      }
+      // The process was killed while it wrote this line: keep the lines before.
+    }
+    if (clock == null || clock.args().size() != 3) {
+      throw new BadInput(file + ": does not name the clock of its times" + EXPECTED);
+    }
+    String machine = clock.args().get(0);
+    try {
+      return new ProcessTrace(
+          file,
+          clock.robot(),
+          machine.equals(MachineClock.UNKNOWN) ? file : machine,
+          Long.parseLong(clock.args().get(1)),
+          Long.parseLong(clock.args().get(2)),
+          reader.header(),
+          events,
+          events.isEmpty() ? 0 : events.get(events.size() - 1).timeNs(),
+          isComplete,
+          clock.robot().equals(Fault.WORLD));
+    } catch (NumberFormatException e) {
+      throw new BadInput(file + ": its clock is " + clock.args() + "; expected numbers");
+    }
+  }
+
+  /** Whether the line that was read last is the last one, and not after the trace's end. */
+  private static boolean isLast(TraceReader reader) throws IOException {
+    try {
+      return reader.end() == null && reader.next() == null;
+    } catch (TraceFormatException another) {
+      return false;
+    }
+  }
+
+  boolean isOfWorld() {
+    return robot.equals(Fault.WORLD);
+  }
+}

@@ -1,0 +1,115 @@
+package org.starl.launch;
+
+import java.io.IOException;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.function.Supplier;
+import org.starl.id.RobotId;
+import org.starl.sim.Blueprint;
+import org.starl.sim.RobotSpec;
+
+/**
+ * The main loop of one robot in real time. Its app runs for several rounds, each another incarnation:
+ * a new start of the program over the same stable storage. After the last round the robot goes on
+ * answering messages until it is stopped.
+ */
+abstract class RobotMain {
+
+  /** Work for the loop's thread. */
+  @FunctionalInterface
+  interface Task {
+    void run() throws IOException;
+  }
+
+  private final Supplier<Blueprint> blueprints;
+  private final int rounds;
+  private final BlockingQueue<Task> tasks = new LinkedBlockingQueue<>();
+  private volatile boolean isStopped;
+
+  // The loop's thread only.
+  private int round;
+
+  final RobotId id;
+
+  /**
+   * @param blueprints makes equal ones, one for each round: a director serves one run
+   * @param rounds how many times the app runs, from 1
+   */
+  RobotMain(RobotId id, Supplier<Blueprint> blueprints, int rounds) {
+    this.id = id;
+    this.blueprints = blueprints;
+    this.rounds = rounds;
+  }
+
+  /** Starts an incarnation; {@code number} counts from 1. On the loop's thread. */
+  abstract void bringUp(Blueprint blueprint, RobotSpec spec, int number) throws IOException;
+
+  /**
+   * Ends the incarnation, if there is one. On the loop's thread.
+   *
+   * @param isLifted whether its body leaves the floor, for the next round
+   */
+  abstract void bringDown(boolean isLifted) throws IOException;
+
+  /** The robot of that name. */
+  static RobotSpec spec(Blueprint blueprint, RobotId id) {
+    return blueprint.robots().stream()
+        .filter(spec -> spec.id().equals(id))
+        .findFirst()
+        .orElseThrow(() -> new IllegalArgumentException("there is no robot " + id));
+  }
+
+  /** Runs what is posted until {@link #endLoop}. */
+  final void loop() throws IOException {
+    while (!isStopped) {
+      try {
+        tasks.take().run();
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+        isStopped = true;
+      }
+    }
+  }
+
+  /** Runs {@code task} on the loop's thread. From any thread. */
+  final void post(Task task) {
+    tasks.add(task);
+  }
+
+  /**
+   * The loop ends after the current task. From any thread.
+   *
+   * @param first runs before a waiting loop hears of it
+   */
+  final void endLoop(Runnable first) {
+    isStopped = true;
+    first.run();
+    post(() -> {});
+  }
+
+  final boolean isStopped() {
+    return isStopped;
+  }
+
+  /** Brings the next incarnation up, unless the robot is stopped already. */
+  final void startRound() throws IOException {
+    if (!isStopped) {
+      round++;
+      Blueprint blueprint = blueprints.get();
+      bringUp(blueprint, spec(blueprint, id), round);
+    }
+  }
+
+  /** The app has come to its end: starts the next round if there is one. */
+  final void endRound() throws IOException {
+    if (round < rounds) {
+      bringDown(true);
+      startRound();
+    }
+  }
+
+  /** The current round and the number of rounds, for people. */
+  final String progress() {
+    return round + " of " + rounds;
+  }
+}

@@ -1,0 +1,242 @@
+package org.starl.launch;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.DeploymentKey;
+import org.starl.platform.LogSink.Level;
+import org.starl.robot.DeployedRobot;
+import org.starl.robot.Wheelbase;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.HostPort;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.realtime.StrandUse;
+import org.starl.robot.trace.LateTrace;
+import org.starl.robot.trace.MachineClock;
+import org.starl.robot.trace.Outbox;
+import org.starl.robot.trace.Word;
+import org.starl.robot.udp.UdpStatistics;
+import org.starl.sim.Blueprint;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimObserver;
+import org.starl.spec.SpecReport.Violation;
+
+/** One robot of a deployment in this process, in real time, until it is stopped. */
+public final class RobotRun extends RobotMain implements DeployedRobot.Host, AutoCloseable {
+
+  /**
+   * The robot and how it runs.
+   *
+   * @param key null for none
+   * @param blueprints makes equal ones, one for each round: a director serves one run
+   * @param storage a folder, this robot's alone
+   * @param rounds how many times the app runs, from 1
+   */
+  public record Settings(
+      Deployment deployment,
+      RobotEntry entry,
+      @Nullable DeploymentKey key,
+      Supplier<Blueprint> blueprints,
+      Wheelbase.Source wheels,
+      Path storage,
+      int rounds) {}
+
+  private static final long CLOSE_LIMIT_S = 15;
+  private static final double NS_PER_S = 1e9;
+  private static final double NS_PER_MS = 1e6;
+
+  private final Settings settings;
+  private final RealClock clock = RealClock.ofDate();
+  private final long startNs = clock.nowNs();
+  private final Outbox outbox;
+  private final Consumer<String> console;
+  private final CountDownLatch over = new CountDownLatch(1);
+  private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
+
+  // stop() sets isStopped, then reads this; bringUp() sets this, then reads isStopped: one sees the
+  // other.
+  private volatile @Nullable DeployedRobot robot;
+
+  // The loop's thread only.
+  private @Nullable WorldClient world;
+
+  /**
+   * Opens nothing yet.
+   *
+   * @param trace takes the robot's trace, each event as it happens
+   * @param console takes lines for people, from any thread
+   */
+  public RobotRun(Settings settings, OutputStream trace, Consumer<String> console) {
+    super(settings.entry().id(), settings.blueprints(), settings.rounds());
+    this.settings = settings;
+    this.console = line -> console.accept(id + ": " + line);
+    outbox = new Outbox(id, settings.blueprints().get().header(), trace);
+  }
+
+  /**
+   * Runs until {@link #stop}.
+   *
+   * @return the bug or the violated specification that ended it; null if neither did
+   * @throws IOException if it cannot begin; its message is one line for people
+   */
+  public @Nullable Throwable run() throws IOException {
+    MachineClock.tell(outbox, clock, startNs);
+    try {
+      startRound();
+      loop();
+    } finally {
+      bringDown(false);
+      outbox.end(clock.nowNs() - startNs);
+      over.countDown();
+    }
+    return failure.get();
+  }
+
+  /** Ends it from any thread: the wheels stop before this returns, and then {@link #run} does. */
+  public void stop() {
+    endLoop(() -> {
+      DeployedRobot running = robot;
+      if (running != null) {
+        running.emergencyStop();
+      }
+    });
+  }
+
+  /** Stops it, and waits until {@link #run}, which has begun, is over. */
+  @Override
+  public void close() {
+    stop();
+    try {
+      if (!over.await(CLOSE_LIMIT_S, TimeUnit.SECONDS)) {
+        console.accept("did not end in time");
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  @Override
+  public void finished(List<Object> results) {
+    post(() -> {
+      console.accept("came to the end of round " + progress());
+      endRound();
+    });
+  }
+
+  @Override
+  public void failed(Throwable error) {
+    end(error, error.toString());
+  }
+
+  private void violated(Violation violation) {
+    String line = "VIOLATED: " + violation;
+    end(new IllegalStateException(line), line);
+  }
+
+  private void end(Throwable error, String line) {
+    if (failure.compareAndSet(null, error)) {
+      console.accept("wheels stopped: " + line);
+      stop();
+    }
+  }
+
+  @Override
+  void bringUp(Blueprint blueprint, RobotSpec spec, int number) throws IOException {
+    DeployedRobot.Program program =
+        new DeployedRobot.Program(
+            spec.app(),
+            blueprint.obstacles().known(),
+            blueprint.settings().motionParameters(blueprint.robots().indexOf(spec)));
+    List<SimObserver> observers = new ArrayList<>(blueprint.observers());
+    observers.add(new LocalSpecs(blueprint, startNs, this::violated));
+    observers.forEach(observer -> observer.started(blueprint.header()));
+    LateTrace trace =
+        new LateTrace(
+            outbox, startNs, event -> observers.forEach(observer -> observer.observed(event)));
+    DeployedRobot opened =
+        DeployedRobot.open(
+            settings.deployment(),
+            settings.entry(),
+            settings.key(),
+            program,
+            new DeployedRobot.Surroundings(
+                settings.storage(), settings.wheels(), clock, this::log, trace),
+            this);
+    robot = opened;
+    if (isStopped()) {
+      return;
+    }
+    HostPort worldAt = settings.deployment().world();
+    if (worldAt != null && settings.deployment().simulated().contains(settings.entry())) {
+      world =
+          WorldClient.open(
+              worldAt.resolve(),
+              spec,
+              opened.strand(),
+              opened::gvh,
+              lost -> console.accept(String.valueOf(lost.getMessage())));
+      new OneRobotControl(
+              blueprint,
+              spec,
+              world,
+              opened.strand(),
+              opened.strand().pieceClock(),
+              opened::gvh,
+              opened::isFinished)
+          .begin();
+    }
+    opened.start();
+  }
+
+  @Override
+  void bringDown(boolean isLifted) throws IOException {
+    DeployedRobot running = robot;
+    robot = null;
+    if (running != null) {
+      running.close();
+      tell(running.strandUse(), running.network());
+    }
+    if (world != null) {
+      if (isLifted) {
+        world.say(WorldClient.Word.LIFT);
+      }
+      world.close();
+      world = null;
+    }
+  }
+
+  private void tell(StrandUse use, UdpStatistics network) {
+    console.accept(
+        String.format(
+            Locale.ROOT,
+            "strand: %d pieces held it %.1f s, half of them up to %.3f ms, 99 %% up to %.1f ms, the"
+                + " longest %.1f ms by %s; %d datagrams sent, %d received,"
+                + " dropped %s",
+            use.pieces(),
+            use.heldNs() / NS_PER_S,
+            use.medianNs() / NS_PER_MS,
+            use.p99Ns() / NS_PER_MS,
+            use.longestPieceNs() / NS_PER_MS,
+            use.longestBy(),
+            network.sent(),
+            network.received(),
+            network.dropped()));
+  }
+
+  private void log(long timeNs, Level level, String tag, String line) {
+    if (level.compareTo(Level.INFO) >= 0) {
+      outbox.say(() -> Math.max(0, timeNs - startNs), Word.LOG, level, tag, line);
+      console.accept(tag + ": " + line);
+    }
+  }
+}

@@ -1,0 +1,276 @@
+package org.starl.launch;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import org.starl.RobotRunner;
+import org.starl.geometry.Pose;
+import org.starl.id.Participants;
+import org.starl.id.RobotId;
+import org.starl.platform.LogSink.Level;
+import org.starl.platform.Platform;
+import org.starl.platform.Timer;
+import org.starl.random.Rng;
+import org.starl.robot.realtime.RealBackground;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.realtime.RealStrand;
+import org.starl.robot.trace.Outbox;
+import org.starl.robot.trace.Word;
+import org.starl.robot.udp.FileStable;
+import org.starl.robot.udp.LossyRadio;
+import org.starl.robot.udp.UdpRadio;
+import org.starl.sim.Blueprint;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.world.SimChassis;
+import org.starl.sim.world.SimPositioning;
+import org.starl.sim.world.World;
+
+/**
+ * One incarnation of a robot's program in its process: on the strand, radio and storage of the real
+ * platform, with wheels and fixes of a simulated body. The body is alone in its world: bodies of other
+ * processes do not touch it.
+ */
+final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, AutoCloseable {
+
+  private static final long ALIVE_EVERY_NS = 50_000_000;
+
+  /** Hears of the robot. */
+  interface Host {
+
+    /** The app has come to its end. On the robot's strand. */
+    void finished();
+
+    /** The robot cannot go on. From any thread. */
+    void failed(Throwable error);
+  }
+
+  private final Outbox outbox;
+  private final Host host;
+  private final RealStrand strand;
+  private final BodyClock clock;
+  private final UdpRadio udp;
+  private final LossyRadio radio;
+  private final FileStable stable;
+  private final RealBackground background;
+  private final SimulatedBody body;
+  private final SimChassis chassis;
+  private final SimPositioning positioning;
+  private final RobotRunner runner;
+  private final OneRobotControl control;
+  private final Timer alive;
+
+  // Strand only.
+  private boolean isPlaceWanted;
+  private boolean mayBePlaced;
+
+  /**
+   * Opens everything; {@link #start} runs it.
+   *
+   * @param number of the incarnation, from 1: each has random numbers of its own
+   * @param port to listen at on the loopback interface; 0 for any free one
+   */
+  SimulatedRobot(
+      Blueprint blueprint,
+      RobotSpec spec,
+      int number,
+      RealClock real,
+      Path folder,
+      int port,
+      Outbox outbox,
+      Host host)
+      throws IOException {
+    this.outbox = outbox;
+    this.host = host;
+    SimSettings settings = blueprint.settings();
+    RobotId id = spec.id();
+    Participants participants = Participants.of(blueprint.header().robots());
+    Rng robotRng = new Rng(blueprint.header().behaviourSeed()).fork(id.name());
+    Rng rng = number == 1 ? robotRng : robotRng.fork("incarnation" + number);
+    strand = new RealStrand(id.name(), real, host::failed);
+    clock = new BodyClock(strand.pieceClock(), this);
+    udp = UdpRadio.open(id, strand, loopback(port), host::failed);
+    radio =
+        new LossyRadio(
+            udp,
+            id,
+            participants,
+            clock,
+            strand,
+            rng.fork("radio"),
+            draw -> delayNs(settings, draw));
+    stable = FileStable.open(folder, strand, host::failed);
+    background = new RealBackground(id.name(), strand);
+    World world =
+        new World(
+            clock::shownNs,
+            clock.reading(strand),
+            outbox,
+            settings.worldLimits(),
+            blueprint.obstacles());
+    chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
+    body = new SimulatedBody(spec, settings, world, chassis);
+    long periodNs = settings.positionPeriodNs();
+    positioning =
+        new SimPositioning(
+            clock,
+            clock::shownNs,
+            strand,
+            rng.fork("positioning"),
+            settings.positionNoise(),
+            periodNs,
+            settings.get(Setting.POSITION_IN_PHASE)
+                ? 0
+                : SimPositioning.drawnPhaseNs(robotRng.fork("positioning"), periodNs));
+    Platform platform =
+        new Platform(
+            id,
+            participants,
+            clock,
+            strand,
+            strand,
+            radio,
+            positioning,
+            chassis,
+            stable,
+            rng::fork,
+            background,
+            this::log,
+            outbox,
+            blueprint.obstacles().known(),
+            settings.motionParameters(blueprint.robots().indexOf(spec)),
+            blueprint.key());
+    runner = new RobotRunner(platform, spec.app(), this::appEnded);
+    control =
+        new OneRobotControl(blueprint, spec, this, strand, clock, runner::gvh, runner::isFinished);
+    alive = strand.timer(this::tellAlive);
+  }
+
+  private static long delayNs(SimSettings settings, Rng rng) {
+    double loss = settings.messageLoss().probability();
+    return loss > 0 && rng.nextBoolean(loss)
+        ? LossyRadio.LOST
+        : settings.messageDelay().drawNs(rng);
+  }
+
+  private static InetSocketAddress loopback(int port) {
+    return new InetSocketAddress(InetAddress.getLoopbackAddress(), port);
+  }
+
+  /** The port of its radio. */
+  int port() {
+    return udp.address().getPort();
+  }
+
+  void setPeer(RobotId robot, int port) {
+    udp.setPeer(robot, loopback(port));
+  }
+
+  void start() {
+    strand.post(this::tellAlive);
+    control.begin();
+    runner.start();
+  }
+
+  /** There is room for its body on the floor. */
+  void allowPlace() {
+    strand.post(() -> mayBePlaced = true);
+  }
+
+  /** Takes its body off the floor, and ends the program at that time. */
+  void leaveFloor() {
+    CountDownLatch gone = new CountDownLatch(1);
+    strand.post(() -> {
+      lift();
+      strand.close();
+      gone.countDown();
+    });
+    try {
+      gone.await();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  /** Ends it. Its body stays where it is. */
+  @Override
+  public void close() {
+    udp.close();
+    strand.close();
+    background.close();
+    stable.close();
+  }
+
+  private void tellAlive() {
+    outbox.say(clock, Word.ALIVE, radio.copies(), radio.lost(), clock.longestPauseNs());
+    alive.set(clock.nowNs() + ALIVE_EVERY_NS);
+  }
+
+  private void appEnded() {
+    List<Object> results = runner.results();
+    outbox.say(clock, Word.FINISHED, results == null ? new Object[0] : results.toArray());
+    host.finished();
+  }
+
+  private void log(long timeNs, Level level, String tag, String line) {
+    if (level.compareTo(Level.INFO) >= 0) {
+      outbox.say(clock, Word.LOG, level, tag, line);
+    }
+  }
+
+  // What follows reads the clock first, so that the body is where it is now.
+
+  @Override
+  public boolean place() {
+    if (!isPlaceWanted) {
+      isPlaceWanted = true;
+      outbox.say(clock, Word.WANTS_PLACE);
+    }
+    clock.nowNs();
+    if (!mayBePlaced || !body.place(0)) {
+      return false;
+    }
+    positioning.mount(body.onFloor());
+    return true;
+  }
+
+  @Override
+  public void lift() {
+    if (body.isOnFloor()) {
+      clock.nowNs();
+      positioning.unmount();
+      body.lift();
+    }
+  }
+
+  @Override
+  public boolean isOnFloor() {
+    return body.isOnFloor();
+  }
+
+  @Override
+  public boolean isFree(Pose place) {
+    clock.nowNs();
+    return body.isFree(place);
+  }
+
+  @Override
+  public Pose pose() {
+    clock.nowNs();
+    return body.onFloor().pose();
+  }
+
+  @Override
+  public void hold() {
+    chassis.impair(0, 0);
+  }
+
+  @Override
+  public void release() {
+    chassis.impair(1, 1);
+  }
+}

@@ -1,0 +1,238 @@
+package org.starl.launch;
+
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.function.UnaryOperator;
+import java.util.stream.Collectors;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.launch.MeasuredBodies.Deviation;
+import org.starl.sim.Blueprint;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimResult;
+import org.starl.sim.net.NetStatistics;
+import org.starl.sim.world.Collisions;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.spec.SpecReport.Violation;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceHeader;
+
+/**
+ * The traces of several processes as one trace, judged by the app's specifications. Uncertain clocks
+ * allow several orders of events, and measured bodies several places. A violation in all cases that are
+ * tried is certain; a violation in only some of them is possible.
+ *
+ * <p>No progress is owed: the merged trace begins with a fault of the world that never ends, because a
+ * machine that does other work as well promises no times. Safety is judged exactly.
+ */
+public final class TraceMerge {
+
+  private final List<ProcessTrace> traces;
+  private final ClockBounds bounds;
+  private final MeasuredBodies bodies;
+
+  /**
+   * The verdict.
+   *
+   * @param run of the middle order
+   * @param robots that left traces
+   * @param dead robots whose last trace is cut off
+   * @param orders how many were tried
+   * @param uncertaintyNs the largest error of the clocks in the middle order
+   * @param withinMm the largest distance of a body from its measured place; 0 if none was measured
+   * @param lostMs for each robot with a gap in its measurements, the longest gap
+   * @param violations in all cases, as the middle order has them
+   * @param possible violations in some cases only
+   */
+  public record Result(
+      SimResult run,
+      Set<RobotId> robots,
+      Set<RobotId> dead,
+      int orders,
+      long uncertaintyNs,
+      double withinMm,
+      SortedMap<RobotId, Double> lostMs,
+      List<Violation> violations,
+      List<Violation> possible) {}
+
+  /** One order of all events. */
+  private record Case(List<TraceEvent> events, long endNs) {}
+
+  /** Traces of one run on machines whose clocks differ by at most this. */
+  TraceMerge(List<ProcessTrace> traces, long dateErrorNs, long driftPpm) {
+    this.traces = List.copyOf(traces);
+    bounds = new ClockBounds(traces, dateErrorNs, driftPpm);
+    bodies = new MeasuredBodies(traces);
+  }
+
+  /**
+   * Reads traces.
+   *
+   * @param dateErrorNs the largest error of a machine's date
+   * @param driftPpm the largest drift between two clocks, in parts per million
+   * @throws BadInput if one cannot be read, they are not of one deployment, or clocks contradict
+   */
+  public static TraceMerge of(List<String> files, long dateErrorNs, long driftPpm) {
+    List<ProcessTrace> traces = new ArrayList<>();
+    for (String file : files) {
+      ProcessTrace trace = ProcessTrace.read(file);
+      for (ProcessTrace before : traces) {
+        if (!isOfOneRun(trace.header(), before.header())) {
+          throw new BadInput(
+              file + ":1: its header differs; expected the header of " + before.name());
+        }
+      }
+      traces.add(trace);
+    }
+    return new TraceMerge(traces, dateErrorNs, driftPpm);
+  }
+
+  /** A phone writes only those settings that its deployment file has: compare the common ones. */
+  private static boolean isOfOneRun(TraceHeader a, TraceHeader b) {
+    for (String setting : a.settings().keySet()) {
+      String other = b.settings().get(setting);
+      if (other != null && !other.equals(a.settings().get(setting))) {
+        return false;
+      }
+    }
+    return a.starl().equals(b.starl())
+        && a.scenario().equals(b.scenario())
+        && a.scenarioSeed() == b.scenarioSeed()
+        && a.behaviourSeed() == b.behaviourSeed()
+        && a.robots().equals(b.robots());
+  }
+
+  /** The header of the first trace. */
+  public TraceHeader header() {
+    return traces.get(0).header();
+  }
+
+  /**
+   * Judges the traces.
+   *
+   * @param blueprint of the same run
+   * @param observers see the middle order as they would see a simulated run
+   */
+  public Result judge(Blueprint blueprint, List<SimObserver> observers) {
+    return judge(blueprint, observers, run -> run);
+  }
+
+  /** The same; {@code complete} adds what the traces do not tell of the run. */
+  Result judge(
+      Blueprint blueprint, List<SimObserver> observers, UnaryOperator<SimResult> complete) {
+    List<long[]> clocks = bounds.candidates(traces);
+    Case middle = order(clocks.get(0), Deviation.NONE);
+    List<SpecReport> reports = new ArrayList<>();
+    reports.add(show(middle, blueprint, observers));
+    for (long[] starts : clocks.subList(1, clocks.size())) {
+      reports.add(show(order(starts, Deviation.NONE), blueprint, List.of()));
+    }
+    for (Deviation deviation : bodies.deviations()) {
+      reports.add(show(order(clocks.get(0), deviation), blueprint, List.of()));
+    }
+    SimResult run = complete.apply(result(middle, reports.get(0)));
+    observers.forEach(observer -> observer.finished(run));
+    List<Violation> certain = certain(reports);
+    return new Result(
+        run,
+        robots(traces.stream().filter(trace -> !trace.isOfWorld()).toList()),
+        robots(traces.stream().filter(this::isDead).toList()),
+        clocks.size(),
+        bounds.uncertaintyNs(),
+        bodies.withinMm(),
+        bodies.lostMs(),
+        certain,
+        possible(reports, certain));
+  }
+
+  /** All events, for traces that start at these times. Actions of one instant stay together. */
+  private Case order(long[] starts, Deviation deviation) {
+    CausalOrder order = new CausalOrder();
+    order.add(List.of(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME)), 0);
+    long endNs = 0;
+    for (int i = 0; i < starts.length; i++) {
+      ProcessTrace trace = traces.get(i);
+      List<TraceEvent> events = bodies.events(trace, deviation);
+      if (isDead(trace)) {
+        events.add(new Fault(trace.lastNs(), trace.robot(), Fault.CRASH, ""));
+      }
+      order.add(events, starts[i]);
+      endNs = Math.max(endNs, starts[i] + trace.lastNs());
+    }
+    List<TraceEvent> events = order.inOrder();
+    events.sort(Comparator.comparingLong(TraceEvent::timeNs).thenComparing(TraceEvent::robot));
+    return new Case(events, Math.max(endNs, events.get(events.size() - 1).timeNs()));
+  }
+
+  private SpecReport show(Case shown, Blueprint blueprint, List<SimObserver> observers) {
+    Monitors monitors = Monitors.of(blueprint.monitors());
+    observers.forEach(observer -> observer.started(blueprint.header()));
+    for (TraceEvent event : shown.events()) {
+      monitors.observe(event);
+      observers.forEach(observer -> observer.observed(event));
+    }
+    monitors.finish(shown.endNs());
+    return monitors.report();
+  }
+
+  private SimResult result(Case middle, SpecReport report) {
+    List<Sent> sent =
+        middle.events().stream().filter(Sent.class::isInstance).map(Sent.class::cast).toList();
+    long bytes = sent.stream().mapToLong(Sent::bytes).sum();
+    return new SimResult(
+        header().scenarioSeed(),
+        header().behaviourSeed(),
+        middle.endNs(),
+        middle.events().size(),
+        new TreeMap<>(),
+        List.of(),
+        new NetStatistics(sent.size(), bytes, 0, 0),
+        Collisions.NONE,
+        report);
+  }
+
+  /** Whether its process was killed, and this robot's program was not started again. */
+  private boolean isDead(ProcessTrace trace) {
+    return !trace.isComplete()
+        && !trace.isOfWorld()
+        && traces.stream()
+            .noneMatch(
+                other -> other.robot().equals(trace.robot()) && other.dateNs() > trace.dateNs());
+  }
+
+  private static Set<RobotId> robots(List<ProcessTrace> traces) {
+    return traces.stream().map(ProcessTrace::robot).collect(Collectors.toCollection(TreeSet::new));
+  }
+
+  /** The same violation may have other times and words in another order of events. */
+  private static String key(Violation violation) {
+    return violation.lemma() + " " + violation.robots();
+  }
+
+  private static List<Violation> certain(List<SpecReport> reports) {
+    return reports.get(0).violations().stream()
+        .filter(violation ->
+            reports.stream()
+                .allMatch(report ->
+                    report.violations().stream()
+                        .anyMatch(other -> key(other).equals(key(violation)))))
+        .toList();
+  }
+
+  private static List<Violation> possible(List<SpecReport> reports, List<Violation> certain) {
+    Set<String> seen =
+        certain.stream().map(TraceMerge::key).collect(Collectors.toCollection(TreeSet::new));
+    return reports.stream()
+        .flatMap(report -> report.violations().stream())
+        .filter(violation -> seen.add(key(violation)))
+        .toList();
+  }
+}

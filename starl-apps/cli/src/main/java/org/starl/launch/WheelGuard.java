@@ -1,0 +1,293 @@
+package org.starl.launch;
+
+import java.io.FileDescriptor;
+import java.io.FileInputStream;
+import java.io.FileOutputStream;
+import java.io.FilterInputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.Charset;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.Condition;
+import java.util.concurrent.locks.ReentrantLock;
+import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.SocketLink;
+import org.starl.robot.file.Wheels.Port;
+import org.starl.robot.serial.SerialLink;
+
+/**
+ * A process between a robot's program and its Create. A Create has no watchdog: when the driver's process
+ * is killed or frozen, it keeps its last command. The guard owns the Create's port and passes bytes both
+ * ways between the port and its standard input and output. It stops the wheels when its input is silent,
+ * which a driver never is, and when its input ends, for any reason. If the guard itself is killed, the
+ * driver starts another one.
+ */
+public final class WheelGuard {
+
+  /** Both wheels 0 mm/s, then passive mode. Sent repeatedly: a command cut off before may swallow one. */
+  private static final byte[] HALT = {(byte) 145, 0, 0, 0, 0, (byte) 128};
+
+  /** The length of the stop command in {@link #HALT}. */
+  private static final int STOP_BYTES = 5;
+
+  private static final int HALT_COPIES = 3;
+
+  /** A live driver writes every 50 ms, and every 100 ms while it starts the robot. */
+  private static final long SILENCE_MS = 300;
+
+  /** Closing a port drops its unsent bytes; at 300 baud these take 600 ms. */
+  private static final long DRAIN_MS = 700;
+
+  private static final int BUFFER_BYTES = 256;
+  private static final long CLOSE_MS = 2000;
+  private static final int HEAP_MB = 32;
+  private static final String TCP = "tcp:";
+
+  private final ByteLink link;
+  private final ReentrantLock lock = new ReentrantLock();
+  private final Thread reader = daemon("reader", this::passToProgram);
+  private final Thread watchdog = daemon("watchdog", this::watch);
+
+  // Guarded by the lock.
+  private final Condition written = lock.newCondition();
+  private boolean wheelsMayTurn;
+  private boolean isHalted;
+
+  private WheelGuard(ByteLink link) {
+    this.link = link;
+  }
+
+  private static Thread daemon(String name, Runnable body) {
+    Thread thread = new Thread(body, name);
+    thread.setDaemon(true);
+    return thread;
+  }
+
+  /** Links to a Create through a guard; each link has a guard of its own. */
+  public static ByteLink.Source links(Port port, int baud) {
+    List<String> command =
+        JavaProcess.command(
+            HEAP_MB, WheelGuard.class.getName(), List.of(port.toString(), Integer.toString(baud)));
+    return () -> new Guarded(port, new ProcessBuilder(command).start());
+  }
+
+  private static ByteLink.Source direct(String port, int baud) {
+    if (!port.startsWith(TCP)) {
+      return SerialLink.at(port, baud);
+    }
+    int colon = port.lastIndexOf(':');
+    String host = port.substring(TCP.length(), colon).replace("[", "").replace("]", "");
+    return SocketLink.to(host, Integer.parseInt(port.substring(colon + 1)));
+  }
+
+  /**
+   * Runs a guard. If the port cannot be opened or is lost, its exit status is 1 and its last line on
+   * standard error is the reason.
+   *
+   * @param args the port, as {@link Port} writes it, and the baud rate
+   */
+  public static void main(String[] args) {
+    int status = 0;
+    try (ByteLink link = direct(args[0], Integer.parseInt(args[1])).open()) {
+      WheelGuard guard = new WheelGuard(link);
+      Runtime.getRuntime().addShutdownHook(new Thread(guard::halt, "guard's end"));
+      guard.reader.start();
+      guard.watchdog.start();
+      guard.passToCreate();
+    } catch (IOException e) {
+      tellReason(String.valueOf(e.getMessage()));
+      status = 1;
+    }
+    Runtime.getRuntime().exit(status);
+  }
+
+  /** Passes bytes from the program to the Create until the program ends. */
+  private void passToCreate() throws IOException {
+    try (InputStream in = new FileInputStream(FileDescriptor.in)) {
+      byte[] buffer = new byte[BUFFER_BYTES];
+      for (int n = in.read(buffer); n >= 0; n = in.read(buffer)) {
+        write(buffer, n);
+      }
+    } finally {
+      halt();
+    }
+  }
+
+  /** Passes bytes from the Create to the program. */
+  private void passToProgram() {
+    try (OutputStream out = new FileOutputStream(FileDescriptor.out)) {
+      byte[] buffer = new byte[BUFFER_BYTES];
+      InputStream from = link.input();
+      for (int n = from.read(buffer); n >= 0; n = from.read(buffer)) {
+        out.write(buffer, 0, n);
+      }
+      tellReason(link + " was closed");
+      Runtime.getRuntime().exit(1);
+    } catch (IOException e) {
+      // The program or the Create is gone: nothing is left to pass on.
+      tellReason(link + ": " + e.getMessage());
+      Runtime.getRuntime().exit(1);
+    }
+  }
+
+  /** Tells the program why its link has ended. */
+  private static void tellReason(String line) {
+    try (OutputStream err = new FileOutputStream(FileDescriptor.err)) {
+      err.write(line.getBytes(Charset.defaultCharset()));
+    } catch (IOException e) {
+      return; // the program is gone
+    }
+  }
+
+  private void write(byte[] bytes, int length) throws IOException {
+    lock.lock();
+    try {
+      if (!isHalted) {
+        link.output().write(bytes, 0, length);
+        link.output().flush();
+        wheelsMayTurn = true;
+        written.signal();
+      }
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  /** Stops the wheels of a silent program; what it writes later is passed on again. */
+  private void watch() {
+    lock.lock();
+    try {
+      while (!isHalted) {
+        if (!written.await(SILENCE_MS, TimeUnit.MILLISECONDS) && wheelsMayTurn) {
+          link.output().write(HALT, 0, STOP_BYTES);
+          link.output().flush();
+          wheelsMayTurn = false;
+        }
+      }
+    } catch (InterruptedException e) {
+      // An interrupt from outside means: end.
+      Thread.currentThread().interrupt();
+    } catch (IOException e) {
+      // The Create is gone.
+      Runtime.getRuntime().exit(1);
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private void halt() {
+    try {
+      // A longer holder of the lock waits for a line that takes no more bytes: stopping is
+      // impossible.
+      if (lock.tryLock(DRAIN_MS, TimeUnit.MILLISECONDS)) {
+        try {
+          haltNow();
+        } finally {
+          lock.unlock();
+        }
+      }
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
+    }
+  }
+
+  private void haltNow() throws InterruptedException {
+    try {
+      for (int i = 0; i < HALT_COPIES && !isHalted; i++) {
+        link.output().write(HALT);
+        link.output().flush();
+      }
+      if (!isHalted) {
+        isHalted = true;
+        wheelsMayTurn = false;
+        // Keep the port open until the bytes are sent.
+        reader.join(DRAIN_MS);
+      }
+    } catch (IOException e) {
+      // There is no link any more.
+      isHalted = true;
+    }
+  }
+
+  /** The program's end of the link. */
+  private static final class Guarded implements ByteLink {
+    private final Port port;
+    private final Process process;
+    private final InputStream input;
+
+    Guarded(Port port, Process process) {
+      this.port = port;
+      this.process = process;
+      input = new GuardedInput(port, process);
+    }
+
+    @Override
+    public InputStream input() {
+      return input;
+    }
+
+    @Override
+    public OutputStream output() {
+      return process.getOutputStream();
+    }
+
+    /** Closing its input ends the guard; a guard that is frozen or stuck in a write is killed. */
+    @Override
+    public void close() throws IOException {
+      try {
+        process.getOutputStream().close();
+        if (!process.waitFor(CLOSE_MS, TimeUnit.MILLISECONDS)) {
+          process.destroyForcibly();
+        }
+      } catch (InterruptedException e) {
+        Thread.currentThread().interrupt();
+      }
+    }
+
+    @Override
+    public String toString() {
+      return port.toString();
+    }
+  }
+
+  /** Bytes from the Create; at the end, the guard's reason as an exception. */
+  private static final class GuardedInput extends FilterInputStream {
+    private final Port port;
+    private final Process process;
+
+    GuardedInput(Port port, Process process) {
+      super(process.getInputStream());
+      this.port = port;
+      this.process = process;
+    }
+
+    @Override
+    public int read() throws IOException {
+      byte[] one = new byte[1];
+      return read(one, 0, 1) < 0 ? -1 : one[0] & 0xFF;
+    }
+
+    @Override
+    public int read(byte[] into, int offset, int length) throws IOException {
+      int count;
+      try {
+        count = super.read(into, offset, length);
+      } catch (IOException e) {
+        throw new IOException(port + ": its guard was closed", e);
+      }
+      return count < 0 ? end() : count;
+    }
+
+    private int end() throws IOException {
+      byte[] words = process.getErrorStream().readAllBytes();
+      String last =
+          new String(words, Charset.defaultCharset())
+              .strip()
+              .lines()
+              .reduce("", (before, line) -> line);
+      throw new IOException(last.isEmpty() ? port + ": its guard has ended" : last);
+    }
+  }
+}

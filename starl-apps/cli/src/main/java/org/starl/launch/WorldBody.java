@@ -1,0 +1,98 @@
+package org.starl.launch;
+
+import java.util.function.Supplier;
+import org.starl.body.Bumps;
+import org.starl.body.WheelCommand;
+import org.starl.geometry.Pose;
+import org.starl.platform.Strand;
+import org.starl.robot.create.CreateBody;
+import org.starl.robot.optitrack.PoseSource;
+import org.starl.sim.RobotSpec;
+import org.starl.sim.SimSettings;
+import org.starl.sim.world.SimChassis;
+import org.starl.sim.world.World;
+
+/**
+ * A body in the {@link WorldServer}: a simulated Create moves and feels with it, and cameras see it.
+ * It belongs to the world's strand; Creates and programs use it from their own threads.
+ */
+final class WorldBody extends SimulatedBody implements CreateBody {
+
+  private final String rigidBody;
+  private final double axleMm;
+  private final Strand strand;
+  private final SimChassis chassis;
+
+  // Written on the world's strand, read by Creates and programs.
+  private volatile Bumps bumps = Bumps.NONE;
+
+  // Set by the program's thread, called on the world's strand.
+  private volatile Runnable onBump = () -> {};
+
+  // The world's strand only.
+  private Pose lastPose;
+
+  WorldBody(
+      RobotSpec spec,
+      String rigidBody,
+      SimSettings settings,
+      double axleMm,
+      World world,
+      Strand strand,
+      SimChassis chassis) {
+    super(spec, settings, world, chassis);
+    this.rigidBody = rigidBody;
+    this.axleMm = axleMm;
+    this.strand = strand;
+    this.chassis = chassis;
+    lastPose = spec.start();
+    chassis.onBump(() -> {
+      bumps = chassis.bumps();
+      onBump.run();
+    });
+  }
+
+  @Override
+  public void drive(double leftMmPerS, double rightMmPerS, long atNs) {
+    WheelCommand command =
+        new WheelCommand((leftMmPerS + rightMmPerS) / 2, (rightMmPerS - leftMmPerS) / axleMm);
+    drive(() -> command);
+  }
+
+  /** The same, from any thread; {@code command} is evaluated on the world's strand. */
+  void drive(Supplier<WheelCommand> command) {
+    strand.post(() -> chassis.drive(command.get()));
+  }
+
+  /** What it touches now. From any thread. */
+  Bumps bumps() {
+    return bumps;
+  }
+
+  /** {@code receiver} is called on the world's strand when {@link #bumps} has changed. */
+  void onBump(Runnable receiver) {
+    onBump = receiver;
+  }
+
+  @Override
+  public Senses senses(long atNs) {
+    Bumps now = bumps;
+    return Senses.bumps(
+        now == Bumps.LEFT || now == Bumps.BOTH, now == Bumps.RIGHT || now == Bumps.BOTH);
+  }
+
+  @Override
+  void lift() {
+    seen();
+    super.lift();
+    bumps = Bumps.NONE;
+  }
+
+  /** As cameras see it; off the floor they do not. */
+  PoseSource.Body seen() {
+    if (isOnFloor()) {
+      lastPose = onFloor().pose();
+    }
+    return new PoseSource.Body(rigidBody, lastPose, isOnFloor(), 0);
+  }
+}

@@ -1,0 +1,309 @@
+package org.starl.launch;
+
+import java.io.DataInputStream;
+import java.io.DataOutputStream;
+import java.io.EOFException;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.function.Consumer;
+import org.starl.id.RobotId;
+import org.starl.platform.Timer;
+import org.starl.random.Rng;
+import org.starl.robot.CreateWheelbase;
+import org.starl.robot.PoseFeeds;
+import org.starl.robot.Wheelbase;
+import org.starl.robot.create.CreateHost;
+import org.starl.robot.create.CreateModel;
+import org.starl.robot.file.Deployment;
+import org.starl.robot.file.HostPort;
+import org.starl.robot.file.Positions;
+import org.starl.robot.file.RobotEntry;
+import org.starl.robot.file.Wheels;
+import org.starl.robot.file.Wheels.Create;
+import org.starl.robot.optitrack.NatNetServer;
+import org.starl.robot.optitrack.NatNetServerSettings;
+import org.starl.robot.optitrack.NatNetVersion;
+import org.starl.robot.optitrack.PoseSource;
+import org.starl.robot.realtime.RealClock;
+import org.starl.robot.realtime.RealStrand;
+import org.starl.robot.serial.PseudoTerminal;
+import org.starl.robot.trace.LateTrace;
+import org.starl.robot.trace.MachineClock;
+import org.starl.robot.trace.Outbox;
+import org.starl.sim.Blueprint;
+import org.starl.sim.world.SimChassis;
+import org.starl.sim.world.World;
+import org.starl.trace.TraceEvent.Fault;
+
+/**
+ * The simulated bodies of a deployment: one floor with all of them, a simulated Create at the far end
+ * of each serial link, and a NatNet server in place of the cameras. Its trace has the true bodies, by
+ * which specifications are judged.
+ *
+ * <p>The bodies belong to the server's strand; a body moves in closed form from one command to the next.
+ * Robots ask for their place on the floor by {@link WorldClient}.
+ */
+public final class WorldServer implements AutoCloseable {
+
+  private static final long CAMERA_PERIOD_NS = 5_000_000;
+
+  private final Deployment deployment;
+  private final Consumer<String> console;
+  private final Consumer<Throwable> onFailure;
+  private final RealClock clock = RealClock.ofDate();
+  private final long startNs = clock.nowNs();
+  private final Outbox trace;
+  private final RealStrand strand;
+  private final double apartMm;
+  private final Map<RobotId, WorldBody> bodies = new TreeMap<>();
+  private final Deque<AutoCloseable> parts = new ArrayDeque<>();
+  private final Timer update;
+  private boolean isClosed;
+
+  // The strand only: robots whose bodies wait for their place, and where to send the answer.
+  private final Map<RobotId, DataOutputStream> waiting = new TreeMap<>();
+
+  // Written on the strand, read by the cameras' thread.
+  private volatile PoseSource.Snapshot seen = new PoseSource.Snapshot(0, List.of());
+
+  /**
+   * Runs from now on.
+   *
+   * @param out takes the trace of the bodies
+   * @param console takes lines for people, from any thread
+   * @param onFailure is told, from any thread, of an error that ends it early
+   * @throws IOException if an address or a device cannot be opened; its message is one line for people
+   */
+  public WorldServer(
+      Deployment deployment,
+      Blueprint blueprint,
+      OutputStream out,
+      Consumer<String> console,
+      Consumer<Throwable> onFailure)
+      throws IOException {
+    this.deployment = deployment;
+    this.console = console;
+    this.onFailure = onFailure;
+    trace = new Outbox(Fault.WORLD, blueprint.header(), out);
+    MachineClock.tell(trace, clock, startNs);
+    strand = new RealStrand("world", clock, onFailure);
+    parts.push(strand);
+    apartMm = Launcher.ROOM_IN_RADII * blueprint.settings().robotRadiusMm();
+    World world =
+        new World(
+            strand.pieceClock(),
+            strand,
+            new LateTrace(trace, startNs, event -> {}),
+            blueprint.settings().worldLimits(),
+            blueprint.obstacles());
+    update = strand.timer(this::update);
+    try {
+      for (RobotEntry entry : deployment.simulated()) {
+        bodies.put(entry.id(), body(entry, blueprint, world));
+      }
+      serveRobots();
+      serveCameras();
+      for (RobotEntry entry : deployment.simulated()) {
+        if (entry.wheels() instanceof Create create) {
+          serveCreate(entry.id(), create);
+        }
+      }
+    } catch (IOException | RuntimeException e) {
+      close();
+      throw e;
+    }
+    strand.post(this::update);
+  }
+
+  private WorldBody body(RobotEntry entry, Blueprint blueprint, World world) {
+    CreateModel model =
+        entry.wheels() instanceof Create create
+            ? CreateWheelbase.model(create)
+            : CreateModel.CREATE_2;
+    Rng rng = new Rng(deployment.seed()).fork(entry.id().name()).fork("chassis");
+    return new WorldBody(
+        RobotMain.spec(blueprint, entry.id()),
+        entry.rigidBody(),
+        blueprint.settings(),
+        model.axleMm(),
+        world,
+        strand,
+        new SimChassis(strand, rng, blueprint.settings().speedError()));
+  }
+
+  /** The wheels of a robot that is simulated without a Create: its program runs in this process. */
+  public Wheelbase.Source wheels(RobotId robot) {
+    WorldBody body = bodies.get(robot);
+    if (body == null) {
+      throw new IllegalArgumentException(robot + " is not simulated");
+    }
+    return (robotStrand, robotClock, log, onWheelFailure) -> new SimulatedWheels(body, robotStrand);
+  }
+
+  /** Ends it, with its Creates and cameras. */
+  @Override
+  public void close() {
+    if (isClosed) {
+      return;
+    }
+    isClosed = true;
+    for (AutoCloseable part : parts) {
+      try {
+        part.close();
+      } catch (Exception e) {
+        console.accept(part + ": " + e); // the process ends, which closes it too
+      }
+    }
+    try {
+      trace.end(clock.nowNs() - startNs);
+    } catch (IOException e) {
+      console.accept("the trace is cut off: " + e);
+    }
+  }
+
+  /** Gives places, and renews what the cameras see. On the strand. */
+  private void update() {
+    waiting
+        .entrySet()
+        .removeIf(each -> {
+          RobotId robot = each.getKey();
+          WorldBody body = bodies.get(robot);
+          boolean isPlaced = body != null && body.place(apartMm);
+          if (isPlaced) {
+            answer(each.getValue(), WorldClient.Word.PLACED);
+            console.accept(robot + " is on the floor");
+          }
+          return isPlaced;
+        });
+    long nowNs = strand.pieceClock().nowNs();
+    seen = new PoseSource.Snapshot(nowNs, bodies.values().stream().map(WorldBody::seen).toList());
+    update.set(nowNs + CAMERA_PERIOD_NS);
+  }
+
+  private void serveCameras() throws IOException {
+    if (!(deployment.positions() instanceof Positions.NatNet natNet)) {
+      throw new IllegalArgumentException("simulated bodies need 'positions: source: natnet'");
+    }
+    String multicast = natNet.multicast();
+    String[] version = natNet.version().split("\\.", -1);
+    NatNetServerSettings settings =
+        new NatNetServerSettings(
+            natNet.server().resolve(),
+            multicast == null
+                ? null
+                : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort()),
+            new NatNetVersion(Integer.parseInt(version[0]), Integer.parseInt(version[1])),
+            PoseFeeds.axes(natNet),
+            100,
+            true);
+    parts.push(NatNetServer.open(settings, () -> seen, clock, onFailure::accept));
+  }
+
+  private void serveCreate(RobotId robot, Create create) throws IOException {
+    WorldBody body = bodies.get(robot);
+    if (body == null || create.simulatedAt() == null) {
+      throw new IllegalStateException(robot + " is not simulated");
+    }
+    CreateHost host =
+        CreateHost.start(
+            robot.name(),
+            CreateWheelbase.model(create),
+            body,
+            clock,
+            ended -> console.accept(robot + "'s Create: " + ended.getMessage()));
+    parts.push(host);
+    switch (create.simulatedAt()) {
+      case Wheels.Tcp tcp -> host.listen(listen(tcp.address()));
+      case Wheels.Device device -> host.serve(PseudoTerminal.open(device.path()));
+    }
+  }
+
+  private static ServerSocket listen(HostPort address) throws IOException {
+    ServerSocket server = new ServerSocket();
+    server.setReuseAddress(true);
+    server.bind(address.resolve());
+    return server;
+  }
+
+  private void serveRobots() throws IOException {
+    HostPort address = deployment.world();
+    if (address == null) {
+      throw new IllegalArgumentException(
+          "simulated bodies need 'world:', the address of their world");
+    }
+    ServerSocket server = listen(address);
+    parts.push(server);
+    startDaemon("accept", () -> accept(server));
+  }
+
+  private void accept(ServerSocket server) {
+    while (!server.isClosed()) {
+      try {
+        Socket socket = server.accept();
+        startDaemon("robot", () -> serve(socket));
+      } catch (IOException e) {
+        if (!server.isClosed()) {
+          onFailure.accept(e);
+          return;
+        }
+      }
+    }
+  }
+
+  private void serve(Socket socket) {
+    try (socket;
+        DataInputStream in = new DataInputStream(socket.getInputStream())) {
+      String name = in.readUTF();
+      WorldBody body = RobotId.isValid(name) ? bodies.get(new RobotId(name)) : null;
+      if (body == null) {
+        console.accept("no body for an unknown robot at " + socket.getRemoteSocketAddress());
+        return;
+      }
+      RobotId robot = new RobotId(name);
+      DataOutputStream answers = new DataOutputStream(socket.getOutputStream());
+      while (true) {
+        WorldClient.Word word = WorldClient.Word.read(in);
+        strand.post(() -> obey(robot, body, word, answers));
+      }
+    } catch (EOFException e) {
+      return; // the robot has closed its connection
+    } catch (IOException e) {
+      console.accept("a robot's connection: " + e.getMessage());
+    }
+  }
+
+  // On the strand.
+  private void obey(
+      RobotId robot, WorldBody body, WorldClient.Word word, DataOutputStream answers) {
+    waiting.remove(robot);
+    if (word == WorldClient.Word.PLACE) {
+      waiting.put(robot, answers);
+    } else if (word == WorldClient.Word.LIFT) {
+      body.lift();
+      answer(answers, WorldClient.Word.LIFTED);
+    }
+  }
+
+  private void answer(DataOutputStream to, WorldClient.Word word) {
+    try {
+      to.writeUTF(word.name());
+    } catch (IOException e) {
+      console.accept("a robot's connection: " + e.getMessage());
+    }
+  }
+
+  private static void startDaemon(String name, Runnable work) {
+    Thread thread = new Thread(work, "world " + name);
+    thread.setDaemon(true);
+    thread.start();
+  }
+}

@@ -1,0 +1,45 @@
+package org.starl.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+
+/** What the launcher does when a process fails. */
+@Tag("realtime")
+class LauncherTest {
+
+  private final List<String> told = new ArrayList<>();
+
+  private LaunchResult run(String main) throws IOException {
+    List<String> command = JavaProcess.command(128, main, List.of());
+    LaunchSettings settings =
+        new LaunchSettings(1, List.of(), Duration.ofSeconds(150), LaunchSettings.DEFAULT_QUIET);
+    try (Launcher launcher = new Launcher(FaultyMain.blueprint(), command, settings, told::add)) {
+      return launcher.run();
+    }
+  }
+
+  @Test
+  void aBugInAProcessEndsTheRunAndIsReported() throws IOException {
+    LaunchResult result = run(FaultyMain.class.getName());
+    assertThat(result.isSafe()).isFalse();
+    assertThat(result.errors()).as("%s", told).hasSize(1);
+    assertThat(result.errors().get(0))
+        .startsWith("bot1: java.lang.IllegalStateException: the bug")
+        .contains("FaultyMain$Faulty.callStarL");
+  }
+
+  @Test
+  void aProcessThatDoesNotStartEndsTheRun() throws IOException {
+    LaunchResult result = run("org.starl.NoSuchProgram");
+    assertThat(result.isGood()).isFalse();
+    assertThat(result.errors()).hasSize(1);
+    assertThat(result.errors().get(0)).contains("its process ended by itself, with status 1");
+    assertThat(told).anyMatch(line -> line.contains("NoSuchProgram"));
+  }
+}

@@ -1,0 +1,374 @@
+package org.starl.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.io.OutputStream;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.robot.trace.Outbox;
+import org.starl.robot.trace.Word;
+import org.starl.sim.Blueprint;
+import org.starl.sim.SimObserver;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
+import org.starl.spec.Bodies;
+import org.starl.spec.Monitor;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Delivered;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Moved;
+import org.starl.trace.TraceEvent.Sent;
+import org.starl.trace.TraceHeader;
+
+/** The traces of several processes as one. */
+class TraceMergeTest {
+
+  private static final RobotId A = new RobotId("a");
+  private static final RobotId B = new RobotId("b");
+  private static final long MS = 1_000_000;
+  private static final long SECOND = 1000 * MS;
+  private static final TraceHeader HEADER =
+      new TraceHeader("test", "section", 1, 1, Map.of(), List.of(A, B));
+
+  @TempDir private Path folder;
+
+  /** No two robots are in the section. */
+  private static final class Exclusion implements Monitor {
+    private final Map<RobotId, Boolean> inside = new TreeMap<>();
+
+    @Override
+    public List<String> lemmas() {
+      return List.of("Exclusion");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      if (event instanceof Action action) {
+        report.checked("Exclusion");
+        if (action.name().equals("leave")) {
+          inside.remove(action.robot());
+        } else if (action.name().equals("enter")) {
+          inside.put(action.robot(), true);
+          if (inside.size() > 1) {
+            report.violated(
+                "Exclusion", action.timeNs(), List.copyOf(inside.keySet()), "two inside");
+          }
+        }
+      }
+    }
+  }
+
+  /** No two bodies touch. */
+  private static final class Apart implements Monitor {
+    private final Bodies bodies = new Bodies();
+
+    @Override
+    public List<String> lemmas() {
+      return List.of("Apart");
+    }
+
+    @Override
+    public void observe(TraceEvent event, Report report) {
+      bodies.observe(event);
+      if (bodies.robots().size() == 2) {
+        report.checked("Apart");
+        double distanceMm =
+            bodies.poseAt(A, event.timeNs()).at().distanceMm(bodies.poseAt(B, event.timeNs()).at());
+        if (distanceMm < bodies.radiusMm(A) + bodies.radiusMm(B)) {
+          report.violated("Apart", event.timeNs(), List.of(A, B), "touch");
+        }
+      }
+    }
+  }
+
+  private static Blueprint blueprint() {
+    return Simulation.builder()
+        .name("section")
+        .settings(SimSettings.defaults())
+        .monitor(Exclusion::new)
+        .monitor(Apart::new)
+        .build()
+        .blueprint();
+  }
+
+  private static Action action(long atMs, RobotId robot, String name) {
+    return new Action(atMs * MS, robot, "app", name, List.of());
+  }
+
+  private static Sent sent(long atMs, RobotId robot, long number) {
+    return new Sent(atMs * MS, robot, "*", "p/i", number, 10, "hello");
+  }
+
+  private static Delivered delivered(long atMs, RobotId robot, RobotId from, long number) {
+    return new Delivered(atMs * MS, robot, from, "p/i", number, "hello");
+  }
+
+  private String trace(
+      RobotId robot, String machine, long machineNs, long dateNs, TraceEvent... events)
+      throws IOException {
+    return trace(robot, robot + ".trace", machine, machineNs, dateNs, true, events);
+  }
+
+  private String trace(
+      RobotId robot,
+      String name,
+      String machine,
+      long machineNs,
+      long dateNs,
+      boolean isWhole,
+      TraceEvent... events)
+      throws IOException {
+    Path file = folder.resolve(name);
+    try (OutputStream out = Files.newOutputStream(file)) {
+      Outbox outbox = new Outbox(robot, HEADER, out);
+      outbox.say(() -> 0, Word.CLOCK, machine, machineNs, dateNs);
+      Arrays.asList(events).forEach(outbox::record);
+      if (isWhole) {
+        outbox.end(events.length == 0 ? 0 : events[events.length - 1].timeNs());
+      }
+    }
+    return file.toString();
+  }
+
+  private static TraceMerge.Result judge(long dateErrorNs, String... files) {
+    return TraceMerge.of(List.of(files), dateErrorNs, 0).judge(blueprint(), List.of());
+  }
+
+  private static List<String> order(long dateErrorNs, String... files) {
+    List<String> seen = new ArrayList<>();
+    TraceMerge.of(List.of(files), dateErrorNs, 0)
+        .judge(
+            blueprint(),
+            List.of(
+                new SimObserver() {
+                  @Override
+                  public void observed(TraceEvent event) {
+                    if (event instanceof Action action) {
+                      seen.add(action.robot() + " " + action.name());
+                    }
+                  }
+                }));
+    return seen;
+  }
+
+  @Test
+  void tracesOfOneMachineAreOrderedByItsClock() throws IOException {
+    String a = trace(A, "m", 5 * SECOND, 0, action(10, A, "enter"), action(20, A, "leave"));
+    String b = trace(B, "m", 5 * SECOND, 9 * SECOND, action(15, B, "enter"));
+
+    TraceMerge.Result result = judge(SECOND, a, b);
+
+    assertThat(result.orders()).isEqualTo(1);
+    assertThat(result.violations()).hasSize(1);
+    assertThat(result.possible()).isEmpty();
+    assertThat(order(SECOND, a, b)).containsExactly("a enter", "b enter", "a leave");
+  }
+
+  @Test
+  void aViolationInSomeOrdersOnlyIsPossible() throws IOException {
+    String a = trace(A, "m", 0, 0, action(10, A, "enter"), action(20, A, "leave"));
+    String b = trace(B, "n", 70 * SECOND, 0, action(25, B, "enter"));
+
+    TraceMerge.Result result = judge(100 * MS, a, b);
+
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).hasSize(1);
+    assertThat(result.uncertaintyNs()).isEqualTo(200 * MS);
+  }
+
+  @Test
+  void aViolationInEveryOrderIsCertain() throws IOException {
+    String a = trace(A, "m", 0, 0, action(1000, A, "enter"), action(9000, A, "leave"));
+    String b = trace(B, "n", 0, 0, action(5000, B, "enter"));
+
+    assertThat(judge(100 * MS, a, b).violations()).hasSize(1);
+  }
+
+  @Test
+  void messagesOrderEventsThatClocksDoNot() throws IOException {
+    // By their dates b would enter first; a has left before it has sent what b waits for.
+    String a =
+        trace(A, "m", 0, 0, action(100, A, "enter"), action(200, A, "leave"), sent(210, A, 1));
+    String b = trace(B, "n", 0, 0, delivered(150, B, A, 1), action(160, B, "enter"));
+
+    TraceMerge.Result result = judge(100 * MS, a, b);
+
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).isEmpty();
+    assertThat(order(100 * MS, a, b)).containsExactly("a enter", "a leave", "b enter");
+  }
+
+  @Test
+  void noEventComesBeforeItsCauseWhenClocksDrift() throws IOException {
+    String a =
+        trace(A, "m", 0, 0, action(100, A, "enter"), action(200, A, "leave"), sent(210, A, 1));
+    String b = trace(B, "n", 0, 0, delivered(150, B, A, 1), action(160, B, "enter"));
+
+    TraceMerge.Result result =
+        TraceMerge.of(List.of(a, b), 100 * MS, 1_000_000).judge(blueprint(), List.of());
+
+    assertThat(result.orders()).isEqualTo(5);
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).isEmpty();
+  }
+
+  @Test
+  void contradictoryClocksAreRefused() throws IOException {
+    String a = trace(A, "m", 0, 0, sent(5000, A, 1));
+    String b = trace(B, "n", 0, 0, delivered(100, B, A, 1));
+
+    assertThatThrownBy(() -> judge(100 * MS, a, b))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("contradicts");
+  }
+
+  @Test
+  void aKilledProcessIsACrash() throws IOException {
+    String a = trace(A, "m", 0, 0, action(10, A, "enter"));
+    String b = trace(B, "b.trace", "m", 0, 0, false, action(15, B, "look"));
+    List<TraceEvent> faults = new ArrayList<>();
+
+    TraceMerge.Result result =
+        TraceMerge.of(List.of(a, b), SECOND, 0)
+            .judge(
+                blueprint(),
+                List.of(
+                    new SimObserver() {
+                      @Override
+                      public void observed(TraceEvent event) {
+                        if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+                          faults.add(fault);
+                        }
+                      }
+                    }));
+
+    assertThat(result.dead()).containsExactly(B);
+    assertThat(faults).containsExactly(new Fault(15 * MS, B, Fault.CRASH, ""));
+  }
+
+  private static Joined joined(long atMs, RobotId robot, double xMm) {
+    return new Joined(atMs * MS, robot, new Pose(xMm, 0, 0), 100);
+  }
+
+  private static Moved measured(long atMs, RobotId robot, double xMm) {
+    return new Moved(atMs * MS, robot, new Pose(xMm, 0, 0), 0, 0);
+  }
+
+  private static Action within(long atMs, RobotId robot, int mm) {
+    return new Action(atMs * MS, robot, "positions", "within", List.of(String.valueOf(mm)));
+  }
+
+  /** Two discs of 100 mm, the second measured so far from the first, each within 10 mm. */
+  private TraceMerge.Result measuredApart(double mm) throws IOException {
+    String a = trace(A, "m", 0, 0, joined(10, A, 0), within(20, A, 10));
+    String b = trace(B, "m", 0, 0, joined(10, B, 1000), within(20, B, 10), measured(30, B, mm));
+    return judge(SECOND, a, b);
+  }
+
+  @Test
+  void bodiesThatTouchInAllCasesAreAViolation() throws IOException {
+    TraceMerge.Result result = measuredApart(179);
+
+    assertThat(result.withinMm()).isEqualTo(10);
+    assertThat(result.violations()).hasSize(1);
+    assertThat(result.possible()).isEmpty();
+  }
+
+  @Test
+  void bodiesThatTouchInSomeCasesAreAPossibleViolation() throws IOException {
+    for (double mm : new double[] {181, 200, 219}) {
+      TraceMerge.Result result = measuredApart(mm);
+      assertThat(result.violations()).as("%s mm", mm).isEmpty();
+      assertThat(result.possible()).as("%s mm", mm).hasSize(1);
+    }
+    assertThat(measuredApart(221).possible()).isEmpty();
+  }
+
+  @Test
+  void trueBodiesOfTheWorldReplaceMeasuredOnes() throws IOException {
+    String world = trace(Fault.WORLD, "m", 0, 0, joined(5, B, 1000), measured(30, B, 201));
+    String a = trace(A, "m", 0, 0, joined(10, A, 0));
+    String b = trace(B, "m", 0, 0, joined(10, B, 1000), within(20, B, 10), measured(30, B, 50));
+
+    TraceMerge.Result result = judge(SECOND, world, a, b);
+
+    assertThat(result.withinMm()).isZero();
+    assertThat(result.violations()).isEmpty();
+    assertThat(result.possible()).isEmpty();
+  }
+
+  @Test
+  void aBodyJoinsOnceHoweverOftenItsProgramStarts() throws IOException {
+    String a = trace(A, "a.trace", "m", 0, 0, false, joined(10, A, 0));
+    String again = trace(A, "a.2.trace", "m", 0, 100 * MS, true, joined(100, A, 50));
+    List<TraceEvent> seen = new ArrayList<>();
+
+    TraceMerge.of(List.of(again, a), SECOND, 0)
+        .judge(
+            blueprint(),
+            List.of(
+                new SimObserver() {
+                  @Override
+                  public void observed(TraceEvent event) {
+                    if (event instanceof Joined || event instanceof Moved) {
+                      seen.add(event);
+                    }
+                  }
+                }));
+
+    assertThat(seen).containsExactly(joined(10, A, 0), measured(100, A, 50));
+  }
+
+  @Test
+  void headersMayLackSettingsButNotContradict() throws IOException {
+    String phone = headed("phone", Map.of("scenario", "figure7"));
+    String board = headed("board", Map.of("scenario", "figure7", "debris", "0"));
+    String other = headed("other", Map.of("scenario", "figure7", "debris", "1"));
+
+    assertThat(TraceMerge.of(List.of(phone, board), SECOND, 0).header().settings())
+        .containsExactly(Map.entry("scenario", "figure7"));
+    assertThatThrownBy(() -> TraceMerge.of(List.of(phone, board, other), SECOND, 0))
+        .isInstanceOf(BadInput.class)
+        .hasMessageEndingWith("other.trace:1: its header differs; expected the header of " + board);
+  }
+
+  private String headed(String name, Map<String, String> settings) throws IOException {
+    Path file = folder.resolve(name + ".trace");
+    try (OutputStream out = Files.newOutputStream(file)) {
+      TraceHeader header = new TraceHeader("test", "section", 1, 1, settings, List.of(A, B));
+      Outbox outbox = new Outbox(A, header, out);
+      outbox.say(() -> 0, Word.CLOCK, "m", 0, 0);
+      outbox.end(0);
+    }
+    return file.toString();
+  }
+
+  @Test
+  void aFileThatIsNotADeploymentTraceIsRefused() throws IOException {
+    Path file = folder.resolve("other.trace");
+    try (OutputStream out = Files.newOutputStream(file)) {
+      new Outbox(A, HEADER, out).end(0);
+    }
+
+    assertThatThrownBy(() -> judge(SECOND, file.toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("does not name the clock");
+    assertThatThrownBy(() -> judge(SECOND, folder.resolve("none.trace").toString()))
+        .isInstanceOf(BadInput.class)
+        .hasMessageContaining("no such file");
+  }
+}

@@ -1,0 +1,119 @@
+package org.starl.launch;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import java.io.IOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.util.HashSet;
+import java.util.Set;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Collectors;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.starl.robot.create.ByteLink;
+import org.starl.robot.file.HostPort;
+import org.starl.robot.file.Wheels;
+
+/** The process between a robot's program and its wheels. */
+@Tag("realtime")
+class WheelGuardTest {
+
+  private static final byte[] STOP = {(byte) 145, 0, 0, 0, 0};
+  private static final byte[] PASSIVE = {(byte) 128};
+
+  /** A longer wait means that it never happens. */
+  private static final int LIMIT_MS = 60_000;
+
+  @Test
+  void bytesPassBothWaysAndTheWheelsStopWhenTheProgramEnds() throws Exception {
+    try (Ends ends = new Ends()) {
+      ends.drive();
+      ends.line.getOutputStream().write("bump".getBytes(StandardCharsets.US_ASCII));
+
+      assertThat(ends.program.input().readNBytes(4))
+          .asString(StandardCharsets.US_ASCII)
+          .isEqualTo("bump");
+
+      // As the end of the program's process does.
+      ends.program.output().close();
+
+      assertThat(ends.line.getInputStream().readAllBytes()).startsWith(STOP).endsWith(PASSIVE);
+    }
+  }
+
+  @Test
+  void theWheelsOfASilentProgramStopUntilItWritesAgain() throws Exception {
+    try (Ends ends = new Ends()) {
+      // Like a frozen program: it writes nothing, and its end stays open.
+      ends.drive();
+
+      assertThat(ends.line.getInputStream().readNBytes(STOP.length)).isEqualTo(STOP);
+      ends.drive();
+    }
+  }
+
+  @Test
+  void aFrozenGuardIsKilledWhenItsProgramClosesTheLink() throws Exception {
+    try (Ends ends = new Ends()) {
+      ends.drive();
+      new ProcessBuilder("kill", "-STOP", Long.toString(ends.guard.pid())).start().waitFor();
+
+      ends.program.close();
+
+      assertThat(ends.guard.onExit().get(LIMIT_MS, TimeUnit.MILLISECONDS).isAlive()).isFalse();
+    }
+  }
+
+  @Test
+  void aPortThatCannotBeOpenedIsNamed() throws Exception {
+    ByteLink program = WheelGuard.links(new Wheels.Device("/dev/no-such-port"), 115_200).open();
+
+    assertThatThrownBy(() -> program.input().read())
+        .isInstanceOf(IOException.class)
+        .hasMessageContaining("/dev/no-such-port");
+    program.close();
+  }
+
+  /** A guard with the program at one end and the Create at the other. */
+  private static final class Ends implements AutoCloseable {
+    private final ByteLink program;
+    private final ProcessHandle guard;
+    private final Socket line;
+
+    Ends() throws IOException {
+      try (ServerSocket create = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+        HostPort address = new HostPort("127.0.0.1", create.getLocalPort());
+        Set<ProcessHandle> before = children();
+        program = WheelGuard.links(new Wheels.Tcp(address), 115_200).open();
+        Set<ProcessHandle> now = children();
+        now.removeAll(before);
+        guard = now.iterator().next();
+        line = create.accept();
+        line.setSoTimeout(LIMIT_MS);
+      }
+    }
+
+    private static Set<ProcessHandle> children() {
+      return ProcessHandle.current().children().collect(Collectors.toCollection(HashSet::new));
+    }
+
+    /** The program writes a word, and the Create receives it. */
+    void drive() throws IOException {
+      program.output().write("drive".getBytes(StandardCharsets.US_ASCII));
+      program.output().flush();
+      assertThat(line.getInputStream().readNBytes(5))
+          .asString(StandardCharsets.US_ASCII)
+          .isEqualTo("drive");
+    }
+
+    @Override
+    public void close() throws IOException {
+      line.close();
+      program.close();
+    }
+  }
+}
