@@ -20,8 +20,8 @@ import java.util.List;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
-import org.starl.id.RobotId;
 import org.starl.android.app.Store.Item;
+import org.starl.id.RobotId;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 

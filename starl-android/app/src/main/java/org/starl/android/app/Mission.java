@@ -4,11 +4,11 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
-import org.starl.platform.DeploymentKey;
 
 /**
  * What this phone is to do: one robot of a deployment, checked as far as that goes without asking

@@ -10,13 +10,13 @@ import java.util.TreeMap;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
-import org.starl.id.RobotId;
 import org.starl.apps.hello.logic.Hello;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Turn;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.id.RobotId;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 

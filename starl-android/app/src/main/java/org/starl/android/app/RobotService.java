@@ -17,11 +17,11 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.starl.platform.LogSink;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.SocketLink;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.Wheels;
-import org.starl.platform.LogSink;
 
 /**
  * Holds the robot while it is driven, in the foreground, so that Android neither ends the process nor

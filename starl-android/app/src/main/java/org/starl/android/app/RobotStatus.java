@@ -3,10 +3,10 @@ package org.starl.android.app;
 import java.io.IOException;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.motion.Location;
 import org.starl.robot.create.CreateStatus;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.udp.UdpStatistics;
-import org.starl.motion.Location;
 
 /**
  * How a robot fares. Immutable.

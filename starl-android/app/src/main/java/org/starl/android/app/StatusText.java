@@ -4,11 +4,11 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import org.jspecify.annotations.Nullable;
+import org.starl.motion.Location;
 import org.starl.robot.create.CreateHold;
 import org.starl.robot.create.CreateSensors;
 import org.starl.robot.create.CreateStatus;
 import org.starl.robot.file.Deployment;
-import org.starl.motion.Location;
 
 /** What the activity shows of a robot and its phone, line by line. */
 final class StatusText {

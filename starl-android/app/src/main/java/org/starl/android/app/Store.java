@@ -26,12 +26,12 @@ import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.jspecify.annotations.Nullable;
+import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.DeploymentReader;
 import org.starl.robot.file.YamlTree;
 import org.starl.robot.udp.KeyFile;
-import org.starl.platform.DeploymentKey;
 
 /** What a person has loaded onto this phone, in the app's own folder, which no other app can read. */
 final class Store {

@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.DeploymentReader;
 import org.starl.robot.file.YamlTree;
-import org.starl.platform.DeploymentKey;
 
 class MissionTest {
 

@@ -34,12 +34,12 @@ import org.robolectric.android.controller.ServiceController;
 import org.robolectric.annotation.Config;
 import org.robolectric.shadows.ShadowPowerManager;
 import org.starl.android.app.RobotService.Phase;
+import org.starl.geometry.Pose;
 import org.starl.robot.create.CreateHold;
 import org.starl.robot.optitrack.NatNetServer;
 import org.starl.robot.optitrack.NatNetServerSettings;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
-import org.starl.geometry.Pose;
 
 /** The service: what it asks of Android, and whole runs of a robot behind the Bluetooth socket. */
 @RunWith(RobolectricTestRunner.class)
