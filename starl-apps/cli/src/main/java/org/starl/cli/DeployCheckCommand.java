@@ -10,9 +10,7 @@ import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.deployment.DeploymentCheck;
 import org.starl.deployment.DeploymentFile;
-import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
 import org.starl.sim.Blueprint;
@@ -80,11 +78,7 @@ final class DeployCheckCommand implements Callable<Integer> {
 
   /** The robot that the user names, or null if none is named. */
   static @Nullable RobotEntry entry(Deployment deployment, @Nullable String name) {
-    try {
-      return name == null ? null : deployment.robot(name);
-    } catch (DeploymentException e) {
-      throw new BadInput(String.valueOf(e.getMessage()));
-    }
+    return name == null ? null : deployment.robot(name);
   }
 
   private static List<String> tell(Deployment deployment) {

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 
 /**
  * Reads quantities as people write them: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
@@ -56,7 +57,9 @@ public final class Quantities {
 
   /** Units of time that a rate counts by. */
   static Collection<String> rateUnits() {
-    return NS_PER_UNIT.keySet().stream().filter(Quantities::isRateUnit).toList();
+    return NS_PER_UNIT.keySet().stream()
+        .filter(Quantities::isRateUnit)
+        .collect(Collectors.toList());
   }
 
   private static boolean isRateUnit(String unit) {

@@ -6,6 +6,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.Paths;
 
 /** A file that a person has written. */
 public final class TextFile {
@@ -30,7 +31,7 @@ public final class TextFile {
    * @throws BadInput if it is missing, or a folder
    */
   public static byte[] bytes(String file, String what) {
-    Path path = Path.of(file);
+    Path path = Paths.get(file);
     if (Files.isDirectory(path)) {
       throw new BadInput(file + ": is a folder; expected " + what);
     }
