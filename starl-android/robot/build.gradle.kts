@@ -10,8 +10,7 @@ dependencies {
     api(project(":starl-core-input"))
     api(libs.jspecify)
     implementation(libs.jserialcomm)
-    // Reads deployment files: its parser alone.
-    implementation(libs.snakeyaml)
+    implementation(libs.jackson.core)
     testImplementation(project(":starl-primitives"))
     testImplementation(project(":starl-sim"))
     testImplementation(libs.junit.jupiter)

@@ -89,7 +89,7 @@ public final class CreateWheelbase implements Wheelbase {
     chassis.close();
   }
 
-  /** Tells people how the robot fares. */
+  /** Logs the robot's state. */
   private static final class Teller implements CreateChassis.Listener {
     private static final String TAG = "create";
 
@@ -113,7 +113,7 @@ public final class CreateWheelbase implements Wheelbase {
 
     @Override
     public void linkFailed(IOException cause) {
-      // It is tried again and again: each cause is told once.
+      // Links are retried again and again: a repeated cause is logged once.
       String failure = String.valueOf(cause.getMessage());
       if (!failure.equals(lastFailure)) {
         lastFailure = failure;

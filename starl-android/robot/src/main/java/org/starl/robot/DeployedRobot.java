@@ -50,11 +50,11 @@ public final class DeployedRobot implements AutoCloseable {
   private static final String TAG = "network";
 
   /**
-   * What runs.
+   * The robot's program.
    *
    * @param app makes the app over the robot's gvh
-   * @param knownObstacles the map that it has at its start
-   * @param motion but for what the deployment's limits say of its wheels
+   * @param knownObstacles the map at the start
+   * @param motion parameters, except those that follow from the deployment's limits
    */
   public record Program(
       Function<GlobalVarHolder, ? extends LogicThread> app,
@@ -62,10 +62,10 @@ public final class DeployedRobot implements AutoCloseable {
       MotionParameters motion) {}
 
   /**
-   * Where it runs.
+   * The robot's environment.
    *
-   * @param storage a folder, this robot's alone
-   * @param wheels its own
+   * @param storage a folder for this robot only
+   * @param wheels this robot's
    * @param clock read by several threads
    * @param log from any thread
    * @param trace from any thread
@@ -73,13 +73,13 @@ public final class DeployedRobot implements AutoCloseable {
   public record Surroundings(
       Path storage, Wheelbase.Source wheels, RealClock clock, LogSink log, TraceSink trace) {}
 
-  /** Is told of it. */
+  /** Receives the robot's end. */
   public interface Host {
 
-    /** On the strand: the app has come to its end; the robot goes on answering. */
+    /** On the strand: the app has ended; the robot still answers messages. */
     void finished(List<Object> results);
 
-    /** From any thread: it cannot go on. Its wheels are stopped already. */
+    /** From any thread: the robot cannot continue. Its wheels are already stopped. */
     void failed(Throwable error);
   }
 
@@ -103,7 +103,7 @@ public final class DeployedRobot implements AutoCloseable {
    * Opens everything; {@link #start} runs it.
    *
    * @param key null for none
-   * @throws IOException if radio, storage, positions or wheels are not to be had; one line for people
+   * @throws IOException if radio, storage, positions or wheels cannot be opened; one line for people
    */
   public static DeployedRobot open(
       Deployment deployment,
@@ -160,7 +160,7 @@ public final class DeployedRobot implements AutoCloseable {
                 StartNumber.next(stable, startNs),
                 clock,
                 new Neighbourhood()));
-    // Each start draws otherwise.
+    // Each start has its own random choices.
     Rng rng = new Rng(deployment.seed()).fork(id.name()).fork("start" + startNs);
     double loss = deployment.network().loss();
     radio =
@@ -203,12 +203,12 @@ public final class DeployedRobot implements AutoCloseable {
     runner = new RobotRunner(platform, program.app(), this::finished);
   }
 
-  /** Runs the app. Once. */
+  /** Starts the app. Once. */
   public void start() {
     runner.start();
   }
 
-  /** Where its radio listens. */
+  /** Its radio's address. */
   public InetSocketAddress address() {
     return udp.address();
   }
@@ -223,44 +223,44 @@ public final class DeployedRobot implements AutoCloseable {
     return runner.gvh();
   }
 
-  /** Whether the app has come to its end. Strand only. */
+  /** Whether the app has ended. Strand only. */
   public boolean isFinished() {
     return runner.isFinished();
   }
 
-  /** How long the strand was held so far. */
+  /** The use of the strand's time so far. */
   public StrandUse strandUse() {
     return strand.use();
   }
 
-  /** What the radio has sent and heard. */
+  /** Counts of the radio's datagrams. */
   public UdpStatistics network() {
     return udp.statistics();
   }
 
-  /** How the wheels fare, for people. */
+  /** The wheels' state, for people. */
   public String wheelStatus() {
     return wheels.status();
   }
 
-  /** When a robot of this deployment was heard last, on the robot's clock; null if never. */
+  /** The time of another robot's last beacon, on this robot's clock; null if it was never heard. */
   public @Nullable Long lastHeardNs(RobotId robot) {
     return discovery.lastHeardNs(robot);
   }
 
-  /** Stops the wheels at once, below the program; {@link #release} takes it back. */
+  /** Stops the wheels at once, below the program, until {@link #release}. */
   public void emergencyStop() {
-    // A log may wait: for a disk, for a terminal that nobody reads.
+    // Stop first: a log may block on a disk or a terminal.
     wheels.emergencyStop();
     log.log(clock.nowNs(), Level.WARN, "wheels", "emergency stop");
   }
 
-  /** The program's next command counts again. */
+  /** Ends the emergency stop: the program's next command is obeyed. */
   public void release() {
     wheels.release();
   }
 
-  /** Ends it, wheels first: it says nothing more. */
+  /** Stops the wheels, then ends the robot. */
   @Override
   public void close() {
     wheels.emergencyStop();
@@ -316,7 +316,7 @@ public final class DeployedRobot implements AutoCloseable {
     host.failed(error);
   }
 
-  /** Tells people, and the trace, who is there. */
+  /** Logs and traces which robots are heard and suspected. */
   private final class Neighbourhood implements Discovery.Listener {
 
     @Override
@@ -344,7 +344,7 @@ public final class DeployedRobot implements AutoCloseable {
     }
   }
 
-  /** What is open, to be closed where the rest cannot be had. */
+  /** The parts opened so far, to be closed if a later one cannot be opened. */
   private static final class Opened {
     private final ArrayDeque<AutoCloseable> parts = new ArrayDeque<>();
 

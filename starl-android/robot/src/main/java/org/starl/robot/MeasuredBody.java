@@ -14,12 +14,12 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceSink;
 
 /**
- * Passes a robot's fixes on, and writes them into its trace as events of its body, which nobody else
- * does where it is real: the body stands where it was measured until it is measured again. An action
- * {@code positions within} says how far in mm the true body may have been from that up to now: the
- * measurement's error, and the way that the wheels can have gone since; where no fix comes they are
- * stopped below the program, so that this ends. A body that is pushed or slides is beyond it: an action
- * {@code positions lost} says for how long, in ms, nobody would have seen that. Strand only.
+ * Passes a robot's fixes on and writes them into its trace as events of its body: in the trace the
+ * body stands at its measured position until the next fix. An action {@code positions within} has the
+ * largest distance in mm between the true body and that position so far: the measurement's error plus
+ * the path that the wheels can have driven since (bounded, because the wheels are stopped below the
+ * program when fixes stop). It does not cover a body that is pushed or slides: an action {@code
+ * positions lost} has the time, in ms, for which that could have gone unseen. Strand only.
  */
 public final class MeasuredBody implements Positioning {
 
@@ -45,9 +45,9 @@ public final class MeasuredBody implements Positioning {
   private long toldMm = -1;
 
   /**
-   * @param mostMmPerS the wheels move the body no faster
-   * @param stillAfterNs so long after the time of the last fix the wheels stand
-   * @param clock the one of the fixes
+   * @param mostMmPerS greatest speed of the body by its wheels
+   * @param stillAfterNs time from the last fix until the wheels stand still
+   * @param clock the fixes' clock
    */
   MeasuredBody(
       RobotId id,
@@ -77,7 +77,7 @@ public final class MeasuredBody implements Positioning {
     });
   }
 
-  /** No fix comes any more: how far the body may have gone since the last one. */
+  /** Ends the fixes: records how far the body may have moved since the last one. */
   void end(long nowNs) {
     if (last != null) {
       tell(last, nowNs);

@@ -17,7 +17,7 @@ import org.starl.robot.optitrack.NatNetSettings;
 import org.starl.robot.optitrack.PoseFeed;
 import org.starl.robot.optitrack.UpAxis;
 
-/** Opens what a deployment's {@link Positions} mean. */
+/** Opens the measuring system that a deployment's {@link Positions} describe. */
 public final class PoseFeeds {
 
   private PoseFeeds() {}
@@ -31,7 +31,7 @@ public final class PoseFeeds {
     };
   }
 
-  /** How a NatNet stream of this deployment is turned. */
+  /** The axes of this deployment's NatNet stream. */
   public static Axes axes(Positions.NatNet natNet) {
     return new Axes(natNet.isYUp() ? UpAxis.Y : UpAxis.Z, BodyAxis.PLUS_X);
   }

@@ -3,14 +3,14 @@ package org.starl.robot;
 import org.starl.body.MotionParameters;
 import org.starl.robot.file.Limits;
 
-/** How an app's robots move on real wheels. */
+/** Motion parameters for real wheels. */
 public final class RealMotion {
 
   private RealMotion() {}
 
   /**
-   * The same motion, no faster than the deployment's limits, and as late and as wrong as they say that
-   * the wheels are: every position's error bound and every region to avoid have that in them.
+   * The same motion with the deployment's limits: their greatest speed, and their reaction time and
+   * speed error, which enlarge every position's error bound and every region to avoid.
    */
   public static MotionParameters of(MotionParameters motion, Limits limits) {
     double most = limits.speedMmPerS();

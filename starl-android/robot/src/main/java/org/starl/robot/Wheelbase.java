@@ -9,8 +9,8 @@ import org.starl.platform.LogSink;
 import org.starl.platform.Strand;
 
 /**
- * Wheels with what keeps them in check below the program. All but the {@link #chassis} may be called
- * from any thread.
+ * Wheels with their safety functions below the program. All methods but {@link #chassis} may be
+ * called from any thread.
  */
 public interface Wheelbase extends AutoCloseable {
 
@@ -18,31 +18,32 @@ public interface Wheelbase extends AutoCloseable {
   @FunctionalInterface
   interface Source {
     /**
-     * @param strand the robot's; bumps are told there
-     * @param clock the one by which fixes bear their times; may be read by any thread
-     * @param onFailure is told, from any thread, of a bug below: the wheels stand already, for good
-     * @throws IOException if there are none to be had
+     * @param strand the robot's; bumps are reported there
+     * @param clock the fixes' clock; may be read by any thread
+     * @param onFailure takes a bug of the driver, from any thread; the wheels are already stopped for
+     *     good
+     * @throws IOException if they cannot be opened
      */
     Wheelbase open(Strand strand, Clock clock, LogSink log, Consumer<Throwable> onFailure)
         throws IOException;
   }
 
-  /** What the program drives. */
+  /** The chassis that the program drives. */
   Chassis chassis();
 
-  /** There is a fix of this robot's; without them the wheels stop. */
+  /** Takes each fix of this robot; without fixes the wheels stop. */
   void fixed(Fix fix);
 
   /** Stops the wheels at once, until {@link #release}. */
   void emergencyStop();
 
-  /** Takes the emergency stop back. */
+  /** Ends the emergency stop. */
   void release();
 
-  /** How the wheels fare, in a line for people. */
+  /** The wheels' state, one line for people. */
   String status();
 
-  /** Stops the wheels, then lets go of them. */
+  /** Stops the wheels, then closes the link to them. */
   @Override
   void close();
 }

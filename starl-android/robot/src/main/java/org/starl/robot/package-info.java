@@ -1,11 +1,11 @@
 /**
- * One real robot, put together as a deployment file says: strand, radio, storage, positions and wheels
- * under its app. {@link org.starl.robot.DeployedRobot} is the whole; what a phone and a Linux
- * board do not have alike (how bytes get to a Create) comes in from outside, as a {@link
+ * One real robot as a deployment file describes it: strand, radio, storage, positions and wheels under
+ * its app. {@link org.starl.robot.DeployedRobot} is the whole; the part that differs between a
+ * phone and a Linux board (the link to a Create) is passed in as a {@link
  * org.starl.robot.Wheelbase}.
  *
- * <p>Contract: whatever ends a robot, its wheels are stopped first. What the network, the measuring
- * system or the wheels do wrong is logged and counted; what stops the robot for good is told to its
+ * <p>Contract: whatever ends a robot, its wheels are stopped first. Errors of the network, the
+ * measuring system or the wheels are logged and counted; an error that ends the robot goes to its
  * {@link org.starl.robot.DeployedRobot.Host}.
  *
  * <p>May import: the JDK as far as Android API 26 has it, core, {@code org.starl.robot}.

@@ -12,7 +12,6 @@ import org.starl.input.BadInput;
 import org.starl.launch.DeploymentCheck;
 import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
 import org.starl.sim.Blueprint;
@@ -80,11 +79,7 @@ final class DeployCheckCommand implements Callable<Integer> {
 
   /** The robot that the user names, or null if none is named. */
   static @Nullable RobotEntry entry(Deployment deployment, @Nullable String name) {
-    try {
-      return name == null ? null : deployment.robot(name);
-    } catch (DeploymentException e) {
-      throw new BadInput(String.valueOf(e.getMessage()));
-    }
+    return name == null ? null : deployment.robot(name);
   }
 
   private static List<String> summary(Deployment deployment) {

@@ -5,10 +5,9 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.starl.input.BadInput;
+import org.starl.input.DocumentReader;
+import org.starl.input.Node;
 import org.starl.input.TextFile;
-import org.starl.robot.file.DeploymentException;
-import org.starl.robot.file.Node;
-import org.starl.robot.file.YamlTree;
 
 /**
  * A scenario in YAML: {@code app:} and then any settings and parameters, one a line.
@@ -30,6 +29,8 @@ record ScenarioFile(
     String file, String app, Map<String, String> values, Map<String, Integer> lines) {
 
   static final String APP = "app";
+
+  private static final String EXPECTED = "expected lines such as 'app: intersection'";
   private static final String FAULTS = "faults";
 
   static boolean isOne(String what) {
@@ -40,16 +41,16 @@ record ScenarioFile(
     return new ScenarioFile("", app, Map.of(), Map.of());
   }
 
-  /** What stands before an error in the value of {@code key}: {@code my.yaml:3: }. */
+  /** The beginning of an error in the value of {@code key}: {@code my.yaml:3: }. */
   String where(String key) {
     return file.isEmpty() ? "" : file + ":" + lines.getOrDefault(key, 1) + ": ";
   }
 
-  /** @throws BadInput if it is missing, no text, no YAML, or not as above */
+  /** @throws BadInput if the file is missing, not text, not YAML, or not as above */
   static ScenarioFile read(String file) {
     Map<String, String> values = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();
-    mapping(file)
+    DocumentReader.read(file, TextFile.read(file, "a scenario file", EXPECTED), EXPECTED)
         .parts()
         .forEach((key, node) -> {
           lines.put(key, node.line());
@@ -57,17 +58,9 @@ record ScenarioFile(
         });
     String app = values.remove(APP);
     if (app == null) {
-      throw new BadInput(file + ": has no 'app:'; " + YamlTree.EXPECTED);
+      throw new BadInput(file + ": has no 'app:'; " + EXPECTED);
     }
     return new ScenarioFile(file, app, values, lines);
-  }
-
-  private static Node.Mapping mapping(String file) {
-    try {
-      return YamlTree.read(file, TextFile.read(file, "a scenario file", YamlTree.EXPECTED));
-    } catch (DeploymentException e) {
-      throw new BadInput(String.valueOf(e.getMessage()));
-    }
   }
 
   private static String value(String file, String key, Node node) {
@@ -77,22 +70,18 @@ record ScenarioFile(
     if (node instanceof Node.Text text && !text.value().isEmpty()) {
       return text.value();
     }
-    throw new BadInput(at(file, node) + key + ": expected one value, such as '" + key + ": 4'");
+    throw BadInput.at(file, node.line(), key + ": expected one value, such as '" + key + ": 4'");
   }
 
-  /** What a list says, with commas; those inside a fault may have taken it apart. */
+  /** The items joined with commas: YAML splits a list at the commas inside a fault too. */
   private static String faults(String file, Node.Listing list) {
     List<String> parts = new ArrayList<>();
     for (Node item : list.items()) {
       if (!(item instanceof Node.Text text)) {
-        throw new BadInput(at(file, item) + FAULTS + ": expected a list of faults");
+        throw BadInput.at(file, item.line(), FAULTS + ": expected a list of faults");
       }
       parts.add(text.value());
     }
     return String.join(",", parts);
-  }
-
-  private static String at(String file, Node node) {
-    return file + ":" + node.line() + ": ";
   }
 }

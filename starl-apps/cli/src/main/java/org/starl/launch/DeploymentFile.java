@@ -8,9 +8,7 @@ import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.DeploymentReader;
-import org.starl.robot.file.YamlTree;
 import org.starl.robot.udp.KeyFile;
 
 /** Reads a deployment file in YAML. All errors are {@link BadInput}. */
@@ -25,12 +23,7 @@ public final class DeploymentFile {
 
   /** The same from the bytes of {@code file}. */
   static Deployment parse(String file, byte[] bytes) {
-    try {
-      String text = TextFile.decode(file, bytes, YamlTree.EXPECTED);
-      return DeploymentReader.read(file, YamlTree.read(file, text));
-    } catch (DeploymentException e) {
-      throw new BadInput(String.valueOf(e.getMessage()));
-    }
+    return DeploymentReader.read(file, TextFile.decode(file, bytes, DeploymentReader.EXPECTED));
   }
 
   /**

@@ -114,19 +114,19 @@ class BadInputTest {
       app: intersection\\nrobots:\\n  most: 4 | :2: robots: | expected one value
       app: intersection\\nrobots: [1, 2] | :2: robots: | expected one value
       app: intersection\\nrobots: | robots: | expected one value
-      app: intersection\\nrobots: !!int + | :2: | '+' | expected a whole number
-      app: hello\\nfaults: [!!int +] | :2: faults='+' | expected
-      app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | again
+      app: intersection\\nrobots: !!int + | :2: robots: | expected one value
+      app: hello\\nfaults: [!!int +] | :2: faults: | expected one value
+      app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | once
       robots: 4 | has no 'app:' | expected lines such as
       app: intersection\\ndebrs: 2 | :2: | 'debrs' | did you mean debris?
       app: crossroads | :1: | 'crossroads' | expected one of
       - app\\n- intersection | :1: | expected lines such as
       intersection | :1: | expected lines such as
       app: intersection\\n---\\napp: hello | expected one document
-      app: "intersection | is no YAML | expected lines such as
+      app: "intersection | is not YAML | expected lines such as
       app: hello\\nfaults: [loss(0.1), crush(bot1)] | :2: faults='crush(bot1)' | did you mean crash?
       app: hello\\nfaults: [[loss(0.1)]] | :2: faults: | expected a list of faults
-      app: hello\\nfaults: [sight]\\nfaults: [sight] | :3: faults: | again
+      app: hello\\nfaults: [sight]\\nfaults: [sight] | :3: faults: | once
       app: hello\\nchaos: maybe | :2: chaos='maybe' | expected one of none, network
       app: intersection\\nrobots: 13 | robots: 13 | expected 1 to 12 cars
       """;

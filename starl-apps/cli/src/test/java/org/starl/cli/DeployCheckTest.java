@@ -60,16 +60,16 @@ class DeployCheckTest {
       bot1: | bot7: | :9: robots.bot7 | expected the app's robots
       bot3: {chassis: {kind: create, port: /dev/ttyUSB1}} | bot3: wheels | :11: | 'wheels' | lines
       bot3: {chassis: {kind: create, port: /dev/ttyUSB1}} | bot3: {} | robots.bot3: has no 'chassis:'
-      bot1: {chassis | bot1: {address: "127.0.0.1:4701", chassis | :9: | which bot0 has not
+      bot1: {chassis | bot1: {address: "127.0.0.1:4701", chassis | :9: | that bot0 does not have
       bot1: {chassis: {kind: create | bot1: {chassis: {kind: simulated | 'port' | expected one of
       key: my.key | key: my.key\\nnetwork: {suspectAfterMs: 1500} | at least twice beaconEveryMs
       key: my.key | key: my.key\\nnetwork: {broadcasts: no} | bot1: has no address
-      key: my.key | key: my.key\\nkey: my.key | :4: key: | again
+      key: my.key | key: my.key\\nkey: my.key | :4: key: | once
       key: my.key | world: 127.0.0.1:4000 | has no 'key:' | broadcasts: no
       key: my.key | key: my.key\\nlimits: {watchdogMs: 60} | :4: limits.watchdogMs: '60' | more than 60
       key: my.key | key: my.key\\nlimits: {reactionMs: 2000} | :4: limits.reactionMs: '2000' | 567 mm
       key: my.key | key: my.key\\nlimits: {speedError: 1} | limits.speedError: '1' | from 0.0 to 0.9
-      app: intersection | app: "intersection | is no YAML
+      app: intersection | app: "intersection | is not YAML
       """;
 
   @TempDir private Path folder;

@@ -25,9 +25,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demos;
 import org.starl.input.BadInput;
 import org.starl.launch.DeploymentFile;
+import org.starl.input.Field;
+import org.starl.input.Form;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.Field;
-import org.starl.robot.file.Form;
 import org.starl.robot.file.Grammar;
 
 /** What an editor takes in a deployment file is what {@code deploy check} takes. */
@@ -71,14 +71,14 @@ class DeploymentSchemaTest {
    * @param kind which lines those have that have kinds, else empty
    * @param fields all that may stand there
    */
-  private record Place(List<String> path, String kind, List<Field> fields) {
+  private record Place(List<String> path, String kind, List<Field<?>> fields) {
     @Override
     public String toString() {
       return path + kind;
     }
   }
 
-  private record Spot(Place place, Field field) {
+  private record Spot(Place place, Field<?> field) {
     @Override
     public String toString() {
       return place + " " + field.key();
@@ -101,7 +101,7 @@ class DeploymentSchemaTest {
           kinds
               .kinds()
               .forEach((kind, fields) -> {
-                List<Field> all = new ArrayList<>(List.of(kinds.by()));
+                List<Field<?>> all = new ArrayList<>(List.of(kinds.by()));
                 all.addAll(fields);
                 places.add(new Place(path, kind, all));
               });
@@ -326,14 +326,14 @@ class DeploymentSchemaTest {
   @ParameterizedTest
   @MethodSource("spots")
   void everyFieldSaysWhatItMeansAndWhatItUsuallyIs(Spot spot) throws IOException {
-    Field field = spot.field();
-    assertThat(field.says()).isNotBlank().doesNotEndWith(".");
+    Field<?> field = spot.field();
+    assertThat(field.meaning()).isNotBlank().doesNotEndWith(".");
     if (field.key().matches(".*(Ms|Mm|Rad|MmPerS)")) {
-      assertThat(field.says()).containsPattern("in (ms|mm|rad|mm/s)\\b");
+      assertThat(field.meaning()).containsPattern("in (ms|mm|rad|mm/s)\\b");
     }
-    if (field.usual() != null) {
+    if (field.defaultText() != null) {
       Map<String, Object> file = full(spot.place().kind());
-      at(file, spot.place().path()).put(field.key(), field.usual());
+      at(file, spot.place().path()).put(field.key(), field.defaultText());
       assertThat(errorOrNone(yaml(file))).isEmpty();
     }
   }

@@ -1,14 +1,17 @@
 package org.starl.input;
 
 import java.util.List;
+import java.util.Locale;
+import java.util.Map;
 
 /**
- * Which values a setting or a parameter takes, for tools such as editors. It repeats what the reader
- * refuses, as far as a pattern can say it; the reader has the last word.
+ * The values that a setting, a parameter or a line of a document takes: for error messages and for
+ * JSON schemas. A form repeats what the reader refuses as far as a pattern can say it; the reader
+ * has the last word.
  */
 public sealed interface Form {
 
-  /** Anything that fits on a line. */
+  /** Any text on one line. */
   Form TEXT = new Text("");
 
   /** True or false. */
@@ -17,10 +20,13 @@ public sealed interface Form {
   /** Faults, one or several. */
   Form FAULTS = new Faults();
 
-  /** A whole number, {@code least} and {@code most} among them. */
+  /** A whole number, both ends included. */
   record Whole(long least, long most) implements Form {}
 
-  /** A quantity with its unit, at least 0; above 0 if so said. */
+  /** A decimal number, both ends included. */
+  record Decimal(double least, double most) implements Form {}
+
+  /** A quantity with its unit, at least 0; above 0 if {@code isAboveZero}. */
   record Amount(Quantity quantity, boolean isAboveZero) implements Form {}
 
   /** One of these words. */
@@ -30,14 +36,80 @@ public sealed interface Form {
     }
   }
 
-  /** {@code true} or {@code false}; {@code yes no on off} are read as well. */
+  /** {@code true yes on}, or {@code false no off}. */
   record YesNo() implements Form {}
 
-  /** A text that a regular expression matches as a whole; any text if that is empty. */
+  /** A text that matches a regular expression as a whole; any text if the expression is empty. */
   record Text(String pattern) implements Form {}
 
-  /** Faults as their grammar has them. */
+  /**
+   * Any text that is not blank.
+   *
+   * @param expected what it should be, for messages
+   */
+  record Words(String expected) implements Form {}
+
+  /** Faults, as their grammar has them. */
   record Faults() implements Form {}
+
+  /**
+   * {@code HOST:PORT} or {@code [IPV6]:PORT}.
+   *
+   * @param needsPort false if HOST alone is enough
+   */
+  record Address(boolean needsPort) implements Form {}
+
+  /** The path of a device, or {@code tcp:HOST:PORT}. */
+  record Port() implements Form {}
+
+  /**
+   * A mapping with these fields.
+   *
+   * @param expected an example, for messages
+   */
+  record Lines(String expected, List<Field<?>> fields) implements Form {
+    public Lines {
+      fields = List.copyOf(fields);
+    }
+  }
+
+  /**
+   * A mapping whose field {@code by} decides which other fields it has.
+   *
+   * @param by takes a {@link Choice} of the kinds
+   * @param kinds the other fields of each kind, in the order of the choice
+   */
+  record Kinds(String expected, Field<String> by, Map<String, List<Field<?>>> kinds)
+      implements Form {}
+
+  /** A mapping of robots' names to mappings of the form {@code each}. */
+  record Named(String expected, Lines each) implements Form {}
+
+  /** A mapping of the app's parameters and settings to one value each. */
+  record Parameters(String expected) implements Form {}
+
+  /**
+   * The text after "expected" in a message about {@code form}. Static, because a default method would
+   * let the constants above initialize this type and its records in either order.
+   */
+  static String expected(Form form) {
+    return switch (form) {
+      case Whole whole -> "a whole number from " + whole.least() + " to " + whole.most();
+      case Decimal decimal -> "a number from " + decimal.least() + " to " + decimal.most();
+      case Amount amount -> "a " + amount.quantity().name().toLowerCase(Locale.ROOT);
+      case Choice choice -> "one of " + String.join(", ", choice.values());
+      case YesNo yesNo -> "one of true, false, yes, no, on, off";
+      case Text text -> "a text";
+      case Words words -> words.expected();
+      case Faults faults -> "faults";
+      case Address address -> address.needsPort() ? "HOST:PORT" : "HOST or HOST:PORT";
+      case Port port -> "a device or tcp:HOST:PORT";
+      case Lines lines -> lines.expected();
+      case Kinds kinds -> kinds.expected();
+      case Named named -> named.expected();
+      case Parameters parameters -> parameters.expected();
+    };
+  }
 
   static Form whole(long least, long most) {
     return new Whole(least, most);

@@ -1,11 +1,11 @@
 /**
- * What people type, read with care: quantities with their units, near matches of a misspelt name,
- * and the one line that a mistake is told in.
+ * Reading documents that people write. {@link org.starl.input.DocumentReader} makes a tree of {@link
+ * org.starl.input.Node}s with line numbers from YAML; {@link org.starl.input.Section} reads the tree
+ * against {@link org.starl.input.Field}s, the description from which the JSON schemas come too.
+ * Each error is one line: file, line, key, value, what was expected.
  *
- * <p>Contract: what cannot be read raises {@link org.starl.input.BadInput}, whose message is one
- * line that names the value and what was expected; nothing is guessed.
- *
- * <p>May import: the JDK alone.
+ * <p>May import: the JDK as far as Android API 26 has it, Jackson's core and YAML parser (no data
+ * binding).
  */
 @NullMarked
 package org.starl.input;

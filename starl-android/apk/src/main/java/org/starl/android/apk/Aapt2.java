@@ -103,7 +103,7 @@ final class Aapt2 {
         compiled.toString());
   }
 
-  /** What the APK says of itself. */
+  /** The APK's description by aapt2. */
   List<String> badging(Path apk) throws ApkException {
     return run("dump", "badging", apk.toString()).lines().toList();
   }

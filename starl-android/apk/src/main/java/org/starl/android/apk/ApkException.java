@@ -1,6 +1,6 @@
 package org.starl.android.apk;
 
-/** There is no APK; the message is one line for people. */
+/** The APK could not be made; the message is one line for people. */
 final class ApkException extends Exception {
 
   private static final long serialVersionUID = 1L;
@@ -12,12 +12,12 @@ final class ApkException extends Exception {
     this.exitStatus = exitStatus;
   }
 
-  /** Something made it fail that is neither input nor machine. */
+  /** A failure caused neither by input nor by the machine's setup. */
   static ApkException failed(String message) {
     return new ApkException(1, message);
   }
 
-  /** What the user gave cannot be used. */
+  /** The user's input cannot be used. */
   static ApkException badInput(String message) {
     return new ApkException(2, message);
   }

@@ -48,7 +48,7 @@ final class Dexer {
     }
   }
 
-  /** A warning is an error: a class that is not there is found by a phone, far from here. */
+  /** A warning is an error: otherwise only a phone would find that a class is missing. */
   private static final class Findings implements DiagnosticsHandler {
 
     private final List<String> lines = new ArrayList<>();
@@ -65,7 +65,7 @@ final class Dexer {
 
     @Override
     public void info(Diagnostic diagnostic) {
-      // Nothing that a person must know.
+      // Nothing that users need.
     }
   }
 }

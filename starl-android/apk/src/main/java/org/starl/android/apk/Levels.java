@@ -1,7 +1,7 @@
 package org.starl.android.apk;
 
 /**
- * Which phones the APK is for.
+ * The API levels of the APK.
  *
  * @param minSdk the oldest API level that it runs on: Android 8
  * @param targetSdk the API level whose rules it keeps: Android 16

@@ -17,21 +17,22 @@ import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipFile;
 
-/** What of a class path a phone takes: no simulator, no desktop, no command line. */
+/** Selects the classes for a phone: no simulator, no desktop, no command line. */
 final class Selection {
 
-  /** Core, primitives, the real platform without its serial ports, apps' logic, the app for phones. */
+  /** Core, primitives, the real platform without its serial ports, apps' logic, the phone's app. */
   private static final Pattern OURS =
       Pattern.compile(
-          "org/starl/([^/]+|(comms|geometry|motion|platform|random|spec|trace)/.+"
+          "org/starl/([^/]+|(comms|geometry|input|motion|platform|random|spec|trace|sim/input)/.+"
               + "|deploy/(?!serial/).+|(primitives|android/app)/.+|apps/(.+/)?logic/.+)\\.class");
 
-  /** Geometry for planning, without what draws it and Google Earth; and a reader of YAML's events. */
+  /** JTS's geometry without drawing and KML; Jackson's core and YAML parser without data binding. */
   private static final Pattern LIBRARIES =
       Pattern.compile(
           "org/locationtech/jts/(?!awt/|io/kml/|util/TestBuilderProxy).+\\.class"
-              + "|org/yaml/snakeyaml/(LoaderOptions|DumperOptions\\$.+"
-              + "|(comments|error|events|internal|nodes|parser|reader|scanner|tokens|util)/.+"
+              + "|com/fasterxml/jackson/(core|dataformat/yaml(?!/YAMLMapper))/.+\\.class"
+              + "|org/yaml/snakeyaml/(LoaderOptions|DumperOptions\\b.*"
+              + "|(comments|emitter|error|events|internal|nodes|parser|reader|resolver|scanner|serializer|tokens|util)/.+"
               + "|external/.+|inspector/.+)\\.class");
 
   private Selection() {}

@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What an APK is signed with. Immutable.
+ * The key that signs an APK. Immutable.
  *
  * @param chain the key's certificate first
  */
@@ -23,7 +23,7 @@ record SigningKey(PrivateKey key, List<X509Certificate> chain) {
 
   private static final String ALIAS = "debug";
 
-  /** As with Android's own debug key: it keeps nobody out, and keeps nothing secret. */
+  /** Public, as that of Android's own debug key: it protects nothing. */
   private static final String PASSWORD = "android";
 
   /**
@@ -49,7 +49,7 @@ record SigningKey(PrivateKey key, List<X509Certificate> chain) {
     }
   }
 
-  /** The one for tries, which is made in {@code folder} when it is first asked for. */
+  /** The debug key, which is made in {@code folder} when first needed. */
   static SigningKey debug(Path folder) throws ApkException, IOException {
     Path file = folder.resolve("android-debug.p12");
     if (!Files.exists(file)) {
@@ -82,7 +82,7 @@ record SigningKey(PrivateKey key, List<X509Certificate> chain) {
     return read(file, PASSWORD, ALIAS);
   }
 
-  /** A password is the first line of a file, so that it stands in no command line. */
+  /** A password is the first line of a file, so that it is not in a command line. */
   static String password(Path file) throws ApkException {
     try {
       return Files.readString(file, StandardCharsets.UTF_8).lines().findFirst().orElse("");

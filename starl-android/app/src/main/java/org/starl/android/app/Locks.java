@@ -7,8 +7,8 @@ import android.os.Build;
 import android.os.PowerManager;
 
 /**
- * What keeps a phone from dozing while it drives a robot: its processor, its Wi-Fi at full
- * readiness, and the multicast that Wi-Fi drivers drop otherwise. Main thread only.
+ * The locks that keep a phone awake while it drives a robot: processor, Wi-Fi without power saving, and
+ * multicast, which Wi-Fi drivers drop otherwise. Main thread only.
  */
 final class Locks {
 
@@ -40,7 +40,7 @@ final class Locks {
         : WifiManager.WIFI_MODE_FULL_HIGH_PERF;
   }
 
-  /** Takes all; again, changes nothing. They are held until {@link #release}, however long that is. */
+  /** Acquires all, if not held, until {@link #release}, without a timeout. */
   @SuppressLint("WakelockTimeout")
   void acquire() {
     wake.acquire();
@@ -48,7 +48,7 @@ final class Locks {
     multicast.acquire();
   }
 
-  /** Gives all back that are held. */
+  /** Releases all that are held. */
   void release() {
     if (multicast.isHeld()) {
       multicast.release();

@@ -22,10 +22,10 @@ import java.util.concurrent.Executors;
 import org.jspecify.annotations.Nullable;
 import org.starl.android.app.Store.Item;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 
-/** Shows the robot that the service holds, and passes on what a person wants of it. */
+/** Shows the service's robot and passes the user's orders to it. */
 public final class MainActivity extends Activity {
 
   private static final int ASK_PERMISSIONS = 1;
@@ -38,7 +38,7 @@ public final class MainActivity extends Activity {
   private final Runnable refresh = this::refresh;
   private final Connection connection = new Connection();
 
-  /** Traces may be long, and the main thread waits for nothing. */
+  /** Traces may be long, and the main thread must not wait. */
   final ExecutorService saver =
       Executors.newSingleThreadExecutor(work -> new Thread(work, "trace saver"));
 
@@ -127,13 +127,13 @@ public final class MainActivity extends Activity {
   private @Nullable Deployment deploymentOrNull(Store from) {
     try {
       return from.deployment();
-    } catch (IOException | DeploymentException e) {
+    } catch (IOException | BadInput e) {
       tell(String.valueOf(e.getMessage()));
       return null;
     }
   }
 
-  /** Below 0 if nobody knows. */
+  /** In percent; below 0 if unknown. */
   private int phoneBatteryPercent() {
     Intent battery = registerReceiver(null, new IntentFilter(Intent.ACTION_BATTERY_CHANGED));
     if (battery == null) {
@@ -151,7 +151,7 @@ public final class MainActivity extends Activity {
         tell("loaded");
         showIdentity();
       }
-    } catch (IOException | DeploymentException e) {
+    } catch (IOException | BadInput e) {
       tell(String.valueOf(e.getMessage()));
     }
   }

@@ -74,7 +74,7 @@ final class MainScreen {
     identity.setText(line);
   }
 
-  /** A line about what a person did last. */
+  /** A line about the user's last action. */
   void showNotice(String line) {
     notice.setText(line);
   }
@@ -83,7 +83,7 @@ final class MainScreen {
     status.setText(String.join("\n", lines));
   }
 
-  /** Those that mean something now. The emergency stop always does. */
+  /** Shows the buttons that apply now; the emergency stop always does. */
   void showButtons(Phase phase, boolean isEmergency) {
     boolean isDriving = phase == Phase.STARTING || phase == Phase.RUNNING;
     start.setEnabled(!isDriving);
@@ -101,7 +101,7 @@ final class MainScreen {
 
   private TextView text() {
     TextView text = new TextView(context);
-    // Else it is of the theme's second colour, which nobody reads in the sun.
+    // The theme's secondary colour is not readable in the sun.
     text.setTextAppearance(android.R.style.TextAppearance_DeviceDefault);
     text.setTextSize(TEXT_SP);
     return text;

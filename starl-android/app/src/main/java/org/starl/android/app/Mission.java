@@ -4,15 +4,14 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 
 /**
- * What this phone is to do: one robot of a deployment, checked as far as that goes without asking
- * anybody. Immutable.
+ * This phone's task: one robot of a deployment, checked without network or hardware. Immutable.
  *
  * @param app makes the robot's app
  * @param key what the deployment's datagrams are sealed with; null for none
@@ -27,25 +26,22 @@ record Mission(
   static final String BLUETOOTH = "bluetooth:";
 
   /**
-   * @throws DeploymentException if this deployment, or this robot of it, is none for a phone; one line
-   *     for people
+   * @throws BadInput if a phone cannot run this robot of this deployment
    */
   static Mission of(Deployment deployment, String robotName, @Nullable DeploymentKey key) {
     RobotEntry robot = deployment.robot(robotName);
     if (deployment.key() != null && key == null) {
-      throw new DeploymentException(
-          deployment.where("key") + "key: load '" + deployment.key() + "' onto this phone too");
+      throw deployment.error("key", deployment.key(), "this key to be loaded onto the phone too");
     }
     Mission mission =
         new Mission(deployment, robot, PhoneApps.factory(deployment, robot.id()), key);
     if (mission.bluetooth() == null && mission.tcp() == null) {
-      throw new DeploymentException(
-          deployment.file()
-              + ":"
-              + robot.line()
-              + ": robots."
+      throw BadInput.at(
+          deployment.file(),
+          robot.line(),
+          "robots."
               + robot.id()
-              + ": chassis: a phone expects kind create, and port "
+              + ": chassis: expected, on a phone, kind create and port "
               + BLUETOOTH
               + "NAME or tcp:HOST:PORT");
     }

@@ -6,8 +6,8 @@ import android.net.Network;
 import android.net.NetworkCapabilities;
 
 /**
- * Which network datagrams leave by now: robots are reached over Wi-Fi or a cable, and a phone that
- * prefers mobile data reaches none. It only looks.
+ * The network that carries datagrams now: robots are reached over Wi-Fi or a cable; a phone that
+ * prefers mobile data reaches none. It only observes.
  */
 final class NetworkWatch extends ConnectivityManager.NetworkCallback {
 
@@ -15,7 +15,7 @@ final class NetworkWatch extends ConnectivityManager.NetworkCallback {
   enum State {
     NONE("none: switch Wi-Fi on"),
     LOCAL("Wi-Fi or cable"),
-    MOBILE("mobile data: switch it off, robots are reached over Wi-Fi alone");
+    MOBILE("mobile data: switch it off, robots are reached only over Wi-Fi");
 
     private final String words;
 

@@ -8,7 +8,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** What a person must grant, by the version of Android; the manifest holds what is granted unasked. */
+/** The permissions that the user must grant, by Android's version; the manifest has the others. */
 final class Permissions {
 
   /** Android 17's, for whatever a program says to its local network; no jar that we compile with has it. */
@@ -18,7 +18,7 @@ final class Permissions {
 
   private Permissions() {}
 
-  /** Without these no robot is driven. */
+  /** Without these no robot can be driven. */
   static List<String> required(int sdk, int targetSdk) {
     List<String> all = new ArrayList<>();
     if (sdk >= Build.VERSION_CODES.S) {

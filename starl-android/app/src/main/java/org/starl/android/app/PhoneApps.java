@@ -17,13 +17,13 @@ import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Turn;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 
 /**
- * The apps that a phone can run, by name: the classes that run in the simulator, unchanged. What an
- * app's plan draws from the seed is made with the simulator's tools, which a phone does not have; so
- * a phone takes those scenarios that are the same for every seed.
+ * The apps that a phone can run, by name: the same classes as in the simulator. Scenarios drawn from the
+ * seed need the simulator, which a phone does not have; so a phone runs only the scenarios that are the
+ * same for every seed.
  */
 final class PhoneApps {
 
@@ -31,7 +31,7 @@ final class PhoneApps {
   private static final String SCENARIO = "scenario";
   private static final String FIGURE7 = "figure7";
 
-  /** Things that lie in a robot's way are the floor's business, where there is a floor. */
+  /** Accepted and ignored: debris exists only on a simulated floor. */
   private static final String DEBRIS = "debris";
 
   /** The paper's Figure 7, in the order of the robots' names. */
@@ -58,15 +58,14 @@ final class PhoneApps {
   }
 
   /**
-   * What {@code robot} runs.
+   * Makes the app of {@code robot}.
    *
-   * @throws DeploymentException if a phone has no such app, or not with these parameters
+   * @throws BadInput if a phone has no such app, or not with these parameters
    */
   static Function<GlobalVarHolder, LogicThread> factory(Deployment deployment, RobotId robot) {
     Maker maker = ALL.get(deployment.app());
     if (maker == null) {
-      throw new DeploymentException(
-          deployment.where("app") + "app: '" + deployment.app() + "': phones have " + names());
+      throw deployment.error("app", deployment.app(), "one of " + names() + " on a phone");
     }
     return maker.make(deployment, robot);
   }
@@ -90,18 +89,14 @@ final class PhoneApps {
     refuseAllBut(deployment, SCENARIO, DEBRIS);
     String scenario = deployment.parameters().get(SCENARIO);
     if (!FIGURE7.equals(scenario)) {
-      throw new DeploymentException(
-          deployment.where(SCENARIO) + "scenario: '" + scenario + "': phones have " + FIGURE7);
+      throw deployment.error(SCENARIO, String.valueOf(scenario), FIGURE7 + " on a phone");
     }
     int number = deployment.participants().asList().indexOf(robot);
     if (number < 0 || number >= FIGURE7_ROUTES.size()) {
-      throw new DeploymentException(
-          deployment.where(SCENARIO)
-              + "scenario: figure7 has "
-              + FIGURE7_ROUTES.size()
-              + " cars, and "
-              + robot
-              + " is another");
+      throw deployment.error(
+          SCENARIO,
+          FIGURE7,
+          "at most " + FIGURE7_ROUTES.size() + " robots; " + robot + " is one too many");
     }
     Crossing crossing = Crossing.STANDARD;
     Route route = FIGURE7_ROUTES.get(number);
@@ -111,15 +106,10 @@ final class PhoneApps {
   private static void refuseAllBut(Deployment deployment, String... known) {
     for (Map.Entry<String, String> parameter : deployment.parameters().entrySet()) {
       if (!Arrays.asList(known).contains(parameter.getKey())) {
-        throw new DeploymentException(
-            deployment.where(parameter.getKey())
-                + parameter.getKey()
-                + ": '"
-                + parameter.getValue()
-                + "': on a phone, "
-                + deployment.app()
-                + " knows "
-                + Arrays.toString(known));
+        throw deployment.error(
+            parameter.getKey(),
+            parameter.getValue(),
+            "one of " + Arrays.toString(known) + " for " + deployment.app() + " on a phone");
       }
     }
   }

@@ -34,8 +34,8 @@ import org.starl.robot.trace.Word;
 import org.starl.trace.TraceHeader;
 
 /**
- * The deployment's robot that this phone is, and what the phone shows of it. Nothing here is Android's.
- * All may be called from any thread; opening and closing may take their time.
+ * The robot that this phone runs, and its state for the screen. Does not depend on Android. All methods
+ * may be called from any thread; opening and closing may block.
  */
 final class Robot implements DeployedRobot.Host, AutoCloseable {
 
@@ -43,7 +43,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private static final String LOCATION = "location";
 
   /**
-   * Where a robot keeps what outlives it.
+   * A robot's persistent files.
    *
    * @param stable folder of its stable storage
    * @param trace takes its trace
@@ -97,9 +97,9 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
    * Brings the robot up and starts its app.
    *
    * @param links to the robot's wheels
-   * @param files its alone; the trace is closed when the robot is, or if there will be none
-   * @param onBug is told what the robot cannot go on after; its wheels are stopped then
-   * @throws IOException if a part of it is not to be had; nothing is left open
+   * @param files this robot's; the trace is closed with the robot, or if it cannot be opened
+   * @param onBug takes the error that ended the robot; its wheels are stopped then
+   * @throws IOException if a part cannot be opened; nothing is left open
    */
   static Robot open(
       Mission mission, ByteLink.Source links, Files files, LogSink log, Consumer<Throwable> onBug)
@@ -120,12 +120,12 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     return mission;
   }
 
-  /** Stops the wheels, and until {@link #release}, whatever the app wants. */
+  /** Stops the wheels until {@link #release}, whatever the app commands. */
   void emergencyStop() {
     deployed.emergencyStop();
   }
 
-  /** Takes the emergency stop back: the app drives on. */
+  /** Ends the emergency stop: the app may drive again. */
   void release() {
     deployed.release();
   }
@@ -169,7 +169,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     onBug.accept(error);
   }
 
-  /** As the simulator writes it of the same run, but for the settings that the deployment leaves out. */
+  /** The simulator's header for the same run, without the settings that are not in the deployment. */
   private static TraceHeader header(Deployment deployment) {
     return new TraceHeader(
         Version.STARL,
@@ -220,7 +220,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     look.set(clock.nowNs() + LOOK_EVERY_NS);
   }
 
-  /** Where in its state machine the app is, as the paper's figures name it. */
+  /** The app's location in its state machine, as the paper's figures name it. */
   private static String appLocation(GlobalVarHolder gvh) {
     for (GvhVariable<?> variable : gvh.variables()) {
       if (variable.name().equals(LOCATION)) {

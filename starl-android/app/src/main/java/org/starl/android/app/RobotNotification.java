@@ -7,7 +7,7 @@ import android.app.PendingIntent;
 import android.content.Context;
 import android.content.Intent;
 
-/** What stands in the phone's notifications while it drives a robot, with a button that stops it. */
+/** The notification while the phone drives a robot, with a button for the emergency stop. */
 final class RobotNotification {
 
   static final int ID = 1;

@@ -17,21 +17,21 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
 import org.starl.platform.LogSink;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.SocketLink;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.Wheels;
 
 /**
- * Holds the robot while it is driven, in the foreground, so that Android neither ends the process nor
- * lets the phone sleep. It is told by intents what to do, and asked by those that bind it.
+ * Runs the robot as a foreground service, so that Android neither ends the process nor lets the phone
+ * sleep. Intents control it; bound activities read its state.
  *
- * <p>Android may end it all the same, and starts it again then: the robot's program begins anew, as
- * another incarnation, and the wheels are stopped when the link to them is open again.
+ * <p>Android may end it all the same and then starts it again: the robot's program starts as another
+ * incarnation, and the wheels are stopped when the link to them is open again.
  *
- * <p>Each start and each end begins another attempt. Whatever an older one comes to later, a robot or
- * a failure, is closed and forgotten.
+ * <p>Each start and each end begins a new attempt. The late result of an older attempt, a robot or a
+ * failure, is closed and ignored.
  */
 public final class RobotService extends Service {
 
@@ -46,24 +46,24 @@ public final class RobotService extends Service {
 
   private static final String TAG = "StarL";
 
-  /** What the service is about. */
+  /** The service's state. */
   enum Phase {
     /** There is no robot. */
     IDLE,
     STARTING,
     RUNNING,
-    /** There is none any more, or there could be none: the problem says why. */
+    /** The robot has failed or could not be opened: the problem has the reason. */
     FAILED
   }
 
-  /** Gives those in this process that bind the service the service itself. */
+  /** Gives the service object to clients in this process. */
   final class Access extends Binder {
     RobotService service() {
       return RobotService.this;
     }
   }
 
-  /** Brings a robot up, as {@link Robot#open} does; may take its time. */
+  /** Opens a robot, as {@link Robot#open} does; may block. */
   interface Opener {
     Robot open(
         Mission mission,
@@ -77,7 +77,7 @@ public final class RobotService extends Service {
   private final Access access = new Access();
   private final Handler main = new Handler(Looper.getMainLooper());
 
-  /** Opens and closes robots, in the order in which it was asked to. */
+  /** Opens and closes robots, in order. */
   final ExecutorService worker =
       Executors.newSingleThreadExecutor(work -> new Thread(work, "robot service"));
 
@@ -101,7 +101,7 @@ public final class RobotService extends Service {
   private volatile @Nullable Robot robot;
   private volatile boolean isEmergency;
 
-  /** What starts or tells the service from anywhere in this app. */
+  /** An intent for the service, from anywhere in this app. */
   static Intent intent(Context context, String action) {
     return new Intent(context, RobotService.class).setAction(action);
   }
@@ -155,13 +155,13 @@ public final class RobotService extends Service {
     return status != null && status.bug() != null ? Phase.FAILED : phase;
   }
 
-  /** Why there is no robot, or none that goes on; empty if nothing is wrong. */
+  /** Why there is no running robot; empty if there is no problem. */
   String problem() {
     RobotStatus status = status();
     return status != null && status.bug() != null ? "cannot go on: " + status.bug() : problem;
   }
 
-  /** How the robot fares, or null where there is none. */
+  /** The robot's state; null if there is none. */
   @Nullable RobotStatus status() {
     Robot here = robot;
     return here == null ? null : here.status();
@@ -222,7 +222,7 @@ public final class RobotService extends Service {
     worker.execute(() -> open(mine));
   }
 
-  /** Ends the robot, wheels first, and the service when nobody has it bound. */
+  /** Ends the robot, wheels first, and the service if no client is bound. */
   private void end() {
     attempt.incrementAndGet();
     stopWheels();
@@ -261,12 +261,12 @@ public final class RobotService extends Service {
         opened.emergencyStop();
       }
       onMain(mine, () -> runs(mission));
-    } catch (IOException | DeploymentException e) {
+    } catch (IOException | BadInput e) {
       onMain(mine, () -> giveUp(String.valueOf(e.getMessage())));
     }
   }
 
-  /** Does it on the main thread, unless another attempt has begun by then. */
+  /** Runs the action on the main thread, unless another attempt has begun by then. */
   private void onMain(int mine, Runnable work) {
     main.post(() -> {
       if (attempt.get() == mine) {
@@ -291,7 +291,7 @@ public final class RobotService extends Service {
     return SocketLink.to(tcp.address().host(), tcp.address().port());
   }
 
-  // From any thread: its wheels stand already.
+  // From any thread: its wheels are already stopped.
   private void robotFailed(int mine, Throwable bug) {
     Log.e(TAG, "the robot cannot go on", bug);
     onMain(mine, () -> show("cannot go on: " + bug));
@@ -318,7 +318,7 @@ public final class RobotService extends Service {
     }
   }
 
-  /** Leaves the foreground, and lets the phone sleep, when the robot is closed: its wheels stand then. */
+  /** Leaves the foreground and releases the locks after the robot is closed, so its wheels are stopped. */
   private void leaveSoon() {
     int mine = attempt.get();
     worker.execute(() -> {

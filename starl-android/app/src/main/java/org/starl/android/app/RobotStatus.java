@@ -9,12 +9,12 @@ import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.udp.UdpStatistics;
 
 /**
- * How a robot fares. Immutable.
+ * A robot's state. Immutable.
  *
- * @param appState what its app does
- * @param location where it is as far as it knows; null before it is up
- * @param linkProblem why there is no link to its wheels; null if there is one, or nobody knows yet
- * @param bug what it cannot go on after; null if it goes on
+ * @param appState the state of its app
+ * @param location its own estimate; null before its start
+ * @param linkProblem why there is no link to its wheels; null if there is one, or not known yet
+ * @param bug the error that ended it; null while it runs
  */
 record RobotStatus(
     RobotId robot,

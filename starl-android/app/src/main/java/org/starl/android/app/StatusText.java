@@ -10,29 +10,27 @@ import org.starl.robot.create.CreateSensors;
 import org.starl.robot.create.CreateStatus;
 import org.starl.robot.file.Deployment;
 
-/** What the activity shows of a robot and its phone, line by line. */
+/** The activity's text about a robot and its phone, line by line. */
 final class StatusText {
 
   private static final long NS_PER_MS = 1_000_000;
 
   private StatusText() {}
 
-  /** Who this phone is. */
+  /** This phone's robot. */
   static String identity(@Nullable Deployment deployment, String robot) {
     if (deployment == null) {
       return "no deployment: load one";
     }
     String others = deployment.robots().size() + " robots, app " + deployment.app();
-    return robot.isEmpty()
-        ? others + "; this phone is none of them yet: choose"
-        : robot + " of " + others;
+    return robot.isEmpty() ? others + "; choose the robot of this phone" : robot + " of " + others;
   }
 
   /**
-   * How a robot fares.
+   * A robot's state.
    *
-   * @param status null where there is none
-   * @param phoneBatteryPercent below 0 if nobody knows
+   * @param status null if there is no robot
+   * @param phoneBatteryPercent below 0 if unknown
    */
   static List<String> lines(
       RobotService.Phase phase,

@@ -26,14 +26,13 @@ import java.util.regex.Pattern;
 import java.util.zip.ZipEntry;
 import java.util.zip.ZipOutputStream;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.DeploymentReader;
-import org.starl.robot.file.YamlTree;
 import org.starl.robot.udp.KeyFile;
 
-/** What a person has loaded onto this phone, in the app's own folder, which no other app can read. */
+/** The files that the user loaded, in the app's own folder, which no other app can read. */
 final class Store {
 
   /** What can be loaded. */
@@ -63,7 +62,7 @@ final class Store {
     preferences = context.getSharedPreferences(PREFERENCES, Context.MODE_PRIVATE);
   }
 
-  /** Which robot of the deployment this phone is, empty if nobody has said. */
+  /** The robot of this phone; empty if none was chosen. */
   String robotName() {
     return String.valueOf(preferences.getString(NAME, ""));
   }
@@ -72,7 +71,7 @@ final class Store {
     preferences.edit().putString(NAME, name).apply();
   }
 
-  /** Where the stable storage of a robot is. */
+  /** The folder of a robot's stable storage. */
   Path robotFolder(String robot) {
     return folder.resolve("stable").resolve(robot);
   }
@@ -80,7 +79,7 @@ final class Store {
   /**
    * A new trace of that robot; with it, the last {@value #KEPT_TRACES} are kept.
    *
-   * @throws IOException if there is no room
+   * @throws IOException if it cannot be created
    */
   OutputStream newTrace(String robot) throws IOException {
     SortedMap<Integer, Path> there = traces(robot);
@@ -95,9 +94,9 @@ final class Store {
   }
 
   /**
-   * Writes all traces of that robot, the one that is being written as far as it is, as a zip.
+   * Writes all traces of that robot as a zip, the present one as far as it is written.
    *
-   * @return how many
+   * @return their number
    */
   int saveTraces(String robot, OutputStream to) throws IOException {
     Collection<Path> traces = traces(robot).values();
@@ -134,9 +133,9 @@ final class Store {
   }
 
   /**
-   * Takes a file that a person chose, in place of the one before.
+   * Replaces a file by one that the user chose.
    *
-   * @throws DeploymentException if it is too long, or not what it should be: the one before stays
+   * @throws BadInput if it is too long or invalid; the old file is kept
    */
   void load(Item item, InputStream from) throws IOException {
     byte[] bytes = read(item, from);
@@ -157,8 +156,8 @@ final class Store {
       check(item, fresh);
     } catch (IOException e) {
       Files.delete(fresh);
-      throw new DeploymentException("this is no " + item.name().toLowerCase(Locale.ROOT));
-    } catch (DeploymentException e) {
+      throw new BadInput("the file is not a " + item.name().toLowerCase(Locale.ROOT));
+    } catch (BadInput e) {
       Files.delete(fresh);
       throw e;
     }
@@ -172,18 +171,18 @@ final class Store {
   }
 
   /**
-   * What this phone is to do.
+   * This phone's task.
    *
-   * @throws DeploymentException if it cannot do it; one line for people
+   * @throws BadInput if it is incomplete or impossible; one line for people
    */
   Mission mission() throws IOException {
     Deployment deployment = deployment();
     if (deployment == null) {
-      throw new DeploymentException("no deployment: load one first");
+      throw new BadInput("no deployment: load one first");
     }
     if (robotName().isEmpty()) {
-      throw new DeploymentException(
-          "this phone is no robot yet: choose one of " + deployment.robots().keySet());
+      throw new BadInput(
+          "this phone has no robot yet: choose one of " + deployment.robots().keySet());
     }
     Path keyFile = folder.resolve(Item.KEY.file);
     boolean isSealed = deployment.key() != null && Files.exists(keyFile);
@@ -201,7 +200,7 @@ final class Store {
   private static Deployment parse(Path file) throws IOException {
     String text = new String(Files.readAllBytes(file), StandardCharsets.UTF_8);
     String name = Item.DEPLOYMENT.file;
-    return DeploymentReader.read(name, YamlTree.read(name, text));
+    return DeploymentReader.read(name, text);
   }
 
   private static byte[] read(Item item, InputStream from) throws IOException {
@@ -209,8 +208,7 @@ final class Store {
     int length = 0;
     while (true) {
       if (length == bytes.length) {
-        throw new DeploymentException(
-            "a file of over " + item.maxBytes + " bytes: expected a shorter one");
+        throw new BadInput("a file of over " + item.maxBytes + " bytes: expected a shorter one");
       }
       int count = from.read(bytes, length, bytes.length - length);
       if (count < 0) {

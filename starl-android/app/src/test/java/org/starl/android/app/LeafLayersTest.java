@@ -25,6 +25,8 @@ class LeafLayersTest {
                       "org.starl",
                       "org.starl.comms..",
                       "org.starl.geometry..",
+                      "org.starl.input..",
+                      "org.starl.input..",
                       "org.starl.motion..",
                       "org.starl.platform..",
                       "org.starl.random..",
@@ -34,11 +36,8 @@ class LeafLayersTest {
                       "org.starl.robot..",
                       "org.starl.apps..logic..",
                       "org.starl.android.app..",
-                      "org.yaml.snakeyaml",
-                      "org.yaml.snakeyaml.error..",
-                      "org.yaml.snakeyaml.events..",
-                      "org.yaml.snakeyaml.parser..",
-                      "org.yaml.snakeyaml.reader..")
+                      "com.fasterxml.jackson.core..",
+                      "com.fasterxml.jackson.dataformat.yaml..")
                   .or(DescribedPredicate.describe("primitive types", JavaClass::isPrimitive)));
 
   /** Stands in the leaf and breaks its law. */

@@ -5,11 +5,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.Arrays;
 import org.junit.jupiter.api.Test;
+import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.DeploymentException;
 import org.starl.robot.file.DeploymentReader;
-import org.starl.robot.file.YamlTree;
 
 class MissionTest {
 
@@ -33,7 +32,7 @@ class MissionTest {
       """;
 
   private static Mission mission(String text, String robot, DeploymentKey key) {
-    Deployment deployment = DeploymentReader.read("my.yaml", YamlTree.read("my.yaml", text));
+    Deployment deployment = DeploymentReader.read("my.yaml", text);
     return Mission.of(deployment, robot, key);
   }
 
@@ -45,7 +44,7 @@ class MissionTest {
 
   private static void isRefused(String text, String robot, DeploymentKey key, String why) {
     assertThatThrownBy(() -> mission(text, robot, key))
-        .isInstanceOf(DeploymentException.class)
+        .isInstanceOf(BadInput.class)
         .hasMessage(why);
   }
 

@@ -1,21 +1,21 @@
 package org.starl.robot.create;
 
 /**
- * Cuts the bytes that a robot receives into commands, as the robot does: by opcode, without checksum,
- * so that a byte too much or too little makes other commands of what follows. Never throws; keeps no
- * more than one command. One thread.
+ * Splits the bytes that a robot receives into commands, as the robot does: by opcode, without a
+ * checksum, so that an extra or a missing byte changes the commands after it. Never throws; stores at
+ * most one command. One thread.
  */
 final class CommandParser {
 
   /** Takes whole commands. */
   interface Receiver {
-    /** {@code data[0..length)} is what followed {@code opcode}; valid during this call only. */
+    /** {@code data[0..length)} are the data bytes of {@code opcode}; valid during this call only. */
     void command(int opcode, byte[] data, int length);
   }
 
   private static final int NONE = -1;
 
-  /** A song of 255 notes, which none is, and what precedes them. */
+  /** A song of 255 notes (more than any has) with its header. */
   private final byte[] data = new byte[2 + 2 * 255];
 
   private final CreateModel model;
@@ -65,7 +65,7 @@ final class CommandParser {
     }
   }
 
-  /** What a byte that was just taken says about how many follow. */
+  /** Updates the number of bytes to come by the byte that was just taken. */
   private int more(int value) {
     boolean isFirst = length == 1;
     return switch (opcode) {
@@ -75,7 +75,7 @@ final class CommandParser {
     };
   }
 
-  /** How many bytes follow {@code value} before it is known whether more do; NONE: no command. */
+  /** Bytes after {@code value} until the command's length is known; NONE: no command. */
   private int dataBytes(int value) {
     boolean isFirst = model == CreateModel.CREATE_1;
     return switch (value) {

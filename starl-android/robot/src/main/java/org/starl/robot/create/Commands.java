@@ -6,8 +6,8 @@ final class Commands {
   private Commands() {}
 
   /**
-   * Ends a command that was cut off when its link broke, whose missing bytes these are; no command
-   * begins with 0. Four are enough for wheel speeds, and stop those that they end up in.
+   * Completes a command that was cut off when its link broke; no command begins with 0. Four bytes
+   * complete a command of wheel speeds, as speed 0.
    */
   static byte[] flush() {
     return bytes(0, 0, 0, 0);

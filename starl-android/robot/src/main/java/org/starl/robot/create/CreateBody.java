@@ -7,24 +7,24 @@ import java.util.LinkedHashSet;
 import java.util.Set;
 
 /**
- * What a {@link SimulatedCreate} moves and feels with: a body in a simulated world, or a test's. It
- * is called by one thread at a time.
+ * The body of a {@link SimulatedCreate}: in a simulated world or in a test. It is called by one
+ * thread at a time.
  */
 public interface CreateBody {
 
-  /** The wheels turn so from {@code atNs} on, in mm/s of each wheel's rim. */
+  /** From {@code atNs} on, the wheels' rims move at these speeds in mm/s. */
   void drive(double leftMmPerS, double rightMmPerS, long atNs);
 
-  /** What there is to feel at {@code atNs}, which never runs backwards. */
+  /** The sensors' values at {@code atNs}, which never decreases. */
   Senses senses(long atNs);
 
-  /** What a sensor may say. */
+  /** Sensors that can be on. */
   enum Sense {
     BUMP_LEFT,
     BUMP_RIGHT,
     DROP_LEFT,
     DROP_RIGHT,
-    /** The third wheel's; Create 1 alone has its sensor. */
+    /** The caster's; only Create 1 has its sensor. */
     CASTER_DROP,
     CLIFF_LEFT,
     CLIFF_FRONT_LEFT,
@@ -37,9 +37,9 @@ public interface CreateBody {
   }
 
   /**
-   * What the body feels. Immutable.
+   * The sensors' values. Immutable.
    *
-   * @param felt all of it; nothing else
+   * @param felt the sensors that are on
    */
   record Senses(Set<Sense> felt, Battery battery) {
 
@@ -52,12 +52,12 @@ public interface CreateBody {
       felt = Collections.unmodifiableSet(copy);
     }
 
-    /** Nothing but these, with a full battery. */
+    /** Only these are on; full battery. */
     public static Senses of(Sense... felt) {
       return new Senses(new LinkedHashSet<>(Arrays.asList(felt)), Battery.FULL);
     }
 
-    /** Nothing but these bump sensors. */
+    /** Only these bump sensors are on. */
     public static Senses bumps(boolean left, boolean right) {
       Set<Sense> felt = EnumSet.noneOf(Sense.class);
       if (left) {
@@ -69,7 +69,7 @@ public interface CreateBody {
       return new Senses(felt, Battery.FULL);
     }
 
-    /** Nothing but all wheels hanging down: the robot is lifted. */
+    /** Only the wheel drops are on: the robot is lifted. */
     public static Senses lifted() {
       return of(Sense.DROP_LEFT, Sense.DROP_RIGHT, Sense.CASTER_DROP);
     }
@@ -92,11 +92,11 @@ public interface CreateBody {
    * @param mv voltage in mV
    * @param ma current in mA, negative out of the battery
    * @param celsius temperature
-   * @param chargeMah what is in it, in mAh
-   * @param capacityMah what would fit
+   * @param chargeMah charge in mAh
+   * @param capacityMah capacity in mAh
    */
   record Battery(int mv, int ma, int celsius, int chargeMah, int capacityMah) {
-    /** Full, and slowly used. */
+    /** Full, with a small current. */
     public static final Battery FULL = new Battery(16_000, -300, 25, 2600, 2600);
   }
 }

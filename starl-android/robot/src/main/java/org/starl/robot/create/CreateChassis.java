@@ -3,7 +3,6 @@ package org.starl.robot.create;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
@@ -13,31 +12,32 @@ import org.starl.geometry.Fix;
 import org.starl.platform.Chassis;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
+import org.starl.robot.realtime.Daemons;
 
 /**
- * The wheels and bump sensors of an iRobot Create. What stops the wheels when nobody else does runs
- * here, on threads of its own: the package says what, {@link CreateHold} names each cause.
+ * The wheels and bump sensors of an iRobot Create. The safety stops of the package's contract run
+ * here, on their own threads; {@link CreateHold} names each cause.
  *
- * <p>No call waits for the robot. {@link #drive} and {@link #bumps} are the strand's; all others may
- * be called from any thread. Between two pieces of the strand {@link #bumps} does not change, and it
+ * <p>No call waits for the robot. {@link #drive} and {@link #bumps} belong to the strand; all others
+ * may be called from any thread. While a piece of the strand runs {@link #bumps} does not change; it
  * shows each touch, however short.
  */
 public final class CreateChassis implements Chassis, AutoCloseable {
 
-  /** Is told how the robot fares, on a thread of the chassis: it must not wait. */
+  /** Receives the robot's state on a thread of the chassis; must not block. */
   public interface Listener {
 
-    /** Other causes hold the wheels than before. */
+    /** The reasons that hold the wheels have changed. */
     void changed(CreateStatus status);
 
-    /** There is no link, or none any more; it is tried again until there is one. */
+    /** A link failed or could not be opened; the chassis tries again. */
     void linkFailed(IOException cause);
 
     /** A bug: the wheels are stopped as by {@link #emergencyStop}. */
     void failed(Throwable bug);
   }
 
-  /** What may wait for a line that is stuck: a start, and then some speeds. */
+  /** Capacity for a line that is stuck: a start, and then some speeds. */
   private static final int OUTBOX_BYTES = 256;
 
   private static final long CLOSE_MS = 1000;
@@ -55,7 +55,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   private final Condition closing = lock.newCondition();
   private final Condition ending = lock.newCondition();
   private final CreateProtocol protocol;
-  private Outbox outbox = new Outbox(OUTBOX_BYTES);
+  private WriteQueue outbox = new WriteQueue(OUTBOX_BYTES);
   private @Nullable ByteLink link;
   private @Nullable Thread writer;
   private boolean isTellPosted;
@@ -81,18 +81,18 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     this.strand = strand;
     this.clock = clock;
     this.listener = listener;
-    protocol = new CreateProtocol(settings, bytes -> outbox.offer(bytes, bytes.length));
+    protocol = new CreateProtocol(settings, bytes -> outbox.offer(bytes));
     reader = thread("reader", this::serveLinks);
     watchdog = thread("watchdog", this::watch);
   }
 
   /**
-   * Drives the robot that {@code links} lead to, from now on until {@link #close}. It returns at
-   * once; the status tells when there is a robot.
+   * Drives the robot at the end of {@code links} until {@link #close}. Returns at once; the status
+   * shows when the robot is there.
    *
-   * @param name of the robot; the threads bear it
-   * @param strand the robot's; bumps are told there
-   * @param clock the clock by which fixes bear their times
+   * @param name of the robot, for the threads' names
+   * @param strand the robot's; bumps are reported there
+   * @param clock the clock of the fixes' times
    */
   public static CreateChassis open(
       String name,
@@ -107,7 +107,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     return chassis;
   }
 
-  /** {@inheritDoc} It holds for the command timeout: who wants to go on says so again. */
+  /** {@inheritDoc} A command is valid for the command timeout: repeat it to keep driving. */
   @Override
   public void drive(WheelCommand command) {
     locked(() -> protocol.drive(command, clock.nowNs()));
@@ -123,17 +123,17 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     receiver = newReceiver;
   }
 
-  /** There is a fix of this robot's: to be called with each, for without them the wheels stop. */
+  /** Takes each fix of this robot; the wheels stop if they stop coming. */
   public void fixed(Fix fix) {
     locked(() -> protocol.fixed(fix.timeNs(), clock.nowNs()));
   }
 
-  /** Stops the wheels at once, and until {@link #release}, whatever the program wants. */
+  /** Stops the wheels at once, until {@link #release}, whatever the program commands. */
   public void emergencyStop() {
     locked(() -> protocol.emergencyStop(true));
   }
 
-  /** Takes the emergency stop back: the program's next command counts. */
+  /** Ends the emergency stop: the program's next command is obeyed. */
   public void release() {
     locked(() -> protocol.emergencyStop(false));
   }
@@ -153,7 +153,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
    * @param bits Create 1: 2 play, 8 advance; Create 2: 1 debris, 2 spot, 4 dock, 8 check
    * @param powerColour 0 green to 255 red
    * @param powerIntensity 0 off to 255
-   * @return false where there is no robot now
+   * @return false if there is no robot now
    */
   public boolean leds(int bits, int powerColour, int powerIntensity) {
     range("light bits", bits, 0, 15);
@@ -163,12 +163,12 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   }
 
   /**
-   * Keeps a song in the robot.
+   * Stores a song in the robot.
    *
    * @param number 0 to 15 on a Create 1, to 4 on a Create 2
    * @param notesAndDurations 1 to 16 times a MIDI note (31 to 127, else a rest) and its length in
    *     1/64 s
-   * @return false where there is no robot now
+   * @return false if there is no robot now
    */
   public boolean song(int number, int... notesAndDurations) {
     range("song", number, 0, settings.model().songs() - 1);
@@ -182,15 +182,15 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     return send(Commands.song(number, notesAndDurations));
   }
 
-  /** Plays a song that it was given. False where there is no robot now. */
+  /** Plays a stored song. False if there is no robot now. */
   public boolean play(int number) {
     range("song", number, 0, settings.model().songs() - 1);
     return send(Commands.play(number));
   }
 
   /**
-   * Stops the wheels, leaves the robot in passive mode, and ends the link; it waits until the robot
-   * has said that it is so, or half a second.
+   * Stops the wheels, puts the robot into passive mode and closes the link. Waits until the robot has
+   * confirmed that, at most half a second.
    */
   @Override
   public void close() {
@@ -201,8 +201,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     lock.lock();
     try {
       isClosed = true;
-      byte[] pause = Commands.pauseStream();
-      outbox.offer(pause, pause.length);
+      outbox.offer(Commands.pauseStream());
       outbox.close();
       closing.signalAll();
       lastWriter = writer;
@@ -210,11 +209,13 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     } finally {
       lock.unlock();
     }
-    // The writer ends when it has written what was left.
-    join(lastWriter);
-    closeQuietly(lastLink);
-    join(watchdog);
-    join(reader);
+    // The writer ends when it has written the rest.
+    if (lastWriter != null) {
+      Daemons.join(lastWriter, CLOSE_MS);
+    }
+    WriteQueue.closeQuietly(lastLink);
+    Daemons.join(watchdog, CLOSE_MS);
+    Daemons.join(reader, CLOSE_MS);
   }
 
   @Override
@@ -238,7 +239,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     }
   }
 
-  /** Does it, and what follows from it for the wheels; then tells the strand. */
+  /** Changes the protocol's state, updates the wheels, and informs the strand if need be. */
   private void locked(Runnable change) {
     boolean mustTell;
     lock.lock();
@@ -285,7 +286,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
         dead[0] = protocol.isLinkDead(clock.nowNs()) ? link : null;
         status[0] = protocol.status();
       });
-      closeQuietly(dead[0]);
+      WriteQueue.closeQuietly(dead[0]);
       if (status[0] != null && !status[0].holds().equals(told)) {
         told = status[0].holds();
         listener.changed(status[0]);
@@ -317,7 +318,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
       }
       return !isClosed;
     } catch (InterruptedException e) {
-      // Nobody but a stranger interrupts this thread, and means that it shall end.
+      // StarL never interrupts this thread: another interrupt is a request to end it.
       Thread.currentThread().interrupt();
       return false;
     } finally {
@@ -343,16 +344,16 @@ public final class CreateChassis implements Chassis, AutoCloseable {
           link = null;
           wasHeard[0] = protocol.linkLost(clock.nowNs());
         });
-        closeQuietly(opened);
+        WriteQueue.closeQuietly(opened);
       }
-      // Where there was a robot its wheels may turn, and nobody stops them before the next link.
+      // After a link that worked the wheels may still turn: only the next link can stop them.
     } while (pause(wasHeard[0] ? 0 : settings.retryMs() * CreateProtocol.NS_PER_MS));
   }
 
   private void serve(ByteLink opened) throws IOException {
     OutputStream output = opened.output();
-    Outbox mine = new Outbox(OUTBOX_BYTES);
-    Thread newWriter = thread("writer", () -> write(mine, output, opened));
+    WriteQueue mine = new WriteQueue(OUTBOX_BYTES);
+    Thread newWriter = thread("writer", () -> mine.writeTo(output, opened));
     locked(() -> {
       outbox = mine;
       link = opened;
@@ -375,23 +376,6 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     }
   }
 
-  // The writer's thread: ends with its link.
-  private void write(Outbox mine, OutputStream output, ByteLink opened) {
-    byte[] buffer = new byte[OUTBOX_BYTES];
-    try {
-      for (int n = mine.take(buffer); n > 0; n = mine.take(buffer)) {
-        output.write(buffer, 0, n);
-        output.flush();
-      }
-    } catch (IOException e) {
-      // The reader finds its link closed, and tells.
-      closeQuietly(opened);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      closeQuietly(opened);
-    }
-  }
-
   private boolean hasEnded() {
     lock.lock();
     try {
@@ -402,40 +386,15 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   }
 
   private Thread thread(String role, Runnable body) {
-    Thread thread =
-        new Thread(
-            () -> {
-              try {
-                body.run();
-              } catch (Throwable bug) {
-                emergencyStop();
-                listener.failed(bug);
-              }
-            },
-            name + " create " + role);
-    thread.setDaemon(true);
-    return thread;
-  }
-
-  // What cannot be closed is as good as closed: nobody uses it any more.
-  private static void closeQuietly(@Nullable ByteLink link) {
-    if (link != null) {
-      try {
-        link.close();
-      } catch (IOException ignored) {
-        return;
-      }
-    }
-  }
-
-  private static void join(@Nullable Thread thread) {
-    if (thread == null || thread == Thread.currentThread()) {
-      return;
-    }
-    try {
-      TimeUnit.MILLISECONDS.timedJoin(thread, CLOSE_MS);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    return Daemons.of(
+        name + " create " + role,
+        () -> {
+          try {
+            body.run();
+          } catch (Throwable bug) {
+            emergencyStop();
+            listener.failed(bug);
+          }
+        });
   }
 }

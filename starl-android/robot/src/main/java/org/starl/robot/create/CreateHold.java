@@ -1,26 +1,26 @@
 package org.starl.robot.create;
 
-/** Why the driver holds the wheels, wholly or, where it says so, in part. */
+/** Reasons for which the driver stops the wheels, or limits them where it says so. */
 public enum CreateHold {
-  /** {@link CreateChassis#emergencyStop} was called, and nobody took it back. */
+  /** {@link CreateChassis#emergencyStop} was called and not released. */
   EMERGENCY_STOP,
-  /** There is no link to the robot. It does what it was told last. */
+  /** There is no link to the robot. It continues its last command. */
   NO_LINK,
-  /** The link is open, and the robot's sensors are not heard. */
+  /** The link is open, but no sensor frames arrive. */
   NO_SENSORS,
-  /** The robot is not, or no longer, in the mode in which it is driven. */
+  /** The robot is not in the mode in which it is driven. */
   NOT_IN_MODE,
   /** A wheel hangs down. */
   WHEEL_DROP,
-  /** A bump sensor has closed, and the program does not know yet. */
+  /** A bump sensor has closed, and the program has not been informed yet. */
   BUMP_UNTOLD,
   /** The program has not repeated its command for too long. */
   STALE_COMMAND,
-  /** The last fix is too old, or there was none. */
+  /** The last fix is too old, or there is none. */
   STALE_POSITION,
-  /** A cliff is seen: only straight back. */
+  /** A cliff is seen: only straight backward is allowed. */
   CLIFF,
-  /** A bump sensor is closed: turning and backward, not forward. */
+  /** A bump sensor is closed: turning and backward are allowed, forward is not. */
   BUMP;
 
   /** Whether the wheels may not turn at all. */

@@ -1,6 +1,5 @@
 package org.starl.robot.create;
 
-import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.net.ServerSocket;
@@ -10,15 +9,15 @@ import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
+import org.starl.robot.realtime.Daemons;
 
 /**
- * Runs a {@link SimulatedCreate} in real time, at the far end of whatever link there is: hardware in
- * the loop without the hardware. The robot lives on when a link ends, as a real one does, and goes on
- * as it was told last.
+ * Runs a {@link SimulatedCreate} in real time at the far end of a link: hardware in the loop without
+ * the hardware. The robot outlives a link, as a real one does, and continues its last command.
  */
 public final class CreateHost implements AutoCloseable {
 
-  /** What waits for a driver that does not read; a serial line loses what is beyond. */
+  /** Capacity for a driver that does not read; a serial line loses the rest. */
   private static final int OUTBOX_BYTES = 4096;
 
   private final String name;
@@ -30,7 +29,7 @@ public final class CreateHost implements AutoCloseable {
   // Guarded by the lock.
   private final Condition closing = lock.newCondition();
   private final SimulatedCreate robot;
-  private Outbox outbox = new Outbox(OUTBOX_BYTES);
+  private WriteQueue outbox = new WriteQueue(OUTBOX_BYTES);
   private @Nullable ByteLink link;
   private @Nullable ServerSocket server;
   private boolean isClosed;
@@ -44,7 +43,7 @@ public final class CreateHost implements AutoCloseable {
     this.name = name;
     this.clock = clock;
     this.onLinkEnd = onLinkEnd;
-    robot = new SimulatedCreate(model, body, bytes -> outbox.offer(bytes, bytes.length));
+    robot = new SimulatedCreate(model, body, bytes -> outbox.offer(bytes));
     ticker = thread("clock", this::tick);
   }
 
@@ -52,8 +51,8 @@ public final class CreateHost implements AutoCloseable {
    * Switches a robot on, until {@link #close}.
    *
    * @param name of the threads
-   * @param body is called on threads of this host, by one at a time
-   * @param onLinkEnd is told why each link ended, on a thread of this host
+   * @param body is called on threads of this host, one at a time
+   * @param onLinkEnd takes the reason why each link ended, on a thread of this host
    */
   public static CreateHost start(
       String name,
@@ -66,12 +65,12 @@ public final class CreateHost implements AutoCloseable {
     return host;
   }
 
-  /** Serves {@code link} from now on, in place of the one before. Returns at once. */
+  /** Serves {@code newLink} from now on and closes the link before it. Returns at once. */
   public void serve(ByteLink newLink) {
     thread("line", () -> talk(newLink)).start();
   }
 
-  /** Serves whoever connects to {@code newServer}, one after another; closes it at the end. */
+  /** Serves clients of {@code newServer}, one after another; closes the server at the end. */
   public void listen(ServerSocket newServer) {
     lock.lock();
     try {
@@ -82,7 +81,7 @@ public final class CreateHost implements AutoCloseable {
     thread("server", () -> accept(newServer)).start();
   }
 
-  /** Looks at the robot, or does something to it, while nobody else does. */
+  /** Runs {@code inspector} with exclusive access to the robot. */
   public void inspect(Consumer<SimulatedCreate> inspector) {
     lock.lock();
     try {
@@ -100,8 +99,8 @@ public final class CreateHost implements AutoCloseable {
       isClosed = true;
       closing.signalAll();
       outbox.close();
-      closeQuietly(link);
-      closeQuietly(server);
+      WriteQueue.closeQuietly(link);
+      WriteQueue.closeQuietly(server);
     } finally {
       lock.unlock();
     }
@@ -119,7 +118,7 @@ public final class CreateHost implements AutoCloseable {
         }
       }
     } catch (InterruptedException e) {
-      // Nobody but a stranger interrupts this thread, and means that it shall end.
+      // StarL never interrupts this thread: another interrupt is a request to end it.
       Thread.currentThread().interrupt();
     } finally {
       lock.unlock();
@@ -142,13 +141,13 @@ public final class CreateHost implements AutoCloseable {
 
   // The line's thread.
   private void talk(ByteLink mine) {
-    Outbox toMine = new Outbox(OUTBOX_BYTES);
+    WriteQueue toMine = new WriteQueue(OUTBOX_BYTES);
     try {
       OutputStream output = mine.output();
       if (!replaceLink(mine, toMine)) {
         return;
       }
-      thread("voice", () -> say(toMine, output, mine)).start();
+      thread("voice", () -> toMine.writeTo(output, mine)).start();
       byte[] buffer = new byte[256];
       for (int n = mine.input().read(buffer); n >= 0; n = mine.input().read(buffer)) {
         int length = n;
@@ -159,17 +158,17 @@ public final class CreateHost implements AutoCloseable {
       onLinkEnd.accept(e);
     } finally {
       toMine.close();
-      closeQuietly(mine);
+      WriteQueue.closeQuietly(mine);
     }
   }
 
-  private boolean replaceLink(ByteLink newLink, Outbox newOutbox) {
+  private boolean replaceLink(ByteLink newLink, WriteQueue newOutbox) {
     lock.lock();
     try {
       if (isClosed) {
         return false;
       }
-      closeQuietly(link);
+      WriteQueue.closeQuietly(link);
       link = newLink;
       outbox = newOutbox;
       return true;
@@ -178,36 +177,7 @@ public final class CreateHost implements AutoCloseable {
     }
   }
 
-  private static void say(Outbox from, OutputStream output, ByteLink mine) {
-    byte[] buffer = new byte[OUTBOX_BYTES];
-    try {
-      for (int n = from.take(buffer); n > 0; n = from.take(buffer)) {
-        output.write(buffer, 0, n);
-        output.flush();
-      }
-    } catch (IOException e) {
-      // Who reads from the link finds it closed, and tells.
-      closeQuietly(mine);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-      closeQuietly(mine);
-    }
-  }
-
   private Thread thread(String role, Runnable body) {
-    Thread thread = new Thread(body, name + " simulated create " + role);
-    thread.setDaemon(true);
-    return thread;
-  }
-
-  // What cannot be closed is as good as closed: nobody uses it any more.
-  private static void closeQuietly(@Nullable Closeable closeable) {
-    if (closeable != null) {
-      try {
-        closeable.close();
-      } catch (IOException ignored) {
-        return;
-      }
-    }
+    return Daemons.of(name + " simulated create " + role, body);
   }
 }

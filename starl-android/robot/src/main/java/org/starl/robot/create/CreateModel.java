@@ -1,15 +1,15 @@
 package org.starl.robot.create;
 
-/** Which robot stands at the other end: its line, its wheels, its packets. */
+/** The model of a Create: its serial line, wheels and packets. */
 public enum CreateModel {
 
   /** iRobot Create of 2006. */
   CREATE_1(57_600, 258, 42, 16),
 
-  /** iRobot Create 2 of 2014, and Roombas of the 500 and 600 series, which speak the same. */
+  /** iRobot Create 2 of 2014, and Roombas of the 500 and 600 series, which have the same interface. */
   CREATE_2(115_200, 235, 58, 5);
 
-  /** No wheel is told to turn faster, in mm/s (opcode 145, both specifications). */
+  /** Greatest speed of a wheel in mm/s (opcode 145, both specifications). */
   public static final int MAX_WHEEL_MM_PER_S = 500;
 
   /** Encoder counts of one turn of a Create 2's wheel (packets 43 and 44). */
@@ -40,7 +40,7 @@ public enum CreateModel {
     return axleMm;
   }
 
-  /** How many songs it keeps, numbered from 0. */
+  /** Number of songs that it can store, numbered from 0. */
   public int songs() {
     return songs;
   }
@@ -54,12 +54,12 @@ public enum CreateModel {
     return lastPacket >= Packets.RIGHT_ENCODER;
   }
 
-  /** What one encoder count is on the floor. */
+  /** Path on the floor of one encoder count. */
   static double countMm() {
     return StrictMath.PI * WHEEL_DIAMETER_MM / COUNTS_PER_TURN;
   }
 
-  /** So many bytes fit between two frames of the stream, at ten bits a byte. */
+  /** Bytes that fit between two frames of the stream, at ten bits a byte. */
   int streamBytes() {
     return baud * Packets.STREAM_PERIOD_MS / 10_000;
   }

@@ -1,6 +1,6 @@
 package org.starl.robot.create;
 
-/** The songs of a simulated Create: how long each lasts, and which one plays. */
+/** The songs of a simulated Create: their lengths, and the one that plays. */
 final class CreateMusic {
 
   private static final long NS_PER_LENGTH = 1_000_000_000L / 64;
@@ -16,7 +16,7 @@ final class CreateMusic {
     lastsNs = new long[model.songs()];
   }
 
-  /** Keeps what follows opcode 140; false if it is no song. */
+  /** Stores the data of opcode 140; false if it is not a song. */
   boolean keep(byte[] data, int length) {
     int song = data[0] & 0xFF;
     int notes = data[1] & 0xFF;
@@ -31,7 +31,7 @@ final class CreateMusic {
     return true;
   }
 
-  /** Plays; not while another plays, nor what was never kept. */
+  /** Plays a stored song, unless one is playing. */
   boolean play(int song, long atNs) {
     if (song >= lastsNs.length || lastsNs[song] == 0 || playing(atNs) >= 0) {
       return false;

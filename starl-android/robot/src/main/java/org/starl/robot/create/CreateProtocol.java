@@ -7,36 +7,36 @@ import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 
 /**
- * The driver without threads: (call, bytes or time) to bytes. Every call bears the time, which never
- * runs backwards; {@link #advance} must be called at least every {@link #TICK_NS}, and after every
- * call that changes something.
+ * The driver without threads: (call, bytes or time) to bytes. Every call has the time, which never
+ * decreases; {@link #advance} must be called at least every {@link #TICK_NS}, and after every call
+ * that changes something.
  *
- * <p>A link's life: the robot is stopped and started (128), brought into its mode (131, 132), told
- * what to stream (148). After that what it tells decides: a frame missing, another mode, a sensor.
+ * <p>On a new link the robot is stopped and started (128), brought into its mode (131, 132), and
+ * asked for a stream (148). After that its frames decide: a missing one, another mode, a sensor.
  */
 final class CreateProtocol {
 
   static final long NS_PER_MS = 1_000_000;
 
-  /** {@link #advance} finds out what has gone stale; so it is called so often. */
+  /** Longest time between two calls of {@link #advance}, which checks the timeouts. */
   static final long TICK_NS = 10 * NS_PER_MS;
 
-  /** Wheel speeds are told again so often, in case noise changed them: commands have no checksum. */
+  /** Period of repeated wheel speeds, in case noise changed them: commands have no checksum. */
   static final long HEARTBEAT_NS = 50 * NS_PER_MS;
 
-  /** From one command that changes the mode to the next; below 20 ms robots miss them. */
+  /** Time between two commands that change the mode; below 20 ms robots miss them. */
   static final long MODE_GAP_NS = 100 * NS_PER_MS;
 
-  /** A robot that streams nothing for so long is started again. */
+  /** A robot that streams nothing for this time is started again. */
   static final long RESTART_NS = 1000 * NS_PER_MS;
 
   /** Takes the bytes for the robot. */
   interface Line {
-    /** False where there is no room now: they will be made anew. */
+    /** False if there is no room now: they will be made again. */
     boolean send(byte[] bytes);
   }
 
-  /** Where the start of the robot has come to. */
+  /** The stage of the robot's start. */
   private enum Step {
     NO_LINK,
     START,
@@ -97,7 +97,7 @@ final class CreateProtocol {
     lastFrameNs = Long.MIN_VALUE;
   }
 
-  /** Whether there was one, and the robot was heard over it. */
+  /** Returns whether there was a link on which the robot was heard. */
   boolean linkLost(long atNs) {
     nowNs = atNs;
     boolean wasHeard = step != Step.NO_LINK && lastFrameNs != Long.MIN_VALUE;
@@ -108,7 +108,7 @@ final class CreateProtocol {
     return wasHeard;
   }
 
-  /** Whether there is a link over which nothing has come for too long. */
+  /** Whether there is a link without sensor frames for too long. */
   boolean isLinkDead(long atNs) {
     return step != Step.NO_LINK
         && atNs - Math.max(openedNs, lastFrameNs) > settings.linkTimeoutMs() * NS_PER_MS;
@@ -119,7 +119,7 @@ final class CreateProtocol {
     decoder.accept(bytes, length, this::frame);
   }
 
-  /** The program wants this; said before it heard of a bump, it means nothing. */
+  /** The program's command; ignored if the program has not been informed of a bump yet. */
   void drive(WheelCommand command, long atNs) {
     nowNs = atNs;
     if (!isBumpUntold) {
@@ -141,12 +141,12 @@ final class CreateProtocol {
     }
   }
 
-  /** Whether the strand has something to hear about bumps. */
+  /** Whether the strand must be informed about bumps. */
   boolean hasNews() {
     return isBumpUntold || untoldBumps != toldBumps;
   }
 
-  /** The strand hears: what it sees from now on, until it hears again. */
+  /** Informs the strand: the bumps that it sees until the next call. */
   Bumps tell() {
     toldBumps = untoldBumps;
     isBumpUntold = false;
@@ -173,12 +173,12 @@ final class CreateProtocol {
     }
   }
 
-  /** Sends whatever else; false where there is no link or no room. */
+  /** Sends another command; false if there is no link or no room. */
   boolean send(byte[] command) {
     return step == Step.RUNNING && line.send(command);
   }
 
-  /** From now on the robot is told to stand and to be passive, until it says that it is. */
+  /** From now on commands the robot to stop and to be passive, until it confirms that. */
   void end(long atNs) {
     nowNs = atNs;
     if (step != Step.NO_LINK) {
@@ -188,7 +188,7 @@ final class CreateProtocol {
     }
   }
 
-  /** Whether the robot has said so, or there is none to say it. */
+  /** Whether the robot has confirmed the end, or there is no link. */
   boolean hasEnded() {
     return step == Step.NO_LINK
         || (step == Step.ENDING && lastFrameNs > endingNs && sensors.mode() == OiMode.PASSIVE);
@@ -215,7 +215,7 @@ final class CreateProtocol {
     add(holds, CreateHold.NOT_IN_MODE, isHeard && sensors.mode() != settings.mode());
     add(holds, CreateHold.WHEEL_DROP, sensors.wheelDrop());
     add(holds, CreateHold.BUMP_UNTOLD, isBumpUntold);
-    // Who wants to stand may be silent.
+    // A program that wants the robot to stand need not repeat that.
     boolean isWanted = !wanted.isStop();
     add(
         holds,
@@ -251,7 +251,7 @@ final class CreateProtocol {
       clearSinceNs = nowNs;
     }
     if (isMore(before, now)) {
-      // What the program wants, it wanted of a robot that touched nothing there.
+      // The program gave its command before it knew of this bump.
       isBumpUntold = true;
       wanted = WheelCommand.STOP;
       untoldBumps = both(untoldBumps, now);
@@ -300,7 +300,7 @@ final class CreateProtocol {
     dueNs = nowNs + (step == Step.ENDING ? HEARTBEAT_NS : MODE_GAP_NS);
   }
 
-  /** Brings the robot back into its mode when what put it out of it has gone for long enough. */
+  /** Brings the robot back into its mode when the cause has been absent for long enough. */
   private void keepMode() {
     if (!isWithin(lastFrameNs, settings.sensorTimeoutMs())
         || sensors.mode() == settings.mode()

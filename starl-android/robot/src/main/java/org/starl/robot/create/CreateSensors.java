@@ -3,18 +3,18 @@ package org.starl.robot.create;
 import org.starl.body.Bumps;
 
 /**
- * What the robot said last. Immutable.
+ * The robot's last sensor frame. Immutable.
  *
- * @param cliff whether any of the four cliff sensors sees none of the floor
+ * @param cliff whether any of the four cliff sensors sees no floor
  * @param wheelDrop whether a wheel or the caster hangs down: the robot was lifted
  * @param virtualWall whether it sees the beam of a virtual wall
  * @param charger whether a charger with power is plugged in, or the robot stands in its home base
  * @param chargingState 0 not charging, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault
  * @param batteryMv voltage of the battery in mV
  * @param batteryMa current in mA, negative out of the battery
- * @param chargeMah what is in the battery, in mAh
- * @param capacityMah what would fit
- * @param travel how far the wheels have turned
+ * @param chargeMah charge of the battery in mAh
+ * @param capacityMah its capacity in mAh
+ * @param travel odometry
  */
 public record CreateSensors(
     OiMode mode,
@@ -34,7 +34,7 @@ public record CreateSensors(
       new CreateSensors(
           OiMode.OFF, Bumps.NONE, false, false, false, false, 0, 0, 0, 0, 0, CreateTravel.NONE);
 
-  /** What the driver asks the robot to stream; last a byte that is never a frame's header. */
+  /** The packets that the driver asks for; the last has one byte that is never a frame's header. */
   static int[] packets(CreateModel model) {
     boolean hasEncoders = model.hasEncoders();
     return new int[] {

@@ -1,18 +1,18 @@
 package org.starl.robot.create;
 
 /**
- * How a Create is driven. Immutable; times in ms.
+ * Settings of a Create's driver. Immutable; times in ms.
  *
  * @param mode SAFE, in which the robot itself stops at cliffs and when lifted, or FULL
- * @param commandTimeoutMs a program that has not repeated its command for so long is stopped
- * @param positionTimeoutMs wheels stop when the last fix is older; 0: nobody looks at fixes
- * @param sensorTimeoutMs wheels stop when no frame of sensors came for so long; one comes every 15 ms
- * @param recoverAfterMs the robot is brought back to its mode when what put it out of it (a wheel
- *     that dropped, a charger) has been gone for so long
- * @param linkTimeoutMs a link over which no sensors came for so long is given up for another
- * @param retryMs from one attempt to open a link to the next; after a link over which the robot was
- *     heard the first is made at once
- * @param maxWheelMmPerS no wheel is told to turn faster
+ * @param commandTimeoutMs the wheels stop if the program has not repeated its command for this time
+ * @param positionTimeoutMs the wheels stop if the last fix is older; 0: fixes are not checked
+ * @param sensorTimeoutMs the wheels stop if no sensor frame arrived for this time; the period is 15 ms
+ * @param recoverAfterMs the robot is brought back into its mode when the cause that ended the mode (a
+ *     wheel drop, a charger) has been absent for this time
+ * @param linkTimeoutMs a link without sensor frames for this time is closed, and a new one opened
+ * @param retryMs time between two attempts to open a link; the first attempt after a link that worked
+ *     is made at once
+ * @param maxWheelMmPerS greatest commanded speed of a wheel
  */
 public record CreateSettings(
     CreateModel model,
@@ -42,15 +42,15 @@ public record CreateSettings(
   }
 
   /**
-   * What fits most: SAFE mode, 300 ms for commands (five steps of the motion automaton), 500 ms for
-   * fixes, 100 ms for sensors, 500 ms before a mode is taken up again, 3 s for the link.
+   * The defaults: SAFE mode, 300 ms for commands (five steps of the motion automaton), 500 ms for
+   * fixes, 100 ms for sensors, 500 ms before a mode is restored, 3 s for the link.
    */
   public static CreateSettings of(CreateModel model) {
     return new CreateSettings(
         model, OiMode.SAFE, 300, 500, 100, 500, 3000, 500, CreateModel.MAX_WHEEL_MM_PER_S);
   }
 
-  /** These, in another mode. */
+  /** The same settings with another mode. */
   public CreateSettings withMode(OiMode newMode) {
     return new CreateSettings(
         model,
@@ -64,7 +64,7 @@ public record CreateSettings(
         maxWheelMmPerS);
   }
 
-  /** These, with other times for what goes stale. */
+  /** The same settings with other timeouts. */
   public CreateSettings withTimeouts(long newCommandTimeoutMs, long newPositionTimeoutMs) {
     return new CreateSettings(
         model,

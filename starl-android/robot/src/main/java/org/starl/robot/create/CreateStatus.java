@@ -3,15 +3,15 @@ package org.starl.robot.create;
 import java.util.List;
 
 /**
- * How driver and robot are now, for people and for tests. Immutable.
+ * The present state of driver and robot, for people and tests. Immutable.
  *
- * @param holds what holds the wheels, worst first; none where they do as they are told
- * @param sensors what the robot said last, however long ago
- * @param frames good frames of sensors, since the driver began
+ * @param holds the reasons for which the wheels are held, worst first; empty if they obey
+ * @param sensors the robot's last sensor frame, however old
+ * @param frames good sensor frames since the driver started
  * @param badFrames frames with a wrong checksum
  * @param droppedBytes bytes that were in no good frame
- * @param starts how often the robot was started: once a link, and when it had fallen silent
- * @param recoveries how often it was brought back from another mode
+ * @param starts how often the robot was started: once for each link, and after each silence
+ * @param recoveries how often it was brought back into its mode
  * @param linksLost how often the link broke
  */
 public record CreateStatus(

@@ -1,11 +1,11 @@
 package org.starl.robot.create;
 
 /**
- * How far the robot has come by its own account, since the driver first heard of it; what the wheels
- * slipped is in it. Create 2: from encoder counts. Create 1: from packets 19 and 20, whose rounding
- * to whole mm and degrees adds up, and which that robot is known to tell wrong: a hint.
+ * The robot's odometry since the first sensor frame; it includes slip. Create 2: from encoder
+ * counts. Create 1: from packets 19 and 20, which are rounded to whole mm and degrees and known to be
+ * wrong on that robot: only a hint.
  *
- * @param forwardMm way of the middle between the wheels; backward is negative
+ * @param forwardMm path of the point between the wheels; backward is negative
  * @param turnedRad turned, counter-clockwise
  */
 public record CreateTravel(double forwardMm, double turnedRad) {

@@ -1,12 +1,12 @@
 package org.starl.robot.create;
 
-/** The wheels of a simulated Create: what they were told, how fast they turn, how far they did. */
+/** The wheels of a simulated Create: last command, speeds and odometry. */
 final class CreateWheels {
 
   private static final int MAX_RADIUS_MM = 2000;
   private static final int MAX_PWM = 255;
 
-  /** Radius of the robot: backward on a narrower way it may go over a cliff too. */
+  /** Radius of the robot: on a narrower backward curve it may reach a cliff too. */
   private static final double BODY_RADIUS_MM = 170;
 
   private final CreateModel model;
@@ -69,7 +69,7 @@ final class CreateWheels {
     turn(0, 0);
   }
 
-  /** Forward, or backward on a way narrower than the robot. */
+  /** Forward, or backward on a curve narrower than the robot. */
   boolean goesOverACliff() {
     double sum = leftMmPerS + rightMmPerS;
     double difference = Math.abs(rightMmPerS - leftMmPerS);

@@ -1,16 +1,16 @@
 package org.starl.robot.create;
 
-/** The robot's modes; packet 35 tells them by their place here. */
+/** The robot's modes; packet 35 numbers them in this order. */
 public enum OiMode {
-  /** Hears nothing but the start command. */
+  /** Accepts only the start command. */
   OFF,
-  /** Tells its sensors, and does not let itself be driven. */
+  /** Sends its sensors, but accepts no driving. */
   PASSIVE,
-  /** Is driven, but falls to PASSIVE at a cliff ahead, a wheel that drops, a charger. */
+  /** Can be driven, but falls back to PASSIVE at a cliff ahead, a wheel drop or a charger. */
   SAFE,
-  /** Is driven, over the edge of a table too. */
+  /** Can be driven, even over the edge of a table. */
   FULL,
-  /** A value that no specification has; some Create 2 tell 32 when they have left SAFE. */
+  /** A value outside the specifications; some Create 2 send 32 when they have left SAFE. */
   UNKNOWN;
 
   static OiMode of(int value) {

@@ -7,24 +7,24 @@ import org.starl.robot.create.CreateBody.Senses;
 
 /**
  * An iRobot Create, simulated at its serial line: bytes in, bytes out, a {@link CreateBody} that it
- * moves. It obeys the specification of its model: modes, what falls from safe mode, streaming,
- * queries, both kinds of driving, lights, songs. Like a real one it goes on with its last command
- * when nobody talks to it. Demonstrations change its mode and do nothing else; the speed of the line
- * is the link's; scripts, schedules and displays are read and not done.
+ * moves. It obeys the specification of its model: modes, the causes that end safe mode, streaming,
+ * queries, both kinds of driving, lights, songs. Like a real one it continues its last command when
+ * it receives nothing. Demonstrations only change its mode; the link sets the speed of the line;
+ * scripts, schedules and displays are parsed and ignored.
  *
- * <p>Its wheels turn exactly as they are told; what that does to the robot is the body's business.
+ * <p>Its wheels turn exactly as commanded; the body decides how the robot moves.
  *
- * <p>Without threads: {@link CreateHost} runs it in real time. The time that calls bear never runs
- * backwards.
+ * <p>Without threads: {@link CreateHost} runs it in real time. The time of the calls never
+ * decreases.
  */
 public final class SimulatedCreate {
 
-  /** So often it looks at its sensors, and streams. */
+  /** Period of its sensors and of its stream. */
   public static final long PERIOD_NS = Packets.STREAM_PERIOD_MS * 1_000_000L;
 
-  /** Takes what the robot says. */
+  /** Takes the bytes that the robot sends. */
   public interface Line {
-    /** {@code bytes} are the line's now. */
+    /** {@code bytes} belong to the line from now on. */
     void say(byte[] bytes);
   }
 
@@ -45,7 +45,7 @@ public final class SimulatedCreate {
   private Senses senses = Senses.NOTHING;
   private long refused;
 
-  /** A robot that was just switched on: off, standing. */
+  /** A robot that was just switched on: mode OFF, standing. */
   public SimulatedCreate(CreateModel model, CreateBody body, Line line) {
     this.model = model;
     this.body = body;
@@ -67,14 +67,14 @@ public final class SimulatedCreate {
     parser.accept(bytes, length, this::obey);
   }
 
-  /** Lets time go on to {@code atNs}: sensors act, and the stream flows. */
+  /** Advances to {@code atNs}: reads the sensors and streams. */
   public void advance(long atNs) {
     wheels.turnUntil(atNs);
     nowNs = atNs;
     if (atNs < dueNs) {
       return;
     }
-    // Who was kept from running says things once, not once for each period gone by.
+    // After a delay it streams once, not once for each missed period.
     dueNs = Math.max(dueNs + PERIOD_NS, atNs - PERIOD_NS);
     senses = body.senses(atNs);
     keepSafe();
@@ -84,7 +84,7 @@ public final class SimulatedCreate {
     }
   }
 
-  /** When {@link #advance} has something to do next. */
+  /** The next time at which {@link #advance} has something to do. */
   public long dueNs() {
     return dueNs;
   }
@@ -113,7 +113,7 @@ public final class SimulatedCreate {
     return music.playing(nowNs);
   }
 
-  /** Commands that were not obeyed: in the wrong mode, or of values that there are not. */
+  /** Commands that were not obeyed: in the wrong mode, or with invalid values. */
   public long refused() {
     return refused;
   }

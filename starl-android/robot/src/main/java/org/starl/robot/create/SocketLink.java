@@ -23,7 +23,7 @@ public final class SocketLink implements ByteLink {
     socket.setTcpNoDelay(true);
   }
 
-  /** Links to who listens at {@code host:port}. */
+  /** Links to the listener at {@code host:port}. */
   public static Source to(String host, int port) {
     return () -> {
       Socket socket = new Socket();

@@ -3,12 +3,12 @@ package org.starl.robot.create;
 import java.util.Set;
 import org.starl.body.WheelCommand;
 
-/** What is left of a command under what holds the wheels, as whole mm/s of each wheel. */
+/** Limits a command by the reasons that hold the wheels, to whole mm/s of each wheel. */
 final class WheelLimit {
 
   private WheelLimit() {}
 
-  /** What {@code holds} leave of {@code command}. */
+  /** The part of {@code command} that {@code holds} allow. */
   static WheelCommand under(Set<CreateHold> holds, WheelCommand command) {
     for (CreateHold hold : holds) {
       if (hold.isWhole()) {
@@ -26,7 +26,7 @@ final class WheelLimit {
         : command;
   }
 
-  /** How much of the wheel speeds is possible: both are slowed alike, so that the curve stays. */
+  /** The possible fraction of the wheel speeds: both are slowed alike, so that the curve stays. */
   static double factor(WheelCommand command, double axleMm, double maxMmPerS) {
     double fastest =
         Math.max(Math.abs(command.leftMmPerS(axleMm)), Math.abs(command.rightMmPerS(axleMm)));

@@ -10,18 +10,19 @@ import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 
 /**
- * What a deployment file says.
+ * The content of a deployment file.
  *
  * @param file its name, for messages
- * @param app by its name
- * @param seed of the scenario and of the robots' draws
+ * @param app the app's name
+ * @param seed of the scenario and of the robots' random choices
  * @param parameters of the app and settings of the motion, as texts, in the file's order
- * @param lines where each of {@code app}, {@code key}, {@code positions}, {@code world}, {@code
- *     limits} and the parameters stands
- * @param key path of the key's file, as written; null: datagrams are not sealed
- * @param world where the process of the simulated bodies is asked for places; null if there is none
+ * @param lines the line of each of {@code app}, {@code key}, {@code positions}, {@code world}, {@code
+ *     limits} and the parameters
+ * @param key path of the key's file, as written; null if datagrams are not sealed
+ * @param world address of the process that simulates bodies; null if there is none
  */
 public record Deployment(
     String file,
@@ -50,31 +51,34 @@ public record Deployment(
   /**
    * The robot of that name.
    *
-   * @throws DeploymentException if there is none, naming those that there are
+   * @throws BadInput if there is none; the message lists the robots
    */
   public RobotEntry robot(String name) {
     RobotEntry entry = RobotId.isValid(name) ? robots.get(new RobotId(name)) : null;
     if (entry == null) {
-      throw new DeploymentException(
-          file + ": has no robot '" + name + "'; expected one of " + robots.keySet());
+      throw new BadInput(
+          file + ": has no robot " + BadInput.quote(name) + "; expected one of " + robots.keySet());
     }
     return entry;
   }
 
   /** The robots whose bodies are in the deployment's world. */
   public List<RobotEntry> simulated() {
-    List<RobotEntry> simulated = new ArrayList<>();
-    for (RobotEntry robot : robots.values()) {
-      boolean isReal =
-          robot.wheels() instanceof Wheels.Create create && create.simulatedAt() == null;
-      if (!isReal) {
-        simulated.add(robot);
-      }
-    }
+    List<RobotEntry> simulated = new ArrayList<>(robots.values());
+    simulated.removeIf(
+        robot -> robot.wheels() instanceof Wheels.Create create && create.simulatedAt() == null);
     return simulated;
   }
 
-  /** What stands before an error in {@code key}: {@code my.yaml:3: }. */
+  /** An error in the value of {@code key}. */
+  public BadInput error(String key, String value, String expected) {
+    return BadInput.at(
+        file,
+        lines.getOrDefault(key, 1),
+        key + ": " + BadInput.quote(value) + ": expected " + expected);
+  }
+
+  /** The beginning of an error in {@code key}: {@code my.yaml:3: }. */
   public String where(String key) {
     Integer line = lines.get(key);
     return file + ":" + (line == null ? "" : line + ":") + " ";

@@ -3,12 +3,11 @@ package org.starl.robot.file;
 /**
  * How the robots find and hear each other.
  *
- * @param port at which a radio listens unless its robot's address says otherwise, and to which
- *     beacons are broadcast
- * @param broadcasts whether beacons are broadcast on every interface besides going to known addresses
- * @param beaconEveryMs so often a robot says that it is there
- * @param suspectAfterMs who has not been heard for so long is suspected
- * @param loss share of its own datagrams that each robot loses on purpose, to try the app; 0 to 1
+ * @param port UDP port of the broadcast beacons, and of each robot whose address has no port
+ * @param broadcasts whether beacons are broadcast on every interface as well as sent to known addresses
+ * @param beaconEveryMs time between two beacons of a robot
+ * @param suspectAfterMs a robot that was not heard for this time is suspected
+ * @param loss fraction of its own datagrams that each robot drops on purpose, to test the app; 0 to 1
  */
 public record Network(
     int port, boolean broadcasts, int beaconEveryMs, int suspectAfterMs, double loss) {}

@@ -2,19 +2,19 @@ package org.starl.robot.file;
 
 import org.jspecify.annotations.Nullable;
 
-/** Who measures where the robots are. */
+/** The system that measures the robots' positions. */
 public sealed interface Positions {
 
   /**
    * OptiTrack, over NatNet.
    *
-   * @param server its command address
-   * @param dataPort where frames come, if they come by multicast
+   * @param server address of its commands
+   * @param dataPort UDP port of frames that come by multicast
    * @param multicast the group that frames are sent to; null: the server sends them to each robot
    * @param version of the protocol, as in {@code 4.1}
-   * @param isYUp whether the y axis points up; else z does
-   * @param errorMm a position is off by so much at most
-   * @param errorRad a heading is off by so much at most
+   * @param isYUp true if the y axis points up, false if z does
+   * @param errorMm largest error of a position
+   * @param errorRad largest error of a heading
    */
   record NatNet(
       HostPort server,
@@ -29,10 +29,10 @@ public sealed interface Positions {
   /**
    * Lines of JSON over UDP.
    *
-   * @param port at which each robot listens
-   * @param sender whose lines are taken; null for anybody's
-   * @param errorMm a position is off by so much at most
-   * @param errorRad a heading is off by so much at most
+   * @param port UDP port of each robot
+   * @param sender the only host whose lines are taken; null for every host
+   * @param errorMm largest error of a position
+   * @param errorRad largest error of a heading
    */
   record JsonFeed(int port, @Nullable String sender, double errorMm, double errorRad)
       implements Positions {}

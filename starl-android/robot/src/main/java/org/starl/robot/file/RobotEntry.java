@@ -6,9 +6,9 @@ import org.starl.id.RobotId;
 /**
  * One robot of a deployment.
  *
- * @param line of the file
- * @param address where its radio listens; null for one that is found by its beacons
- * @param rigidBody what the measuring system calls it
+ * @param line its line in the file
+ * @param address of its radio; null if the robot is found by its beacons
+ * @param rigidBody its name in the measuring system
  */
 public record RobotEntry(
     RobotId id, int line, @Nullable HostPort address, Wheels wheels, String rigidBody) {}

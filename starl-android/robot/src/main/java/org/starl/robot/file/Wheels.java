@@ -2,24 +2,34 @@ package org.starl.robot.file;
 
 import org.jspecify.annotations.Nullable;
 
-/** What a robot drives on. */
+/** A robot's drive. */
 public sealed interface Wheels {
 
   /**
    * An iRobot Create.
    *
    * @param model {@code create1} or {@code create2}
-   * @param port where its bytes come and go
+   * @param port carries its bytes
    * @param baud of a serial line, in bits a second
    * @param simulatedAt where the deployment's world simulates the other end; null for a real one
    */
   record Create(String model, Port port, int baud, @Nullable Port simulatedAt) implements Wheels {}
 
-  /** A body in the deployment's world, whose process runs the robot's program as well. */
+  /** A body in the deployment's world, whose process also runs the robot's program. */
   record Simulated() implements Wheels {}
 
-  /** Where bytes come and go. */
-  sealed interface Port {}
+  /** A link that carries the Create's bytes. */
+  sealed interface Port {
+
+    /** Reads a device's path or {@code tcp:HOST:PORT}; null if the address has no port. */
+    static @Nullable Port parse(String text) {
+      if (!text.startsWith("tcp:")) {
+        return new Device(text);
+      }
+      HostPort address = HostPort.parse(text.substring("tcp:".length()), 0);
+      return address == null ? null : new Tcp(address);
+    }
+  }
 
   /** A serial device or a pseudo-terminal, by its path. */
   record Device(String path) implements Port {
@@ -29,7 +39,7 @@ public sealed interface Wheels {
     }
   }
 
-  /** A TCP connection; who simulates listens, the robot connects. */
+  /** A TCP connection: the simulating process listens, the robot connects. */
   record Tcp(HostPort address) implements Port {
     @Override
     public String toString() {

@@ -1,13 +1,15 @@
 /**
- * What a deployment file says: which robots there are, where they are reached, on which wheels they
- * stand, who measures where they are, which app they run and under which key. {@link
- * org.starl.robot.file.DeploymentReader} makes a {@link org.starl.robot.file.Deployment} of a tree of
- * {@link org.starl.robot.file.Node}s, which {@link org.starl.robot.file.YamlTree} makes of a text, on
- * a Linux board and on a phone. What is wrong is told in one line: file, line, value, what was expected.
+ * The content of a deployment file: the robots, their addresses and drives, the system that measures
+ * their positions, the app that they run and the key. {@link org.starl.robot.file.DeploymentReader}
+ * makes a {@link org.starl.robot.file.Deployment} of a text, on a computer and on a phone, by the
+ * description in {@link org.starl.robot.file.Grammar}, from which the JSON schema is made too. An
+ * error is one line: file, line, key, value, what was expected.
  *
- * <p>Nothing is opened and nobody is asked here: names, numbers and what contradicts itself, no more.
+ * <p>No file but the document is opened and no host looked up here: only names, numbers and
+ * contradictions are checked.
  *
- * <p>May import: the JDK as far as Android API 26 has it, SnakeYAML's events, {@code org.starl} ids.
+ * <p>May import: the JDK as far as Android API 26 has it, {@code org.starl.input}, {@code org.starl}
+ * ids.
  */
 @NullMarked
 package org.starl.robot.file;

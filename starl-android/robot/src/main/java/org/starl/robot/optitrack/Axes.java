@@ -4,17 +4,17 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 
 /**
- * How a stream's coordinates are ours. Both systems are right-handed, so this is a rotation, and
- * metres become millimetres: with z up (x, y, z) stays as it is, with y up it becomes (x, -z, y). The
- * heading is where the body's forward axis points on the floor, counter-clockwise from our x axis.
+ * Converts a stream's coordinates to StarL's. Both systems are right-handed, so this is a rotation,
+ * and metres become millimetres: with z up (x, y, z) is kept, with y up it becomes (x, -z, y). The
+ * heading is the direction of the body's forward axis on the floor, counter-clockwise from StarL's x.
  *
  * @param up the stream's axis that points up
- * @param forward the body's axis that points where the robot drives, as the body was when it was
- *     defined; not the one that points up
+ * @param forward the body's axis in the robot's driving direction when the body was defined; not the
+ *     axis that points up
  */
 public record Axes(UpAxis up, BodyAxis forward) {
 
-  /** As Motive streams unless told otherwise, bodies defined while the robots face x. */
+  /** Motive's default, with bodies defined while the robots face x. */
   public static final Axes DEFAULT = new Axes(UpAxis.Y, BodyAxis.PLUS_X);
 
   private static final double MM_PER_M = 1000;
@@ -32,14 +32,14 @@ public record Axes(UpAxis up, BodyAxis forward) {
     }
   }
 
-  /** Where the body stands, or null if no body on a floor can stand so, or numbers are no numbers. */
+  /** The body's pose; null if no body on a floor can have it, or if numbers are not finite. */
   @Nullable Pose pose(RigidBodyState body) {
     double norm =
         body.qx() * body.qx()
             + body.qy() * body.qy()
             + body.qz() * body.qz()
             + body.qw() * body.qw();
-    // Also false for what is not a number.
+    // Also false for NaN.
     if (!(Math.abs(norm - 1) <= UNIT_TOLERANCE)
         || !isNear(body.x())
         || !isNear(body.y())
@@ -57,7 +57,7 @@ public record Axes(UpAxis up, BodyAxis forward) {
         StrictMath.atan2(aside, ahead));
   }
 
-  /** How far above the floor the body's pivot is. */
+  /** Height of the body's pivot above the floor. */
   double heightMm(RigidBodyState body) {
     return MM_PER_M * (up == UpAxis.Y ? body.y() : body.z());
   }
@@ -77,14 +77,14 @@ public record Axes(UpAxis up, BodyAxis forward) {
         : new RigidBodyState(id, xM, yM, heightM, 0, 0, sine, cosine, meanErrorM, isTracked);
   }
 
-  /** The forward axis, turned by the body's quaternion: how far it points along our x. */
+  /** The forward axis, rotated by the body's quaternion: its component along StarL's x. */
   private double ahead(RigidBodyState b) {
     return (1 - 2 * (b.qy() * b.qy() + b.qz() * b.qz())) * forward.x
         + 2 * (b.qx() * b.qy() - b.qz() * b.qw()) * forward.y
         + 2 * (b.qx() * b.qz() + b.qy() * b.qw()) * forward.z;
   }
 
-  /** The same along our y. */
+  /** Its component along StarL's y. */
   private double aside(RigidBodyState b) {
     return up == UpAxis.Y
         ? -(2 * (b.qx() * b.qz() - b.qy() * b.qw()) * forward.x

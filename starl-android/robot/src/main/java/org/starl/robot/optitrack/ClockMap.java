@@ -1,16 +1,16 @@
 package org.starl.robot.optitrack;
 
 /**
- * What is known of the difference between our clock and another one, as an interval that holds it
- * for certain: a set-membership estimate. A datagram that left at s of their clock and came at r of
- * ours says that the difference is at most r - s, as nothing arrives before it is sent. An answer to
- * a question of ours that was sent at q says besides that it is at least q - s (Cristian,
- * "Probabilistic clock synchronization", 1989). What several say is intersected; between them the
- * interval grows by what two clocks drift apart.
+ * An interval that certainly contains the difference between our clock and another one: a
+ * set-membership estimate. A datagram sent at s by their clock and received at r by ours proves that
+ * the difference is at most r - s, because nothing arrives before it is sent. An answer to a question
+ * sent at q by our clock also proves that it is at least q - s (Cristian, "Probabilistic clock
+ * synchronization", 1989). The intervals are intersected; between datagrams the interval grows by the
+ * largest drift of two clocks.
  *
  * <p>Without answers the lower end is an assumption: that the fastest datagram so far took at most
- * {@code maxDelayNs}. Then a clock that jumps back is taken for a new one, and not believed before
- * it has gone on for {@link #SETTLE_NS}.
+ * {@code maxDelayNs}. Then a clock that jumps back counts as a new one, which is not used until it
+ * has run for {@link #SETTLE_NS}.
  *
  * <p>Pure; one thread at a time.
  */
@@ -21,7 +21,7 @@ final class ClockMap {
 
   static final long SETTLE_NS = 500_000_000;
 
-  /** Datagrams overtake each other by less. */
+  /** Datagrams overtake each other by less than this. */
   static final long JUMP_NS = 1_000_000_000;
 
   private static final long NS_PER_MS = 1_000_000;
@@ -39,7 +39,7 @@ final class ClockMap {
     this.maxDelayNs = maxDelayNs;
   }
 
-  /** A datagram left at {@code theirNs} of their clock and came at {@code receivedNs} of ours. */
+  /** A datagram was sent at {@code theirNs} by their clock and received at {@code receivedNs} by ours. */
   void came(long theirNs, long receivedNs) {
     long mostOffNs = receivedNs - theirNs;
     if (!isKnown || (!hasAnswer && newestTheirNs - theirNs > JUMP_NS)) {
@@ -50,16 +50,17 @@ final class ClockMap {
     newestTheirNs = Math.max(newestTheirNs, theirNs);
     advanceTo(receivedNs);
     if (hasAnswer && mostOffNs < leastNs) {
-      // It comes from the future: its time is wrong, or the next answer shows that their clock is.
+      // From the future: its time is wrong, or their clock is, which the next answer shows.
       return;
     }
     mostNs = Math.min(mostNs, mostOffNs);
     leastNs = hasAnswer ? leastNs : mostNs - maxDelayNs;
   }
 
-  /** They had {@code theirNs} when they got what we sent at {@code sentNs}. */
+  /** Their clock showed {@code theirNs} when they received our question of {@code sentNs}. */
   void answered(long sentNs, long theirNs, long receivedNs) {
-    // It was at least that when they got the question; it may have come quickly, the answer late.
+    // Their clock showed at least that when the question arrived; only the answer may have been
+    // slow.
     long leastSaidNs = sentNs - theirNs - driftNs(receivedNs - sentNs);
     long mostSaidNs = receivedNs - theirNs;
     long leastOffNs = leastSaidNs;
@@ -79,18 +80,19 @@ final class ClockMap {
     hasAnswer = true;
   }
 
-  /** Whether {@link #span} can be relied on. */
+  /** Whether {@link #span} is reliable. */
   boolean isSettled(long nowNs) {
     return isKnown && (hasAnswer || nowNs - sinceNs >= SETTLE_NS);
   }
 
   /**
-   * When, on our clock, it was some time from {@code fromTheirNs} to {@code toTheirNs} on theirs, if
-   * that is over at {@code nowNs}. Ends before it begins if they speak of the future.
+   * The interval by our clock of a time from {@code fromTheirNs} to {@code toTheirNs} by theirs that is
+   * past at {@code nowNs}. It is empty (ends before it begins) if their time is in the future.
    */
   TimeSpan span(long fromTheirNs, long toTheirNs, long nowNs) {
     advanceTo(nowNs);
-    // The interval is that of now; then, the clocks may have been further apart, or nearer.
+    // The interval is of now; at that time the difference may have been larger or smaller by the
+    // drift.
     long sinceThenNs = driftNs(Math.max(0, nowNs - fromTheirNs - leastNs));
     return new TimeSpan(
         fromTheirNs + leastNs - sinceThenNs, Math.min(nowNs, toTheirNs + mostNs + sinceThenNs));

@@ -6,10 +6,10 @@ import java.net.DatagramSocket;
 import java.net.SocketTimeoutException;
 import org.jspecify.annotations.Nullable;
 
-/** Takes datagrams from a socket into one buffer of its own, that fits any. */
+/** Receives datagrams of any size from a socket into one buffer of its own. */
 final class DatagramReceiver {
 
-  // One byte more than UDP can carry, so that nothing is ever cut off without a word.
+  // One byte more than UDP can carry, so that no datagram is cut silently.
   private final DatagramPacket packet =
       new DatagramPacket(new byte[Message.MAX_BYTES + 1], Message.MAX_BYTES + 1);
 
@@ -19,7 +19,7 @@ final class DatagramReceiver {
     this.socket = socket;
   }
 
-  /** The next datagram, valid until the next call; null if none comes within so many ms. */
+  /** The next datagram, valid until the next call; null if none arrives within this time. */
   @Nullable DatagramPacket receive(int withinMs) throws IOException {
     packet.setLength(Message.MAX_BYTES + 1);
     socket.setSoTimeout(withinMs);

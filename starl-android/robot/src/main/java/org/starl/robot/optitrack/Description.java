@@ -1,7 +1,7 @@
 package org.starl.robot.optitrack;
 
 /**
- * How to pass over a description of which the size is not told: versions before 4.1. The layout is
+ * Skips descriptions that have no size: versions before 4.1. The layout is
  * that of the published depacketization samples of the NatNet SDK.
  */
 final class Description {
@@ -19,7 +19,7 @@ final class Description {
 
   private Description() {}
 
-  /** Passes over a description; false, and at the same place, if this type is not known. */
+  /** Skips a description; false, without reading, if its type is not known. */
   static boolean skip(LittleEndianReader in, int type, NatNetVersion version) {
     switch (type) {
       case MARKER_SET -> {
@@ -45,7 +45,7 @@ final class Description {
     return true;
   }
 
-  /** What follows the number of a rigid body: its parent, where it sits, its markers. */
+  /** Skips the rest of a rigid body after its number: its parent, its place there, its markers. */
   static void skipRestOfBody(LittleEndianReader in, NatNetVersion version) {
     in.i32();
     in.skip(POINT_BYTES);
@@ -67,7 +67,7 @@ final class Description {
     in.i32();
     int leastBodyBytes = 25;
     int bones = in.count(leastBodyBytes);
-    for (int i = 0; i < bones && !in.failed(); i++) {
+    for (int i = 0; i < bones; i++) {
       skipBody(in, version);
     }
   }

@@ -2,33 +2,33 @@ package org.starl.robot.optitrack;
 
 /** Why a feed did not use a datagram, or a body in it. */
 public enum FeedDrop {
-  /** Not from the server's address. */
+  /** It does not come from the server's address. */
   FOREIGN,
 
-  /** No bytes of the protocol: cut off, or with counts or sizes that cannot be. */
+  /** Its bytes are not of the protocol: cut off, or with impossible counts or sizes. */
   MALFORMED,
 
-  /** A message that this side does not expect, or of a version that it cannot read. */
+  /** It is an unexpected message, or of a version that cannot be read. */
   UNKNOWN,
 
-  /** It came before the server had introduced itself, or before its clock was known. */
+  /** It arrived before the server's description, or before the server's clock was known. */
   EARLY,
 
-  /** Its numbers are none that a robot on a floor can have, or it speaks of the future. */
+  /** Its numbers are impossible for a robot on a floor, or its time is in the future. */
   IMPLAUSIBLE,
 
-  /** Two bodies have this number, or this name. */
+  /** Two bodies have the same number or name. */
   AMBIGUOUS,
 
   /** It was measured too long ago. */
   STALE,
 
-  /** Measured before the fix that came before it. */
+  /** It was measured before the last fix. */
   OUTDATED,
 
   /** The cameras have lost the body. */
   LOST,
 
-  /** More bodies than a feed keeps apart. */
+  /** There are more bodies than a feed handles. */
   TOO_MANY
 }

@@ -4,21 +4,21 @@ import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 
 /**
- * What is assumed of a measuring system and of the robots that it measures, to give every fix a
- * bound that holds. The uncertainty of a fix's time counts as distance at the robot's top speed.
+ * Assumptions on a measuring system and its robots, from which every fix gets a valid error bound. The
+ * uncertainty of a fix's time counts as distance at the robot's top speed.
  *
  * @param errorFloorMm no position is better than this, whatever the system says
  * @param errorFloorRad no heading is better than this
- * @param errorScale a bound, from the mean error of a rigid body's markers: so many times that
+ * @param errorScale the error bound is this multiple of the mean error of a rigid body's markers
  * @param markerSpreadMm the markers' distance from the body's pivot; an error of them turns the
  *     body by at most their bound divided by this
  * @param maxSpeedMmPerS no robot drives faster
  * @param maxTurnRadPerS no robot turns faster
- * @param maxDelayMs where the server answers no questions about its clock: the fastest datagram
- *     takes no longer
- * @param maxLatencyMs where the server does not tell when its cameras looked: it takes them and it
- *     no longer from then until the frame is sent
- * @param maxAgeMs what was measured longer ago is stale, and dropped
+ * @param maxDelayMs largest delay of the fastest datagram; used if the server answers no questions
+ *     about its clock
+ * @param maxLatencyMs largest time from exposure until the frame is sent; used if the server does not
+ *     send the time of exposure
+ * @param maxAgeMs older measurements are stale, and dropped
  */
 public record FixBounds(
     double errorFloorMm,
@@ -62,13 +62,13 @@ public record FixBounds(
     return maxAgeMs * NS_PER_MS;
   }
 
-  /** A fix of a rigid body whose markers were off by so much on average. */
+  /** A fix of a rigid body with this mean error of its markers. */
   Fix ofMarkers(Pose pose, double meanErrorMm, TimeSpan when) {
     double markersMm = errorScale * meanErrorMm;
     return fix(pose, markersMm, markersMm / markerSpreadMm, when);
   }
 
-  /** A fix of a pose that is right within these. */
+  /** A fix of a pose with these errors. */
   Fix fix(Pose pose, double errorMm, double errorRad, TimeSpan when) {
     double boundS = when.boundNs() / NS_PER_S;
     return new Fix(

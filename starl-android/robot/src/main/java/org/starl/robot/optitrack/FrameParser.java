@@ -2,11 +2,10 @@ package org.starl.robot.optitrack;
 
 import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Reads frames of mocap data, versions 3.0 and later. Sections other than the rigid bodies are
- * skipped: from 4.1 on by the size that each tells, before by their known layout. The layout is that
+ * skipped: from 4.1 on by the size that each has, before by their known layout. The layout is that
  * of the published depacketization samples of the NatNet SDK.
  */
 final class FrameParser {
@@ -25,8 +24,8 @@ final class FrameParser {
 
   private FrameParser() {}
 
-  /** The frame in the payload {@code in}, or null if these bytes are none of this version. */
-  static @Nullable MocapFrame parse(LittleEndianReader in, NatNetVersion version) {
+  /** The frame in the payload {@code in}, by this version. */
+  static MocapFrame parse(LittleEndianReader in, NatNetVersion version) {
     int number = in.i32();
     List<RigidBodyState> bodies = new ArrayList<>();
     if (version.tellsSizes()) {
@@ -34,9 +33,7 @@ final class FrameParser {
       skipSized(in, 2);
       readSizedBodies(in, mayHaveMore, bodies);
       skipSized(in, SIZED_SECTIONS_AFTER_BODIES);
-      while (mayHaveMore
-          && !in.failed()
-          && in.remaining() >= SIZED_SUFFIX_BYTES + SIZED_SECTION_BYTES) {
+      while (mayHaveMore && in.remaining() >= SIZED_SUFFIX_BYTES + SIZED_SECTION_BYTES) {
         skipSized(in, 1);
       }
     } else {
@@ -51,7 +48,7 @@ final class FrameParser {
     return suffix(in, version, number, bodies);
   }
 
-  private static @Nullable MocapFrame suffix(
+  private static MocapFrame suffix(
       LittleEndianReader in, NatNetVersion version, int number, List<RigidBodyState> bodies) {
     int timecodeBytes = 8;
     int timestampBytes = 8;
@@ -64,33 +61,28 @@ final class FrameParser {
       in.skip(precisionTimestampBytes);
     }
     boolean hasNewModels = (in.u16() & MODELS_CHANGED) != 0;
-    return in.failed()
-        ? null
-        : new MocapFrame(
-            number, bodies, exposedTicks, collectedTicks, transmittedTicks, hasNewModels);
+    return new MocapFrame(
+        number, bodies, exposedTicks, collectedTicks, transmittedTicks, hasNewModels);
   }
 
   private static void readBodies(LittleEndianReader in, int count, List<RigidBodyState> bodies) {
-    for (int i = 0; i < count && !in.failed(); i++) {
+    for (int i = 0; i < count; i++) {
       bodies.add(RigidBodyState.read(in));
     }
   }
 
-  // A later version may append to a body: the size tells how much.
+  // A later version may append to a body: the size says how much.
   private static void readSizedBodies(
       LittleEndianReader in, boolean mayHaveMore, List<RigidBodyState> bodies) {
     int count = in.i32();
     int size = in.i32();
     LittleEndianReader section = in.section(size);
     int stride = mayHaveMore && count > 0 ? size / count : RigidBodyState.BYTES;
-    if (in.failed()
-        || count < 0
-        || stride < RigidBodyState.BYTES
-        || (long) stride * count > size
-        || (mayHaveMore && count > 0 && stride * count != size)) {
-      in.fail();
-      return;
-    }
+    LittleEndianReader.require(
+        count >= 0
+            && stride >= RigidBodyState.BYTES
+            && (long) stride * count <= size
+            && (!mayHaveMore || count == 0 || stride * count == size));
     for (int i = 0; i < count; i++) {
       bodies.add(RigidBodyState.read(section.section(stride)));
     }
@@ -106,7 +98,7 @@ final class FrameParser {
   private static void skipMarkerSets(LittleEndianReader in) {
     int nameAndCountBytes = 5;
     int sets = in.count(nameAndCountBytes);
-    for (int i = 0; i < sets && !in.failed(); i++) {
+    for (int i = 0; i < sets; i++) {
       in.skipName();
       in.skip((long) POINT_BYTES * in.count(POINT_BYTES));
     }
@@ -115,7 +107,7 @@ final class FrameParser {
   private static void skipSkeletons(LittleEndianReader in) {
     int idAndCountBytes = 8;
     int skeletons = in.count(idAndCountBytes);
-    for (int i = 0; i < skeletons && !in.failed(); i++) {
+    for (int i = 0; i < skeletons; i++) {
       in.i32();
       in.skip((long) RigidBodyState.BYTES * in.count(RigidBodyState.BYTES));
     }
@@ -126,10 +118,10 @@ final class FrameParser {
     int idAndCountBytes = 8;
     int valueBytes = 4;
     int devices = in.count(idAndCountBytes);
-    for (int i = 0; i < devices && !in.failed(); i++) {
+    for (int i = 0; i < devices; i++) {
       in.i32();
       int channels = in.count(valueBytes);
-      for (int j = 0; j < channels && !in.failed(); j++) {
+      for (int j = 0; j < channels; j++) {
         in.skip((long) valueBytes * in.count(valueBytes));
       }
     }

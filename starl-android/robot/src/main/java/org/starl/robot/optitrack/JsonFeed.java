@@ -7,9 +7,6 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.net.SocketException;
 import java.util.List;
-import java.util.Map;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -19,12 +16,12 @@ import org.starl.platform.Positioning;
 import org.starl.platform.Strand;
 
 /**
- * Poses from any measuring system that can send UDP: one JSON line a datagram, and a robot.
+ * Poses from any measuring system that can send UDP: each datagram is one JSON line for one robot.
  *
  * <pre>{"robot":"bot0","xMm":1200,"yMm":-350.5,"headingRad":1.57,"errorMm":4,"atNs":81234000}</pre>
  *
- * <p>{@code atNs} is when it was measured, on a clock of the sender's that never jumps back; where
- * that clock begins means nothing. {@code "errorRad"} may be there too. Other keys are refused.
+ * <p>{@code atNs} is the time of measurement on a clock of the sender that never jumps back and has
+ * any origin. {@code "errorRad"} is optional. Other keys are refused.
  */
 public final class JsonFeed implements PoseFeed {
 
@@ -34,8 +31,7 @@ public final class JsonFeed implements PoseFeed {
   private final Clock clock;
   private final DatagramSocket socket;
   private final Reception reception;
-  private final Map<String, List<StrandPositioning>> followers = new ConcurrentHashMap<>();
-  private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
+  private final Followers followers = new Followers();
   private final ReentrantLock lock = new ReentrantLock();
 
   // Guarded by the lock.
@@ -54,9 +50,9 @@ public final class JsonFeed implements PoseFeed {
   /**
    * Listens from now on.
    *
-   * @param clock of the robot, or of whoever asks: the one that fixes bear; read by another thread
-   * @param log takes a line from the feed's thread when something is wrong for the first time
-   * @throws IOException if the address is not to be had
+   * @param clock the robot's, for the fixes' times; read by another thread
+   * @param log takes a line from the feed's thread for the first error of each kind
+   * @throws IOException if the address is not available
    */
   public static JsonFeed open(JsonFeedSettings settings, Clock clock, LogSink log)
       throws IOException {
@@ -74,14 +70,12 @@ public final class JsonFeed implements PoseFeed {
 
   @Override
   public Positioning positioning(Strand strand, String name) {
-    StrandPositioning positioning = new StrandPositioning(strand, name);
-    followers.computeIfAbsent(name, key -> new CopyOnWriteArrayList<>()).add(positioning);
-    return positioning;
+    return followers.follow(strand, name, body -> body.name().equals(name));
   }
 
   @Override
   public void onBodies(Consumer<List<TrackedBody>> watcher) {
-    watchers.add(watcher);
+    followers.watch(watcher);
   }
 
   @Override
@@ -102,7 +96,7 @@ public final class JsonFeed implements PoseFeed {
   private void take(@Nullable DatagramPacket packet) {
     TrackedBody body = packet == null ? null : judge(packet, clock.nowNs());
     if (body != null) {
-      publish(body);
+      followers.publish(List.of(body));
     }
   }
 
@@ -118,17 +112,6 @@ public final class JsonFeed implements PoseFeed {
       return protocol.received(packet.getData(), packet.getLength(), nowNs);
     } finally {
       lock.unlock();
-    }
-  }
-
-  private void publish(TrackedBody body) {
-    for (StrandPositioning follower : followers.getOrDefault(body.name(), List.of())) {
-      if (body.fix() != null) {
-        follower.offer(body.fix());
-      }
-    }
-    for (Consumer<List<TrackedBody>> watcher : watchers) {
-      watcher.accept(List.of(body));
     }
   }
 

@@ -8,16 +8,16 @@ import org.jspecify.annotations.Nullable;
  * Where a {@link JsonFeed} listens. Immutable.
  *
  * @param address where to listen; port 0 for any free one
- * @param sender whose lines are taken; null for anybody's
- * @param bounds what is assumed of the measuring system and of the robots
+ * @param sender the only host whose lines are taken; null for every host
+ * @param bounds assumptions on the measuring system and the robots
  */
 public record JsonFeedSettings(
     InetSocketAddress address, @Nullable InetAddress sender, FixBounds bounds) {
 
-  /** The port unless another is set. */
+  /** The default port. */
   public static final int PORT = 1520;
 
-  /** Takes anybody's lines at this address. */
+  /** Takes every host's lines at this address. */
   public static JsonFeedSettings at(InetAddress address) {
     return new JsonFeedSettings(new InetSocketAddress(address, PORT), null, FixBounds.DEFAULT);
   }

@@ -1,5 +1,13 @@
 package org.starl.robot.optitrack;
 
+import com.fasterxml.jackson.core.JsonFactory;
+import com.fasterxml.jackson.core.JsonParseException;
+import com.fasterxml.jackson.core.JsonParser;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.core.StreamReadConstraints;
+import com.fasterxml.jackson.core.StreamReadFeature;
+import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
@@ -7,234 +15,115 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
 /**
- * Reads one line of the JSON feed: one object of RFC 8259 whose keys are those below, in any order,
- * each at most once, and whose numbers are finite and within bounds. Never throws.
+ * Reads one line of the JSON feed: one object with the keys below, in any order, each at most once,
+ * whose numbers are within bounds.
  */
 final class JsonPoseParser {
 
   /** No line is longer. */
   static final int MAX_BYTES = 1024;
 
-  private static final String[] KEYS = {
-    "robot", "xMm", "yMm", "headingRad", "errorMm", "atNs", "errorRad"
-  };
-  private static final int ROBOT = 0;
-  private static final int X = 1;
-  private static final int Y = 2;
-  private static final int HEADING = 3;
-  private static final int ERROR = 4;
-  private static final int AT = 5;
-  private static final int ERROR_RAD = 6;
-
-  /** As many keys as must be there: all but the last. */
-  private static final int REQUIRED = 6;
-
   private static final int MAX_NUMBER_CHARS = 40;
   private static final double LARGEST_MM = 1e7;
   private static final double LARGEST_RAD = 1e3;
   private static final long LARGEST_NS = 4_000_000_000_000_000_000L;
 
-  private final String line;
-  private final double[] numbers = new double[KEYS.length];
-  private final boolean[] isThere = new boolean[KEYS.length];
-  private String robot = "";
-  private long atNs;
-  private int at;
-  private String problem = "";
+  // Without a table of names, which other senders could fill.
+  private static final JsonFactory JSON =
+      JsonFactory.builder()
+          .disable(JsonFactory.Feature.CANONICALIZE_FIELD_NAMES)
+          .enable(StreamReadFeature.STRICT_DUPLICATE_DETECTION)
+          .streamReadConstraints(
+              StreamReadConstraints.builder()
+                  .maxNumberLength(MAX_NUMBER_CHARS)
+                  .maxNestingDepth(1)
+                  .build())
+          .build();
 
-  private JsonPoseParser(String line) {
-    this.line = line;
+  private final JsonParser in;
+  private @Nullable String robot;
+  private @Nullable Long atNs;
+  private double xMm = Double.NaN;
+  private double yMm = Double.NaN;
+  private double headingRad = Double.NaN;
+  private double errorMm = Double.NaN;
+  private double errorRad;
+
+  private JsonPoseParser(JsonParser in) {
+    this.in = in;
   }
 
   /** A pose, or why there is none. */
   record Result(@Nullable JsonPose pose, String problem) {}
 
+  /** Reads {@code bytes[0..length)}; never throws. */
   static Result parse(byte[] bytes, int length) {
     if (length > MAX_BYTES) {
       return new Result(null, length + " bytes: expected at most " + MAX_BYTES);
     }
-    // Each byte is a character of its own: what is not ASCII is not expected anywhere.
-    JsonPoseParser parser =
-        new JsonPoseParser(new String(bytes, 0, length, StandardCharsets.ISO_8859_1));
-    JsonPose pose = parser.object();
-    return new Result(parser.problem.isEmpty() ? pose : null, parser.problem);
+    // One character for each byte, so that no byte is taken for another encoding.
+    String line = new String(bytes, 0, length, StandardCharsets.ISO_8859_1);
+    try (JsonParser in = JSON.createParser(line)) {
+      return new Result(new JsonPoseParser(in).object(), "");
+    } catch (JsonProcessingException e) {
+      int column = e.getLocation() == null ? 1 : e.getLocation().getColumnNr();
+      return new Result(
+          null, NatNetProtocol.printable("column " + column + ": " + e.getOriginalMessage()));
+    } catch (IOException e) {
+      throw new IllegalStateException("reading a text from memory", e);
+    }
   }
 
-  private @Nullable JsonPose object() {
-    expect('{');
-    do {
-      entry();
-    } while (problem.isEmpty() && take(','));
-    expect('}');
-    space();
-    if (problem.isEmpty() && at < line.length()) {
-      expected("the end of the line");
+  private JsonPose object() throws IOException {
+    require(in.nextToken() == JsonToken.START_OBJECT, "'{'");
+    while (in.nextToken() == JsonToken.FIELD_NAME) {
+      entry(in.currentName());
     }
-    for (int key = 0; key < REQUIRED && problem.isEmpty(); key++) {
-      if (!isThere[key]) {
-        problem = "no " + KEYS[key];
-      }
-    }
-    if (!problem.isEmpty()) {
-      return null;
+    require(in.nextToken() == null, "the end of the line");
+    if (robot == null || atNs == null || Double.isNaN(xMm + yMm + headingRad + errorMm)) {
+      throw wrong("robot, xMm, yMm, headingRad, errorMm and atNs");
     }
     return new JsonPose(
-        robot,
-        new Pose(numbers[X], numbers[Y], Angles.normalize(numbers[HEADING])),
-        numbers[ERROR],
-        numbers[ERROR_RAD],
-        atNs);
+        robot, new Pose(xMm, yMm, Angles.normalize(headingRad)), errorMm, errorRad, atNs);
   }
 
-  private void entry() {
-    int start = at;
-    String name = string();
-    int key = KEYS.length - 1;
-    while (key >= 0 && !KEYS[key].equals(name)) {
-      key--;
-    }
-    if (problem.isEmpty() && (key < 0 || isThere[key])) {
-      at = start;
-      expected(key < 0 ? "a known key" : "each key once");
-    }
-    expect(':');
-    if (!problem.isEmpty()) {
-      return;
-    }
-    isThere[key] = true;
+  private void entry(String key) throws IOException {
+    JsonToken value = in.nextToken();
     switch (key) {
-      case ROBOT -> {
-        robot = string();
-        if (problem.isEmpty() && !RobotId.isValid(robot)) {
-          expected("a robot's name before this");
-        }
+      case "robot" -> {
+        require(value == JsonToken.VALUE_STRING && RobotId.isValid(in.getText()), "a robot's name");
+        robot = in.getText();
       }
-      case AT -> atNs = wholeNumber();
-      case HEADING -> numbers[key] = number(-LARGEST_RAD, LARGEST_RAD);
-      case ERROR -> numbers[key] = number(0, LARGEST_MM);
-      case ERROR_RAD -> numbers[key] = number(0, LARGEST_RAD);
-      default -> numbers[key] = number(-LARGEST_MM, LARGEST_MM);
+      case "atNs" -> {
+        require(value == JsonToken.VALUE_NUMBER_INT, "a whole number");
+        long ns = in.getLongValue();
+        require(ns >= -LARGEST_NS && ns <= LARGEST_NS, "at most " + LARGEST_NS);
+        atNs = ns;
+      }
+      case "xMm" -> xMm = number(-LARGEST_MM, LARGEST_MM);
+      case "yMm" -> yMm = number(-LARGEST_MM, LARGEST_MM);
+      case "headingRad" -> headingRad = number(-LARGEST_RAD, LARGEST_RAD);
+      case "errorMm" -> errorMm = number(0, LARGEST_MM);
+      case "errorRad" -> errorRad = number(0, LARGEST_RAD);
+      default -> throw wrong("a known key");
     }
   }
 
-  /** Names and keys need no escapes, and may have none. */
-  private String string() {
-    expect('"');
-    int start = at;
-    while (at < line.length() && isPlain(line.charAt(at))) {
-      at++;
-    }
-    String text = line.substring(start, at);
-    if (problem.isEmpty() && !(at < line.length() && line.charAt(at) == '"')) {
-      expected("ASCII without escapes, and a quote at its end");
-    }
-    if (!problem.isEmpty()) {
-      return "";
-    }
-    at++;
-    return text;
-  }
-
-  private double number(double least, double most) {
-    int start = numberStart();
-    digits(true);
-    if (at < line.length() && line.charAt(at) == '.') {
-      at++;
-      digits(false);
-    }
-    if (at < line.length() && (line.charAt(at) == 'e' || line.charAt(at) == 'E')) {
-      at++;
-      if (at < line.length() && (line.charAt(at) == '+' || line.charAt(at) == '-')) {
-        at++;
-      }
-      digits(false);
-    }
-    if (!isNumber(start)) {
-      return 0;
-    }
-    double value = Double.parseDouble(line.substring(start, at));
-    if (value < least || value > most) {
-      at = start;
-      expected("a number from " + least + " to " + most);
-    }
+  private double number(double least, double most) throws IOException {
+    String expected = "a number from " + least + " to " + most;
+    require(in.currentToken().isNumeric(), expected);
+    double value = in.getDoubleValue();
+    require(value >= least && value <= most, expected);
     return value;
   }
 
-  private long wholeNumber() {
-    int start = numberStart();
-    digits(true);
-    int maxDigits = 19;
-    if (!isNumber(start)) {
-      return 0;
-    }
-    long value = 0;
-    boolean isNegative = line.charAt(start) == '-';
-    int from = isNegative ? start + 1 : start;
-    boolean fits = at - from < maxDigits;
-    for (int i = from; i < at && fits; i++) {
-      value = 10 * value + (line.charAt(i) - '0');
-    }
-    if (!fits || value > LARGEST_NS) {
-      at = start;
-      expected("a whole number of up to 18 digits");
-    }
-    return isNegative ? -value : value;
-  }
-
-  private int numberStart() {
-    space();
-    int start = at;
-    if (at < line.length() && line.charAt(at) == '-') {
-      at++;
-    }
-    return start;
-  }
-
-  private boolean isNumber(int start) {
-    if (problem.isEmpty() && at - start > MAX_NUMBER_CHARS) {
-      at = start;
-      expected("a number of at most " + MAX_NUMBER_CHARS + " characters");
-    }
-    return problem.isEmpty();
-  }
-
-  private void digits(boolean isWholePart) {
-    int start = at;
-    while (at < line.length() && line.charAt(at) >= '0' && line.charAt(at) <= '9') {
-      at++;
-    }
-    if (at == start || (isWholePart && at - start > 1 && line.charAt(start) == '0')) {
-      expected(at == start ? "a digit" : "a number without leading zeros before this");
+  private void require(boolean holds, String expected) throws IOException {
+    if (!holds) {
+      throw wrong(expected);
     }
   }
 
-  private static boolean isPlain(char c) {
-    return c >= 0x20 && c < 0x7f && c != '"' && c != '\\';
-  }
-
-  private void space() {
-    while (at < line.length() && " \t\r\n".indexOf(line.charAt(at)) >= 0) {
-      at++;
-    }
-  }
-
-  private boolean take(char c) {
-    space();
-    boolean stands = at < line.length() && line.charAt(at) == c;
-    at += stands ? 1 : 0;
-    return stands;
-  }
-
-  private void expect(char c) {
-    if (!take(c)) {
-      expected("'" + c + "'");
-    }
-  }
-
-  /** The first problem counts. */
-  private void expected(String what) {
-    if (problem.isEmpty()) {
-      problem = "column " + (Math.min(at, line.length()) + 1) + ": expected " + what;
-    }
+  private JsonParseException wrong(String expected) {
+    return new JsonParseException(in, "expected " + expected);
   }
 }

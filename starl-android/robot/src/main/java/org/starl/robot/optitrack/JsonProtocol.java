@@ -6,12 +6,12 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
 
 /**
- * Makes fixes of JSON lines. Each robot's lines have a clock of their own, as there may be a sender
- * for each. Pure and driven by the clock; one caller at a time.
+ * Makes fixes of JSON lines. Each robot's lines have their own clock, because each robot may have its
+ * own sender. Pure and driven by the clock; one caller at a time.
  */
 final class JsonProtocol {
 
-  /** So many robots are kept apart. */
+  /** Largest number of robots. */
   static final int MAX_ROBOTS = 1024;
 
   private final FixBounds bounds;
@@ -32,7 +32,7 @@ final class JsonProtocol {
     this.tally = tally;
   }
 
-  /** The body that a datagram tells of, with its fix; null if there is none in it to be used. */
+  /** The body in a datagram, with its fix; null if it cannot be used. */
   @Nullable TrackedBody received(byte[] bytes, int length, long nowNs) {
     JsonPoseParser.Result result = JsonPoseParser.parse(bytes, length);
     JsonPose line = result.pose();

@@ -1,146 +1,98 @@
 package org.starl.robot.optitrack;
 
+import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads little-endian values one after the other and never throws: what lies beyond the end reads as
- * 0, and from then on the reader {@link #failed}. Allocates nothing but the strings it is asked for.
+ * Reads little-endian values one after the other. Every method throws {@link
+ * BufferUnderflowException} if too few bytes are left, or if a size or a count cannot be right.
  */
 final class LittleEndianReader {
 
   /** No name in NatNet is longer, its final NUL included. */
   static final int MAX_NAME_BYTES = 256;
 
-  private final byte[] bytes;
-  private final int end;
-  private int at;
-  private boolean failed;
+  private final ByteBuffer in;
 
   /** Over {@code bytes[from..end)}. */
   LittleEndianReader(byte[] bytes, int from, int end) {
-    if (from < 0 || from > end || end > bytes.length) {
-      throw new IllegalArgumentException(from + " to " + end + " of " + bytes.length + " bytes");
-    }
-    this.bytes = bytes;
-    this.at = from;
-    this.end = end;
-  }
-
-  boolean failed() {
-    return failed;
+    in = ByteBuffer.wrap(bytes, from, end - from).order(ByteOrder.LITTLE_ENDIAN);
   }
 
   int remaining() {
-    return end - at;
+    return in.remaining();
   }
 
   int u8() {
-    return take(1) ? bytes[at - 1] & 0xff : 0;
+    return in.get() & 0xff;
   }
 
   int u16() {
-    return take(2) ? (bytes[at - 2] & 0xff) | (bytes[at - 1] & 0xff) << 8 : 0;
+    return in.getShort() & 0xffff;
   }
 
   int i32() {
-    return take(4) ? intAt(at - 4) : 0;
+    return in.getInt();
   }
 
   long i64() {
-    return take(8) ? (intAt(at - 8) & 0xffff_ffffL) | (long) intAt(at - 4) << 32 : 0;
+    return in.getLong();
   }
 
   double f32() {
-    return Float.intBitsToFloat(i32());
+    return in.getFloat();
   }
 
-  /** A UTF-8 string that ends with NUL; fails on one that does not, or not soon enough. */
+  /** A UTF-8 string that ends with NUL within {@link #MAX_NAME_BYTES}. */
   String name() {
-    int from = at;
-    while (at < end && at - from < MAX_NAME_BYTES) {
-      if (bytes[at] == 0) {
-        at++;
-        return new String(bytes, from, at - 1 - from, StandardCharsets.UTF_8);
-      }
-      at++;
-    }
-    fail();
-    return "";
+    int from = in.position();
+    skipName();
+    return new String(in.array(), from, in.position() - 1 - from, StandardCharsets.UTF_8);
   }
 
   /** A string in a field of so many bytes. */
   String fixedName(int size) {
-    LittleEndianReader field = section(size);
-    String name = field.name();
-    failed |= field.failed;
-    return name;
+    return section(size).name();
   }
 
   void skipName() {
-    int from = at;
-    while (at < end && at - from < MAX_NAME_BYTES) {
-      at++;
-      if (bytes[at - 1] == 0) {
-        return;
-      }
+    int from = in.position();
+    while (in.get() != 0) {
+      require(in.position() - from < MAX_NAME_BYTES);
     }
-    fail();
   }
 
   void skipNames(int count) {
-    for (int i = 0; i < count && !failed; i++) {
+    for (int i = 0; i < count; i++) {
       skipName();
     }
   }
 
-  /** Fails if there are not so many. */
   void skip(long count) {
-    if (count < 0 || count > remaining()) {
-      fail();
-    } else {
-      at += (int) count;
-    }
+    require(count >= 0 && count <= in.remaining());
+    // Through the base class: only newer Java has ByteBuffer.position(int) of its own.
+    ((java.nio.Buffer) in).position(in.position() + (int) count);
   }
 
-  /** How many elements follow; fails if they cannot, of {@code minBytes} each at least. */
+  /** The number of elements that follow, of {@code minBytes} each at least. */
   int count(int minBytes) {
     int count = i32();
-    if (count < 0 || (long) count * minBytes > remaining()) {
-      fail();
-      return 0;
-    }
+    require(count >= 0 && (long) count * minBytes <= in.remaining());
     return count;
   }
 
-  /** A reader of the next {@code size} bytes, which this one leaves out; both fail if too few. */
+  /** A reader of the next {@code size} bytes, which this one skips. */
   LittleEndianReader section(int size) {
-    int from = at;
+    int from = in.position();
     skip(size);
-    LittleEndianReader section =
-        new LittleEndianReader(bytes, failed ? end : from, failed ? end : at);
-    section.failed = failed;
-    return section;
+    return new LittleEndianReader(in.array(), from, in.position());
   }
 
-  private boolean take(int count) {
-    if (count > remaining()) {
-      fail();
-      return false;
+  static void require(boolean isPossible) {
+    if (!isPossible) {
+      throw new BufferUnderflowException();
     }
-    at += count;
-    return true;
-  }
-
-  /** What was read cannot be; nothing more is there. */
-  void fail() {
-    failed = true;
-    at = end;
-  }
-
-  private int intAt(int place) {
-    return (bytes[place] & 0xff)
-        | (bytes[place + 1] & 0xff) << 8
-        | (bytes[place + 2] & 0xff) << 16
-        | (bytes[place + 3] & 0xff) << 24;
   }
 }

@@ -12,7 +12,7 @@ final class LittleEndianWriter {
   private final ByteBuffer out =
       ByteBuffer.allocate(Message.MAX_BYTES).order(ByteOrder.LITTLE_ENDIAN);
 
-  /** Begins message number {@code id}, forgetting what was written before. */
+  /** Begins message number {@code id} and discards earlier content. */
   LittleEndianWriter begin(int id) {
     // A call through the base class: only newer Java has ByteBuffer.clear of its own.
     ((java.nio.Buffer) out).clear();
@@ -66,7 +66,7 @@ final class LittleEndianWriter {
     return this;
   }
 
-  /** Keeps place for a 32-bit size, if {@code isThere}; what {@link #endSection} wants. */
+  /** Reserves a 32-bit size, if {@code isThere}; returns the argument of {@link #endSection}. */
   int beginSection(boolean isThere) {
     if (!isThere) {
       return -1;
@@ -88,7 +88,7 @@ final class LittleEndianWriter {
     return Arrays.copyOf(out.array(), out.position());
   }
 
-  /** Whether {@code e}, thrown by a method of this class, says that a datagram cannot hold it all. */
+  /** The error for {@code e}, thrown by a method of this class when a datagram is full. */
   static IllegalStateException tooLong(BufferOverflowException e) {
     return new IllegalStateException(
         "more bodies than a datagram of " + Message.MAX_BYTES + " bytes can hold", e);

@@ -1,6 +1,6 @@
 package org.starl.robot.optitrack;
 
-/** Numbers of NatNet's messages, as in the constants of its published {@code NatNetTypes.h}. */
+/** The numbers of NatNet's messages, as in its published {@code NatNetTypes.h}. */
 final class Message {
 
   static final int CONNECT = 0;
@@ -18,15 +18,19 @@ final class Message {
   static final int DISCOVERY = 14;
   static final int UNRECOGNIZED = 100;
 
-  /** Number and size of the payload, 16 bits each, stand before every payload. */
+  /** The header of every message: its number and the size of its payload, 16 bits each. */
   static final int HEADER_BYTES = 4;
 
-  /** What UDP over IPv4 can carry. */
+  /** The largest payload of UDP over IPv4. */
   static final int MAX_BYTES = 65_507;
 
   private Message() {}
 
-  /** The payload of {@code bytes[0..length)}, or one that has failed where the header lies. */
+  /**
+   * The payload of {@code bytes[0..length)}.
+   *
+   * @throws java.nio.BufferUnderflowException if it is shorter than its header says
+   */
   static LittleEndianReader payload(byte[] bytes, int length) {
     LittleEndianReader whole = new LittleEndianReader(bytes, 0, length);
     whole.u16();

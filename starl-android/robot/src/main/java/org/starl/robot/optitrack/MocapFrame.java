@@ -3,13 +3,13 @@ package org.starl.robot.optitrack;
 import java.util.List;
 
 /**
- * What one frame of a stream says.
+ * The content of one frame of a stream.
  *
  * @param bodies the rigid bodies, in the order of the stream
  * @param exposedTicks the middle of the cameras' exposure, on the server's clock; 0 if not known
- * @param collectedTicks when all cameras' images had come to the server; 0 if not known
+ * @param collectedTicks when the server had all cameras' images; 0 if not known
  * @param transmittedTicks just before the frame was sent; 0 if not known
- * @param hasNewModels whether the list of models is another than before
+ * @param hasNewModels whether the list of models has changed
  */
 record MocapFrame(
     int number,

@@ -8,10 +8,10 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
-/** Which rigid bodies a server knows: the names of the numbers that are in its frames. */
+/** The rigid bodies that a server knows: their names, by their numbers in its frames. */
 final class Models {
 
-  /** Before a server has told. */
+  /** Before a server has sent its descriptions. */
   static final Models NONE = new Models(new LinkedHashMap<>(), true);
 
   private final Map<Integer, String> names;
@@ -46,12 +46,12 @@ final class Models {
     return distinct.contains(name);
   }
 
-  /** Whether two bodies share this name, so that it means neither. */
+  /** Whether two bodies have this name, so that it identifies neither. */
   boolean isAmbiguous(String name) {
     return ambiguous.contains(name);
   }
 
-  /** Whether nothing stood there that this version cannot read. */
+  /** Whether every description could be read. */
   boolean isWhole() {
     return isWhole;
   }
@@ -62,26 +62,21 @@ final class Models {
   }
 
   /**
-   * The bodies described in the payload {@code in}, or null if these bytes are no descriptions of
-   * this version. From 4.1 on what is not understood is skipped by its size; before, the first
-   * unknown description ends the list.
+   * The bodies described in the payload {@code in}. From 4.1 on unknown descriptions are skipped by
+   * their size; before, the first unknown description ends the list.
    */
-  static @Nullable Models parse(LittleEndianReader in, NatNetVersion version) {
+  static Models parse(LittleEndianReader in, NatNetVersion version) {
     Map<Integer, String> names = new LinkedHashMap<>();
     boolean isWhole = true;
     int typeBytes = 4;
     int count = in.count(typeBytes);
-    for (int i = 0; i < count && !in.failed() && isWhole; i++) {
+    for (int i = 0; i < count && isWhole; i++) {
       int type = in.i32();
       if (version.tellsSizes()) {
         LittleEndianReader description = in.section(in.i32());
         if (type == Description.RIGID_BODY) {
           String name = description.name();
-          int id = description.i32();
-          if (description.failed()) {
-            in.fail();
-          }
-          names.put(id, name);
+          names.put(description.i32(), name);
         }
       } else if (type == Description.RIGID_BODY) {
         String name = in.name();
@@ -92,6 +87,6 @@ final class Models {
         isWhole = Description.skip(in, type, version);
       }
     }
-    return in.failed() ? null : new Models(names, isWhole);
+    return new Models(names, isWhole);
   }
 }

@@ -10,11 +10,9 @@ import java.net.NetworkInterface;
 import java.net.SocketException;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.starl.geometry.Fix;
 import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
 import org.starl.platform.Positioning;
@@ -22,7 +20,7 @@ import org.starl.platform.Strand;
 
 /**
  * A client of one OptiTrack server (Motive, or {@link NatNetServer}), NatNet 3.0 to 4.2 and, as far
- * as sizes tell what to skip, later. It connects by itself, and again after each silence.
+ * as sections have sizes, later. It connects automatically, and again after each silence.
  *
  * <pre>{@code
  * NatNetClient client = NatNetClient.open(NatNetSettings.unicast(server), clock, log);
@@ -33,20 +31,12 @@ public final class NatNetClient implements PoseFeed {
 
   private static final int TICK_MS = 20;
 
-  private record Follower(@Nullable String name, int id, StrandPositioning positioning) {
-
-    boolean means(TrackedBody body) {
-      return name == null ? body.id() == id : body.name().equals(name);
-    }
-  }
-
   private final NatNetSettings settings;
   private final Clock clock;
   private final DatagramSocket command;
   private final @Nullable MulticastSocket data;
   private final List<Reception> receptions = new ArrayList<>();
-  private final List<Follower> followers = new CopyOnWriteArrayList<>();
-  private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
+  private final Followers followers = new Followers();
   private final ReentrantLock lock = new ReentrantLock();
 
   // Guarded by the lock.
@@ -71,9 +61,9 @@ public final class NatNetClient implements PoseFeed {
   /**
    * Begins to connect, in the background.
    *
-   * @param clock of the robot, or of whoever asks: the one that fixes bear; read by other threads
-   * @param log takes a line from the client's threads when something is wrong for the first time
-   * @throws IOException if there is no socket to be had, or the group cannot be joined
+   * @param clock the robot's, for the fixes' times; read by other threads
+   * @param log takes a line from the client's threads for the first error of each kind
+   * @throws IOException if no socket is available, or the group cannot be joined
    */
   public static NatNetClient open(NatNetSettings settings, Clock clock, LogSink log)
       throws IOException {
@@ -106,21 +96,20 @@ public final class NatNetClient implements PoseFeed {
     } finally {
       lock.unlock();
     }
-    return follow(new Follower(name, 0, new StrandPositioning(strand, name)));
+    return followers.follow(strand, name, body -> body.name().equals(name));
   }
 
   /** The fixes of the rigid body whose streaming number is {@code id}. */
   public Positioning positioning(Strand strand, int id) {
-    String name = "rigid body " + id;
-    return follow(new Follower(null, id, new StrandPositioning(strand, name)));
+    return followers.follow(strand, "rigid body " + id, body -> body.id() == id);
   }
 
   @Override
   public void onBodies(Consumer<List<TrackedBody>> watcher) {
-    watchers.add(watcher);
+    followers.watch(watcher);
   }
 
-  /** Whether a server has answered, and not been silent since. */
+  /** Whether a server has answered and has not been silent since. */
   public boolean isConnected() {
     lock.lock();
     try {
@@ -130,7 +119,7 @@ public final class NatNetClient implements PoseFeed {
     }
   }
 
-  /** The names of the rigid bodies that the server has; none before it has told. */
+  /** The names of the server's rigid bodies; empty before the server has sent them. */
   public List<String> bodyNames() {
     lock.lock();
     try {
@@ -158,11 +147,6 @@ public final class NatNetClient implements PoseFeed {
     receptions.forEach(Reception::close);
   }
 
-  private Positioning follow(Follower follower) {
-    followers.add(follower);
-    return follower.positioning();
-  }
-
   private static MulticastSocket join(InetSocketAddress group, @Nullable InetAddress local)
       throws IOException {
     MulticastSocket socket = new MulticastSocket(null);
@@ -186,10 +170,10 @@ public final class NatNetClient implements PoseFeed {
   }
 
   private void take(@Nullable DatagramPacket packet) {
-    publish(step(packet, clock.nowNs()));
+    followers.publish(step(packet, clock.nowNs()));
   }
 
-  /** The bodies of a frame, if this was one: to be told without the lock, which others wait for. */
+  /** The bodies of the frame, if it was one: to be published without the lock. */
   private List<TrackedBody> step(@Nullable DatagramPacket packet, long nowNs) {
     lock.lock();
     try {
@@ -224,7 +208,7 @@ public final class NatNetClient implements PoseFeed {
     }
   }
 
-  // A network that refuses a datagram has lost it; what matters is sent again.
+  // A datagram that the network refuses is lost; important ones are sent again.
   private void send(byte[] datagram) {
     try {
       command.send(new DatagramPacket(datagram, datagram.length, settings.server()));
@@ -235,23 +219,6 @@ public final class NatNetClient implements PoseFeed {
       } finally {
         lock.unlock();
       }
-    }
-  }
-
-  private void publish(List<TrackedBody> bodies) {
-    if (bodies.isEmpty()) {
-      return;
-    }
-    for (Follower follower : followers) {
-      for (TrackedBody body : bodies) {
-        Fix fix = body.fix();
-        if (fix != null && follower.means(body)) {
-          follower.positioning().offer(fix);
-        }
-      }
-    }
-    for (Consumer<List<TrackedBody>> watcher : watchers) {
-      watcher.accept(bodies);
     }
   }
 

@@ -1,5 +1,6 @@
 package org.starl.robot.optitrack;
 
+import java.nio.BufferUnderflowException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -24,13 +25,13 @@ final class NatNetProtocol {
   static final long FIRST_ECHO_NS = 100_000_000;
   static final long SILENCE_NS = 3_000_000_000L;
 
-  /** So many answers about the clock are fetched quickly. */
+  /** Number of answers about the clock that are requested at the faster rate. */
   private static final int FIRST_ECHOES = 10;
 
   /** The payload of a connect message of version 4: a name, versions, options, padding. */
   private static final int CONNECT_BYTES = 270;
 
-  /** A body's mean error is no more: a metre. */
+  /** Largest plausible mean error of a body. */
   private static final double MOST_MEAN_ERROR_M = 1;
 
   private static final double MM_PER_M = 1000;
@@ -58,7 +59,7 @@ final class NatNetProtocol {
 
   /**
    * @param toServer sends a datagram to the server's command port
-   * @param bodies takes what each frame says of the bodies that have names
+   * @param bodies takes each frame's bodies that have names
    */
   NatNetProtocol(
       NatNetSettings settings,
@@ -76,7 +77,7 @@ final class NatNetProtocol {
     return models;
   }
 
-  /** Somebody follows the body of this name: its absence is told. */
+  /** A robot follows the body of this name: if it does not exist, that is logged. */
   void want(String name, long nowNs) {
     wanted.add(name);
     if (models != Models.NONE) {
@@ -88,7 +89,7 @@ final class NatNetProtocol {
     return server != null;
   }
 
-  /** Sends what is due; to be called every few tens of milliseconds. */
+  /** Sends due messages; must be called every few tens of milliseconds. */
   void tick(long nowNs) {
     if (server != null && nowNs - heardNs > SILENCE_NS) {
       tally.warnOnce("silent", "the NatNet server has fallen silent: connecting again", nowNs);
@@ -102,7 +103,7 @@ final class NatNetProtocol {
       return;
     }
     if (nowNs - framedNs > SILENCE_NS && nowNs >= connectAtNs) {
-      // A server that was started anew answers, but streams to nobody that has not connected.
+      // A restarted server answers, but streams only to clients that have connected again.
       connectAtNs = nowNs + RETRY_NS;
       wantsModels = true;
       toServer.accept(connect());
@@ -124,48 +125,42 @@ final class NatNetProtocol {
 
   /** A datagram from the server. */
   void received(byte[] bytes, int length, long nowNs) {
-    LittleEndianReader in = Message.payload(bytes, length);
     int id = Message.id(bytes, length);
-    if (in.failed()) {
-      tally.drop(FeedDrop.MALFORMED, "a datagram of " + length + " bytes is cut off", nowNs);
-      return;
-    }
-    boolean isSound =
-        switch (id) {
-          case Message.SERVER_INFO -> introduced(ServerInfo.parse(in), nowNs);
-          case Message.MODELS -> described(in, nowNs);
-          case Message.FRAME -> frame(in, nowNs);
-          case Message.ECHO_RESPONSE -> answered(in, nowNs);
-          case Message.TEXT, Message.RESPONSE, Message.UNRECOGNIZED -> true;
-          default -> unknown("message number " + id, nowNs);
-        };
-    if (isSound) {
+    try {
+      LittleEndianReader in = Message.payload(bytes, length);
+      switch (id) {
+        case Message.SERVER_INFO -> onServerInfo(ServerInfo.parse(in), nowNs);
+        case Message.MODELS -> onModels(in, nowNs);
+        case Message.FRAME -> onFrame(in, nowNs);
+        case Message.ECHO_RESPONSE -> onEcho(in, nowNs);
+        case Message.TEXT, Message.RESPONSE, Message.UNRECOGNIZED -> {
+          // Proves that the server lives; nothing else is read from it.
+        }
+        default -> unknown("message number " + id, nowNs);
+      }
       heardNs = nowNs;
-    } else {
+    } catch (BufferUnderflowException e) {
       tally.drop(
           FeedDrop.MALFORMED,
-          "message " + id + " of " + length + " bytes is none of NatNet " + version(),
+          "message " + id + " of " + length + " bytes is cut off, or not of NatNet " + version(),
           nowNs);
     }
   }
 
-  // With no version of its own here, the server streams in its newest, and says which that is.
+  // Without a version in this message the server streams in its newest, which its answer names.
   private byte[] connect() {
     int nameBytes = 256;
     out.begin(Message.CONNECT).fixedName("Ping", nameBytes);
     return out.zeros(CONNECT_BYTES - nameBytes).end();
   }
 
-  private boolean introduced(@Nullable ServerInfo info, long nowNs) {
-    if (info == null) {
-      return false;
-    }
+  private void onServerInfo(ServerInfo info, long nowNs) {
     if (info.version().compareTo(NatNetVersion.V3_0) < 0) {
-      return unknown(
-          info.name() + " speaks NatNet " + info.version() + ": expected 3.0 or later", nowNs);
+      unknown(info.name() + " speaks NatNet " + info.version() + ": expected 3.0 or later", nowNs);
+      return;
     }
     if (info.equals(server)) {
-      return true;
+      return;
     }
     warn(info, nowNs);
     tally.info("connected to " + printable(info.name()) + ", NatNet " + info.version(), nowNs);
@@ -178,7 +173,6 @@ final class NatNetProtocol {
     echoAtNs = nowNs;
     echoes = 0;
     time.begin(info.ticksPerS());
-    return true;
   }
 
   private void warn(ServerInfo info, long nowNs) {
@@ -195,15 +189,12 @@ final class NatNetProtocol {
     }
   }
 
-  private boolean described(LittleEndianReader in, long nowNs) {
+  private void onModels(LittleEndianReader in, long nowNs) {
     if (server == null) {
-      return early(nowNs);
+      early(nowNs);
+      return;
     }
-    Models newModels = Models.parse(in, server.version());
-    if (newModels == null) {
-      return false;
-    }
-    models = newModels;
+    models = Models.parse(in, server.version());
     wantsModels = false;
     newestNs.keySet().retainAll(models.ids());
     wanted.forEach(name -> checkWanted(name, nowNs));
@@ -211,46 +202,37 @@ final class NatNetProtocol {
     if (!models.isWhole()) {
       tally.warnOnce("unknown model", "some descriptions could not be read", nowNs);
     }
-    return true;
   }
 
-  private boolean answered(LittleEndianReader in, long nowNs) {
+  private void onEcho(LittleEndianReader in, long nowNs) {
     long sentNs = in.i64();
     long ticks = in.i64();
-    if (in.failed()) {
-      return false;
-    }
-    // Only the answer to the last question counts, and once.
+    // Only the first answer to the last question counts.
     if (server != null && sentNs == echoSentNs && echoSentNs != 0) {
       time.answered(sentNs, ticks, nowNs);
       echoSentNs = 0;
       echoes++;
     }
-    return true;
   }
 
-  private boolean frame(LittleEndianReader in, long nowNs) {
+  private void onFrame(LittleEndianReader in, long nowNs) {
     if (server == null) {
-      return early(nowNs);
+      early(nowNs);
+      return;
     }
     MocapFrame frame = FrameParser.parse(in, server.version());
-    if (frame == null) {
-      return false;
-    }
     framedNs = nowNs;
     wantsModels |= frame.hasNewModels();
     TimeSpan when = time.measured(frame, nowNs);
     if (when == null) {
-      return early(nowNs);
-    }
-    if (when.earliestNs() > when.latestNs()) {
+      early(nowNs);
+    } else if (when.earliestNs() > when.latestNs()) {
       tally.drop(FeedDrop.IMPLAUSIBLE, "a frame says that it was not measured yet", nowNs);
     } else if (nowNs - when.middleNs() > settings.bounds().maxAgeNs()) {
       tally.drop(FeedDrop.STALE, "a frame was measured too long ago", nowNs);
     } else {
       bodies.accept(tracked(frame.bodies(), when, nowNs));
     }
-    return true;
   }
 
   private List<TrackedBody> tracked(List<RigidBodyState> states, TimeSpan when, long nowNs) {
@@ -306,22 +288,20 @@ final class NatNetProtocol {
     }
   }
 
-  private boolean early(long nowNs) {
+  private void early(long nowNs) {
     tally.drop(FeedDrop.EARLY, "a message came before the server and its clock were known", nowNs);
-    return true;
   }
 
-  private boolean unknown(String what, long nowNs) {
+  private void unknown(String what, long nowNs) {
     tally.drop(FeedDrop.UNKNOWN, printable(what), nowNs);
-    return true;
   }
 
   private String version() {
     return server == null ? "any version" : server.version().toString();
   }
 
-  /** On one line of a terminal, whatever bytes came. */
-  private static String printable(String text) {
+  /** The text on one line, without control characters. */
+  static String printable(String text) {
     int shown = Math.min(text.length(), 300);
     StringBuilder line = new StringBuilder(shown);
     for (int i = 0; i < shown; i++) {

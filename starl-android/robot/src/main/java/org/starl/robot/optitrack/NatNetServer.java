@@ -7,6 +7,7 @@ import java.net.InetSocketAddress;
 import java.net.MulticastSocket;
 import java.net.NetworkInterface;
 import java.net.SocketAddress;
+import java.nio.BufferUnderflowException;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -14,25 +15,26 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
+import org.starl.robot.realtime.Daemons;
 
 /**
  * Streams poses as an OptiTrack server does, to any NatNet client: in place of cameras, for robots
  * whose bodies are simulated, and for tests. It has one thread. It accepts the connect messages of
- * all versions, short and long; what else it does not know it answers as unrecognized.
+ * all versions, short and long; it answers other unknown messages as unrecognized.
  */
 public final class NatNetServer implements AutoCloseable {
 
-  /** A unicast client that has said nothing for so long is forgotten. */
+  /** A unicast client that was silent for this time is removed. */
   static final long CLIENT_SILENCE_NS = 10_000_000_000L;
 
-  /** So many unicast clients are served at a time: those last heard of. */
+  /** Largest number of unicast clients; a new one replaces the one silent for longest. */
   static final int MAX_CLIENTS = 64;
 
   private static final String NAME = "StarL";
   private static final long NS_PER_S = 1_000_000_000;
   private static final long NS_PER_MS = 1_000_000;
 
-  /** So long do frames say that there are new models. */
+  /** Time for which frames announce new models. */
   private static final long NEWS_NS = NS_PER_S;
 
   private final NatNetServerSettings settings;
@@ -64,16 +66,15 @@ public final class NatNetServer implements AutoCloseable {
     this.socket = socket;
     this.encoder = new StreamEncoder(settings.version(), settings.axes(), settings.hasMarkers());
     this.snapshot = source.snapshot();
-    this.thread = new Thread(this::run, "natnet server");
-    thread.setDaemon(true);
+    this.thread = Daemons.of("natnet server", this::run);
   }
 
   /**
    * Serves from now on.
    *
-   * @param clock that the snapshots' times are on; its nanoseconds are the stream's ticks
-   * @param onFailure is told, on the server's thread, why it cannot serve any more
-   * @throws IOException if the address is not to be had
+   * @param clock of the snapshots' times; its nanoseconds are the stream's ticks
+   * @param onFailure is called, on the server's thread, if it cannot continue
+   * @throws IOException if the address is not available
    */
   public static NatNetServer open(
       NatNetServerSettings settings, PoseSource source, Clock clock, Consumer<Exception> onFailure)
@@ -89,7 +90,7 @@ public final class NatNetServer implements AutoCloseable {
       throws IOException {
     MulticastSocket socket = new MulticastSocket(null);
     try {
-      // A multicast socket would share its port with anybody unless told not to.
+      // By default a multicast socket shares its port with other programs.
       socket.setReuseAddress(false);
       socket.bind(settings.address());
       InetAddress local = settings.address().getAddress();
@@ -103,12 +104,12 @@ public final class NatNetServer implements AutoCloseable {
     return new NatNetServer(settings, source, clock, onFailure, socket);
   }
 
-  /** Where it listens for commands. */
+  /** The address at which it listens for commands. */
   public InetSocketAddress address() {
     return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
   }
 
-  /** Datagrams that were no message of a client, or that the network would not send. */
+  /** Number of datagrams that were not a client's message, or that the network did not send. */
   public long ignored() {
     return ignored.get();
   }
@@ -118,11 +119,11 @@ public final class NatNetServer implements AutoCloseable {
     return clients.size();
   }
 
-  /** Serves nobody any more. */
+  /** Stops serving. */
   @Override
   public void close() {
     socket.close();
-    Joining.join(thread);
+    Daemons.join(thread, 0);
   }
 
   private void run() {
@@ -174,8 +175,15 @@ public final class NatNetServer implements AutoCloseable {
   void answer(DatagramPacket packet, long nowNs) {
     byte[] bytes = packet.getData();
     SocketAddress client = packet.getSocketAddress();
-    LittleEndianReader in = Message.payload(bytes, packet.getLength());
-    int id = in.failed() ? -1 : Message.id(bytes, packet.getLength());
+    long theirs;
+    int id = Message.id(bytes, packet.getLength());
+    try {
+      LittleEndianReader in = Message.payload(bytes, packet.getLength());
+      theirs = id == Message.ECHO_REQUEST ? in.i64() : 0;
+    } catch (BufferUnderflowException e) {
+      ignored.incrementAndGet();
+      return;
+    }
     switch (id) {
       case Message.CONNECT -> {
         remember(client, nowNs);
@@ -188,21 +196,14 @@ public final class NatNetServer implements AutoCloseable {
         encoder.hasNew(snapshot);
         send(encoder.models(snapshot.bodies()), client);
       }
-      case Message.ECHO_REQUEST -> {
-        long theirs = in.i64();
-        if (in.failed()) {
-          ignored.incrementAndGet();
-        } else {
+      case Message.ECHO_REQUEST ->
           send(out.begin(Message.ECHO_RESPONSE).i64(theirs).i64(nowNs).end(), client);
-        }
-      }
       case Message.REQUEST -> send(out.begin(Message.UNRECOGNIZED).end(), client);
       default -> ignored.incrementAndGet();
     }
   }
 
-  // Who is there speaks each second: a full list has room for whoever comes, in place of the
-  // silent.
+  // Live clients send each second: in a full list a new client replaces the one silent for longest.
   private void remember(SocketAddress client, long nowNs) {
     if (!clients.containsKey(client) && clients.size() == MAX_CLIENTS) {
       clients.remove(Collections.min(clients.entrySet(), Map.Entry.comparingByValue()).getKey());
@@ -231,7 +232,7 @@ public final class NatNetServer implements AutoCloseable {
     return number;
   }
 
-  // A client that cannot be reached has lost a datagram, or is gone and will be forgotten.
+  // A client that cannot be reached loses the datagram, or is gone and will be removed.
   private void send(byte[] datagram, SocketAddress to) {
     try {
       socket.send(new DatagramPacket(datagram, datagram.length, to));

@@ -5,13 +5,13 @@ import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a NatNet server is and how its stream is meant. Immutable.
+ * The address of a NatNet server and the meaning of its stream. Immutable.
  *
  * @param server the server's command port
  * @param group the group that it streams to, with its data port; null for unicast
  * @param local the address of this machine's interface to use; null for any
- * @param axes how its coordinates are ours
- * @param bounds what is assumed of it and of the robots
+ * @param axes convert its coordinates to StarL's
+ * @param bounds assumptions on the server and the robots
  */
 public record NatNetSettings(
     InetSocketAddress server,
@@ -23,7 +23,7 @@ public record NatNetSettings(
   public static final int COMMAND_PORT = 1510;
   public static final int DATA_PORT = 1511;
 
-  /** The group of Motive's own setting. */
+  /** Motive's default group. */
   public static final String GROUP = "239.255.42.99";
 
   public NatNetSettings {
@@ -33,13 +33,13 @@ public record NatNetSettings(
     checkGroup(group);
   }
 
-  /** A server that streams to each client alone, at the ports of Motive's own settings. */
+  /** A server that streams by unicast, with Motive's default ports. */
   public static NatNetSettings unicast(InetAddress server) {
     return new NatNetSettings(
         new InetSocketAddress(server, COMMAND_PORT), null, null, Axes.DEFAULT, FixBounds.DEFAULT);
   }
 
-  /** A server that streams to a group, all as in Motive's own settings. */
+  /** A server that streams to a group, with Motive's defaults. */
   public static NatNetSettings multicast(InetAddress server) {
     return unicast(server).withGroup(new InetSocketAddress(GROUP, DATA_PORT));
   }

@@ -5,21 +5,21 @@ import java.util.function.Consumer;
 import org.starl.platform.Positioning;
 import org.starl.platform.Strand;
 
-/** Where robots are, as one measuring system tells it. From any thread. */
+/** The robots' positions from one measuring system. From any thread. */
 public interface PoseFeed extends AutoCloseable {
 
-  /** The fixes of the body {@code name}, on {@code strand}; where that is behind, the newest. */
+  /** The fixes of the body {@code name}, on {@code strand}; only the newest if the strand is late. */
   Positioning positioning(Strand strand, String name);
 
   /**
-   * Tells all bodies of each message from now on, on the feed's own thread, which must not be held
-   * up: to who merges, or looks on.
+   * Passes all bodies of each message to {@code watcher} from now on, on the feed's own thread; the
+   * watcher must not block.
    */
   void onBodies(Consumer<List<TrackedBody>> watcher);
 
   FeedStatistics statistics();
 
-  /** Hears nothing more. */
+  /** Receives nothing more. */
   @Override
   void close();
 }

@@ -5,6 +5,7 @@ import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.starl.robot.realtime.Daemons;
 
 /** One socket and the thread that takes what comes, until it is closed. */
 final class Reception implements AutoCloseable {
@@ -22,7 +23,7 @@ final class Reception implements AutoCloseable {
    *
    * @param name of the thread
    * @param taker takes each datagram, or null when none has come for {@code waitMs}
-   * @param onFailure is told, on that thread, what it cannot go on after; the socket is closed then
+   * @param onFailure is called, on that thread, if it cannot continue; the socket is closed then
    */
   static Reception start(
       String name,
@@ -30,8 +31,7 @@ final class Reception implements AutoCloseable {
       int waitMs,
       Consumer<@Nullable DatagramPacket> taker,
       Consumer<Exception> onFailure) {
-    Thread thread = new Thread(() -> run(socket, waitMs, taker, onFailure), name);
-    thread.setDaemon(true);
+    Thread thread = Daemons.of(name, () -> run(socket, waitMs, taker, onFailure));
     thread.start();
     return new Reception(socket, thread);
   }
@@ -58,6 +58,6 @@ final class Reception implements AutoCloseable {
   @Override
   public void close() {
     socket.close();
-    Joining.join(thread);
+    Daemons.join(thread, 0);
   }
 }

@@ -1,14 +1,12 @@
 package org.starl.robot.optitrack;
 
-import org.jspecify.annotations.Nullable;
-
 /**
  * How a server describes itself.
  *
- * @param name of the program that serves
- * @param ticksPerS of the clock that stamps its frames; 0 if it does not say
+ * @param name of the serving program
+ * @param ticksPerS of the clock that stamps its frames; 0 if unknown
  * @param isMulticast whether it streams to a group
- * @param dataPort where it streams to
+ * @param dataPort the UDP port of its stream
  * @param group the group's address, four bytes from the first on, as one number
  */
 record ServerInfo(
@@ -23,8 +21,8 @@ record ServerInfo(
   private static final int VERSION_BYTES = 4;
   private static final int CLOCK_AND_CONNECTION_BYTES = 15;
 
-  /** The answer in the payload {@code in}, or null if these bytes are none. */
-  static @Nullable ServerInfo parse(LittleEndianReader in) {
+  /** The answer in the payload {@code in}. */
+  static ServerInfo parse(LittleEndianReader in) {
     String name = in.fixedName(NAME_BYTES);
     in.skip(VERSION_BYTES);
     NatNetVersion version = new NatNetVersion(in.u8(), in.u8());
@@ -34,9 +32,7 @@ record ServerInfo(
     int dataPort = isLong ? in.u16() : 0;
     boolean isMulticast = isLong && in.u8() != 0;
     int group = isLong ? Integer.reverseBytes(in.i32()) : 0;
-    return in.failed()
-        ? null
-        : new ServerInfo(name, version, ticksPerS, isMulticast, dataPort, group);
+    return new ServerInfo(name, version, ticksPerS, isMulticast, dataPort, group);
   }
 
   byte[] datagram(LittleEndianWriter out) {

@@ -7,7 +7,7 @@ final class ServerTime {
 
   private static final long NS_PER_S = 1_000_000_000;
 
-  /** More, and ticks could not be told as ns. */
+  /** The greatest rate: with more, ticks could not be converted to ns. */
   private static final long MAX_TICKS_PER_S = 9 * NS_PER_S;
 
   private static final long MAX_S = 4_000_000_000L;
@@ -21,7 +21,7 @@ final class ServerTime {
     this.map = new ClockMap(bounds.maxDelayNs());
   }
 
-  /** The server's clock has this rate; 0 if it does not say. Nothing else is known of it yet. */
+  /** Forgets the server's clock; its rate from now on is this, 0 if unknown. */
   void begin(long newTicksPerS) {
     ticksPerS = newTicksPerS > 0 && newTicksPerS <= MAX_TICKS_PER_S ? newTicksPerS : 0;
     map = new ClockMap(bounds.maxDelayNs());
@@ -35,8 +35,8 @@ final class ServerTime {
   }
 
   /**
-   * When the frame was measured. Without usable stamps it is taken for one that came without delay
-   * beyond the assumed. Null if that cannot be told yet.
+   * When the frame was measured. Without usable stamps, the assumed largest delay bounds it. Null if it
+   * is not known yet.
    */
   @Nullable TimeSpan measured(MocapFrame frame, long receivedNs) {
     if (!isStamp(frame.transmittedTicks())) {

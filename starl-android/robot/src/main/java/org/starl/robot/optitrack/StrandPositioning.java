@@ -6,7 +6,7 @@ import org.starl.geometry.Fix;
 import org.starl.platform.Positioning;
 import org.starl.platform.Strand;
 
-/** Brings one body's fixes onto a robot's strand: one at a time, and where it is behind, the newest. */
+/** Posts one body's fixes to a robot's strand: one at a time, and only the newest if it is late. */
 final class StrandPositioning implements Positioning {
 
   private final Strand strand;

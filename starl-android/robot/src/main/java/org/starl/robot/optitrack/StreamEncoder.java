@@ -160,7 +160,7 @@ final class StreamEncoder {
     out.endSection(start);
   }
 
-  // They turn with nobody: who wants to know how a body is turned reads its quaternion.
+  // Markers are not rotated with their body: only its quaternion has the orientation.
   private void writeMarker(RigidBodyState state, double[] marker) {
     out.f32(state.x() + marker[0]).f32(state.y() + marker[1]).f32(state.z() + marker[2]);
   }

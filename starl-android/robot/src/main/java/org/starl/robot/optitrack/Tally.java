@@ -1,17 +1,16 @@
 package org.starl.robot.optitrack;
 
-import java.util.EnumMap;
-import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import org.starl.platform.LogSink;
+import org.starl.robot.udp.DropCounts;
 
-/** Counts what a feed hears, and logs the first of each kind that it drops. One thread at a time. */
+/** A feed's counters; logs the first drop for each reason. One thread at a time. */
 final class Tally {
 
   private final LogSink log;
   private final String tag;
-  private final long[] dropped = new long[FeedDrop.values().length];
+  private final DropCounts<FeedDrop> drops = new DropCounts<>(FeedDrop.class);
   private final Set<String> told = new TreeSet<>();
   private long received;
   private long fixes;
@@ -30,9 +29,8 @@ final class Tally {
   }
 
   void drop(FeedDrop why, String what, long nowNs) {
-    dropped[why.ordinal()]++;
-    // What comes early is no fault of anybody.
-    if (dropped[why.ordinal()] == 1 && why != FeedDrop.EARLY) {
+    // Early datagrams are normal at a start.
+    if (drops.add(why) && why != FeedDrop.EARLY) {
       log.log(nowNs, LogSink.Level.WARN, tag, what + "; further ones are only counted: " + why);
     }
   }
@@ -49,10 +47,6 @@ final class Tally {
   }
 
   FeedStatistics statistics() {
-    Map<FeedDrop, Long> counts = new EnumMap<>(FeedDrop.class);
-    for (FeedDrop why : FeedDrop.values()) {
-      counts.put(why, dropped[why.ordinal()]);
-    }
-    return new FeedStatistics(received, fixes, counts);
+    return new FeedStatistics(received, fixes, drops.counts());
   }
 }

@@ -1,13 +1,13 @@
 package org.starl.robot.optitrack;
 
-/** Something happened between these two times of our clock, ends included. */
+/** An interval of our clock in which something happened, ends included. */
 record TimeSpan(long earliestNs, long latestNs) {
 
   long middleNs() {
     return earliestNs + (latestNs - earliestNs) / 2;
   }
 
-  /** It happened within so long of the middle. */
+  /** Half its length. */
   long boundNs() {
     return (latestNs - earliestNs + 1) / 2;
   }

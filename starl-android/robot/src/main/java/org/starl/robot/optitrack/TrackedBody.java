@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
 
 /**
- * What a feed knows of one body since its last message.
+ * One body in a feed's last message.
  *
  * @param name of the rigid body, or of the robot
  * @param id the rigid body's number; -1 where a feed has none

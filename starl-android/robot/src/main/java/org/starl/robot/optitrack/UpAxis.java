@@ -1,6 +1,6 @@
 package org.starl.robot.optitrack;
 
-/** Which axis of a stream points up: a setting of Motive's streaming pane, Y unless changed. */
+/** The axis of a stream that points up: a setting in Motive's streaming pane, by default Y. */
 public enum UpAxis {
   /** The floor is the plane of x and z: our x is the stream's x, our y is its -z. */
   Y,

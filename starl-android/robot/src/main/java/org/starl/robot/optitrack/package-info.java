@@ -7,10 +7,10 @@
  *
  * <p>Contract: millimetres, radians counter-clockwise from the x axis, times of fixes on the clock
  * that the feed was given. A fix bears the time at which it was measured, not at which it came, and
- * its error bound holds what is not known of that time. A body that the cameras have lost gives no
- * fix. What comes from the network is counted, dropped and logged once for each kind of fault; no
- * bytes make a parser throw, and none make it allocate more than they are long. NatNet and the JSON
- * lines are not authenticated: who can send in the server's name can lie.
+ * its error bound includes the uncertainty of that time. A body that the cameras have lost gives no
+ * fix. Faulty datagrams are counted, dropped and logged once for each kind of fault; no bytes make a
+ * feed fail or allocate more than a multiple of their length. NatNet and the JSON lines are not
+ * authenticated: anybody who can send from the server's address can send false positions.
  *
  * <p>May import: the JDK as far as Android API 26 has it, {@code org.starl} ids, {@code
  * org.starl.geometry}, {@code org.starl.platform}.

@@ -1,6 +1,6 @@
 package org.starl.robot.realtime;
 
-/** Something that falls due; ordered by time, then by number. Guarded by its strand's lock. */
+/** An action with a due time; ordered by time, then by number. Guarded by its strand's lock. */
 abstract class Alarm {
 
   /** The {@code index} of an alarm that is in no heap. */
@@ -10,7 +10,7 @@ abstract class Alarm {
   long number;
   int index = NOWHERE;
 
-  /** What to do when it is due, on the strand. */
+  /** The action, on the strand. */
   abstract void ring() throws Throwable;
 
   final boolean isBefore(Alarm other) {

@@ -12,7 +12,7 @@ import org.starl.platform.StrandClosed;
  */
 final class RealApp {
 
-  /** So often an app that was told of its end may wait again before it is given up. */
+  /** Times that an app may wait again after its end was requested, before it is given up. */
   private static final int MAX_REFUSALS = 1000;
 
   private final RealStrand strand;
@@ -22,7 +22,7 @@ final class RealApp {
   private final Wake wake = new Wake();
   private boolean hasBaton;
 
-  // Touched by whoever has the baton; the lock, which passes it, makes it visible.
+  // Accessed only with the baton; the lock that passes the baton makes it visible.
   private boolean isStarted;
   private boolean isOver;
   private int refusals;
@@ -34,8 +34,7 @@ final class RealApp {
     this.strand = strand;
     this.lock = lock;
     this.batonPassed = lock.newCondition();
-    this.thread = new Thread(() -> run(body), name);
-    thread.setDaemon(true);
+    this.thread = Daemons.of(name, () -> run(body));
   }
 
   Thread thread() {
@@ -76,7 +75,7 @@ final class RealApp {
     return alarm == wake;
   }
 
-  /** On the strand's thread: goes on if the condition that it waits for holds. */
+  /** On the strand's thread: resumes the app if the condition that it waits for holds. */
   void afterPiece() throws Throwable {
     BooleanSupplier awaited = condition;
     if (awaited != null && awaited.getAsBoolean()) {

@@ -1,64 +1,52 @@
 package org.starl.robot.realtime;
 
-import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ExecutorService;
 import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.ThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 import org.starl.platform.Background;
 import org.starl.platform.Strand;
 
-/**
- * Computes on one worker thread, a daemon, and posts what is done to the strand. The
- * strand goes on meanwhile.
- */
+/** Computes on one daemon thread beside the strand, and posts each result to the strand. */
 public final class RealBackground implements Background, AutoCloseable {
 
   private final Strand strand;
-  private final BlockingQueue<Task> tasks = new LinkedBlockingQueue<>();
-  private final Thread worker;
+  private final ExecutorService worker;
 
-  private record Task(Runnable task, Runnable done) {}
-
-  /**
-   * A worker that runs from now on.
-   *
-   * @param name of the robot; the thread bears it
-   */
+  /** @param name of the robot, for the thread's name */
   public RealBackground(String name, Strand strand) {
     this.strand = strand;
-    worker = new Thread(this::loop, name + " background");
-    worker.setDaemon(true);
-    worker.start();
+    worker =
+        new ThreadPoolExecutor(
+            1,
+            1,
+            0,
+            TimeUnit.SECONDS,
+            new LinkedBlockingQueue<>(),
+            Daemons.factory(name + " background"),
+            new ThreadPoolExecutor.DiscardPolicy());
   }
 
   @Override
   public void submit(Runnable task, Runnable done) {
-    tasks.add(new Task(task, done));
+    worker.execute(() -> {
+      Runnable outcome = compute(task, done);
+      if (!worker.isShutdown()) {
+        strand.post(outcome);
+      }
+    });
   }
 
-  /** Begins no further task; the one that runs is interrupted, and its strand hears of it no more. */
+  /** Starts no further task, interrupts the running one, and posts no more results. */
   @Override
   public void close() {
-    worker.interrupt();
+    worker.shutdownNow();
   }
 
-  private void loop() {
+  private static Runnable compute(Runnable task, Runnable done) {
     try {
-      while (!worker.isInterrupted()) {
-        Task next = tasks.take();
-        Runnable outcome = compute(next);
-        if (!worker.isInterrupted()) {
-          strand.post(outcome);
-        }
-      }
-    } catch (InterruptedException e) {
-      // Only close() interrupts: the worker ends, and says so to nobody.
-      Thread.currentThread().interrupt();
-    }
-  }
-
-  private static Runnable compute(Task task) {
-    try {
-      task.task().run();
-      return task.done();
+      task.run();
+      return done;
     } catch (RuntimeException | Error e) {
       return () -> {
         throw e;

@@ -3,7 +3,7 @@ package org.starl.robot.realtime;
 import java.time.Instant;
 import org.starl.platform.Clock;
 
-/** Real time since its origin; setting the device's date does not touch it. */
+/** Real time since its origin; a change of the device's date does not affect it. */
 public final class RealClock implements Clock {
 
   // 2020-01-01T00:00:00Z
@@ -18,20 +18,20 @@ public final class RealClock implements Clock {
   }
 
   /**
-   * A clock that shows the same as any other of this origin on this machine, in another process too:
-   * where the JVM takes {@link System#nanoTime} from the machine's one monotonic clock, as on Linux,
-   * macOS and Windows. Who depends on that checks it.
+   * A clock that agrees with any other of this origin on this machine, also in another process, if the
+   * JVM takes {@link System#nanoTime} from the machine's one monotonic clock, as on Linux, macOS and
+   * Windows. Callers that depend on that must check it.
    *
-   * @param originNs what {@link #machineNs} said when this clock showed 0
+   * @param originNs the value of {@link #machineNs} when this clock shows 0
    */
   public RealClock(long originNs) {
     this.originNs = originNs;
   }
 
   /**
-   * A clock whose origin is the beginning of 2020, by what the machine takes for the date now; from
-   * here on it is monotonic. A robot that starts again goes on counting, and robots whose machines
-   * agree on the date agree on this.
+   * A clock whose origin is the beginning of 2020 by the machine's present date; from now on it is
+   * monotonic. It continues over restarts of a robot, and robots whose machines agree on the date
+   * agree on it.
    */
   public static RealClock ofDate() {
     Instant now = Instant.now();
@@ -41,12 +41,12 @@ public final class RealClock implements Clock {
     return new RealClock(machineNs() - sinceOriginNs);
   }
 
-  /** The machine's monotonic clock now, in ns from a time that means nothing. */
+  /** The machine's monotonic clock now, in ns from an arbitrary origin. */
   public static long machineNs() {
     return System.nanoTime();
   }
 
-  /** What {@link #machineNs} said when this clock showed 0. */
+  /** The value of {@link #machineNs} when this clock shows 0. */
   public long originNs() {
     return originNs;
   }

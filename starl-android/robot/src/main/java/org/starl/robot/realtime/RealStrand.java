@@ -14,11 +14,11 @@ import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
 /**
- * A robot's strand in real time. Its threads are daemons: whoever makes a strand waits for the
- * robot's end, and closes the strand.
+ * A robot's strand in real time. Its threads are daemons: the owner of a strand waits for the robot's
+ * end and closes the strand.
  *
- * <p>An exception of a piece or of the app is a bug: it goes to the handler given here, on the
- * strand's thread, and the strand is closed.
+ * <p>An exception in a piece or in the app is a bug: the handler given here gets it on the strand's
+ * thread, and the strand is closed.
  */
 public final class RealStrand implements Strand, Timers, AutoCloseable {
 
@@ -42,16 +42,15 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   /**
    * A strand that runs from now on.
    *
-   * @param name of the robot; its threads bear it
-   * @param onError takes what comes out of a piece or of the app
+   * @param name of the robot, for its threads' names
+   * @param onError takes an exception of a piece or of the app
    */
   public RealStrand(String name, Clock clock, Consumer<Throwable> onError) {
     this.name = name;
     this.clock = clock;
     this.onError = onError;
     this.pieceNs = clock.nowNs();
-    this.thread = new Thread(this::loop, name + " strand");
-    thread.setDaemon(true);
+    this.thread = Daemons.of(name + " strand", this::loop);
     thread.start();
   }
 
@@ -105,8 +104,8 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   /**
    * Ends the strand: no further piece begins, and the app is unwound by {@link StrandClosed}. Called
-   * from outside, it returns when that is done, or tells the error handler that it was not done in
-   * time; called on the strand, it is done after the piece that calls it.
+   * from outside, it returns when that is done, or reports a timeout to the error handler; called on
+   * the strand, it takes effect after the calling piece.
    */
   @Override
   public void close() {
@@ -114,19 +113,15 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     if (isCurrent()) {
       return;
     }
-    try {
-      thread.join(CLOSE_LIMIT.toMillis());
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    Daemons.join(thread, CLOSE_LIMIT.toMillis());
     if (thread.isAlive()) {
       onError.accept(overdue());
     }
   }
 
   /**
-   * A clock for the strand alone that stands still while a piece runs, at the time at which it began:
-   * all that lies between two waits happens at one time, as in the simulator.
+   * A clock for the strand only: while a piece runs, it shows the time at which the piece started. So
+   * everything between two waits happens at one time, as in the simulator.
    */
   public Clock pieceClock() {
     return () -> pieceNs;
@@ -141,7 +136,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     }
   }
 
-  /** How the strand's time was used so far. From any thread. */
+  /** The use of the strand's time so far. From any thread. */
   public StrandUse use() {
     lock.lock();
     try {
@@ -199,7 +194,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     }
   }
 
-  /** Adds a piece, and whose it was, to the strand's use. */
+  /** Adds a piece and its origin to the strand's use. */
   void account(long startNs, String by) {
     long pieceNs = clock.nowNs() - startNs;
     lock.lock();
@@ -262,7 +257,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
       }
       return null;
     } catch (InterruptedException e) {
-      // Nobody but a stranger interrupts this thread, and means that it shall end.
+      // StarL never interrupts this thread: another interrupt is a request to end it.
       closeSoon();
       Thread.currentThread().interrupt();
       return null;

@@ -1,12 +1,12 @@
 package org.starl.robot.realtime;
 
 /**
- * Counts a strand's pieces by their length, each length to a quarter above it at most. Whoever holds
- * it sees to that nobody else does.
+ * A histogram of the lengths of a strand's pieces; a length is counted as at most a quarter longer
+ * than it was. By hand, so that a phone needs no library for it. The caller guards it by a lock.
  */
 final class StrandTally {
 
-  /** Within twice a length there are so many counters. */
+  /** Counters for each power of two. */
   private static final int PARTS = 4;
 
   private static final int PART_BITS = 2;
@@ -32,7 +32,7 @@ final class StrandTally {
     return new StrandUse(pieces, heldNs, part(0.5), part(0.99), longestNs, longestBy);
   }
 
-  /** The length that this part of the pieces does not exceed. */
+  /** The length that this fraction of the pieces does not exceed. */
   private long part(double part) {
     long below = (long) Math.ceil(part * pieces);
     long seen = 0;
@@ -54,7 +54,7 @@ final class StrandTally {
     return (bits - 1) * PARTS + part;
   }
 
-  /** The longest that is counted in a slot. */
+  /** The longest length that a slot counts. */
   private static long most(int slot) {
     if (slot < PARTS) {
       return slot;

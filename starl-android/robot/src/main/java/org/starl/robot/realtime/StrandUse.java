@@ -1,15 +1,14 @@
 package org.starl.robot.realtime;
 
 /**
- * How a strand's time was used so far. A long piece keeps every message and timer of its robot
- * waiting.
+ * The use of a strand's time. A long piece delays every message and timer of its robot.
  *
- * @param pieces how many pieces have run
- * @param heldNs for how long, all together
- * @param medianNs half of the pieces were no longer than this, to a quarter
- * @param p99Ns all but a hundredth were no longer than this, to a quarter
- * @param longestPieceNs the longest of them
- * @param longestBy whose that was: {@code the app}, {@code a timer}, or {@code a message or an event}
+ * @param pieces number of pieces
+ * @param heldNs their total length
+ * @param medianNs median length, at most a quarter too long
+ * @param p99Ns 99th percentile of the lengths, at most a quarter too long
+ * @param longestPieceNs length of the longest
+ * @param longestBy its origin: {@code the app}, {@code a timer}, or {@code a message or an event}
  */
 public record StrandUse(
     long pieces, long heldNs, long medianNs, long p99Ns, long longestPieceNs, String longestBy) {}

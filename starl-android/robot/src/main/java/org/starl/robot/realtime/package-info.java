@@ -4,7 +4,7 @@
  * waits for it. So at most one piece runs at a time, as in the simulator; the same contract tests
  * hold both to it.
  *
- * <p>What must not wait for a strand (the wheels' watchdog, the bump stop) does not belong here.
+ * <p>Safety functions that must not wait for a strand (watchdog, bump stop) do not belong here.
  *
  * <p>May import: the JDK as far as Android API 26 has it, {@code org.starl.platform}.
  */

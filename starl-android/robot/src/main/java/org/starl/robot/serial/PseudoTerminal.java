@@ -8,10 +8,10 @@ import java.nio.charset.StandardCharsets;
 import org.starl.robot.create.ByteLink;
 
 /**
- * The far side of a serial port that there is not: other programs open {@link #path} as a port, and
- * what they write is read here. For Linux and macOS with {@code python3}, which opens the pseudo
- * terminal: Java cannot. It outlives programs that open and close it; it carries bytes as fast as
- * they come, whatever baud rate is set, and loses them where nobody reads.
+ * The far side of a virtual serial port: other programs open {@link #path} as a port, and this side
+ * reads and writes their bytes. For Linux and macOS with {@code python3}, which opens the pseudo
+ * terminal because Java cannot. It outlives programs that open and close it; it transfers bytes as
+ * fast as they come, whatever baud rate is set, and loses them if no program reads.
  */
 public final class PseudoTerminal implements ByteLink {
 
@@ -63,7 +63,7 @@ public final class PseudoTerminal implements ByteLink {
     this.path = path;
   }
 
-  /** A pseudo terminal under the name that the system gives it. */
+  /** A pseudo terminal with the system's name. */
   public static PseudoTerminal open() throws IOException {
     return open("");
   }
@@ -92,7 +92,7 @@ public final class PseudoTerminal implements ByteLink {
     return new PseudoTerminal(process, said);
   }
 
-  /** What to open at the other side. */
+  /** The path that the other side opens. */
   public String path() {
     return path;
   }
@@ -107,7 +107,7 @@ public final class PseudoTerminal implements ByteLink {
     return process.getOutputStream();
   }
 
-  /** Takes the pseudo terminal away, and its name. */
+  /** Removes the pseudo terminal and its name. */
   @Override
   public void close() throws IOException {
     // The end of its input ends the process, which removes the name.

@@ -10,7 +10,7 @@ import org.starl.robot.create.ByteLink;
 /** A serial port, 8 data bits, no parity, 1 stop bit, without flow control. */
 public final class SerialLink implements ByteLink {
 
-  /** A read that waits looks so often whether the port was closed. */
+  /** Period at which a waiting read checks whether the port was closed. */
   private static final int READ_MS = 200;
 
   private final SerialPort port;
@@ -39,7 +39,7 @@ public final class SerialLink implements ByteLink {
     }
     port.setComPortParameters(baud, 8, SerialPort.ONE_STOP_BIT, SerialPort.NO_PARITY);
     port.setFlowControl(SerialPort.FLOW_CONTROL_DISABLED);
-    // A write that returned has left: closing throws away what waits.
+    // A write returns when its bytes have left, because closing discards waiting ones.
     port.setComPortTimeouts(
         SerialPort.TIMEOUT_READ_SEMI_BLOCKING | SerialPort.TIMEOUT_WRITE_BLOCKING, READ_MS, 0);
     if (!port.openPort()) {

@@ -5,10 +5,10 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
 /**
- * A trace whose time 0 is not that of the clock: it begins when its process does.
+ * A trace whose time 0 is the start of its process, not that of the clock.
  *
- * @param startNs what the clock shows at the trace's time 0
- * @param observer is told of each event on the thread that makes it, with the clock's time
+ * @param startNs the clock's value at the trace's time 0
+ * @param observer takes each event, with the clock's time, on the thread that makes the event
  */
 public record LateTrace(Outbox trace, long startNs, Consumer<TraceEvent> observer)
     implements TraceSink {

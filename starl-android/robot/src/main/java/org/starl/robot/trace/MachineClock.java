@@ -7,18 +7,18 @@ import java.nio.file.Path;
 import java.nio.file.Paths;
 import org.starl.robot.realtime.RealClock;
 
-/** Which clock a trace's times are on, for those who merge it with others. */
+/** Records the clock of a trace's times, so that the trace can be merged with others. */
 public final class MachineClock {
 
-  /** Where Linux names the start of the machine, which its monotonic clock counts from. */
+  /** Linux's id of the machine's present boot, from which its monotonic clock counts. */
   private static final Path BOOT_ID = Paths.get("/proc/sys/kernel/random/boot_id");
 
-  /** What a machine is called that does not say which it is. */
+  /** The name of a machine that has no such id. */
   public static final String UNKNOWN = "?";
 
   private MachineClock() {}
 
-  /** Says what time 0 of a trace is, which {@code clock} shows as {@code startNs}. */
+  /** Records the machine's time at the trace's time 0, when {@code clock} shows {@code startNs}. */
   public static void tell(Outbox trace, RealClock clock, long startNs) {
     long machineNs = clock.originNs() + startNs;
     trace.say(() -> 0, Word.CLOCK, machine(), machineNs, startNs);

@@ -13,8 +13,8 @@ import org.starl.trace.TraceSink;
 import org.starl.trace.TraceWriter;
 
 /**
- * A robot's trace on its way out of its process, to its parent or into a file. Each event is out when
- * {@link #record} returns. A parent that is gone is no concern of it: the child's orders end as well.
+ * Writes a robot's trace to its parent process or into a file. Each event is flushed when {@link
+ * #record} returns. It ignores a parent that is gone: the child notices that by the end of its orders.
  * From any thread.
  */
 public final class Outbox implements TraceSink {
@@ -45,7 +45,7 @@ public final class Outbox implements TraceSink {
     }
   }
 
-  /** Tells what stays out of merged traces. */
+  /** Records an event of the process, which merged traces leave out. */
   public void say(Clock clock, Word word, Object... args) {
     List<String> texts = new ArrayList<>();
     for (Object arg : args) {
@@ -54,7 +54,7 @@ public final class Outbox implements TraceSink {
     record(word.event(clock.nowNs(), self, texts));
   }
 
-  /** The trace is whole. */
+  /** Ends the trace, complete, at this time. */
   public void end(long timeNs) throws IOException {
     lock.lock();
     try {

@@ -6,26 +6,26 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * What a robot's process tells of itself, as actions of the source {@code process}: a child its parent,
- * a deployed robot whoever merges its trace.
+ * Events of a robot's process, as actions of the source {@code process}: for a child's parent, and for
+ * the merging of deployed robots' traces.
  */
 public enum Word {
-  /** It is there: its process's number. */
+  /** The process has started: its process id. */
   HELLO,
-  /** Its radio listens at this port. */
+  /** Its radio's port. */
   PORT,
-  /** Its body waits for its place on the floor. */
+  /** Its body waits for its start position on the floor. */
   WANTS_PLACE,
-  /** It lives: copies of datagrams so far, those lost, the longest silence of its strand in ns. */
+  /** It is alive: copies of datagrams so far, lost ones, the longest pause of its strand in ns. */
   ALIVE,
-  /** Its app has come to its end: results. */
+  /** Its app has ended: results. */
   FINISHED,
   /** A line for people: level, tag, line. */
   LOG,
-  /** It ends by a bug: the stack trace. */
+  /** It ends because of a bug: the stack trace. */
   ERROR,
   /**
-   * Its clock: what the trace's time 0 is on the clock of a machine that it names, in ns, and in ns
+   * Its clock: the machine's name, the trace's time 0 on that machine's clock in ns, and the same in ns
    * since 2020 by that machine's date. First in a deployed robot's trace.
    */
   CLOCK;
@@ -36,7 +36,7 @@ public enum Word {
     return new Action(timeNs, robot, SOURCE, name(), args);
   }
 
-  /** Whether an event is one of these, whose name {@link #valueOf} knows. */
+  /** Whether an event is one of these; {@link #valueOf} knows its name. */
   public static boolean isOne(TraceEvent event) {
     return event instanceof Action action && action.source().equals(SOURCE);
   }

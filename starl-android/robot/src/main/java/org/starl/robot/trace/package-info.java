@@ -1,10 +1,10 @@
 /**
- * The trace that a robot leaves which runs in real time, in a process or on a machine of its own: as
- * {@code org.starl.trace} writes it, each event out as it happens, and with it what the process says of
- * itself ({@link org.starl.robot.trace.Word}): which clock its times are on, and whether it lives.
+ * The trace of a robot that runs in real time, in its own process or on its own machine: the format of
+ * {@code org.starl.trace}, each event flushed at once, with events of the process itself ({@link
+ * org.starl.robot.trace.Word}): the clock of its times, and that it is alive.
  *
- * <p>Contract: an event that was recorded is out before anybody can know of it, whenever the process is
- * killed. What a process says of itself stays out of merged traces.
+ * <p>Contract: a recorded event is flushed before it can have an effect on others, whenever the process
+ * is killed. Events of the process itself are left out of merged traces.
  *
  * <p>May import: the JDK as far as Android API 26 has it, core, {@code org.starl.robot}.
  */

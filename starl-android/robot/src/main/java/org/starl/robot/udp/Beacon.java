@@ -12,14 +12,14 @@ import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 
 /**
- * "I am here": a robot's name and where its radio listens, signed with the deployment's key. As bytes,
+ * "I am here": a robot's name and its radio's address, signed with the deployment's key. As bytes,
  * big-endian: magic {@code SB}, version 1, 0; {@code start} and {@code count}, 8 each; the name's length
  * and the name; the address's length (0, 4 or 16) and the address; the port, 2; and with a key the first
  * 16 bytes of HMAC-SHA256 over all that.
  *
- * @param start when its sender's program began, larger at each start
+ * @param start number of its sender's start, larger at each start
  * @param count of this start's beacons, from 1
- * @param address null where it is the one from which the beacon comes
+ * @param address null if it is the datagram's source address
  */
 record Beacon(RobotId robot, long start, long count, @Nullable InetAddress address, int port) {
 
@@ -31,7 +31,7 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
   private static final int TAG_BYTES = 16;
   private static final int LEAST_BYTES = 2 + 2 + 8 + 8 + 2 + 1 + 2;
 
-  /** Whether these bytes mean to be a beacon. */
+  /** Whether these bytes begin like a beacon. */
   static boolean isOne(byte[] bytes, int length) {
     return length >= 2 && bytes[0] == MAGIC_0 && bytes[1] == MAGIC_1;
   }
@@ -65,7 +65,7 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
       return Arrays.copyOf(out.array(), out.position());
     }
 
-    /** The beacon, or null where it is none, or not signed with the key. */
+    /** The beacon; null if it is malformed, or not signed with the key. */
     @Nullable Beacon readOrNull(byte[] bytes, int length) {
       int tagBytes = mac == null ? 0 : TAG_BYTES;
       int signedLength = length - tagBytes;
@@ -123,8 +123,8 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
   }
 
   /**
-   * Where the robot listens, if the beacon came from {@code source}; null if it did not come from where
-   * it says that it does: then somebody passes it on.
+   * The robot's address, if the beacon came from {@code source}; null if the beacon names another
+   * sender: then it was forwarded by somebody else.
    */
   @Nullable InetSocketAddress reachedFrom(InetSocketAddress source) {
     boolean isDirect =

@@ -22,37 +22,38 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.DeploymentKey;
+import org.starl.robot.realtime.Daemons;
 
 /**
- * Who is where, and who has fallen silent: says by beacons that this robot is here, over its radio's own
- * socket, and tells the radio where the others are. Beacons go to the robots whose addresses are known
- * and, if wanted, as broadcasts out of every interface. It has a thread of its own, below the strand: a
- * robot that computes for long is not silent.
+ * Finds the other robots and suspects silent ones, by beacons over the radio's own socket; it gives
+ * the radio the addresses of its peers. Beacons go to known addresses and, if configured, as broadcasts
+ * out of every interface. It has its own thread below the strand, so that a robot that computes for
+ * long still sends beacons.
  *
- * <p>Who has not got the key is not believed. A beacon that is recorded and sent again is old; one that
- * is passed on does not come from where it says.
+ * <p>Beacons that are not signed with the deployment's key are dropped. A beacon that is recorded and
+ * sent again is old; one that is forwarded does not come from the address that it contains.
  */
 public final class Discovery implements AutoCloseable {
 
   /**
-   * How beacons go.
+   * Settings of the beacons.
    *
-   * @param everyMs one goes out so often
-   * @param suspectAfterMs who has not been heard for so long is suspected
-   * @param broadcastPort where the others' radios listen to broadcasts; 0: there are none
+   * @param everyMs time between two beacons
+   * @param suspectAfterMs a robot that was not heard for this time is suspected
+   * @param broadcastPort UDP port of broadcast beacons; 0: none are broadcast
    */
   public record Settings(long everyMs, long suspectAfterMs, int broadcastPort) {}
 
-  /** Is told, on threads of the radio, and must not wait. */
+  /** Is called on threads of the radio; must not block. */
   public interface Listener {
 
-    /** A robot is heard, for the first time or after a silence. */
+    /** A robot was heard for the first time, or again after a silence. */
     void appeared(RobotId robot, InetSocketAddress address);
 
     /**
-     * A robot has not been heard for too long; it may live all the same.
+     * A robot was not heard for too long; it may be alive all the same.
      *
-     * @param lastHeardNs on the clock given, or null if it was never heard
+     * @param lastHeardNs by this robot's clock; null if it was never heard
      */
     void suspected(RobotId robot, @Nullable Long lastHeardNs);
   }
@@ -98,21 +99,16 @@ public final class Discovery implements AutoCloseable {
     codec = new Beacon.Codec(key);
     neighbours =
         new Neighbours(self, deployment, settings.suspectAfterMs() * NS_PER_MS, clock.nowNs());
-    worker =
-        Executors.newSingleThreadScheduledExecutor(work -> {
-          Thread thread = new Thread(work, self + " beacons");
-          thread.setDaemon(true);
-          return thread;
-        });
+    worker = Executors.newSingleThreadScheduledExecutor(Daemons.factory(self + " beacons"));
   }
 
   /**
    * Begins.
    *
-   * @param known where robots with fixed addresses listen; they are the radio's peers at once, and
-   *     their beacons are taken from nowhere else
-   * @param key signs; null: anybody may say that he is one of the robots, so none is looked for
-   *     outside {@code known}
+   * @param known the fixed addresses; these robots are the radio's peers at once, and their beacons
+   *     are accepted from these addresses only
+   * @param key signs beacons; null: anybody could send them, so robots outside {@code known} are not
+   *     accepted
    * @param start larger at each start of this robot's program: {@link StartNumber}
    * @param clock read by several threads
    */
@@ -136,7 +132,7 @@ public final class Discovery implements AutoCloseable {
     return discovery;
   }
 
-  /** When a robot was heard last, on the clock given; null if it never was. From any thread. */
+  /** The time of a robot's last beacon; null if it was never heard. From any thread. */
   public @Nullable Long lastHeardNs(RobotId robot) {
     lock.lock();
     try {
@@ -146,7 +142,7 @@ public final class Discovery implements AutoCloseable {
     }
   }
 
-  /** Says and tells nothing more. */
+  /** Sends no more beacons and reports nothing more. */
   @Override
   public void close() {
     if (ticks != null) {
@@ -155,7 +151,7 @@ public final class Discovery implements AutoCloseable {
     worker.shutdown();
   }
 
-  // What comes out of a piece of work ends all later ones without a word.
+  // An exception would silently cancel all later runs.
   private void tickOrFail() {
     try {
       tick();
@@ -203,7 +199,7 @@ public final class Discovery implements AutoCloseable {
     }
   }
 
-  // Interfaces come and go: they are looked at each time.
+  // Interfaces come and go: they are listed anew each time.
   private static List<InterfaceAddress> broadcasting() {
     List<InterfaceAddress> found = new ArrayList<>();
     try {
@@ -218,7 +214,7 @@ public final class Discovery implements AutoCloseable {
         }
       }
     } catch (SocketException e) {
-      // A machine that cannot tell its interfaces now has none to use; it is asked again.
+      // Without a list of interfaces none can be used now; the next beacon tries again.
       return found;
     }
     return found;
@@ -248,7 +244,7 @@ public final class Discovery implements AutoCloseable {
         return;
       }
       if (beacon.robot().equals(self)) {
-        // A broadcast comes back to who sent it.
+        // A broadcast comes back to its sender.
         radio.dropped(UdpDrop.OWN_BEACON, source);
         return;
       }
@@ -266,7 +262,7 @@ public final class Discovery implements AutoCloseable {
         listener.appeared(beacon.robot(), source);
       }
       case HEARD -> radio.setPeer(beacon.robot(), source);
-      // Over two interfaces each beacon comes twice.
+      // Over two interfaces each beacon arrives twice.
       case OLD -> radio.dropped(UdpDrop.OLD_BEACON, source);
       case STRANGE -> radio.dropped(UdpDrop.STRANGE_BEACON, source);
     }
@@ -277,7 +273,7 @@ public final class Discovery implements AutoCloseable {
     if (fixed != null) {
       return fixed.equals(source);
     }
-    // Without a signature anybody may be anybody.
+    // Without a signature anybody could use any robot's name.
     return codec.isSigned() && beacon.address() != null && beacon.reachedFrom(source) != null;
   }
 }

@@ -18,14 +18,15 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Stable;
 import org.starl.platform.Strand;
+import org.starl.robot.realtime.Daemons;
 
 /**
- * Stable storage in a directory, one file a key. A write goes to a new file, which is forced to the
- * disk and then takes the old one's place in one step: after a crash a key has its old or its new
- * value, whole.
+ * Stable storage in a directory, one file for each key. A write goes to a new file, which is forced
+ * to the disk and then replaces the old one atomically: after a crash a key has either its old or its
+ * new value, complete.
  *
- * <p>A disk that fails is told once; from then on nothing is flushed, and no {@code flushed} is
- * called: order is kept, and who waits for a write does not act.
+ * <p>A failure of the disk is reported once; after it nothing is flushed and no {@code flushed} is
+ * called. So the order of writes is kept, and code that waits for a write does not act.
  */
 public final class FileStable implements Stable, AutoCloseable {
 
@@ -45,19 +46,14 @@ public final class FileStable implements Stable, AutoCloseable {
     this.directory = directory;
     this.strand = strand;
     this.onFailure = onFailure;
-    this.disk =
-        Executors.newSingleThreadExecutor(work -> {
-          Thread thread = new Thread(work, strand + " stable");
-          thread.setDaemon(true);
-          return thread;
-        });
+    this.disk = Executors.newSingleThreadExecutor(Daemons.factory(strand + " stable"));
   }
 
   /**
-   * Opens the storage in {@code directory}, which is made if need be and is this robot's alone.
+   * Opens the storage in {@code directory}, which is created if missing; no other robot may use it.
    *
-   * @param onFailure is told, on the storage's thread, when the disk fails
-   * @throws IOException if it cannot be read, or holds files that are none of ours
+   * @param onFailure is called once, on the storage's thread, when the disk fails
+   * @throws IOException if it cannot be read, or contains other files
    */
   public static FileStable open(Path directory, Strand strand, Consumer<IOException> onFailure)
       throws IOException {
@@ -88,7 +84,7 @@ public final class FileStable implements Stable, AutoCloseable {
     onDisk(() -> Files.deleteIfExists(file), () -> {});
   }
 
-  /** Flushes what was written, and stops. */
+  /** Flushes all writes, and stops. */
   @Override
   public void close() {
     disk.shutdown();
@@ -151,7 +147,7 @@ public final class FileStable implements Stable, AutoCloseable {
     Files.move(fresh, file, StandardCopyOption.ATOMIC_MOVE);
   }
 
-  // Without it a crash may forget that the file was moved. Windows cannot, and need not.
+  // Without this a crash may lose the move. Windows cannot do it and does not need it.
   private void forceDirectory() throws IOException {
     if (directory.getFileSystem().getSeparator().equals("/")) {
       try (FileChannel channel = FileChannel.open(directory, StandardOpenOption.READ)) {

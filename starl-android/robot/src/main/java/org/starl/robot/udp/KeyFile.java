@@ -20,8 +20,8 @@ import java.util.Set;
 import org.starl.platform.DeploymentKey;
 
 /**
- * A deployment's key in a file: one line of 64 hexadecimal digits. Where the file system knows who may
- * read a file, nobody but its owner may. No message of this class shows what is in the file.
+ * A deployment's key in a file: one line of 64 hexadecimal digits. If the file system has permissions,
+ * only the owner may read the file. No message of this class shows the file's content.
  */
 public final class KeyFile {
 
@@ -37,8 +37,8 @@ public final class KeyFile {
   /**
    * Reads a key.
    *
-   * @throws IOException if there is none, it is none, or others may read it; one line for people names
-   *     the file and what was expected
+   * @throws IOException if the file is missing, not a key, or readable by others; the message is one
+   *     line with the file and what was expected
    */
   public static DeploymentKey read(Path file) throws IOException {
     if (!Files.isRegularFile(file)) {
@@ -74,9 +74,9 @@ public final class KeyFile {
   }
 
   /**
-   * Makes a new key, drawn from the machine's source of secrets, in a file that was not there.
+   * Writes a new key, drawn from the machine's secure random source, into a new file.
    *
-   * @throws IOException if the file is there, or cannot be made; one line for people
+   * @throws IOException if the file exists or cannot be created; the message is one line for people
    */
   public static void generate(Path file) throws IOException {
     byte[] secret = new byte[DeploymentKey.BYTES];

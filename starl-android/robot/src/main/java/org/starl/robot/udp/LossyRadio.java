@@ -12,19 +12,19 @@ import org.starl.platform.Timers;
 import org.starl.random.Rng;
 
 /**
- * A radio in bad air: of what its robot sends, each copy to each recipient is lost, or late, by a
- * generator of its own link. What it receives is the radio's below.
+ * A lossy radio: each copy that its robot sends to a recipient is lost or delayed by the random
+ * generator of that link. Receiving is passed through to the radio below.
  *
- * <p>A copy leaves as a piece of the strand of its own, never inside the call that sends it: by then
- * the action that sent it is over, and its trace is written. So whatever others do because of a
- * message comes, on one clock, after all that its sender did in the same action. Strand only.
+ * <p>A copy leaves in a piece of the strand of its own, never inside the call that sends it: then the
+ * sending action is over and its trace is written. So, on one clock, every effect of a message comes
+ * after everything that its sender did in the sending action. Strand only.
  */
 public final class LossyRadio implements Radio {
 
-  /** What {@link Air} says of a copy that is lost. */
+  /** {@link Air}'s answer for a lost copy. */
   public static final long LOST = -1;
 
-  /** What becomes of a copy. */
+  /** Decides the fate of a copy. */
   @FunctionalInterface
   public interface Air {
     /**
@@ -47,8 +47,8 @@ public final class LossyRadio implements Radio {
   private long lost;
 
   /**
-   * @param self whose radio it is
-   * @param robots whom a broadcast goes to, itself aside
+   * @param self the radio's robot
+   * @param robots the recipients of a broadcast, except {@code self}
    * @param timers the strand's, on {@code clock}
    * @param rng forked for each link by the recipient's name
    */
@@ -93,17 +93,17 @@ public final class LossyRadio implements Radio {
     below.onReceive(receiver);
   }
 
-  /** Datagrams that the robot has sent; a broadcast is one. */
+  /** Number of datagrams that the robot sent; a broadcast is one. */
   public long sent() {
     return sent;
   }
 
-  /** Copies of them, one for each recipient. */
+  /** Number of their copies, one for each recipient. */
   public long copies() {
     return copies;
   }
 
-  /** Copies that the air has lost. */
+  /** Number of lost copies. */
   public long lost() {
     return lost;
   }

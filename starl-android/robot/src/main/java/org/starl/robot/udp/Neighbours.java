@@ -9,19 +9,19 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 
 /**
- * Who was heard when: each robot's newest beacon, and who has been silent for so long that something
- * must be wrong with it. Silence proves nothing: a robot that is suspected may drive. Pure; one thread.
+ * Each robot's newest beacon, and the robots that are suspected because they have been silent for too
+ * long. Silence proves nothing: a suspected robot may be driving. Pure; one thread.
  */
 final class Neighbours {
 
-  /** What becomes of a beacon that is genuine. */
+  /** The judgement of a genuine beacon. */
   enum Verdict {
-    /** The first one, or the first one after a silence: its robot is here. */
+    /** The first one, or the first one after a silence. */
     APPEARED,
     HEARD,
-    /** Older than one that was heard: it was recorded, or overtaken. */
+    /** Older than one that was heard: recorded and sent again, or overtaken. */
     OLD,
-    /** Of a robot that the deployment does not know, or of this one. */
+    /** From a robot that the deployment does not have, or from this robot. */
     STRANGE
   }
 
@@ -46,7 +46,7 @@ final class Neighbours {
     this.beganNs = nowNs;
   }
 
-  /** Takes in a genuine beacon that came at {@code nowNs}. */
+  /** Takes a genuine beacon that arrived at {@code nowNs}. */
   Verdict hear(Beacon beacon, long nowNs) {
     if (beacon.robot().equals(self) || !deployment.contains(beacon.robot())) {
       return Verdict.STRANGE;
@@ -67,7 +67,7 @@ final class Neighbours {
     return wasHere ? Verdict.HEARD : Verdict.APPEARED;
   }
 
-  /** Those who are to be suspected since the last call, in order; who was never heard is as well. */
+  /** The robots suspected since the last call, in order; robots that were never heard are included. */
   List<RobotId> newlySuspected(long nowNs) {
     List<RobotId> suspected = new ArrayList<>();
     for (RobotId robot : deployment.asList()) {
@@ -85,7 +85,7 @@ final class Neighbours {
     return suspected;
   }
 
-  /** When a robot was heard last; null if it never was. */
+  /** The time of a robot's last beacon; null if it was never heard. */
   @Nullable Long lastHeardNs(RobotId robot) {
     Neighbour neighbour = heard.get(robot);
     return neighbour == null || neighbour.start == Long.MIN_VALUE ? null : neighbour.lastNs;

@@ -5,9 +5,8 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * Names of files for keys: {@code a-z 0-9 _ -} and inner dots as they are, every other byte of UTF-8
- * as {@code %xx}, then {@code .value}. Capitals are escaped, as some file systems do not tell them
- * apart.
+ * File names of keys: {@code a-z 0-9 _ -} and inner dots as they are, every other byte of UTF-8 as
+ * {@code %xx}, then {@code .value}. Capitals are escaped because some file systems ignore case.
  */
 final class StableFiles {
 
@@ -36,7 +35,7 @@ final class StableFiles {
     return name.toString();
   }
 
-  /** The key of a file that {@link #name} named. */
+  /** The key of a file whose name {@link #name} made. */
   static String key(Path file) throws IOException {
     String name = String.valueOf(file.getFileName());
     if (name.endsWith(SUFFIX)) {
@@ -49,7 +48,7 @@ final class StableFiles {
     throw new IOException(file + ": expected a key's file, <key>" + SUFFIX);
   }
 
-  /** What the name escapes; anything at all if it is malformed. */
+  /** The unescaped name; arbitrary if the name is malformed. */
   private static String decode(String name) {
     byte[] bytes = new byte[name.length()];
     int count = 0;

@@ -4,9 +4,9 @@ import java.nio.ByteBuffer;
 import org.starl.platform.Stable;
 
 /**
- * Numbers the starts of one robot's program, for its beacons: each number is above those before, also on
- * a machine whose date goes back when its power does (small boards have no clock of their own). By the
- * date alone such a robot would be taken for a recording until its date is again what it was.
+ * Numbers the starts of one robot's program, for its beacons. Each number is larger than all before,
+ * even if the machine's date jumps back when it loses power (small boards have no battery clock). By
+ * the date alone such a robot's beacons would be dropped as old ones until its date has caught up.
  */
 public final class StartNumber {
 
@@ -18,7 +18,7 @@ public final class StartNumber {
    * The number of a start.
    *
    * @param stable the robot's; its strand does not use it yet
-   * @param dateNs by this machine; it counts where it is above all numbers before, and where the robot's
+   * @param dateNs this machine's date; used if it is larger than all numbers before, or if the robot's
    *     storage was lost
    */
   public static long next(Stable stable, long dateNs) {
@@ -27,7 +27,7 @@ public final class StartNumber {
         last == null || last.length != Long.BYTES
             ? dateNs
             : Math.max(dateNs, ByteBuffer.wrap(last).getLong() + 1);
-    // A crash before it is on the disk leaves the one before, and a date that goes on from here.
+    // After a crash before the write the old number is there, and the date is larger than now.
     stable.put(KEY, ByteBuffer.allocate(Long.BYTES).putLong(number).array(), () -> {});
     return number;
   }

@@ -1,15 +1,15 @@
 package org.starl.robot.udp;
 
-/** Why a radio has dropped a datagram that came, before anybody looked into it. */
+/** Why a radio dropped a received datagram before handing it to the robot. */
 public enum UdpDrop {
   FOREIGN("not from a robot's address"),
-  OVERSIZE("longer than any datagram of ours"),
+  OVERSIZE("longer than any StarL datagram"),
   OVERFLOW("the robot's strand is too far behind"),
-  FORGED_BEACON("a beacon that the deployment's key has not signed"),
-  PASSED_ON_BEACON("a beacon that does not come from where it says"),
-  STRANGE_BEACON("a beacon of a robot that this deployment does not have"),
-  UNEXPECTED_BEACON("a beacon, which nobody here looks for yet"),
-  OLD_BEACON("a beacon that was heard before, or a newer one was"),
+  FORGED_BEACON("a beacon not signed with the deployment's key"),
+  PASSED_ON_BEACON("a beacon that names another source address"),
+  STRANGE_BEACON("a beacon from a robot that is not in the deployment"),
+  UNEXPECTED_BEACON("a beacon before discovery has started"),
+  OLD_BEACON("a beacon that is not newer than the last one"),
   OWN_BEACON("this robot's own beacon");
 
   private final String what;
@@ -18,7 +18,7 @@ public enum UdpDrop {
     this.what = what;
   }
 
-  /** Whether a network of well-behaved robots never shows it. */
+  /** Whether it never occurs in a network of correct robots. */
   boolean isSuspicious() {
     return this != UNEXPECTED_BEACON && this != OLD_BEACON && this != OWN_BEACON;
   }

@@ -7,25 +7,25 @@ import java.net.InetSocketAddress;
 import java.net.SocketAddress;
 import java.net.SocketException;
 import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.Map;
 import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
-import java.util.concurrent.atomic.AtomicLongArray;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.platform.Strand;
+import org.starl.robot.realtime.Daemons;
 
 /**
- * Datagrams over UDP between peers whose addresses are known. A broadcast is one datagram to each
- * peer: wireless networks lose true broadcasts far more often. What comes from elsewhere is dropped.
+ * Datagrams over UDP between peers with known addresses. A broadcast is one datagram to each peer,
+ * because wireless networks lose true broadcasts far more often. Datagrams from other addresses are
+ * dropped.
  */
 public final class UdpRadio implements Radio, AutoCloseable {
 
-  /** So many datagrams may wait for the strand; a flood beyond that is dropped. */
+  /** Datagrams that may wait for the strand; more are dropped. */
   static final int MAX_WAITING = 1024;
 
   private final RobotId self;
@@ -38,9 +38,9 @@ public final class UdpRadio implements Radio, AutoCloseable {
   private final AtomicLong sent = new AtomicLong();
   private final AtomicLong unsent = new AtomicLong();
   private final AtomicLong received = new AtomicLong();
-  private final AtomicLongArray dropped = new AtomicLongArray(UdpDrop.values().length);
+  private final DropCounts<UdpDrop> drops = new DropCounts<>(UdpDrop.class);
 
-  // Set by who has opened it, while its thread receives already.
+  // Set after the thread has started to receive.
   private volatile Consumer<String> log = line -> {};
   private volatile Consumer<DatagramPacket> beacons =
       packet -> dropped(UdpDrop.UNEXPECTED_BEACON, packet.getSocketAddress());
@@ -54,16 +54,15 @@ public final class UdpRadio implements Radio, AutoCloseable {
     this.strand = strand;
     this.socket = socket;
     this.onFailure = onFailure;
-    this.thread = new Thread(this::receiveAll, self + " radio");
-    thread.setDaemon(true);
+    this.thread = Daemons.of(self + " radio", this::receiveAll);
   }
 
   /**
    * Opens {@code self}'s radio.
    *
    * @param address to listen at; port 0 for any free one
-   * @param onFailure is told, on a thread of the radio, why it cannot go on; once
-   * @throws SocketException if the address is not to be had
+   * @param onFailure is called once, on a thread of the radio, if it cannot continue
+   * @throws SocketException if the address is not available
    */
   public static UdpRadio open(
       RobotId self, Strand strand, InetSocketAddress address, Consumer<Exception> onFailure)
@@ -81,29 +80,29 @@ public final class UdpRadio implements Radio, AutoCloseable {
     return radio;
   }
 
-  /** Where this radio listens. */
+  /** This radio's own address. */
   public InetSocketAddress address() {
     return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
   }
 
-  /** From now on {@code id} is there, and heard. An entry for this robot itself means nothing. */
+  /** Sends to {@code id} there and accepts its datagrams from now on; ignores this robot itself. */
   public void setPeer(RobotId id, InetSocketAddress address) {
     if (!id.equals(self)) {
       peers.put(id, address);
     }
   }
 
-  /** From now on takes a line for people when a datagram is dropped for a reason the first time. */
+  /** Sets the taker of one line for people for each reason, when it first drops a datagram. */
   public void onDrop(Consumer<String> newLog) {
     log = newLog;
   }
 
-  /** From now on takes what means to be a beacon, on the radio's thread. */
+  /** Sets the taker of beacons, on the radio's thread. */
   void onBeacon(Consumer<DatagramPacket> taker) {
     beacons = taker;
   }
 
-  /** It cannot go on: sends and hears nothing more, and tells why. */
+  /** Closes the radio because of a failure, and reports it. */
   void fail(Exception why) {
     if (!socket.isClosed()) {
       socket.close();
@@ -143,30 +142,17 @@ public final class UdpRadio implements Radio, AutoCloseable {
   }
 
   public UdpStatistics statistics() {
-    Map<UdpDrop, Long> drops = new EnumMap<>(UdpDrop.class);
-    for (UdpDrop reason : UdpDrop.values()) {
-      if (dropped.get(reason.ordinal()) > 0) {
-        drops.put(reason, dropped.get(reason.ordinal()));
-      }
-    }
-    return new UdpStatistics(sent.get(), unsent.get(), received.get(), drops);
+    return new UdpStatistics(sent.get(), unsent.get(), received.get(), drops.counts());
   }
 
-  /** Sends and hears nothing more. */
+  /** Sends and receives nothing more. */
   @Override
   public void close() {
     socket.close();
-    if (Thread.currentThread() == thread) {
-      return;
-    }
-    try {
-      thread.join();
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    }
+    Daemons.join(thread, 0);
   }
 
-  // A network that refuses a datagram has lost it, which the layers above expect of a radio.
+  // A datagram that the network refuses counts as lost; the layers above expect loss.
   void transmit(InetSocketAddress address, byte[] buffer, int length) {
     try {
       socket.send(new DatagramPacket(buffer, length, address));
@@ -177,7 +163,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
   }
 
   private void receiveAll() {
-    // One byte more than is allowed, since a longer datagram is cut off without a word.
+    // One byte more than is allowed, because a longer datagram is cut silently.
     DatagramPacket packet = new DatagramPacket(new byte[MAX_BYTES + 1], MAX_BYTES + 1);
     while (!socket.isClosed()) {
       try {
@@ -190,7 +176,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
     }
   }
 
-  /** On the radio's thread: decides what becomes of a datagram that has come. */
+  /** On the radio's thread: hands on or drops a received datagram. */
   void judge(DatagramPacket packet) {
     SocketAddress source = packet.getSocketAddress();
     if (packet.getLength() > MAX_BYTES) {
@@ -209,9 +195,9 @@ public final class UdpRadio implements Radio, AutoCloseable {
     }
   }
 
-  /** Counts a datagram that came to nothing; the first of its kind is told to people. */
+  /** Counts a dropped datagram; the first for each suspicious reason is logged. */
   void dropped(UdpDrop reason, SocketAddress source) {
-    if (dropped.incrementAndGet(reason.ordinal()) == 1 && reason.isSuspicious()) {
+    if (drops.add(reason) && reason.isSuspicious()) {
       log.accept(
           "dropped a datagram from "
               + source

@@ -127,9 +127,9 @@ class DiscoveryTest {
         stranger.send(new DatagramPacket(datagram, datagram.length, me.radio.address()));
       }
 
-      assertThat(me.next()).contains("key has not signed");
-      assertThat(me.next()).contains("does not come from where it says");
-      assertThat(me.next()).contains("robot that this deployment does not have");
+      assertThat(me.next()).contains("not signed with the deployment's key");
+      assertThat(me.next()).contains("names another source address");
+      assertThat(me.next()).contains("robot that is not in the deployment");
       assertThat(me.next()).startsWith("bot1 at ");
     }
   }

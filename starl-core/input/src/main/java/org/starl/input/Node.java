@@ -1,4 +1,4 @@
-package org.starl.robot.file;
+package org.starl.input;
 
 import java.util.ArrayList;
 import java.util.Collections;
@@ -6,22 +6,22 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A part of a file: one text, a list, or parts by name; with the line on which it begins, from 1. */
+/** A part of a document: one text, a list or a mapping, with the line on which it begins, from 1. */
 public sealed interface Node {
 
   int line();
 
-  /** One value, as it is written. */
+  /** One value, as it is written; empty for YAML's null. */
   record Text(int line, String value) implements Node {}
 
-  /** Parts without names, in the file's order. */
+  /** A list, in the document's order. */
   record Listing(int line, List<Node> items) implements Node {
     public Listing {
       items = Collections.unmodifiableList(new ArrayList<>(items));
     }
   }
 
-  /** Parts by name, in the file's order. */
+  /** Parts by their keys, in the document's order. */
   record Mapping(int line, Map<String, Node> parts) implements Node {
     public Mapping {
       parts = Collections.unmodifiableMap(new LinkedHashMap<>(parts));

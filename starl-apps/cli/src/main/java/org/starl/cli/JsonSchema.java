@@ -1,0 +1,245 @@
+package org.starl.cli;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+import org.starl.input.Field;
+import org.starl.input.Form;
+import org.starl.input.Quantity;
+import org.starl.sim.fault.FaultGrammar;
+
+/** JSON schemas (draft 7) of {@link Form}s: maps, lists, texts and numbers as JSON has them. */
+final class JsonSchema {
+
+  static final String DESCRIPTION = "description";
+  static final String PROPERTIES = "properties";
+  static final String REQUIRED = "required";
+  static final List<Object> YES_NO = List.of(true, false, "yes", "no", "on", "off");
+
+  private static final String TYPE = "type";
+  private static final String PATTERN = "pattern";
+  private static final String PATTERN_MESSAGE = "patternErrorMessage";
+
+  private static final String PORT_NUMBER =
+      "(6553[0-5]|655[0-2]\\d|65[0-4]\\d\\d|6[0-4]\\d{3}|[1-5]\\d{4}|[1-9]\\d{0,3})";
+  private static final String NAME = "[^\\s:\\[\\]]+";
+  private static final String BRACKETS = "\\[[^\\s\\[\\]]+\\]";
+  private static final String HOST_PORT = "(" + NAME + "|" + BRACKETS + "):" + PORT_NUMBER;
+
+  /** An IPv6 address needs no brackets where no port follows. */
+  private static final String HOST =
+      "(" + NAME + "|" + BRACKETS + "|[^\\s:\\[\\]]*(:[^\\s:\\[\\]]*){2,})";
+
+  private JsonSchema() {}
+
+  /** The beginning of a schema file. */
+  static Map<String, Object> document(String title, String meaning) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put("$schema", "http://json-schema.org/draft-07/schema#");
+    json.put("title", title);
+    json.put(DESCRIPTION, meaning);
+    return json;
+  }
+
+  /** A value with its meaning and default. */
+  static Map<String, Object> property(String meaning, Form form, @Nullable String defaultText) {
+    Map<String, Object> json = described(meaning);
+    json.putAll(value(form));
+    putDefault(json, form, defaultText);
+    return json;
+  }
+
+  static Map<String, Object> described(String meaning) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put(DESCRIPTION, meaning);
+    return json;
+  }
+
+  /** Adds the default as YAML would have it. */
+  static void putDefault(Map<String, Object> json, Form form, @Nullable String text) {
+    if (text != null) {
+      json.put("default", typed(form, text));
+    }
+  }
+
+  /** A mapping with these fields and no others. */
+  static Map<String, Object> mapping(List<Field<?>> fields) {
+    Map<String, Object> json = object();
+    json.put("additionalProperties", false);
+    json.put(REQUIRED, fields.stream().filter(Field::isNeeded).map(Field::key).toList());
+    json.put(PROPERTIES, properties(fields));
+    return json;
+  }
+
+  static Map<String, Object> properties(List<Field<?>> fields) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    for (Field<?> field : fields) {
+      json.put(field.key(), property(field.meaning(), field.form(), field.defaultText()));
+    }
+    return json;
+  }
+
+  static Map<String, Object> value(Form form) {
+    return switch (form) {
+      case Form.Whole whole -> number("integer", whole.least(), whole.most());
+      case Form.Decimal decimal -> number("number", decimal.least(), decimal.most());
+      case Form.Amount amount -> amount(amount);
+      case Form.Choice choice -> Map.of("enum", choices(choice));
+      case Form.YesNo yesNo -> Map.of("enum", YES_NO);
+      case Form.Text text -> text.pattern().isEmpty() ? anyText() : text(text.pattern());
+      case Form.Words words -> {
+        Map<String, Object> json = anyText();
+        json.put(PATTERN, "\\S");
+        yield json;
+      }
+      case Form.Faults faults -> faults();
+      case Form.Address address ->
+          text(address, address.needsPort() ? HOST_PORT : "(" + HOST_PORT + "|" + HOST + ")");
+      case Form.Port port -> text(port, "(tcp:" + HOST_PORT + "|(?!tcp:)\\S.*)");
+      case Form.Lines lines -> mapping(lines.fields());
+      case Form.Kinds kinds -> kinds(kinds);
+      case Form.Named named -> named(named);
+      case Form.Parameters parameters -> ScenarioSchema.anyParameters();
+    };
+  }
+
+  private static Map<String, Object> object() {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put(TYPE, "object");
+    return json;
+  }
+
+  /** A number or a boolean is a text, too, unless it is quoted. */
+  private static Map<String, Object> anyText() {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put(TYPE, List.of("string", "number", "boolean"));
+    return json;
+  }
+
+  private static Map<String, Object> text(String pattern) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put(TYPE, "string");
+    json.put(PATTERN, pattern);
+    return json;
+  }
+
+  private static Map<String, Object> text(Form form, String pattern) {
+    Map<String, Object> json = text("^\\s*" + pattern + "\\s*$");
+    json.put(PATTERN_MESSAGE, "expected " + Form.expected(form));
+    return json;
+  }
+
+  private static Map<String, Object> number(String type, Number least, Number most) {
+    Map<String, Object> json = new LinkedHashMap<>();
+    json.put(TYPE, type);
+    json.put("minimum", least);
+    json.put("maximum", most);
+    return json;
+  }
+
+  private static Map<String, Object> amount(Form.Amount amount) {
+    Quantity quantity = amount.quantity();
+    double most = quantity.mostWithoutUnit();
+    boolean takesNumbers = amount.isAboveZero() ? most > 0 : most >= 0;
+    Map<String, Object> json = new LinkedHashMap<>();
+    if (isPlainNumber(amount)) {
+      json.put(TYPE, "number");
+    } else {
+      json.put(TYPE, takesNumbers ? List.of("number", "string") : "string");
+      json.put(PATTERN, amount.isAboveZero() ? quantity.patternAbove0() : quantity.pattern());
+    }
+    if (takesNumbers) {
+      json.put(amount.isAboveZero() ? "exclusiveMinimum" : "minimum", 0);
+      if (most < Double.POSITIVE_INFINITY) {
+        json.put("maximum", (long) most);
+      }
+    }
+    return json;
+  }
+
+  // A version such as 4.1 is a number in YAML, unless it is quoted.
+  private static List<Object> choices(Form.Choice choice) {
+    List<Object> values = new ArrayList<>(choice.values());
+    for (String value : choice.values()) {
+      if (value.matches("\\d+\\.\\d+")) {
+        values.add(Double.valueOf(value));
+      }
+    }
+    return values;
+  }
+
+  // For each kind: its fields, and no others.
+  private static Map<String, Object> kinds(Form.Kinds kinds) {
+    List<Object> rules = new ArrayList<>();
+    kinds
+        .kinds()
+        .forEach((kind, fields) -> {
+          List<Field<?>> all = new ArrayList<>(List.of(kinds.by()));
+          all.addAll(fields);
+          Map<String, Object> rule = new LinkedHashMap<>();
+          rule.put("if", Map.of(PROPERTIES, Map.of(kinds.by().key(), Map.of("const", kind))));
+          rule.put("then", mapping(all));
+          rules.add(rule);
+        });
+    Map<String, Object> json = object();
+    json.put(REQUIRED, List.of(kinds.by().key()));
+    json.put(PROPERTIES, properties(List.of(kinds.by())));
+    json.put("allOf", rules);
+    return json;
+  }
+
+  private static Map<String, Object> named(Form.Named named) {
+    Map<String, Object> json = object();
+    json.put("minProperties", 1);
+    json.put("propertyNames", Map.of(PATTERN, "^[A-Za-z][A-Za-z0-9_.-]{0,31}$"));
+    json.put("additionalProperties", mapping(named.each().fields()));
+    return json;
+  }
+
+  // A text, or a list. YAML splits a list like [loss(0.1,from=bot1)] at each comma, so the rest of
+  // a
+  // fault is accepted too: from=bot1).
+  private static Map<String, Object> faults() {
+    List<String> usages = new ArrayList<>();
+    List<String> names = new ArrayList<>();
+    for (FaultGrammar.Kind kind : FaultGrammar.kinds()) {
+      usages.add(kind.usage() + ": " + kind.meaning());
+      names.add(kind.name());
+    }
+    String begin = "\\s*(" + String.join("|", names) + ")\\s*(\\(.*)?$";
+    Map<String, Object> part = new LinkedHashMap<>();
+    part.put(TYPE, List.of("string", "number"));
+    part.put(PATTERN, "^(" + begin + "|\\s*[a-z]+\\s*=.*|\\s*[-+0-9].*)");
+    part.put(PATTERN_MESSAGE, "expected a fault: " + String.join(", ", names));
+    Map<String, Object> text = text("^(\\s*$|" + begin + ")");
+    text.put(PATTERN_MESSAGE, "expected faults: " + String.join(", ", names));
+    Map<String, Object> list = new LinkedHashMap<>();
+    list.put(TYPE, "array");
+    list.put("items", part);
+    Map<String, Object> json =
+        described(
+            "what goes wrong, a fault a line; "
+                + FaultGrammar.TIMES
+                + ":\n"
+                + String.join("\n", usages));
+    json.put("anyOf", List.of(list, text));
+    return json;
+  }
+
+  private static boolean isPlainNumber(Form form) {
+    return form instanceof Form.Amount amount
+        && (amount.quantity() == Quantity.NUMBER || amount.quantity() == Quantity.PROBABILITY);
+  }
+
+  private static Object typed(Form form, String text) {
+    return switch (form) {
+      case Form.Whole whole -> Long.valueOf(text);
+      case Form.Decimal decimal -> Double.valueOf(text);
+      case Form.YesNo yesNo -> text.equals("yes") || Boolean.parseBoolean(text);
+      case Form.Amount amount when isPlainNumber(amount) -> Double.valueOf(text);
+      default -> text;
+    };
+  }
+}

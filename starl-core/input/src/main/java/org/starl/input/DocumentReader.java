@@ -1,0 +1,117 @@
+package org.starl.input;
+
+import com.fasterxml.jackson.core.JsonLocation;
+import com.fasterxml.jackson.core.JsonProcessingException;
+import com.fasterxml.jackson.core.JsonToken;
+import com.fasterxml.jackson.dataformat.yaml.YAMLFactory;
+import com.fasterxml.jackson.dataformat.yaml.YAMLParser;
+import java.io.IOException;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads a document in YAML (or JSON, which YAML contains): one mapping, with the line of each part.
+ * Refused are duplicate keys, aliases, more than one document, more than 16 levels, and, by the
+ * parser, more than 3 million characters. It reads Jackson's stream of tokens, for a phone has no
+ * reflection on records, which data binding needs.
+ */
+public final class DocumentReader {
+
+  private static final YAMLFactory YAML = new YAMLFactory();
+
+  /** Twice as many as any document of StarL needs; it bounds the recursion below. */
+  private static final int MAX_DEPTH = 16;
+
+  private final String file;
+  private final String expected;
+  private final YAMLParser parser;
+
+  private DocumentReader(String file, String expected, YAMLParser parser) {
+    this.file = file;
+    this.expected = expected;
+    this.parser = parser;
+  }
+
+  /**
+   * The document in {@code text}.
+   *
+   * @param file its name, for messages
+   * @param expected what it should contain, for messages: {@code expected lines such as 'a: b'}
+   * @throws BadInput if it is no YAML, no mapping, or has anything that is refused
+   */
+  public static Node.Mapping read(String file, String text, String expected) {
+    try (YAMLParser parser = YAML.createParser(text)) {
+      return new DocumentReader(file, expected, parser).document();
+    } catch (JsonProcessingException e) {
+      JsonLocation place = e.getLocation();
+      throw BadInput.at(file, place == null ? 1 : place.getLineNr(), "is not YAML; " + expected);
+    } catch (IOException e) {
+      throw new IllegalStateException("reading a text from memory", e);
+    }
+  }
+
+  private Node.Mapping document() throws IOException {
+    if (parser.nextToken() != JsonToken.START_OBJECT) {
+      throw wrong(expected);
+    }
+    Node.Mapping mapping = mapping(line(), 1);
+    if (parser.nextToken() != null) {
+      throw wrong("expected one document");
+    }
+    return mapping;
+  }
+
+  private Node.Mapping mapping(int line, int depth) throws IOException {
+    Map<String, Node> parts = new LinkedHashMap<>();
+    while (parser.nextToken() != JsonToken.END_OBJECT) {
+      String key = parser.currentName();
+      if (parser.currentToken() != JsonToken.FIELD_NAME || key == null) {
+        throw wrong(expected);
+      }
+      if (parts.containsKey(key)) {
+        throw wrong(key + ": expected this key once");
+      }
+      int keyLine = line();
+      parts.put(key, value(parser.nextToken(), key, keyLine, depth));
+    }
+    return new Node.Mapping(line, parts);
+  }
+
+  /** The part that begins with {@code token}, which is the parser's last. */
+  private Node value(@Nullable JsonToken token, String key, int line, int depth)
+      throws IOException {
+    if (depth == MAX_DEPTH) {
+      throw wrong(key + ": expected at most " + MAX_DEPTH + " levels");
+    }
+    if (token == JsonToken.START_OBJECT) {
+      return mapping(line, depth + 1);
+    }
+    if (token == JsonToken.START_ARRAY) {
+      List<Node> items = new ArrayList<>();
+      while (parser.nextToken() != JsonToken.END_ARRAY) {
+        items.add(value(parser.currentToken(), key, line(), depth + 1));
+      }
+      return new Node.Listing(line, items);
+    }
+    if (token == JsonToken.VALUE_NULL) {
+      return new Node.Text(line, "");
+    }
+    // The parser gives no token for a number without digits, and bytes for base64.
+    if (token == null || token == JsonToken.VALUE_EMBEDDED_OBJECT || parser.isCurrentAlias()) {
+      throw wrong(key + ": expected one value, a list or a mapping");
+    }
+    return new Node.Text(line, parser.getText());
+  }
+
+  /** An empty document has no token and so no line. */
+  private int line() {
+    return Math.max(1, parser.currentTokenLocation().getLineNr());
+  }
+
+  private BadInput wrong(String text) {
+    return BadInput.at(file, line(), text);
+  }
+}

@@ -1,0 +1,111 @@
+package org.starl.input;
+
+import java.util.Arrays;
+import java.util.function.Function;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * One line of a document: its key, its values and their meaning. Both the reader of the document and
+ * its JSON schema are made from these.
+ *
+ * @param <T> the type of its value; {@link Void} for a mapping
+ * @param key the text before the colon
+ * @param form the values that it takes
+ * @param reader gives the value of a text, or null if the text is not one of the form
+ * @param meaning one line for people, with the unit of the value
+ * @param isNeeded whether the line must be there
+ * @param defaultText the value of a missing line; null if there is none, or it depends on others
+ */
+public record Field<T>(
+    String key,
+    Form form,
+    Function<String, @Nullable T> reader,
+    String meaning,
+    boolean isNeeded,
+    @Nullable String defaultText) {
+
+  /** Double.parseDouble takes more: 0x1p3, 5d, NaN. */
+  private static final Pattern DECIMAL =
+      Pattern.compile("[-+]?(\\d+\\.?\\d*|\\.\\d+)([eE][-+]?\\d+)?");
+
+  /** An optional line without a default. */
+  public static <T> Field<T> of(
+      String key, Form form, String meaning, Function<String, @Nullable T> reader) {
+    return new Field<>(key, form, reader, meaning, false, null);
+  }
+
+  /** A line with a mapping beneath it. */
+  public static Field<Void> mapping(String key, Form form, String meaning) {
+    return of(key, form, meaning, text -> null);
+  }
+
+  /** @param expected what the text should be, for messages */
+  public static Field<String> text(String key, String expected, String meaning) {
+    return of(key, new Form.Words(expected), meaning, text -> text);
+  }
+
+  public static Field<String> choice(String key, String meaning, String... values) {
+    Form.Choice form = new Form.Choice(Arrays.asList(values));
+    return of(key, form, meaning, text -> form.values().contains(text) ? text : null);
+  }
+
+  public static Field<Boolean> yesNo(String key, String meaning) {
+    return of(key, Form.YES_NO, meaning, Field::yesOrNo);
+  }
+
+  /** Both ends are included. */
+  public static Field<Integer> whole(String key, int least, int most, String meaning) {
+    return of(
+        key,
+        new Form.Whole(least, most),
+        meaning,
+        text -> {
+          Long value = whole(text);
+          return value == null || value < least || value > most ? null : value.intValue();
+        });
+  }
+
+  /** Any number of 64 bits. */
+  public static Field<Long> wholeLong(String key, String meaning) {
+    return of(key, new Form.Whole(Long.MIN_VALUE, Long.MAX_VALUE), meaning, Field::whole);
+  }
+
+  /** Both ends are included. */
+  public static Field<Double> decimal(String key, double least, double most, String meaning) {
+    return of(
+        key,
+        new Form.Decimal(least, most),
+        meaning,
+        text -> {
+          double value = DECIMAL.matcher(text).matches() ? Double.parseDouble(text) : Double.NaN;
+          return value >= least && value <= most ? value : null;
+        });
+  }
+
+  /** The same, but the line must be there. */
+  public Field<T> needed() {
+    return new Field<>(key, form, reader, meaning, true, null);
+  }
+
+  /** The same with the value of a missing line. */
+  public Field<T> defaultsTo(String text) {
+    return new Field<>(key, form, reader, meaning, false, text);
+  }
+
+  private static @Nullable Long whole(String text) {
+    try {
+      return Long.parseLong(text);
+    } catch (NumberFormatException notANumber) {
+      return null;
+    }
+  }
+
+  private static @Nullable Boolean yesOrNo(String text) {
+    try {
+      return Quantities.yesOrNo(text);
+    } catch (BadInput neither) {
+      return null;
+    }
+  }
+}
