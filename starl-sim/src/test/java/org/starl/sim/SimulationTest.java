@@ -252,7 +252,7 @@ class SimulationTest {
   }
 
   @Test
-  void theTimeLimitEndsARunAndNamesWhoHasNotFinished() {
+  void theTimeLimitEndsARunAndNamesUnfinishedRobots() {
     SimResult result =
         greeters(1)
             .settings(SimSettings.builder().duration(Duration.ofSeconds(1)).build())

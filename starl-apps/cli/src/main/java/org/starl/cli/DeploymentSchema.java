@@ -47,7 +47,7 @@ final class DeploymentSchema {
     schema.put("$schema", "http://json-schema.org/draft-07/schema#");
     schema.put("title", "StarL deployment");
     schema.put(DESCRIPTION, "What 'starl deploy' runs: an app on real robots.");
-    List<String> settings = Setting.all().stream().map(Setting::key).toList();
+    List<String> settings = Chosen.known().stream().map(Setting::key).toList();
     schema.put("definitions", Map.of("setting", Map.of("enum", settings)));
     schema.putAll(lines(Grammar.FILE.fields()));
     Map<String, Object> properties = new LinkedHashMap<>(properties(Grammar.FILE.fields()));

@@ -1,9 +1,11 @@
 package org.starl.cli;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.starl.apps.Demos;
 import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 import org.starl.robot.file.DeploymentException;
@@ -31,6 +33,8 @@ record ScenarioFile(
 
   static final String APP = "app";
   private static final String FAULTS = "faults";
+  private static final String EXPECTED =
+      "expected a scenario file with lines such as 'app: intersection'";
 
   static boolean isOne(String what) {
     return what.endsWith(".yaml") || what.endsWith(".yml");
@@ -43,6 +47,18 @@ record ScenarioFile(
   /** What stands before an error in the value of {@code key}: {@code my.yaml:3: }. */
   String where(String key) {
     return file.isEmpty() ? "" : file + ":" + lines.getOrDefault(key, 1) + ": ";
+  }
+
+  /**
+   * The request that it makes, for an app of {@code demos}.
+   *
+   * @throws BadInput naming the file's line, the key, the value and what was expected
+   */
+  Chosen.Builder request(Demos demos) {
+    String hint = file.isEmpty() ? " (a scenario file's name ends in .yaml)" : "";
+    Chosen.Builder request = Chosen.Builder.of(demos, app, where(APP), hint);
+    values.forEach((key, value) -> request.set(where(key), key, value));
+    return request;
   }
 
   /** @throws BadInput if it is missing, no text, no YAML, or not as above */
@@ -64,7 +80,7 @@ record ScenarioFile(
 
   private static Node.Mapping mapping(String file) {
     try {
-      return YamlTree.read(file, TextFile.read(file, "a scenario file", YamlTree.EXPECTED));
+      return YamlTree.read(file, TextFile.read(Path.of(file), EXPECTED));
     } catch (DeploymentException e) {
       throw new BadInput(String.valueOf(e.getMessage()));
     }

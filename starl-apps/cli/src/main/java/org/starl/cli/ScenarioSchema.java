@@ -64,7 +64,7 @@ final class ScenarioSchema {
   /** Every setting by its key. */
   static Map<String, Object> settings() {
     Map<String, Object> settings = new LinkedHashMap<>();
-    for (Setting<?> setting : Setting.all()) {
+    for (Setting<?> setting : Chosen.known()) {
       settings.put(setting.key(), setting(setting));
     }
     return settings;

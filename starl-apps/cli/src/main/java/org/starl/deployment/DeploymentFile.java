@@ -16,17 +16,20 @@ import org.starl.robot.udp.KeyFile;
 /** A deployment in YAML. All errors are {@link BadInput}. */
 public final class DeploymentFile {
 
+  private static final String EXPECTED =
+      "expected a deployment file with lines such as 'app: intersection'";
+
   private DeploymentFile() {}
 
   /** @throws BadInput if it is missing, no text, no YAML, or no deployment */
   public static Deployment read(String file) {
-    return parse(file, TextFile.bytes(file, "a deployment file"));
+    return parse(file, TextFile.bytes(Path.of(file), EXPECTED));
   }
 
   /** The deployment in these bytes of {@code file}. */
   static Deployment parse(String file, byte[] bytes) {
     try {
-      String text = TextFile.decode(file, bytes, YamlTree.EXPECTED);
+      String text = TextFile.decode(file, bytes, EXPECTED);
       return DeploymentReader.read(file, YamlTree.read(file, text));
     } catch (DeploymentException e) {
       throw new BadInput(String.valueOf(e.getMessage()));

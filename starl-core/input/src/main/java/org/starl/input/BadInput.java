@@ -1,9 +1,8 @@
 package org.starl.input;
 
 /**
- * What a person gave to a simulation (a file, a flag, a setting) is not what was expected. The
- * message is one whole line for that person: where, what, and what was expected. It is no bug: the
- * stack trace is for who asks how that line came about.
+ * A user's input (a file, an option, a setting) is not what was expected. The message is one whole
+ * line for that user: where it stands, what it is, and what was expected. It is not a bug.
  */
 public final class BadInput extends RuntimeException {
 
@@ -15,7 +14,7 @@ public final class BadInput extends RuntimeException {
     super(line);
   }
 
-  /** {@code text} in quotes, fit for one line: cut where long, without control characters. */
+  /** {@code text} in quotes for one line: shortened if long, without control characters. */
   public static String quote(String text) {
     StringBuilder quoted = new StringBuilder("'");
     int length = Math.min(text.length(), LONGEST_QUOTE);

@@ -3,8 +3,8 @@ package org.starl.input;
 import java.util.List;
 
 /**
- * Which values a setting or a parameter takes, for tools such as editors. It repeats what the reader
- * refuses, as far as a pattern can say it; the reader has the last word.
+ * The values that a setting or a parameter takes, for tools such as editors. It repeats the checks of
+ * the reader as far as a pattern can; the reader is the authority.
  */
 public sealed interface Form {
 
@@ -20,7 +20,7 @@ public sealed interface Form {
   /** A whole number, {@code least} and {@code most} among them. */
   record Whole(long least, long most) implements Form {}
 
-  /** A quantity with its unit, at least 0; above 0 if so said. */
+  /** A quantity with its unit, at least 0, or above 0. */
   record Amount(Quantity quantity, boolean isAboveZero) implements Form {}
 
   /** One of these words. */
@@ -36,7 +36,7 @@ public sealed interface Form {
   /** A text that a regular expression matches as a whole; any text if that is empty. */
   record Text(String pattern) implements Form {}
 
-  /** Faults as their grammar has them. */
+  /** Faults in their grammar. */
   record Faults() implements Form {}
 
   static Form whole(long least, long most) {

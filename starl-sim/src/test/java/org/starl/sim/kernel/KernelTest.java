@@ -49,7 +49,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void whatStrandsSayTheyUseChangesNothing(CarrierKind kind) {
+  void hintsOfStrandsChangeNothing(CarrierKind kind) {
     List<String> plain = runOfACrowd(kind, strand -> {});
     List<String> hinted =
         runOfACrowd(
