@@ -4,6 +4,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.starl.sim.check.Percentile;
 
 /**
  * One run of an app in numbers that add up over a campaign.
@@ -37,12 +38,9 @@ public record Measures(
     this(came, completed, waitsNs, new TreeMap<>());
   }
 
-  /** No more than so many percent of the waits are shorter; 0 if nobody waited. */
+  /** A percentile of the waits, in ns; 0 if there are none. */
   public static long waitNs(long[] sortedWaitsNs, int percent) {
-    if (sortedWaitsNs.length == 0) {
-      return 0;
-    }
-    int rank = (int) Math.ceil(percent * (double) sortedWaitsNs.length / 100);
-    return sortedWaitsNs[Math.max(rank, 1) - 1];
+    int count = sortedWaitsNs.length;
+    return count == 0 ? 0 : sortedWaitsNs[Percentile.index(count, percent)];
   }
 }

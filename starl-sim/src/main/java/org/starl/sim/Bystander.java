@@ -1,9 +1,9 @@
 package org.starl.sim;
 
 /**
- * Somebody who stands beside a run: looks on before its first step and after each one, may let it wait,
- * and may intervene. Called on the thread of the run, while no robot's program runs. A step is one event
- * of the kernel. Where there is a bystander who does nothing, the run is the same as without.
+ * Is called before the first step of a run and after each step, and may make the run wait and
+ * intervene in it. Called on the thread of the run, while no robot's program runs. A step is one event
+ * of the kernel. A bystander that does nothing does not change the run.
  */
 @FunctionalInterface
 public interface Bystander {

@@ -1,19 +1,18 @@
 package org.starl.sim;
 
 /**
- * What happens to a simulation from outside its robots: bodies come and go, robots join and leave.
- * A director runs in virtual time, as part of the world, and decides by the world and the seed
- * alone.
+ * Controls a scenario: robots join and leave, bodies come and go. A director runs in virtual time, as
+ * part of the world, and decides by the world and the seed alone.
  */
 @FunctionalInterface
 public interface Director {
 
-  /** Called once at time 0, after all robots of the start were brought up. */
+  /** Called once at time 0, after the robots that start have started. */
   void direct(SimControl control);
 
   /**
-   * Whether it brings nobody into the run any more: the run ends when this holds and every app has
-   * come to its end. Asked after each event.
+   * Whether no more robots will join: the run ends when this holds and every app has ended. Asked
+   * after each event.
    */
   default boolean isOver() {
     return true;

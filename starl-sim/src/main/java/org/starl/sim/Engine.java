@@ -21,7 +21,6 @@ import org.starl.input.BadInput;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
-import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.fault.FaultRun;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.Impairments;
@@ -40,76 +39,73 @@ import org.starl.trace.TraceEvent.Fault;
 /** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
 final class Engine implements SimControl, Ward, AutoCloseable {
 
-  private final Simulation.Builder plan;
+  private final Blueprint plan;
   private final Rng scenarioRng;
   private final Rng behaviourRng;
-  private final long behaviourSeed;
   private final Kernel kernel;
   private final Watchers watchers;
   private final World world;
   private final SimNetwork network;
   private final Participants deployment;
   private final Obstacles knownObstacles;
-  private final @Nullable DeploymentKey key;
   // Thousands of robots share them.
   private final Map<RobotType, MotionParameters> motions = new EnumMap<>(RobotType.class);
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
-  // A robot that left and joins again is another incarnation, and finds what it had stored.
+  // A robot that left and joins again is another incarnation, with its stored data.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
   private final Map<RobotId, RobotClock> clocks = new LinkedHashMap<>();
-  private final FaultPlan faults;
   private final Impairments impairments = new Impairments();
   private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
-  // Apps that have not ended, and restarts that are to come: for these the run waits.
+  // Apps that have not ended, and planned restarts: the run waits for these.
   private int running;
   private int restartsDue;
   private int brought;
 
-  Engine(Simulation.Builder plan) {
+  Engine(Blueprint plan) {
     this.plan = plan;
-    scenarioRng = new Rng(plan.seed);
-    behaviourSeed = plan.behaviourSeedOrDerived();
-    behaviourRng = new Rng(behaviourSeed);
-    kernel = new Kernel(plan.carriers);
+    scenarioRng = new Rng(plan.header().scenarioSeed());
+    behaviourRng = new Rng(plan.header().behaviourSeed());
+    kernel = new Kernel(plan.carriers());
     watchers = new Watchers(plan);
-    world = new World(kernel, kernel::timer, watchers, plan.settings.worldLimits(), plan.obstacles);
+    SimSettings settings = plan.settings();
+    world = new World(kernel, kernel::timer, watchers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, watchers, behaviourRng.fork("network"));
-    network.base(plan.settings.messageDelay(), plan.settings.messageLoss());
-    for (int i = plan.linkRules.size() - 1; i >= 0; i--) {
-      network.install(plan.linkRules.get(i));
+    network.base(settings.messageDelay(), settings.messageLoss());
+    for (int i = plan.linkRules().size() - 1; i >= 0; i--) {
+      network.install(plan.linkRules().get(i));
     }
     deployment = plan.deployment();
-    knownObstacles = plan.obstacles.known();
-    faults = plan.allFaults();
-    key = plan.key();
+    knownObstacles = plan.obstacles().known();
   }
 
   SimResult run() {
     watchers.started(plan.header());
     try {
-      plan.robots.forEach(this::join);
-      FaultRun faultRun = faults.install(this, behaviourRng.fork("faults"));
-      if (plan.director != null) {
-        plan.director.direct(this);
+      plan.robots().forEach(this::join);
+      FaultRun faultRun = plan.faults().install(this, behaviourRng.fork("faults"));
+      Director director = plan.director();
+      if (director != null) {
+        director.direct(this);
       }
-      if (plan.bystander == null) {
+      Bystander bystander = plan.bystander();
+      if (bystander == null) {
         kernel.run(plan.endNs(), this::isOver);
       } else {
-        runBeside(plan.bystander, new Hands(this, faultRun, behaviourRng.fork("interventions")));
+        runBeside(bystander, new Hands(this, faultRun, behaviourRng.fork("interventions")));
       }
     } catch (BadInput e) {
       throw e;
     } catch (RobotError e) {
       throw failed(String.valueOf(e.getMessage()), e);
     } catch (RuntimeException e) {
-      // Of the world, a director or an observer: no robot's.
+      // From the world, a director or an observer, not from a robot.
       throw failed("at " + kernel.nowNs() + " ns: " + e, e);
     }
     SpecReport spec = watchers.endSpecifications(kernel.nowNs());
     SimResult result =
         new SimResult(
-            plan.seed,
-            behaviourSeed,
+            plan.header().scenarioSeed(),
+            plan.header().behaviourSeed(),
             kernel.nowNs(),
             kernel.events(),
             results,
@@ -134,12 +130,19 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   }
 
   private boolean isOver() {
-    return running == 0 && restartsDue == 0 && (plan.director == null || plan.director.isOver());
+    Director director = plan.director();
+    return running == 0 && restartsDue == 0 && (director == null || director.isOver());
   }
 
   private SimulationFailed failed(String what, RuntimeException cause) {
     return new SimulationFailed(
-        plan.name + ", seed " + plan.seed + ": " + what + watchers.firstViolation(), cause);
+        plan.header().scenario()
+            + ", seed "
+            + plan.header().scenarioSeed()
+            + ": "
+            + what
+            + watchers.firstViolation(),
+        cause);
   }
 
   private List<RobotId> unfinished() {
@@ -184,14 +187,14 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   @Override
   public void join(RobotSpec spec) {
     if (spec.id().equals(Fault.WORLD)) {
-      throw new BadInput("no robot may be called " + Fault.WORLD);
+      throw new BadInput("no robot can have the name " + Fault.WORLD);
     }
     if (robots.containsKey(spec.id())) {
-      throw new BadInput("robot " + spec.id() + " is there already");
+      throw new BadInput("robot " + spec.id() + " has joined already");
     }
     SimStable stable =
         stables.computeIfAbsent(
-            spec.id(), id -> new SimStable(kernel, plan.settings.stableDelayNs()));
+            spec.id(), id -> new SimStable(kernel, plan.settings().stableDelayNs()));
     SimRobot robot = new SimRobot(spec, this, stable, brought);
     brought++;
     robots.put(spec.id(), robot);
@@ -281,7 +284,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     }
   }
 
-  /** Called on the strand of {@code robot} when its app has come to its end. */
+  /** Called on the strand of robot {@code id} when its app has ended. */
   void appEnded(RobotId id, RobotRunner runner) {
     List<Object> result = runner.results();
     if (result == null) {
@@ -301,14 +304,14 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     if (!isFree(start)) {
       return false;
     }
-    robot.putOnFloor(world.add(id, start, plan.settings.robotRadiusMm()));
+    robot.putOnFloor(world.add(id, start, plan.settings().robotRadiusMm()));
     return true;
   }
 
   @Override
   public boolean isFree(Pose pose) {
-    return !plan.settings.worldLimits().collisions()
-        || world.isFree(pose, plan.settings.robotRadiusMm());
+    return !plan.settings().worldLimits().collisions()
+        || world.isFree(pose, plan.settings().robotRadiusMm());
   }
 
   @Override
@@ -359,9 +362,9 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     return impairments.total(id);
   }
 
-  /** The clock of a robot whose time may go wrong, else null. */
+  /** The robot's own clock, if faults may change its time, else null. */
   @Nullable RobotClock clockOf(RobotId id) {
-    boolean mayGoWrong = faults.touchesTime() || plan.bystander != null;
+    boolean mayGoWrong = plan.faults().touchesTime() || plan.bystander() != null;
     return mayGoWrong ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
   }
 
@@ -389,12 +392,12 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     return kernel;
   }
 
-  /** Whoever was there since the run began. */
+  /** All robots that have joined since the run began. */
   Set<RobotId> known() {
     return stables.keySet();
   }
 
-  /** Shows a robot's app a place; nothing happens if it is not there, or down. */
+  /** Shows a robot's app a place; does nothing if the robot is down or has left. */
   void point(RobotId id, int xMm, int yMm) {
     SimRobot robot = robots.get(id);
     if (robot != null && !robot.isDown()) {
@@ -402,13 +405,13 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     }
   }
 
-  /** What this run's datagrams are sealed with, or null for none. */
+  /** The key that seals this run's datagrams, or null for none. */
   @Nullable DeploymentKey key() {
-    return key;
+    return plan.key();
   }
 
   SimSettings settings() {
-    return plan.settings;
+    return plan.settings();
   }
 
   Watchers watchers() {
@@ -419,16 +422,17 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     return deployment;
   }
 
-  /** How robot number {@code index} moves, unless its app says otherwise. */
+  /** How robot number {@code index} moves, unless its app sets other parameters. */
   MotionParameters motionParameters(int index) {
-    return motions.computeIfAbsent(plan.settings.robotType(index), plan.settings::motionParameters);
+    return motions.computeIfAbsent(
+        plan.settings().robotType(index), plan.settings()::motionParameters);
   }
 
   Obstacles knownObstacles() {
     return knownObstacles;
   }
 
-  /** The generator of everything that {@code robot} draws or that is drawn for it. */
+  /** The generator of all draws of {@code robot} and for it. */
   Rng behaviourRng(RobotId robot) {
     return behaviourRng.fork(robot.name());
   }

@@ -45,7 +45,7 @@ final class Hands implements Intervening {
     FaultPlan plan = new FaultPlan(List.of(fault));
     plan.requireNamedAmong(engine.known());
     if (fault.span().untilNs() <= nowNs()) {
-      throw new BadInput(BadInput.quote(text) + ": it would be over before it begins");
+      throw new BadInput(BadInput.quote(text) + ": expected an end after the present time");
     }
     record(TraceEvent.Fault.WORLD, Intervention.FAULT, fault.toString());
     faults.add(plan, rng.fork(Integer.toString(done)));

@@ -3,22 +3,22 @@ package org.starl.sim;
 import org.starl.id.RobotId;
 
 /**
- * A {@link Bystander}'s hands. What they do takes effect here and now, between two steps, and is an
- * event of the run, {@link org.starl.trace.TraceEvent.Intervention}.
+ * Lets a {@link Bystander} intervene in a run. Each call takes effect at once, between two steps, and
+ * is an event of the trace, {@link org.starl.trace.TraceEvent.Intervention}.
  */
 public interface Intervening {
 
   long nowNs();
 
-  /** How many steps the run has made: tells one place from another where time does not. */
+  /** Number of steps so far. Several steps may have the same time. */
   long steps();
 
   /**
-   * Lets a fault happen; what it does not say of times counts from now.
+   * Injects a fault. It begins now, unless it names a time.
    *
    * @param fault as {@code --fault} reads it
-   * @throws org.starl.input.BadInput if it is none, names a robot that never was there, or would
-   *     end before it begins; then nothing has happened
+   * @throws org.starl.input.BadInput if it is not a fault, names a robot that has never joined,
+   *     or would end before it begins; then nothing has happened
    */
   void fault(String fault);
 

@@ -1,9 +1,7 @@
 package org.starl.sim;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.function.Function;
 import org.starl.body.CollisionPolicy;
@@ -18,42 +16,38 @@ import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.net.Latency;
 
 /**
- * One parameter of a simulation: its key in {@code --set key=value}, what it means, its default, and
- * how its text is read and written. The constants below are all there are; {@link SimSettings} holds
- * a value for each.
+ * One setting: its key in {@code --set key=value}, its meaning, its default, and how its text is read
+ * and written. The constants are the simulator's own; a viewer adds others by the factory methods.
+ * {@link SimSettings} holds the values.
  *
  * @param <T> the type of its values
  */
 public final class Setting<T> {
 
-  private static final List<Setting<?>> TABLE = new ArrayList<>();
-
   // The run.
-  public static final Setting<Integer> ROBOTS = whole("robots", 4, 0, "how many robots start");
+  public static final Setting<Integer> ROBOTS =
+      whole("robots", 4, 0, "number of robots that start");
   public static final Setting<Integer> DISCOVERY_ROBOTS =
-      whole("discoveryRobots", 0, 0, "how many of them explore by bumping");
+      whole("discoveryRobots", 0, 0, "number of these that explore by bumping");
   public static final Setting<Integer> RANDOM_ROBOTS =
-      whole("randomRobots", 0, 0, "how many of them wander and get in the way");
+      whole("randomRobots", 0, 0, "number of these that wander and get in the way");
   public static final Setting<Duration> DURATION =
       duration("duration", 0, "simulated time after which the run ends; 0ms for no limit");
-  public static final Setting<Double> SPEED =
-      number("speed", 5, "for a viewer: simulated seconds per real second; 0 for no limit");
 
   // The floor.
   public static final Setting<Double> FLOOR_WIDTH =
-      distance("floorWidth", 5000, "extent of the floor along x");
+      distance("floorWidth", 5000, "size of the floor along x");
   public static final Setting<Double> FLOOR_HEIGHT =
-      distance("floorHeight", 3000, "extent of the floor along y");
-  public static final Setting<String> WAYPOINT_FILE =
-      text("waypointFile", "", "for apps with goals: file of WAY lines; empty for none");
-  public static final Setting<String> SENSE_POINT_FILE =
-      text("sensePointFile", "", "for apps that search: file of SENSE lines; empty for none");
+      distance("floorHeight", 3000, "size of the floor along y");
   public static final Setting<String> OBSTACLE_FILE =
       text("obstacleFile", "", "file of obstacles (Obstacle and Hidden lines); empty for none");
   public static final Setting<String> START_FILE =
-      text("startFile", "", "file of start poses (WAY lines with robots' names); empty for drawn");
+      text(
+          "startFile",
+          "",
+          "file of start poses (WAY lines with robots' names); empty: drawn by seed");
   public static final Setting<Double> START_SPACING =
-      number("startSpacing", 2.8, "drawn starts keep this many radii between centres");
+      number("startSpacing", 2.8, "least distance of drawn starts between centres, in body radii");
 
   // The bodies.
   public static final Setting<String> ROBOT_NAME =
@@ -61,7 +55,7 @@ public final class Setting<T> {
           "robotName",
           String.class,
           "bot",
-          "robots are called so, with a number from 0 behind",
+          "first part of robots' names, before a number from 0",
           String::strip,
           text -> text,
           text -> RobotId.isValid(text + "00000000"),
@@ -70,13 +64,13 @@ public final class Setting<T> {
   public static final Setting<Double> ROBOT_RADIUS =
       distance("robotRadius", 165, "radius of a robot's body");
   public static final Setting<Boolean> IDEAL_MOTION =
-      yesOrNo("idealMotion", false, "bodies pass through everything, wheels are exact");
+      yesOrNo("idealMotion", false, "bodies pass through everything, wheel speeds are exact");
   public static final Setting<Double> MAX_SPEED =
       new Setting<>(
           "maxSpeed",
           Double.class,
           500.0,
-          "no body drives faster",
+          "largest speed of a body",
           Quantities::speedMmPerS,
           Quantities::speedText,
           value -> value > 0,
@@ -87,14 +81,14 @@ public final class Setting<T> {
           "collisionPolicy",
           CollisionPolicy.class,
           CollisionPolicy.STOP_ON_COLLISION,
-          "what a bump does: BUMPERCARS, STOP_ON_COLLISION, USE_COLAVOID or USE_COLBACK",
+          "reaction to a bump: BUMPERCARS, STOP_ON_COLLISION, USE_COLAVOID or USE_COLBACK",
           Setting::collisionPolicy,
           CollisionPolicy::name,
           value -> true,
           "a collision policy",
           Form.choice(Arrays.stream(CollisionPolicy.values()).map(CollisionPolicy::name).toList()));
   public static final Setting<Double> SPEED_ERROR =
-      probability("speedError", "wheel speeds are off by up to this fraction, per command");
+      probability("speedError", "largest relative error of a wheel speed, drawn per command");
 
   // Positioning, clocks and storage.
   public static final Setting<Duration> POSITION_PERIOD =
@@ -109,49 +103,49 @@ public final class Setting<T> {
           "a duration above 0",
           Form.above0(Quantity.DURATION));
   public static final Setting<Double> POSITION_NOISE =
-      distance("positionNoise", 0, "a fix lies at most this far from the truth");
+      distance("positionNoise", 0, "largest error of a position fix");
   public static final Setting<Double> HEADING_NOISE =
       new Setting<>(
           "headingNoise",
           Double.class,
           0.0,
-          "a fix's heading is at most this far from the truth",
+          "largest error of the heading in a fix",
           Quantities::angleRad,
           Quantities::angleText,
           value -> value >= 0 && value <= StrictMath.PI,
           "an angle from 0 to 180deg",
           Form.amount(Quantity.ANGLE));
   public static final Setting<Boolean> POSITION_IN_PHASE =
-      yesOrNo("positionInPhase", false, "all robots get their fixes at the same instants");
+      yesOrNo("positionInPhase", false, "all robots get their fixes at the same times");
   public static final Setting<Duration> STABLE_DELAY =
       duration("stableDelay", 0, "time until a write to stable storage survives a crash");
   public static final Setting<Duration> COMPUTE_TIME =
-      duration("computeTime", 0, "time that a robot's long computation, such as a plan, takes");
+      duration("computeTime", 0, "time of a robot's long computation, such as planning a path");
 
-  // The air.
+  // The network.
   public static final Setting<Latency> MESSAGE_DELAY =
       new Setting<>(
           "messageDelay",
           Latency.class,
           new Latency.Uniform(10_000_000, 20_000_000),
-          "how long a datagram takes: 100ms, uniform(..), normal(..), exponential(..)",
+          "delay of a datagram: 100ms, uniform(..), normal(..), exponential(..)",
           Latency::parse,
           Latency::toString,
           value -> true,
           "a delay",
           new Form.Text(Latency.PATTERN));
   public static final Setting<Double> MESSAGE_LOSS =
-      probability("messageLoss", "probability that a datagram is lost, per recipient");
+      probability("messageLoss", "probability that a datagram is lost, for each recipient");
   public static final Setting<Boolean> SEALED =
-      yesOrNo("sealed", false, "datagrams are sealed with a key that the run's robots share");
+      yesOrNo("sealed", false, "seal datagrams with a key that all robots of the run share");
 
-  // What goes wrong.
+  // Faults.
   public static final Setting<FaultPlan> FAULTS =
       new Setting<>(
           "faults",
           FaultPlan.class,
           FaultPlan.NONE,
-          "faults with ; between them; see below",
+          "faults to inject, with ; between them; see below",
           FaultPlan::parse,
           FaultPlan::toString,
           value -> true,
@@ -170,28 +164,46 @@ public final class Setting<T> {
           "an envelope of faults",
           Form.choice(Arrays.stream(Envelope.values()).map(Envelope::toString).toList()));
   public static final Setting<Duration> CHAOS_FOR =
-      duration("chaosFor", 0, "chaos is over after so long; 0ms: half the run, at most 60s");
+      duration(
+          "chaosFor", 0, "time after which chaos has ended; 0ms: half of the run, at most 60s");
 
   // What robots learn of hidden obstacles.
   public static final Setting<Double> CONTACT_MARK =
       distance(
           "contactMark",
           MotionParameters.DEFAULT.contactMarkMm(),
-          "side of the square that a bump leaves on a robot's map");
+          "side of the square that a bump adds to a robot's map");
 
-  // For a viewer; runs without a window do not read them.
-  public static final Setting<Boolean> DRAW_TRAILS =
-      yesOrNo("drawTrails", false, "for a viewer: whether it shows where robots have been");
-  public static final Setting<Integer> TRAIL_LENGTH =
-      whole("trailLength", 128, 1, "for a viewer: how many points a trail has");
-  public static final Setting<Boolean> DRAW_WAYPOINTS =
-      yesOrNo("drawWaypoints", true, "for a viewer: whether it shows waypoints");
-  public static final Setting<Boolean> DRAW_WAYPOINT_NAMES =
-      yesOrNo("drawWaypointNames", true, "for a viewer: whether it names waypoints");
-  public static final Setting<Boolean> DRAW_OBSTACLES =
-      yesOrNo("drawObstacles", true, "for a viewer: whether it shows obstacles");
-  public static final Setting<Integer> MAX_FPS =
-      whole("maxFps", 30, 1, "for a viewer: pictures a second at most");
+  private static final List<Setting<?>> TABLE =
+      List.of(
+          ROBOTS,
+          DISCOVERY_ROBOTS,
+          RANDOM_ROBOTS,
+          DURATION,
+          FLOOR_WIDTH,
+          FLOOR_HEIGHT,
+          OBSTACLE_FILE,
+          START_FILE,
+          START_SPACING,
+          ROBOT_NAME,
+          ROBOT_RADIUS,
+          IDEAL_MOTION,
+          MAX_SPEED,
+          COLLISION_POLICY,
+          SPEED_ERROR,
+          POSITION_PERIOD,
+          POSITION_NOISE,
+          HEADING_NOISE,
+          POSITION_IN_PHASE,
+          STABLE_DELAY,
+          COMPUTE_TIME,
+          MESSAGE_DELAY,
+          MESSAGE_LOSS,
+          SEALED,
+          FAULTS,
+          CHAOS,
+          CHAOS_FOR,
+          CONTACT_MARK);
 
   private final String key;
   private final Class<T> type;
@@ -222,12 +234,11 @@ public final class Setting<T> {
     this.isValid = isValid;
     this.expected = expected;
     this.form = form;
-    TABLE.add(this);
   }
 
-  /** Every setting there is, in the order above. */
+  /** The simulator's settings, in the order to show them. */
   public static List<Setting<?>> all() {
-    return Collections.unmodifiableList(TABLE);
+    return TABLE;
   }
 
   /** Its name in {@code --set key=value}. */
@@ -235,12 +246,12 @@ public final class Setting<T> {
     return key;
   }
 
-  /** One line for people. */
+  /** One line for users. */
   public String meaning() {
     return meaning;
   }
 
-  /** Which values it takes. */
+  /** The values it takes. */
   public Form form() {
     return form;
   }
@@ -249,7 +260,7 @@ public final class Setting<T> {
     return defaultValue;
   }
 
-  /** The default as {@code --set} would read it. */
+  /** The default as text, which {@code --set} reads. */
   public String defaultText() {
     return writer.apply(defaultValue);
   }
@@ -286,7 +297,8 @@ public final class Setting<T> {
     return key;
   }
 
-  private static Setting<Integer> whole(String key, int initial, int least, String meaning) {
+  /** A whole number of at least {@code least}. */
+  public static Setting<Integer> whole(String key, int initial, int least, String meaning) {
     return new Setting<>(
         key,
         Integer.class,
@@ -299,7 +311,8 @@ public final class Setting<T> {
         Form.whole(least, Integer.MAX_VALUE));
   }
 
-  private static Setting<Double> number(String key, double initial, String meaning) {
+  /** A number of at least 0. */
+  public static Setting<Double> number(String key, double initial, String meaning) {
     return new Setting<>(
         key,
         Double.class,
@@ -313,7 +326,7 @@ public final class Setting<T> {
   }
 
   private static Setting<Double> distance(String key, double initialMm, String meaning) {
-    // What is positive by default, a size, cannot be 0; noise can.
+    // A size, which is positive by default, cannot be 0; noise can.
     return new Setting<>(
         key,
         Double.class,
@@ -352,7 +365,8 @@ public final class Setting<T> {
         Form.amount(Quantity.DURATION));
   }
 
-  private static Setting<Boolean> yesOrNo(String key, boolean initial, String meaning) {
+  /** Yes or no. */
+  public static Setting<Boolean> yesOrNo(String key, boolean initial, String meaning) {
     return new Setting<>(
         key,
         Boolean.class,

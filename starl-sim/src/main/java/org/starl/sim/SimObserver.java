@@ -7,7 +7,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * A guest at a run: viewers, recorders, exporters, stories, trace files. It sees everything, in
+ * Observes a run: viewers, recorders, exporters, stories and trace files do. It sees every event, in
  * order, and changes nothing.
  */
 public interface SimObserver {

@@ -8,15 +8,14 @@ import org.starl.sim.world.Collisions;
 import org.starl.spec.SpecReport;
 
 /**
- * What came of a run.
+ * The result of a run.
  *
  * @param seed of the scenario
  * @param behaviourSeed of everything else
  * @param endNs virtual time of the end
  * @param events that the kernel processed
- * @param results of the apps that came to their end
- * @param unfinished robots whose apps did not; those that were made to leave, or crashed for good, owe
- *     no end
+ * @param results of the apps that have ended
+ * @param unfinished robots whose apps have not ended, but for robots that left or crashed for good
  * @param spec what the monitors found
  */
 public record SimResult(
@@ -30,7 +29,7 @@ public record SimResult(
     Collisions collisions,
     SpecReport spec) {
 
-  /** Whether every app came to its end within the time limit. */
+  /** Whether every app has ended within the time limit. */
   public boolean isFinished() {
     return unfinished.isEmpty();
   }

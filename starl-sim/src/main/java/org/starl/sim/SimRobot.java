@@ -25,7 +25,7 @@ import org.starl.trace.TraceSink;
 
 /**
  * One robot of a run in one incarnation: its program on a simulated platform, and its body while on
- * the floor. It is the program's trace as well: a program that is unwound says nothing any more.
+ * the floor. It also is the program's trace sink: a program that is unwound writes no more events.
  */
 final class SimRobot implements TraceSink {
 
@@ -48,8 +48,8 @@ final class SimRobot implements TraceSink {
   /**
    * The first incarnation since it joined.
    *
-   * @param stable what survives of the robot from before it left
-   * @param index how many robots were brought up before it
+   * @param stable the robot's stable storage, kept since before it left
+   * @param index number of robots that joined before it
    */
   SimRobot(RobotSpec spec, Engine engine, SimStable stable, int index) {
     this(spec, engine, stable, index, 1, 0);
@@ -70,7 +70,7 @@ final class SimRobot implements TraceSink {
     SimSettings settings = engine.settings();
     Kernel kernel = engine.kernel();
     Rng robotRng = engine.behaviourRng(spec.id());
-    // A robot that starts again draws otherwise; what measures it stands outside, and goes on.
+    // Each incarnation has draws of its own; the positioning system is outside and continues.
     Rng rng = incarnation == 1 ? robotRng : robotRng.fork("incarnation" + incarnation);
     strand = kernel.strand(spec.id().name());
     clock = engine.clockOf(spec.id());
@@ -133,7 +133,7 @@ final class SimRobot implements TraceSink {
         phaseNs);
   }
 
-  /** From now on its parts are impaired so, and not otherwise. */
+  /** Sets the impairment of its parts. */
   void suffer(Impairment impairment) {
     SimSettings settings = engine.settings();
     chassis.impair(impairment.wheels(), impairment.wheels());
@@ -155,8 +155,8 @@ final class SimRobot implements TraceSink {
   }
 
   /**
-   * Ends the program: nothing of it runs any more, and what is unwound has no effect. Its body stays
-   * where it is and stands still.
+   * Ends the program: it runs nothing more, and unwinding it has no effect. Its body stays where it is
+   * and stands still.
    *
    * @param isDueBack whether a restart is planned
    */
@@ -168,17 +168,17 @@ final class SimRobot implements TraceSink {
     strand.close();
   }
 
-  /** Whether its program was ended: it crashed, or the robot left. */
+  /** Whether its program has ended by a crash, or because the robot left. */
   boolean isDown() {
     return strand.isClosed();
   }
 
-  /** Whether its app still owes its end: not if the robot crashed for good. */
+  /** Whether the run waits for its app to end: not if the robot has crashed for good. */
   boolean isAwaited() {
     return !finished && (dueBack || !isDown());
   }
 
-  /** The same robot with its program anew, not started yet; this one has ended. */
+  /** The next incarnation of the robot, not started yet; this one has ended. */
   SimRobot nextIncarnation(Unsynced unsynced) {
     int next = incarnation + 1;
     int survivingWrites =
@@ -203,7 +203,7 @@ final class SimRobot implements TraceSink {
     return finished;
   }
 
-  /** Shows its app a place, now, if that is up. */
+  /** Shows its app a place now, if the app runs. */
   void point(int xMm, int yMm) {
     Strand own = impaired == null ? strand : impaired;
     own.post(() -> {
@@ -260,7 +260,7 @@ final class SimRobot implements TraceSink {
     }
   }
 
-  // An app that is unwound may return as if it had come to its end.
+  // An app that is unwound may return as if it had ended.
   private void appEnded() {
     if (!isDown()) {
       finished = true;

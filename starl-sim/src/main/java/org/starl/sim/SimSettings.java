@@ -1,11 +1,11 @@
 package org.starl.sim;
 
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.Predicate;
 import org.starl.body.MotionParameters;
 import org.starl.body.MotionStyle;
 import org.starl.body.RobotType;
@@ -17,8 +17,10 @@ import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.WorldLimits;
 
 /**
- * A value for each {@link Setting} of a simulation. Immutable; made by a builder, in code by
- * constant ({@code set(Setting.ROBOTS, 8)}) or by text ({@code set("robots", "8")}).
+ * Typed values of {@link Setting}s: those that were set, and the defaults of all others. Immutable.
+ * The command line, scenario files, trace headers and Java code all make it with its builder: by
+ * constant ({@code set(Setting.ROBOTS, 8)}) or by text ({@code set("robots", "8")}), which is parsed
+ * there and nowhere else.
  */
 public final class SimSettings {
 
@@ -32,7 +34,7 @@ public final class SimSettings {
     this.values = Collections.unmodifiableMap(new LinkedHashMap<>(values));
   }
 
-  /** A builder that stands at the defaults. */
+  /** A builder without values. */
   public static Builder builder() {
     return new Builder();
   }
@@ -42,11 +44,16 @@ public final class SimSettings {
     return builder().build();
   }
 
-  /** A builder that stands at these values. */
+  /** A builder with these values. */
   public Builder toBuilder() {
     Builder builder = new Builder();
     builder.values.putAll(values);
     return builder;
+  }
+
+  /** These values with one replaced. @throws BadInput if the value is out of the setting's range */
+  public <T> SimSettings with(Setting<T> setting, T value) {
+    return toBuilder().set(setting, value).build();
   }
 
   /** The value of one setting. */
@@ -55,16 +62,61 @@ public final class SimSettings {
     return value == null ? setting.defaultValue() : setting.cast(value);
   }
 
-  /** Every key with its value as text, in the table's order; what {@code set} reads back. */
-  public Map<String, String> asText() {
-    Map<String, String> text = new LinkedHashMap<>();
-    for (Setting<?> setting : Setting.all()) {
-      text.put(setting.key(), setting.text(get(setting)));
-    }
+  /** Whether a value was set, be it the default. */
+  public boolean has(Setting<?> setting) {
+    return values.containsKey(setting);
+  }
+
+  /** These values where they were set, else those of {@code defaults}. */
+  public SimSettings over(SimSettings defaults) {
+    Map<Setting<?>, Object> both = new LinkedHashMap<>(defaults.values);
+    both.putAll(values);
+    return new SimSettings(both);
+  }
+
+  /** These values, with the settings in {@code keys} alone set. */
+  public SimSettings only(Predicate<Setting<?>> keys) {
+    Map<Setting<?>, Object> kept = new LinkedHashMap<>(values);
+    kept.keySet().removeIf(keys.negate());
+    return new SimSettings(kept);
+  }
+
+  /** The settings that were set, with their values as text, in the order of setting. */
+  public Map<Setting<?>, String> given() {
+    Map<Setting<?>, String> text = new LinkedHashMap<>();
+    values.forEach((setting, value) -> text.put(setting, setting.text(value)));
     return text;
   }
 
-  /** When chaos is over, if there is any. */
+  /**
+   * Every key with its value as text, which {@code set} reads back: the simulator's in the order of
+   * {@link Setting#all}, then others that were set.
+   */
+  public Map<String, String> asText() {
+    Map<String, String> text = new LinkedHashMap<>();
+    Setting.all().forEach(setting -> text.put(setting.key(), setting.text(get(setting))));
+    given().forEach((setting, value) -> text.put(setting.key(), value));
+    return text;
+  }
+
+  /** @throws BadInput if the values do not fit each other */
+  void check() {
+    if (goalRobots() < 0) {
+      throw new BadInput(
+          "discoveryRobots="
+              + get(Setting.DISCOVERY_ROBOTS)
+              + " and randomRobots="
+              + get(Setting.RANDOM_ROBOTS)
+              + ": expected no more than robots="
+              + robots()
+              + " together");
+    }
+    if (get(Setting.SPEED_ERROR) >= 1) {
+      throw new BadInput("speedError=1: expected a fraction below 1");
+    }
+  }
+
+  /** The time, in ns, at which all faults of chaos have ended. */
   public long chaosEndNs() {
     long wantedNs = get(Setting.CHAOS_FOR).toNanos();
     return wantedNs > 0 ? wantedNs : Math.min(endNs() / 2, MOST_CHAOS_NS);
@@ -74,7 +126,7 @@ public final class SimSettings {
     return get(Setting.ROBOTS);
   }
 
-  /** How many robots neither explore nor wander. */
+  /** Number of robots that neither explore nor wander. */
   public int goalRobots() {
     return robots() - get(Setting.DISCOVERY_ROBOTS) - get(Setting.RANDOM_ROBOTS);
   }
@@ -106,8 +158,8 @@ public final class SimSettings {
   }
 
   /**
-   * Speeds at most {@code maxSpeed} a wheel, for wheels as far apart as the Create's; ideal bodies
-   * turn as fast as they are told.
+   * Speed limits: {@code maxSpeed} for each wheel, with the wheel track of the Create. Ideal bodies
+   * have no limit of turning.
    */
   public WorldLimits worldLimits() {
     double maxMmPerS = get(Setting.MAX_SPEED);
@@ -116,7 +168,7 @@ public final class SimSettings {
         : new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, true);
   }
 
-  /** How robot number {@code index} of these moves, unless its app says otherwise. */
+  /** How robot number {@code index} moves, unless its app sets other parameters. */
   public MotionParameters motionParameters(int index) {
     return motionParameters(robotType(index));
   }
@@ -132,7 +184,7 @@ public final class SimSettings {
         .build();
   }
 
-  /** The last of the robots explore and wander; all others, late ones too, go to their goals. */
+  /** The last robots explore and wander; all others, those that join later too, go to their goals. */
   RobotType robotType(int index) {
     int firstDiscovery = goalRobots();
     int firstRandom = firstDiscovery + get(Setting.DISCOVERY_ROBOTS);
@@ -142,7 +194,7 @@ public final class SimSettings {
     return index >= firstDiscovery && index < firstRandom ? RobotType.DISCOVERY : RobotType.GOAL;
   }
 
-  /** Robots are called so, with their number behind. */
+  /** The first part of robots' names, before the number. */
   public String robotName() {
     return get(Setting.ROBOT_NAME);
   }
@@ -152,12 +204,12 @@ public final class SimSettings {
     return get(Setting.STABLE_DELAY).toNanos();
   }
 
-  /** What a computation off the strand costs. */
+  /** Time of a computation off the strand, in ns. */
   public long computeTimeNs() {
     return get(Setting.COMPUTE_TIME).toNanos();
   }
 
-  /** Wheels' error; none with ideal motion. */
+  /** Largest relative error of a wheel speed; 0 with ideal motion. */
   public double speedError() {
     return get(Setting.IDEAL_MOTION) ? 0 : get(Setting.SPEED_ERROR);
   }
@@ -177,7 +229,10 @@ public final class SimSettings {
     return asText().toString();
   }
 
-  /** Collects values; each is checked when it is set, and all together in {@link #build}. */
+  /**
+   * Collects values. Each is checked when it is set; whether they fit each other is checked when the
+   * simulation is built.
+   */
   public static final class Builder {
     private final Map<Setting<?>, Object> values = new LinkedHashMap<>();
 
@@ -190,22 +245,26 @@ public final class SimSettings {
     }
 
     /**
-     * Sets by text, as {@code --set key=value} does.
+     * Sets one of the simulator's settings by text, as {@code --set key=value} does.
      *
      * @throws BadInput if there is no such key, naming those that look like it, or the value is not
      *     what was expected
      */
     public Builder set(String key, String value) {
-      List<String> keys = new ArrayList<>();
       for (Setting<?> setting : Setting.all()) {
         if (setting.key().equals(key)) {
-          values.put(setting, setting.read(value));
-          return this;
+          return read(setting, value);
         }
-        keys.add(setting.key());
       }
+      List<String> keys = Setting.all().stream().map(Setting::key).toList();
       throw new BadInput(
           "no setting is called " + BadInput.quote(key) + NearMatches.hint(key, keys));
+    }
+
+    /** Sets by text. @throws BadInput if the value is not what was expected */
+    public Builder read(Setting<?> setting, String value) {
+      values.put(setting, setting.read(value));
+      return this;
     }
 
     public Builder robots(int robots) {
@@ -224,23 +283,8 @@ public final class SimSettings {
       return set(Setting.MESSAGE_LOSS, probability);
     }
 
-    /** @throws BadInput if the values do not fit each other */
     public SimSettings build() {
-      SimSettings settings = new SimSettings(values);
-      if (settings.goalRobots() < 0) {
-        throw new BadInput(
-            "discoveryRobots="
-                + settings.get(Setting.DISCOVERY_ROBOTS)
-                + " and randomRobots="
-                + settings.get(Setting.RANDOM_ROBOTS)
-                + ": expected no more than robots="
-                + settings.robots()
-                + " together");
-      }
-      if (settings.get(Setting.SPEED_ERROR) >= 1) {
-        throw new BadInput("speedError=1: expected a fraction below 1");
-      }
-      return settings;
+      return new SimSettings(values);
     }
   }
 }

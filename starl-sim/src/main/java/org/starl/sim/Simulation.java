@@ -16,7 +16,6 @@ import org.starl.Version;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
-import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
@@ -31,20 +30,20 @@ import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
 
 /**
- * A simulation: robots, a world, and a seed that decides everything. Built once, run once.
+ * A simulation: robots, a world, and a seed that determines everything. Built once, run once.
  *
  * <pre>{@code
  * SimResult result = Simulation.builder().robots(4, Hello::new).seed(42).build().run();
  * }</pre>
  *
  * <p>Equal builders give equal runs, event by event, on every JVM. A simulation runs on the calling
- * thread; several may run at once on several threads, and share nothing.
+ * thread; several can run at once on several threads; they share nothing.
  */
 public final class Simulation {
 
-  private final Builder plan;
+  private final Blueprint plan;
 
-  private Simulation(Builder plan) {
+  private Simulation(Blueprint plan) {
     this.plan = plan;
   }
 
@@ -52,25 +51,17 @@ public final class Simulation {
     return new Builder();
   }
 
-  /** What it consists of; not what the rules for its datagrams are. */
+  /** The plan of its run. */
   public Blueprint blueprint() {
-    return new Blueprint(
-        plan.header(),
-        plan.settings,
-        plan.obstacles,
-        plan.key(),
-        plan.robots,
-        plan.director,
-        plan.monitors,
-        plan.observers);
+    return plan;
   }
 
   /**
-   * All that is to go wrong in it: the settings' faults, then chaos, drawn by now. With these
-   * faults, sealed if chaos was hostile, and no chaos, it is the same run.
+   * All its faults: those of the settings, then those that chaos drew. With these faults, sealed if
+   * chaos was hostile, and no chaos, it is the same run.
    */
   public FaultPlan faults() {
-    return plan.allFaults();
+    return plan.faults();
   }
 
   /**
@@ -84,23 +75,23 @@ public final class Simulation {
     }
   }
 
-  /** Says what a simulation consists of. */
+  /** Collects what a simulation consists of. */
   public static final class Builder {
 
-    String name = "app";
-    SimSettings settings = SimSettings.defaults();
-    long seed;
-    @Nullable Long behaviourSeed;
-    CarrierKind carriers = CarrierKind.best();
-    Obstacles obstacles = Obstacles.NONE;
-    @Nullable Director director;
-    @Nullable Bystander bystander;
+    private String name = "app";
+    private SimSettings settings = SimSettings.defaults();
+    private long seed;
+    private @Nullable Long behaviourSeed;
+    private CarrierKind carriers = CarrierKind.best();
+    private Obstacles obstacles = Obstacles.NONE;
+    private @Nullable Director director;
+    private @Nullable Bystander bystander;
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
-    final List<RobotSpec> robots = new ArrayList<>();
-    final List<LinkRule> linkRules = new ArrayList<>();
-    final List<SimObserver> observers = new ArrayList<>();
-    final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
+    private final List<RobotSpec> robots = new ArrayList<>();
+    private final List<LinkRule> linkRules = new ArrayList<>();
+    private final List<SimObserver> observers = new ArrayList<>();
+    private final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
     private final SortedMap<String, String> parameters = new TreeMap<>();
     private boolean isCountGiven = true;
     private @Nullable Function<GlobalVarHolder, ? extends LogicThread> placedApp;
@@ -134,18 +125,18 @@ public final class Simulation {
       return this;
     }
 
-    /** The settings as they stand. */
+    /** The settings so far. */
     public SimSettings settings() {
       return settings;
     }
 
-    /** Decides the scenario: places, routes, arrivals; and behaviour unless that has its own. */
+    /** Seed of the scenario: places, routes, arrivals; and of behaviour, unless that has its own. */
     public Builder seed(long newSeed) {
       seed = newSeed;
       return this;
     }
 
-    /** Decides everything else: delays, losses, noise, the robots' own draws. */
+    /** Seed of behaviour: delays, losses, noise, the robots' own draws. */
     public Builder behaviourSeed(long newSeed) {
       behaviourSeed = newSeed;
       return this;
@@ -171,15 +162,15 @@ public final class Simulation {
       return this;
     }
 
-    /** Somebody who may let the run wait, and may intervene. */
+    /** Sets a bystander, who may make the run wait and intervene. */
     public Builder bystander(Bystander newBystander) {
       bystander = newBystander;
       return this;
     }
 
     /**
-     * Ends the run at {@code newEndNs} at the latest, whatever the settings' duration says: for a
-     * scenario in which that is the time of something else.
+     * Ends the run at {@code newEndNs} at the latest, instead of after the settings' duration: for a
+     * scenario in which the duration means something else.
      */
     public Builder endNs(long newEndNs) {
       endNs = newEndNs;
@@ -195,7 +186,7 @@ public final class Simulation {
     /**
      * One more fault, as text: {@code crash(bot2,at=12s,restart=5s)}.
      *
-     * @throws BadInput if it is none
+     * @throws BadInput if {@code fault} is not one
      */
     public Builder fault(String fault) {
       return faults(new FaultPlan(List.of(FaultGrammar.parse(fault))));
@@ -212,21 +203,21 @@ public final class Simulation {
       return this;
     }
 
-    /** A specification to check throughout the run. A supplier, since each run needs its own. */
+    /** A specification to check throughout the run; the supplier makes one for each run. */
     public Builder monitor(Supplier<? extends Monitor> monitor) {
       monitors.add(monitor);
       return this;
     }
 
-    /** A parameter of the scenario, for the trace's header: what a replay must set. */
+    /** A parameter of the scenario, for the trace's header: a replay must set it. */
     public Builder parameter(String key, String value) {
       parameters.put(key, value);
       return this;
     }
 
     /**
-     * It was the scenario that decided how many robots there are, whatever the settings say: the
-     * trace's header does not name their number, so that the scenario decides again in a replay.
+     * Says that the scenario decided the number of robots, not the settings: the trace's header leaves
+     * the number out, so that the scenario decides again in a replay.
      */
     public Builder countedByScenario() {
       isCountGiven = false;
@@ -234,66 +225,72 @@ public final class Simulation {
     }
 
     /**
-     * The simulation; the builder is used up.
+     * The simulation. A builder makes one: its observers and director are that run's.
      *
-     * @throws BadInput if the settings' files cannot be read, the robots find no room, or a fault
-     *     names a robot that is not there and cannot join
+     * @throws BadInput if the settings do not fit each other, their files cannot be read, the robots
+     *     find no room, or a fault names a robot that is not there and cannot join
      */
     public Simulation build() {
-      if (!faults.isEmpty()) {
-        FaultPlan all = settings.get(Setting.FAULTS).plus(faults);
-        settings = settings.toBuilder().set(Setting.FAULTS, all).build();
-        faults = FaultPlan.NONE;
-      }
-      String obstacleFile = settings.get(Setting.OBSTACLE_FILE);
-      if (!obstacleFile.isEmpty()) {
-        for (Obstacle obstacle : WaypointFiles.read(Path.of(obstacleFile)).obstacles().all()) {
-          obstacles = obstacles.plus(obstacle);
-        }
-      }
+      settings.check();
+      SimSettings all = settings.with(Setting.FAULTS, settings.get(Setting.FAULTS).plus(faults));
+      Obstacles floor = floor();
+      List<RobotSpec> start = new ArrayList<>(robots);
       if (placedApp != null) {
-        List<Pose> starts = Starts.of(settings, placed, obstacles, new Rng(seed));
+        List<Pose> starts = Starts.of(all, placed, floor, new Rng(seed));
         for (int i = 0; i < placed; i++) {
-          RobotId id = new RobotId(settings.robotName() + i);
-          robots.add(new RobotSpec(id, starts.get(i), true, placedApp));
+          RobotId id = new RobotId(all.robotName() + i);
+          start.add(new RobotSpec(id, starts.get(i), true, placedApp));
         }
-        placedApp = null;
       }
+      List<RobotId> deployment = Blueprint.deployment(start).asList();
       if (director == null) {
-        // With one, others may join: then it is looked at when the fault begins.
-        settings.get(Setting.FAULTS).requireNamedAmong(deployment().asList());
+        // A director lets others join: then names are checked when the fault begins.
+        all.get(Setting.FAULTS).requireNamedAmong(deployment);
       }
-      return new Simulation(this);
+      TraceHeader header =
+          new TraceHeader(
+              Version.STARL, name, seed, behaviourSeedOrDerived(), headerSettings(all), deployment);
+      return new Simulation(
+          new Blueprint(
+              header,
+              all,
+              carriers,
+              floor,
+              key(),
+              start,
+              director,
+              bystander,
+              all.get(Setting.FAULTS).plus(chaos(start.size())),
+              linkRules,
+              endNs(),
+              monitors,
+              observers));
+    }
+
+    /** The obstacles, and those of the settings' file. */
+    private Obstacles floor() {
+      Obstacles floor = obstacles;
+      String file = settings.get(Setting.OBSTACLE_FILE);
+      if (!file.isEmpty()) {
+        for (Obstacle obstacle : WaypointFiles.read(Path.of(file)).obstacles().all()) {
+          floor = floor.plus(obstacle);
+        }
+      }
+      return floor;
     }
 
     /** The seed of everything but the scenario. */
-    long behaviourSeedOrDerived() {
+    private long behaviourSeedOrDerived() {
       return behaviourSeed != null ? behaviourSeed : TraceHeader.behaviourSeedOf(seed);
     }
 
-    /** Those of the settings, then chaos; the robots must be known. */
-    FaultPlan allFaults() {
+    private FaultPlan chaos(int count) {
       Rng rng = new Rng(behaviourSeedOrDerived()).fork("chaos");
-      return settings
-          .get(Setting.FAULTS)
-          .plus(
-              FaultPlan.chaos(
-                  settings.get(Setting.CHAOS), robots.size(), settings.chaosEndNs(), rng));
+      return FaultPlan.chaos(settings.get(Setting.CHAOS), count, settings.chaosEndNs(), rng);
     }
 
-    /** The robots of the start; two of one name would be taken for one. */
-    Participants deployment() {
-      List<RobotId> ids = new ArrayList<>();
-      robots.forEach(robot -> ids.add(robot.id()));
-      Participants deployment = Participants.of(ids);
-      if (deployment.size() != ids.size()) {
-        throw new BadInput("two robots of one name among " + ids);
-      }
-      return deployment;
-    }
-
-    /** What the run's datagrams are sealed with, or null for none. */
-    @Nullable DeploymentKey key() {
+    /** The key that seals the run's datagrams, or null for none. */
+    private @Nullable DeploymentKey key() {
       boolean isHostile = settings.get(Setting.CHAOS) == Envelope.HOSTILE;
       if (!isHostile && !settings.get(Setting.SEALED)) {
         return null;
@@ -306,17 +303,16 @@ public final class Simulation {
       return new DeploymentKey(secret);
     }
 
-    TraceHeader header() {
-      Map<String, String> all = new LinkedHashMap<>(parameters);
-      all.putAll(settings.asText());
+    private Map<String, String> headerSettings(SimSettings all) {
+      Map<String, String> text = new LinkedHashMap<>(parameters);
+      text.putAll(all.asText());
       if (!isCountGiven) {
-        all.remove(Setting.ROBOTS.key());
+        text.remove(Setting.ROBOTS.key());
       }
-      return new TraceHeader(
-          Version.STARL, name, seed, behaviourSeedOrDerived(), all, deployment().asList());
+      return text;
     }
 
-    /** When it ends at the latest, in ns of virtual time. */
+    /** The latest end of the run, in ns of virtual time. */
     public long endNs() {
       return endNs == null ? settings.endNs() : endNs;
     }

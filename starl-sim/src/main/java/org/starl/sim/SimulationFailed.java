@@ -1,6 +1,6 @@
 package org.starl.sim;
 
-/** A run that an error of an app, a primitive or the simulator ended; says where, and the seed. */
+/** An app, a primitive or the simulator threw during a run. The message names robot, time and seed. */
 public final class SimulationFailed extends RuntimeException {
 
   private static final long serialVersionUID = 1L;

@@ -13,7 +13,7 @@ import org.starl.sim.world.Placement;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 
-/** Where robots start: as a file says, else drawn. */
+/** Start poses of robots: from a file, else drawn by seed. */
 final class Starts {
 
   private Starts() {}

@@ -9,17 +9,17 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceSink;
 
-/** Everybody who watches a run: the monitors first, then the observers, in the order given. */
+/** The monitors of a run, then its observers, in the order given. */
 final class Watchers implements TraceSink {
 
   private final Monitors monitors;
   private final List<SimObserver> observers;
   private final boolean isOn;
 
-  Watchers(Simulation.Builder plan) {
-    monitors = Monitors.of(plan.monitors);
-    observers = List.copyOf(plan.observers);
-    isOn = !plan.monitors.isEmpty() || !observers.isEmpty();
+  Watchers(Blueprint plan) {
+    monitors = Monitors.of(plan.monitors());
+    observers = plan.observers();
+    isOn = !plan.monitors().isEmpty() || !observers.isEmpty();
   }
 
   @Override
@@ -52,7 +52,7 @@ final class Watchers implements TraceSink {
     return monitors.report();
   }
 
-  /** What was violated first, for the end of an error's line; empty if nothing was. */
+  /** The first violation, for the end of an error's line; empty if there is none. */
   String firstViolation() {
     List<SpecReport.Violation> violations = monitors.report().violations();
     return violations.isEmpty() ? "" : "; before that, " + violations.get(0);

@@ -149,7 +149,7 @@ class CrashTest {
   }
 
   @Test
-  void whatACrashedRobotHadInTheAirStillArrives() {
+  void datagramsOfACrashedRobotStillArrive() {
     beaters(control -> control.at(2 * S, () -> control.crash(BOT0))).build().run();
     long lastSentNs =
         of(TraceEvent.Sent.class, BOT0, 0).stream()

@@ -3,8 +3,11 @@ package org.starl.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.lang.reflect.Field;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import org.junit.jupiter.api.Test;
@@ -27,7 +30,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void everySettingReadsBackWhatItWrites() {
+  void aWrittenSettingIsReadBack() {
     SimSettings settings =
         SimSettings.builder()
             .set("messageDelay", "normal(100ms,20ms)")
@@ -101,15 +104,56 @@ final class SimSettingsTest {
 
   @Test
   void kindsOfRobotsMustFitTheirNumber() {
-    assertThatThrownBy(() ->
-            SimSettings.builder()
-                .robots(3)
-                .set(Setting.DISCOVERY_ROBOTS, 2)
-                .set(Setting.RANDOM_ROBOTS, 2)
-                .build())
+    SimSettings settings =
+        SimSettings.builder()
+            .robots(3)
+            .set(Setting.DISCOVERY_ROBOTS, 2)
+            .set(Setting.RANDOM_ROBOTS, 2)
+            .build();
+    assertThatThrownBy(() -> Simulation.builder().settings(settings).build())
         .isInstanceOf(BadInput.class)
         .hasMessage(
             "discoveryRobots=2 and randomRobots=2: expected no more than robots=3 together");
+  }
+
+  @Test
+  void allNamesEverySettingOfTheSimulator() throws IllegalAccessException {
+    List<Object> constants = new ArrayList<>();
+    for (Field field : Setting.class.getFields()) {
+      if (field.getType() == Setting.class) {
+        constants.add(field.get(null));
+      }
+    }
+    assertThat(constants).hasSizeGreaterThan(20).isEqualTo(Setting.all());
+  }
+
+  @Test
+  void valuesThatWereSetReplaceTheDefaultsOfAnApp() {
+    SimSettings given = SimSettings.builder().set("messageLoss", "0.3").robots(4).build();
+    SimSettings ofApp = SimSettings.builder().robots(9).set("floorWidth", "9m").build();
+    assertThat(given.has(Setting.ROBOTS)).isTrue();
+    assertThat(given.has(Setting.FLOOR_WIDTH)).isFalse();
+    assertThat(given.given().values()).containsExactly("0.3", "4");
+    assertThat(given.over(ofApp)).isEqualTo(ofApp.toBuilder().robots(4).messageLoss(0.3).build());
+    assertThat(given.only(setting -> setting != Setting.ROBOTS).robots()).isEqualTo(4);
+    assertThat(given.only(setting -> setting != Setting.ROBOTS).has(Setting.ROBOTS)).isFalse();
+  }
+
+  @Test
+  void settingsOfAViewerAreKeptAsText() {
+    Setting<Integer> width = Setting.whole("width", 128, 1, "of a window");
+    SimSettings settings = SimSettings.builder().read(width, "7").build();
+    assertThat(settings.get(width)).isEqualTo(7);
+    assertThat(settings.asText()).containsEntry("width", "7");
+    assertThat(SimSettings.defaults().asText()).doesNotContainKey("width");
+  }
+
+  @Test
+  void anAngleOfAnySizeReadsBack() {
+    SimSettings settings = SimSettings.builder().set("headingNoise", "0.1deg").build();
+    SimSettings.Builder copy = SimSettings.builder();
+    settings.asText().forEach(copy::set);
+    assertThat(copy.build()).isEqualTo(settings);
   }
 
   @Test

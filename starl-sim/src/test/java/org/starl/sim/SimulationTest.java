@@ -251,7 +251,7 @@ class SimulationTest {
   }
 
   @Test
-  void theTimeLimitEndsARunAndNamesWhoHasNotFinished() {
+  void theTimeLimitEndsARunAndNamesUnfinishedRobots() {
     SimResult result =
         greeters(1)
             .settings(SimSettings.builder().duration(Duration.ofSeconds(1)).build())

@@ -15,6 +15,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.check.Percentile;
 import org.starl.sim.net.Latency;
 
 /**
@@ -115,7 +116,7 @@ public record MutexCost(
   private record Entries(List<Long> sortedWaitsNs, long messages) {
 
     double medianMs() {
-      return sortedWaitsNs.get((sortedWaitsNs.size() - 1) / 2) / NS_PER_MS_EXACTLY;
+      return sortedWaitsNs.get(Percentile.index(sortedWaitsNs.size(), 50)) / NS_PER_MS_EXACTLY;
     }
 
     double mostMs() {

@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.SortedMap;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
@@ -152,10 +151,12 @@ final class AppsTable {
   }
 
   private Row row(Demo demo, Input input, boolean isLossy) throws InterruptedException {
-    SortedMap<String, String> parameters = demo.defaults();
-    parameters.putAll(input.parameters());
-    Map<String, String> settings = isLossy ? Map.of(Setting.MESSAGE_LOSS.key(), LOSS) : Map.of();
-    Chosen chosen = Chosen.of(demo, parameters, settings);
+    Chosen.Builder request = new Chosen.Builder(demo);
+    input.parameters().forEach((key, value) -> request.set("", key, value));
+    if (isLossy) {
+      request.set("", Setting.MESSAGE_LOSS.key(), LOSS);
+    }
+    Chosen chosen = request.build();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
         new Campaign(seeds.first(), seeds.last()).run(seed -> run(chosen, seed), progress::show);
@@ -164,7 +165,7 @@ final class AppsTable {
     if (bad != null) {
       isGood = false;
       err.println(demo.name() + ", seed " + bad.seed() + ": " + bad.outcome().detail());
-      err.println("replay: " + Shell.starl(chosen.words("run", bad.seed())));
+      err.println("replay: " + chosen.replay(bad.seed()));
     }
     return new Row(demo, input, isLossy, result);
   }

@@ -49,28 +49,34 @@ final class CampaignCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
 
-  @Option(names = "--seeds", paramLabel = "A..B", required = true, description = "A run each.")
+  @Option(
+      names = "--seeds",
+      paramLabel = "A..B",
+      required = true,
+      description = "Seeds of the runs, such as 1..200.")
   private String seeds = "";
 
-  @Option(names = "--threads", paramLabel = "N", description = "How many; one a core unless given.")
+  @Option(
+      names = "--threads",
+      paramLabel = "N",
+      description = "Number of threads (default: one per core).")
   private @Nullable String threads;
 
-  @Option(names = "--stop", description = "Stop at the first run that does not go well.")
+  @Option(names = "--stop", description = "Stop at the first bad run.")
   private boolean stop;
 
   @Option(
       names = "--shrink",
       description =
-          "Take from the first run that does not go well what it does not need for that: robots,"
-              + " faults, time.")
+          "Reduce the first bad run to a smaller one that fails in the same way: fewer robots and"
+              + " faults, less time.")
   private boolean shrink;
 
   @Option(
       names = "--report",
       paramLabel = "FILE",
       description =
-          "A page for a browser: charts, every run, and stories and pictures of those that do not"
-              + " go well.")
+          "Write a page for a browser: charts, every run, stories and pictures of bad runs.")
   private @Nullable String report;
 
   @Mixin private JsonOption json = new JsonOption();
@@ -82,7 +88,7 @@ final class CampaignCommand implements Callable<Integer> {
     Seeds.Range range = Seeds.Range.of(seeds);
     Chosen chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
-    // What cannot be planned for the first seed is bad input, not a failed run.
+    // A request that cannot be planned for the first seed is bad input, not a failed run.
     chosen.plan(range.first()).simulation().build();
     try (ReportFile page = ReportFile.of(report, range)) {
       return run(campaign, chosen, range, page);
@@ -108,7 +114,7 @@ final class CampaignCommand implements Callable<Integer> {
             : new Shrinking(Main.demos(command), chosen, bad.seed(), carriers).run(err);
     if (page != null) {
       page.write(
-          ReportFile.subject(chosen, typed(), range, seed -> options.replay("run", seed)),
+          ReportFile.subject(chosen, typed(), range),
           result,
           seed -> plan(chosen, seed, carriers),
           shrunk == null ? List.of() : shrunk.lines(),
@@ -133,7 +139,7 @@ final class CampaignCommand implements Callable<Integer> {
       return ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
-    err.println("replay: " + options.replay("run", bad.seed()));
+    err.println("replay: " + chosen.replay(bad.seed()));
     if (shrunk != null) {
       shrunk.lines().forEach(err::println);
     }
@@ -162,7 +168,7 @@ final class CampaignCommand implements Callable<Integer> {
     }
   }
 
-  /** What could be planned for the first seed, but not for this one. */
+  /** An error in planning this seed, although the first one could be planned. */
   private static IllegalStateException of(long seed, BadInput error) {
     return new IllegalStateException("seed " + seed + ": " + error.getMessage(), error);
   }

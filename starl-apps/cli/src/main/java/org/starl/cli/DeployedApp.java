@@ -25,7 +25,7 @@ final class DeployedApp {
     ScenarioFile file =
         new ScenarioFile(
             deployment.file(), deployment.app(), deployment.parameters(), deployment.lines());
-    return new DeployedApp(deployment, new RunOptions().chosen(demos, file));
+    return new DeployedApp(deployment, file.request(demos).build());
   }
 
   /**

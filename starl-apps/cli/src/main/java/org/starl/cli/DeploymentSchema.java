@@ -27,7 +27,7 @@ final class DeploymentSchema {
   Map<String, Object> json() {
     Map<String, Object> schema =
         JsonSchema.document("StarL deployment", "What 'starl deploy' runs: an app on real robots.");
-    List<String> settings = Setting.all().stream().map(Setting::key).toList();
+    List<String> settings = Chosen.known().stream().map(Setting::key).toList();
     schema.put("definitions", Map.of("setting", Map.of("enum", settings)));
     schema.putAll(JsonSchema.mapping(Grammar.FILE.fields()));
     Map<String, Object> properties = JsonSchema.properties(Grammar.FILE.fields());

@@ -150,7 +150,7 @@ final class RecordCommand implements Callable<Integer> {
     Plan plan = chosen.plan(seedNumber);
     plan.simulation().carriers(Carriers.chosen(null, err));
     RunProgress.of(plan.simulation(), err);
-    return Recordable.of(chosen.demo().name(), seedNumber, plan, options.replay("run", seedNumber));
+    return Recordable.of(chosen.demo().name(), seedNumber, plan, chosen.replay(seedNumber));
   }
 
   /** How the run went, and whether there was anything to write. */

@@ -11,6 +11,7 @@ import java.util.Map;
 import java.util.SortedMap;
 import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.cli.report.Claims;
 import org.starl.cli.report.MessageCounts;
@@ -23,7 +24,6 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
-import org.starl.sim.fault.FaultPlan;
 
 /**
  * The page about a campaign, if the user asked for one: collects what it needs of each run, on any
@@ -106,28 +106,26 @@ final class ReportFile implements Closeable {
   }
 
   /** What is run, for the head of the page. */
-  static Subject subject(
-      Chosen chosen, String command, Seeds.Range range, LongFunction<String> replay) {
+  static Subject subject(Chosen chosen, String command, Seeds.Range range) {
     Map<String, String> given = new LinkedHashMap<>();
+    for (Parameter parameter : chosen.demo().parameters()) {
+      String value = chosen.parameters().get(parameter.key());
+      if (value != null && !value.equals(parameter.defaultValue())) {
+        given.put(parameter.key(), value);
+      }
+    }
+    List<String> faults = new ArrayList<>();
+    chosen.settings().get(Setting.FAULTS).faults().forEach(fault -> faults.add(fault.toString()));
     chosen
-        .demo()
-        .parameters()
-        .forEach(parameter -> {
-          String value = chosen.parameters().get(parameter.key());
-          if (value != null && !value.equals(parameter.defaultValue())) {
-            given.put(parameter.key(), value);
+        .settings()
+        .given()
+        .forEach((setting, value) -> {
+          if (setting == Setting.CHAOS) {
+            faults.add(setting.key() + ": " + value);
+          } else if (setting != Setting.FAULTS) {
+            given.put(setting.key(), value);
           }
         });
-    given.putAll(chosen.settings());
-    List<String> faults = new ArrayList<>();
-    FaultPlan.parse(given.getOrDefault(Setting.FAULTS.key(), ""))
-        .faults()
-        .forEach(fault -> faults.add(fault.toString()));
-    given.remove(Setting.FAULTS.key());
-    String chaos = given.remove(Setting.CHAOS.key());
-    if (chaos != null) {
-      faults.add(Setting.CHAOS.key() + ": " + chaos);
-    }
     Map<String, String> settings = new LinkedHashMap<>(chosen.parameters());
     settings.putAll(chosen.plan(range.first()).simulation().settings().asText());
     return new Subject(
@@ -138,6 +136,6 @@ final class ReportFile implements Closeable {
         faults,
         given,
         settings,
-        replay);
+        chosen::replay);
   }
 }

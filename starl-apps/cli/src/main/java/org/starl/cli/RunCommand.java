@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
 /** {@code starl run}. */
 @Command(
     name = "run",
-    description = "One run, with all monitors on; tells its story and draws its picture.",
+    description = "One run with all monitors on: prints its story and draws a picture.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
@@ -70,31 +70,32 @@ final class RunCommand implements Callable<Integer> {
       names = "--pvs",
       paramLabel = "FILE",
       description =
-          "Write the run to FILE as theories: obligations that pvs/check proves, unless a primitive"
-              + " did what its theory in pvs/ does not allow.")
+          "Write the run to FILE as PVS theories. pvs/check proves their obligations, unless a"
+              + " primitive did what its theory in pvs/ does not allow.")
   private @Nullable String pvs;
 
   @Option(
       names = "--png",
       paramLabel = "FILE",
-      description = "Where the picture goes; out/APP-SEED.png unless given.")
+      description = "File for the picture (default: out/APP-SEED.png).")
   private @Nullable String png;
 
   @Option(
       names = "--result",
       paramLabel = "NAME",
-      description = "Write what the app has to give, where it has something: NAME.svg, NAME.png.")
+      description = "Write the result files of the app, if it has any: NAME.svg, NAME.png.")
   private @Nullable String result;
 
   @Option(
       names = "--carrier",
       paramLabel = "KIND",
-      description = "What carries robots that wait: virtual or platform (threads).")
+      description =
+          "Thread type for blocking apps, virtual or platform (default: virtual where possible).")
   private @Nullable CarrierKind carrier;
 
   @Option(
       names = "--view",
-      description = "Show it in a window while it goes on; closing the window ends the run.")
+      description = "Show the run in a window; closing the window ends the run.")
   private boolean view;
 
   @Mixin private Viewing viewing = new Viewing();
@@ -110,7 +111,8 @@ final class RunCommand implements Callable<Integer> {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
     PrintWriter err = spec.commandLine().getErr();
     if (view && processes.areOn()) {
-      throw new BadInput("--view: robots as processes have no window: expected one of the two");
+      throw new BadInput(
+          "--view cannot be used with --processes: robots as processes have no window");
     }
     if (view) {
       Viewing.demandScreen();
@@ -120,18 +122,18 @@ final class RunCommand implements Callable<Integer> {
     Plan plan = chosen.plan(seedNumber);
     String app = chosen.demo().name();
     if (result != null && plan.story().products().isEmpty()) {
-      throw new BadInput("--result: " + app + " has nothing to write: expected no --result");
+      throw new BadInput("--result cannot be used with " + app + ": it writes no result files");
     }
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
     boolean areProcesses = processes.areOn();
-    String again = options.replay("run", seedNumber);
+    String again = chosen.replay(seedNumber);
     String replay =
         areProcesses
             ? "the same at other times: " + again + processes.replay()
             : "replay: " + again;
     Ran ran;
     try {
-      ran = run(plan, pictureName, areProcesses, seedNumber, err);
+      ran = run(plan, pictureName, areProcesses, chosen.words(seedNumber), err);
     } catch (BadInput e) {
       throw e;
     } catch (RuntimeException e) {
@@ -171,7 +173,7 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  /** What came of it, simulated or as processes. */
+  /** The result of a run, simulated or as processes. */
   private interface Ran {
     List<String> lines(Measures measures);
 
@@ -183,7 +185,7 @@ final class RunCommand implements Callable<Integer> {
   /**
    * Simulated.
    *
-   * @param isStopped whether somebody closed the window before the end
+   * @param isStopped whether the window was closed before the end
    */
   private record Simulated(SimResult result, boolean isStopped) implements Ran {
     @Override
@@ -223,9 +225,9 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  /** Runs it; the files that were asked for are there whatever comes of it. */
+  /** Runs it; the files that were asked for are written even if it fails. */
   private Ran run(
-      Plan plan, String pictureName, boolean areProcesses, long seedNumber, PrintWriter err)
+      Plan plan, String pictureName, boolean areProcesses, List<String> words, PrintWriter err)
       throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
         ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
@@ -243,7 +245,7 @@ final class RunCommand implements Callable<Integer> {
           .observer(picture.recorder());
       if (areProcesses) {
         Blueprint blueprint = plan.simulation().build().blueprint();
-        return new Processes(processes.run(blueprint, options.words(seedNumber), err));
+        return new Processes(processes.run(blueprint, words, err));
       }
       plan.simulation().carriers(Carriers.chosen(carrier, err));
       if (view) {

@@ -36,7 +36,7 @@ final class Samples {
     return sums;
   }
 
-  /** No more than so many percent of all waits are shorter; 0 if nobody waited. */
+  /** A percentile of all waits, in ns; 0 if there are none. */
   long waitNs(int percent) {
     long[] waits =
         runs.stream()

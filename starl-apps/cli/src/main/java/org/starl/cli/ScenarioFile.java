@@ -1,9 +1,11 @@
 package org.starl.cli;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.starl.apps.Demos;
 import org.starl.input.BadInput;
 import org.starl.input.DocumentReader;
 import org.starl.input.Node;
@@ -30,8 +32,9 @@ record ScenarioFile(
 
   static final String APP = "app";
 
-  private static final String EXPECTED = "expected lines such as 'app: intersection'";
   private static final String FAULTS = "faults";
+  private static final String EXPECTED =
+      "expected a scenario file with lines such as 'app: intersection'";
 
   static boolean isOne(String what) {
     return what.endsWith(".yaml") || what.endsWith(".yml");
@@ -46,11 +49,23 @@ record ScenarioFile(
     return file.isEmpty() ? "" : file + ":" + lines.getOrDefault(key, 1) + ": ";
   }
 
-  /** @throws BadInput if the file is missing, not text, not YAML, or not as above */
+  /**
+   * The request that it makes, for an app of {@code demos}.
+   *
+   * @throws BadInput naming the file's line, the key, the value and what was expected
+   */
+  Chosen.Builder request(Demos demos) {
+    String hint = file.isEmpty() ? " (a scenario file's name ends in .yaml)" : "";
+    Chosen.Builder request = Chosen.Builder.of(demos, app, where(APP), hint);
+    values.forEach((key, value) -> request.set(where(key), key, value));
+    return request;
+  }
+
+  /** @throws BadInput if it is missing, no text, no YAML, or not as above */
   static ScenarioFile read(String file) {
     Map<String, String> values = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();
-    DocumentReader.read(file, TextFile.read(file, "a scenario file", EXPECTED), EXPECTED)
+    DocumentReader.read(file, TextFile.read(Path.of(file), EXPECTED), EXPECTED)
         .parts()
         .forEach((key, node) -> {
           lines.put(key, node.line());

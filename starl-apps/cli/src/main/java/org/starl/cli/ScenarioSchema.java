@@ -68,7 +68,7 @@ final class ScenarioSchema {
 
   private static Map<String, Object> settings() {
     Map<String, Object> settings = new LinkedHashMap<>();
-    for (Setting<?> setting : Setting.all()) {
+    for (Setting<?> setting : Chosen.known()) {
       Map<String, Object> json =
           setting.equals(Setting.CHAOS)
               ? chaos()

@@ -7,21 +7,24 @@ import picocli.CommandLine.Option;
 /** The seed of a command that makes one run. */
 final class SeedOption {
 
-  @Option(names = "--seed", paramLabel = "S", description = "Drawn and printed unless given.")
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      description = "Seed of the run (default: drawn, and printed).")
   private @Nullable String seed;
 
   /**
-   * A run that is over has its seed.
+   * A trace has the seed of its run.
    *
-   * @throws BadInput if one was given
+   * @throws BadInput if a seed was given
    */
   void requireNoneFor(String trace) {
     if (seed != null) {
-      throw new BadInput("--seed: " + trace + " is a run that is over; expected no seed");
+      throw new BadInput("--seed cannot be used with a trace: " + trace);
     }
   }
 
-  /** The seed that was given; else another at each call. */
+  /** The seed that was given, else a random one, another at each call. */
   long value() {
     return Seeds.of(seed);
   }

@@ -1,14 +1,14 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.OptionalInt;
 import java.util.Set;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
-import org.starl.input.Quantities;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
@@ -28,13 +28,8 @@ final class Shrinking {
   private static final int MOST_RUNS = 500;
 
   /** What a {@link Trial} says in a way of its own. */
-  private static final Set<String> OF_TRIAL =
-      Set.of(
-          Setting.ROBOTS.key(),
-          Setting.DURATION.key(),
-          Setting.FAULTS.key(),
-          Setting.CHAOS.key(),
-          Setting.CHAOS_FOR.key());
+  private static final Set<Setting<?>> OF_TRIAL =
+      Set.of(Setting.ROBOTS, Setting.DURATION, Setting.FAULTS, Setting.CHAOS, Setting.CHAOS_FOR);
 
   private final Demos demos;
   private final Chosen whole;
@@ -84,17 +79,20 @@ final class Shrinking {
     this.carriers = carriers;
     Plan plan = chosen.plan(seed);
     SimSettings settings = plan.simulation().settings();
-    Map<String, String> kept = new LinkedHashMap<>(chosen.settings());
+    SimSettings kept = chosen.settings();
     if (settings.get(Setting.CHAOS) == Envelope.HOSTILE) {
-      // Chaos that is hostile has the air sealed; its faults by themselves do not.
-      kept.put(Setting.SEALED.key(), "true");
+      // Hostile chaos seals datagrams; its faults alone do not.
+      kept = kept.with(Setting.SEALED, true);
     }
-    whole = new Chosen(chosen.demo(), chosen.robots(), chosen.parameters(), kept);
+    whole = chosen.withSettings(kept);
     Simulation simulation = plan.simulation().build();
     from =
         new Trial(
             simulation.blueprint().robots().size(),
-            kept.keySet().stream().filter(key -> !OF_TRIAL.contains(key)).toList(),
+            kept.given().keySet().stream()
+                .filter(setting -> !OF_TRIAL.contains(setting))
+                .map(Setting::key)
+                .toList(),
             simulation.faults().faults(),
             settings.endNs());
   }
@@ -108,7 +106,8 @@ final class Shrinking {
             (run, trial, outcome, isKept) ->
                 err.println("shrink " + run + ": " + trial + ": " + said(outcome, isKept)));
     Shrink.Result result = shrink.shrink(from);
-    List<String> words = chosen(result.trial()).words("run", seed);
+    List<String> words = new ArrayList<>(List.of("run"));
+    words.addAll(chosen(result.trial()).words(seed));
     RunOutcome again = outcome(parsed(words));
     if (!again.equals(result.outcome())) {
       throw new IllegalStateException(
@@ -131,24 +130,18 @@ final class Shrinking {
   }
 
   private Chosen chosen(Trial trial) {
-    Map<String, String> settings = new LinkedHashMap<>();
-    whole
-        .settings()
-        .forEach((key, value) -> {
-          if (trial.settings().contains(key)) {
-            settings.put(key, value);
-          }
-        });
-    settings.put(Setting.DURATION.key(), Quantities.durationText(trial.endNs()));
+    SimSettings.Builder settings =
+        whole.settings().only(setting -> trial.settings().contains(setting.key())).toBuilder();
+    settings.duration(Duration.ofNanos(trial.endNs()));
     if (!trial.faults().isEmpty()) {
-      settings.put(Setting.FAULTS.key(), new FaultPlan(trial.faults()).toString());
+      settings.set(Setting.FAULTS, new FaultPlan(trial.faults()));
     }
-    OptionalInt robots =
-        trial.robots() == from.robots() ? whole.robots() : OptionalInt.of(trial.robots());
-    if (robots.isPresent()) {
-      settings.put(Setting.ROBOTS.key(), Integer.toString(robots.getAsInt()));
+    if (trial.robots() != from.robots()) {
+      settings.robots(trial.robots());
+    } else if (whole.robots().isPresent()) {
+      settings.robots(whole.robots().getAsInt());
     }
-    return new Chosen(whole.demo(), robots, whole.parameters(), settings);
+    return whole.withSettings(settings.build());
   }
 
   /** What {@code starl run} makes of these words. */

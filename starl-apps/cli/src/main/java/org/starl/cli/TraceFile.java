@@ -7,17 +7,11 @@ import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
-import java.util.SortedMap;
 import org.starl.Version;
-import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.input.BadInput;
-import org.starl.input.NearMatches;
-import org.starl.sim.Setting;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.ReplayCheck;
@@ -83,32 +77,10 @@ final class TraceFile {
   }
 
   private static Chosen chosen(String name, TraceHeader header, Demos demos) {
-    String app = header.scenario();
-    Demo demo =
-        demos
-            .byName(app)
-            .orElseThrow(() ->
-                new BadInput(
-                    name
-                        + ":1: no app is called "
-                        + BadInput.quote(app)
-                        + NearMatches.hint(app, demos.names())));
-    SortedMap<String, String> parameters = demo.defaults();
-    Map<String, String> settings = new LinkedHashMap<>();
-    header
-        .settings()
-        .forEach((key, value) -> {
-          if (parameters.containsKey(key)) {
-            parameters.put(key, value);
-          } else {
-            settings.put(key, value);
-          }
-        });
-    String robots = settings.getOrDefault(Setting.ROBOTS.key(), "0");
-    if (!robots.matches("\\d{1,9}")) {
-      throw new BadInput(name + ":1: robots: " + BadInput.quote(robots) + ": expected a number");
-    }
-    return Chosen.of(demo, parameters, settings);
+    String where = name + ":1: ";
+    Chosen.Builder request = Chosen.Builder.of(demos, header.scenario(), where, "");
+    header.settings().forEach((key, value) -> request.set(where, key, value));
+    return request.build();
   }
 
   String name() {

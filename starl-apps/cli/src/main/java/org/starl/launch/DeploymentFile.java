@@ -14,16 +14,19 @@ import org.starl.robot.udp.KeyFile;
 /** Reads a deployment file in YAML. All errors are {@link BadInput}. */
 public final class DeploymentFile {
 
+  private static final String EXPECTED =
+      "expected a deployment file with lines such as 'app: intersection'";
+
   private DeploymentFile() {}
 
   /** @throws BadInput if the file is missing, is not text or YAML, or describes no deployment */
   public static Deployment read(String file) {
-    return parse(file, TextFile.bytes(file, "a deployment file"));
+    return parse(file, TextFile.bytes(Path.of(file), EXPECTED));
   }
 
   /** The same from the bytes of {@code file}. */
   static Deployment parse(String file, byte[] bytes) {
-    return DeploymentReader.read(file, TextFile.decode(file, bytes, DeploymentReader.EXPECTED));
+    return DeploymentReader.read(file, TextFile.decode(file, bytes, EXPECTED));
   }
 
   /**

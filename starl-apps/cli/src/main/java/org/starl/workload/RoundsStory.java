@@ -9,6 +9,7 @@ import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
+import org.starl.sim.check.Percentile;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -113,7 +114,7 @@ final class RoundsStory implements Story {
   private static long percentile(List<Long> values, int percent) {
     List<Long> sorted = new ArrayList<>(values);
     sorted.sort(Long::compare);
-    return sorted.get(Math.max(0, (sorted.size() * percent + 99) / 100 - 1));
+    return sorted.get(Percentile.index(sorted.size(), percent));
   }
 
   private static String seconds(long ns) {

@@ -6,7 +6,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.Demo;
@@ -51,10 +50,10 @@ class AppsTableTest {
       List<Input> inputs = demo.inputs(DATA);
       for (Input input : inputs) {
         assertThat(input.path()).as(demo.name() + " on " + input.name()).exists();
-        var parameters = demo.defaults();
-        assertThat(parameters.keySet()).containsAll(input.parameters().keySet());
-        parameters.putAll(input.parameters());
-        assertThat(Chosen.of(demo, parameters, Map.of()).plan(1).simulation().build()).isNotNull();
+        assertThat(demo.defaults().keySet()).containsAll(input.parameters().keySet());
+        Chosen.Builder request = new Chosen.Builder(demo);
+        input.parameters().forEach((key, value) -> request.set("", key, value));
+        assertThat(request.build().plan(1).simulation().build()).isNotNull();
       }
     }
   }

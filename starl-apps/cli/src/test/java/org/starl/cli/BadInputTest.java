@@ -81,7 +81,7 @@ class BadInputTest {
       campaign hello --seeds 1..2 --fault stuck(bot9,at=1s) | no robot is called bot9
       campaign hello --seeds 1..2 --fault range(far) | --fault | 'far' | expected a distance
       record hello --fault | --fault
-      verify-determinism hello --fault sight(1) | --fault | one argument too many
+      verify-determinism hello --fault sight(1) | --fault | an extra argument
       run hello --set faults=crash(bot1,at=never) | faults='crash(bot1,at=never)' | a duration
       run hello --set chaos=logica | chaos='logica' | did you mean logical?
       run nowhere.yaml | nowhere.yaml: no such file | expected a scenario file

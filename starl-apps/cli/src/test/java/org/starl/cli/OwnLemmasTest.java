@@ -40,7 +40,7 @@ class OwnLemmasTest {
     settings.put("chaosFor", "10s");
     settings.put("duration", "40s");
     ScenarioFile file = new ScenarioFile("", demo.name(), settings, Map.of());
-    return new RunOptions().chosen(Main.ALL, file).plan(SEED);
+    return file.request(Main.ALL).build().plan(SEED);
   }
 
   @ParameterizedTest

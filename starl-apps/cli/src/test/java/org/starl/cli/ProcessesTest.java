@@ -9,9 +9,6 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.OptionalInt;
-import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -113,12 +110,12 @@ class ProcessesTest {
   /** The same as the options of the test above. */
   private static Plan plan() {
     Demo demo = Main.APPS.byName("intersection").orElseThrow();
-    SortedMap<String, String> parameters = new TreeMap<>();
-    demo.parameters().forEach(each -> parameters.put(each.key(), each.defaultValue()));
-    parameters.put("debris", "0");
-    SortedMap<String, String> settings = new TreeMap<>();
-    settings.put("messageLoss", "0.2");
-    return new Chosen(demo, OptionalInt.of(2), parameters, settings).plan(1);
+    return new Chosen.Builder(demo)
+        .set("", "robots", "2")
+        .set("", "debris", "0")
+        .set("", "messageLoss", "0.2")
+        .build()
+        .plan(1);
   }
 
   @ParameterizedTest

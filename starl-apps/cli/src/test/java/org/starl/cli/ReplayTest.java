@@ -109,6 +109,10 @@ class ReplayTest {
         changed(lines -> with(lines, 0, ":\"hello\"", ":\"helo\"")), "no app is called 'helo'");
     isRefused(
         changed(lines -> with(lines, 0, "\"messageLoss\":", "\"messageLos\":")), "messageLos");
+    isRefused(
+        changed(
+            lines -> with(lines, 0, "\"messageLoss\":", "\"waypointFile\":\"\",\"messageLoss\":")),
+        ":1: no setting or parameter is called 'waypointFile'");
     isRefused(changed(lines -> with(lines, 0, "\"messageLoss\":\"", "\"messageLoss\":\"x")), "x0");
   }
 
@@ -183,13 +187,16 @@ class ReplayTest {
   }
 
   @Test
-  void whatARunIsChangedByIsRefusedOfATrace() {
+  void optionsThatChangeARunAreRefusedWithATrace() {
     String file = trace.toString();
     for (String[] option : new String[][] {{"--seed", "3"}, {"--loss", "0.3"}, {"--ideal"}}) {
       List<String> words = new ArrayList<>(List.of("record", file));
       words.addAll(List.of(option));
       Cli cli = cli(words.toArray(String[]::new));
-      assertThat(cli.err()).singleElement().asString().contains(option[0], "a run that is over");
+      assertThat(cli.err())
+          .singleElement()
+          .asString()
+          .contains(option[0] + " cannot be used with a trace");
       assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     }
     assertThat(cli("record", file, "--csv=pictures").err())

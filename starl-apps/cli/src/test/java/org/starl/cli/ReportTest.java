@@ -10,7 +10,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -268,7 +267,7 @@ class ReportTest {
   @Test
   void everyLemmaOfEveryAppSaysInWordsWhatItIs() {
     for (Demo demo : Main.ALL.all()) {
-      Plan plan = Chosen.of(demo, demo.defaults(), new TreeMap<>()).plan(1);
+      Plan plan = new Chosen.Builder(demo).build().plan(1);
       for (Monitor monitor : Monitors.of(plan.simulation().build().blueprint().monitors()).all()) {
         for (String lemma : monitor.lemmas()) {
           assertThat(monitor.says(lemma))

@@ -67,8 +67,8 @@ class ViolationTest {
     assertThat(violation).matches("seed 3: stands_still violated at [0-9.]+ s by bot[01]: drives");
     assertThat(replay)
         .isEqualTo(
-            "replay: ./starl run broken --seed 3 --loss 0.1 --delay 'uniform(10ms,20ms)'"
-                + " --set robots=2");
+            "replay: ./starl run broken --seed 3 --robots 2 --loss 0.1"
+                + " --delay 'uniform(10ms,20ms)'");
     Cli again = paste(replay);
     assertThat(again.status()).isEqualTo(1);
     assertThat(again.out()).contains("VIOLATED: " + violation.substring("seed 3: ".length()));

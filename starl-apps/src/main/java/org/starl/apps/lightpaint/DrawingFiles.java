@@ -1,14 +1,12 @@
 package org.starl.apps.lightpaint;
 
-import java.io.IOException;
-import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.input.BadInput;
+import org.starl.input.TextFile;
 
 /** Reads drawings from files, by the ending of their names. */
 final class DrawingFiles {
@@ -29,26 +27,15 @@ final class DrawingFiles {
     if (!name.endsWith(".svg") && !name.endsWith(".wpt")) {
       throw new BadInput(path + ": " + EXPECTED);
     }
-    byte[] bytes = bytes(path);
+    byte[] bytes = TextFile.bytes(path, EXPECTED);
     List<Line> lines =
         name.endsWith(".svg")
             ? SvgDrawing.read(path.toString(), bytes, mmPerUnit, flatnessMm)
             : WptDrawing.read(
-                path.toString(), new String(bytes, StandardCharsets.UTF_8), mmPerUnit);
+                path.toString(), TextFile.decode(path.toString(), bytes, EXPECTED), mmPerUnit);
     if (lines.isEmpty()) {
       throw new BadInput(path + ": has no line with a stroke: expected something to paint");
     }
     return lines;
-  }
-
-  private static byte[] bytes(Path path) {
-    if (!Files.isRegularFile(path)) {
-      throw new BadInput(path + ": no such file; " + EXPECTED);
-    }
-    try {
-      return Files.readAllBytes(path);
-    } catch (IOException e) {
-      throw new BadInput(path + ": cannot be read (" + e + "); " + EXPECTED);
-    }
   }
 }

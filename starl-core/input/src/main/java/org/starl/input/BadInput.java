@@ -27,7 +27,7 @@ public final class BadInput extends RuntimeException {
         printable(whole, LONGEST_LINE) + (whole.length() > LONGEST_LINE ? "..." : ""));
   }
 
-  /** {@code text} in quotes, fit for one line: cut where long, without control characters. */
+  /** {@code text} in quotes for one line: shortened if long, without control characters. */
   public static String quote(String text) {
     return "'" + printable(text, LONGEST_QUOTE) + (text.length() > LONGEST_QUOTE ? "...'" : "'");
   }

@@ -45,11 +45,11 @@ public sealed interface Form {
   /**
    * Any text that is not blank.
    *
-   * @param expected what it should be, for messages
+   * @param expected the text after "expected" in messages
    */
   record Words(String expected) implements Form {}
 
-  /** Faults, as their grammar has them. */
+  /** Faults in their grammar. */
   record Faults() implements Form {}
 
   /**

@@ -5,7 +5,7 @@ import java.util.Collection;
 import java.util.List;
 import java.util.Locale;
 
-/** Finds what a person may have meant who mistyped a name. */
+/** Suggests known names for a misspelt one. */
 public final class NearMatches {
 
   private static final int MOST = 3;

@@ -12,14 +12,14 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Reads quantities as people write them: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
- * throws {@link BadInput} with the text and what was expected; the caller knows where it stood, and
- * says so with {@link #in}.
+ * Reads and writes quantities with units: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader throws
+ * {@link BadInput} with the text and what was expected; the caller adds where it stood, with {@link
+ * #in}.
  */
 public final class Quantities {
 
-  /** A number without its sign. */
-  static final String NUMBER = "[0-9]{1,19}(?:\\.[0-9]{1,18})?";
+  /** A number without its sign; with decimals for what {@link #numberText} writes of any double. */
+  static final String NUMBER = "[0-9]{1,19}(?:\\.[0-9]{1,400})?";
 
   private static final Pattern NUMBER_AND_UNIT =
       Pattern.compile("([+-]?" + NUMBER + ")\\s*([a-z]*)");
@@ -55,7 +55,7 @@ public final class Quantities {
     return Collections.unmodifiableCollection(MM_PER_UNIT.keySet());
   }
 
-  /** Units of time that a rate counts by. */
+  /** The units of time in rates. */
   static Collection<String> rateUnits() {
     return NS_PER_UNIT.keySet().stream()
         .filter(Quantities::isRateUnit)
@@ -102,7 +102,7 @@ public final class Quantities {
 
   /** A distance of at least 0, in mm: {@code 165}, {@code 20mm}, {@code 2.5cm}, {@code 3m}. */
   public static double distanceMm(String text) {
-    String expected = "a distance of at least 0 (mm cm m; mm where no unit stands), such as 20mm";
+    String expected = "a distance of at least 0 (mm cm m; without a unit: mm), such as 20mm";
     Matcher matcher = match(text, expected);
     BigDecimal number = new BigDecimal(matcher.group(1));
     BigDecimal unit = MM_PER_UNIT.get(matcher.group(2));
@@ -128,7 +128,7 @@ public final class Quantities {
       return distanceMm(
           stripped.endsWith("/s") ? stripped.substring(0, stripped.length() - 2) : stripped);
     } catch (BadInput noDistance) {
-      throw notA(text, "a speed of at least 0 (mm/s m/s; mm/s where no unit stands)");
+      throw notA(text, "a speed of at least 0 (mm/s m/s; without a unit: mm/s)");
     }
   }
 
@@ -148,7 +148,7 @@ public final class Quantities {
     return number;
   }
 
-  /** How often something happens on average, above 0, in 1/s: {@code 20/min}, {@code 0.5/s}. */
+  /** A mean rate above 0, in 1/s: {@code 20/min}, {@code 0.5/s}. */
   public static double rateHz(String text) {
     String expected = "a rate above 0 with a unit (/s /min /h), such as 20/min";
     String stripped = text.trim();
@@ -239,7 +239,7 @@ public final class Quantities {
     return new BadInput(where + ": " + error.getMessage());
   }
 
-  /** A finite number without an exponent, so that every reader here reads it back. */
+  /** A finite number without an exponent, which every reader here reads back. */
   public static String numberText(double number) {
     return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
   }

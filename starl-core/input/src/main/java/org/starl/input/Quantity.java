@@ -4,7 +4,7 @@ import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 
-/** What {@link Quantities} reads, as regular expressions that any language knows. */
+/** The quantities that {@link Quantities} reads, as portable regular expressions. */
 public enum Quantity {
   /** {@link Quantities#number}. */
   NUMBER("", Double.POSITIVE_INFINITY),
@@ -29,7 +29,7 @@ public enum Quantity {
     this.mostWithoutUnit = mostWithoutUnit;
   }
 
-  /** The greatest number that may stand alone; 0 if none but that, below 0 if not even that. */
+  /** The greatest number without a unit; 0 if only 0 needs no unit, below 0 if every number needs one. */
   public double mostWithoutUnit() {
     return mostWithoutUnit;
   }
@@ -40,7 +40,7 @@ public enum Quantity {
     return "^\\s*(\\+?" + Quantities.NUMBER + "\\s*" + unit + bareZero + ")\\s*$";
   }
 
-  /** Matches every text of a value above 0, as a whole: some digit is none. */
+  /** Matches every text of a value above 0, as a whole: some digit is not 0. */
   public String patternAbove0() {
     return "^(?=[^1-9]*[1-9])\\s*\\+?" + Quantities.NUMBER + "\\s*" + unit + "\\s*$";
   }

@@ -8,54 +8,50 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.Paths;
 
-/** A file that a person has written. */
+/** Reads a whole file that a user has named. Errors end with what was expected. */
 public final class TextFile {
 
   private TextFile() {}
 
   /**
-   * All of it, as text.
+   * Its text in UTF-8, without a byte order mark.
    *
-   * @param what it should be, as in "a scenario file", and
-   * @param expected what it should have in it, for messages
-   * @throws BadInput if it is missing, a folder, or no text in UTF-8
+   * @param expected what the file should be, for errors: {@code expected a scenario file}
+   * @throws BadInput if it is missing, a folder, unreadable or not text
    */
-  public static String read(String file, String what, String expected) {
-    return decode(file, bytes(file, what), expected);
+  public static String read(Path file, String expected) {
+    return decode(file.toString(), bytes(file, expected), expected);
   }
 
   /**
-   * All of it.
+   * Its bytes.
    *
-   * @param what it should be
-   * @throws BadInput if it is missing, or a folder
+   * @throws BadInput if it is missing, a folder or unreadable
    */
-  public static byte[] bytes(String file, String what) {
-    Path path = Paths.get(file);
-    if (Files.isDirectory(path)) {
-      throw new BadInput(file + ": is a folder; expected " + what);
+  public static byte[] bytes(Path file, String expected) {
+    if (Files.isDirectory(file)) {
+      throw new BadInput(file + ": is a folder; " + expected);
     }
-    if (!Files.exists(path)) {
-      throw new BadInput(file + ": no such file; expected " + what);
+    if (!Files.exists(file)) {
+      throw new BadInput(file + ": no such file; " + expected);
     }
     try {
-      return Files.readAllBytes(path);
+      return Files.readAllBytes(file);
     } catch (IOException e) {
-      throw new BadInput(file + ": cannot be read (" + e + ")");
+      throw new BadInput(file + ": cannot be read (" + e + "); " + expected);
     }
   }
 
   /**
-   * The text in these bytes of {@code file}.
+   * The text in the bytes of {@code file}, without a byte order mark.
    *
-   * @param expected what should be in it
-   * @throws BadInput if it is none in UTF-8
+   * @throws BadInput if they are not UTF-8, or hold a zero
    */
   public static String decode(String file, byte[] bytes, String expected) {
     try {
       String text = StandardCharsets.UTF_8.newDecoder().decode(ByteBuffer.wrap(bytes)).toString();
       if (text.indexOf('\0') < 0) {
-        return text;
+        return text.startsWith("\uFEFF") ? text.substring(1) : text;
       }
     } catch (CharacterCodingException e) {
       throw new BadInput(file + ": is no text; " + expected);

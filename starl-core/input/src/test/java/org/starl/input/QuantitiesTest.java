@@ -34,7 +34,7 @@ final class QuantitiesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"100", "ms", "-1s", "1e3ms", "1.ms", "5m", "", "NaN", "99999999999h"})
-  void whatIsNoDurationIsRefusedInOneLine(String text) {
+  void aMalformedDurationIsRefusedInOneLine(String text) {
     assertThatThrownBy(() -> Quantities.durationNs(text))
         .isInstanceOf(BadInput.class)
         .hasMessageStartingWith("'" + text + "': expected a duration")
@@ -54,7 +54,7 @@ final class QuantitiesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"20", "20/", "/min", "0/min", "-1/s", "20/ms", "20min", "20s/min", "x/s"})
-  void whatIsNoRateIsRefusedInOneLine(String text) {
+  void aMalformedRateIsRefusedInOneLine(String text) {
     assertThatThrownBy(() -> Quantities.rateHz(text))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining("expected a rate above 0")
@@ -74,7 +74,7 @@ final class QuantitiesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"-1", "3km", "1,5", "mm", "1e400"})
-  void whatIsNoDistanceIsRefused(String text) {
+  void aMalformedDistanceIsRefused(String text) {
     assertThatThrownBy(() -> Quantities.distanceMm(text))
         .isInstanceOf(BadInput.class)
         .hasMessageStartingWith("'" + text + "': expected a distance");
@@ -91,7 +91,7 @@ final class QuantitiesTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"1.01", "-0.1", "5%", "half", "2"})
-  void whatIsNoProbabilityIsRefused(String text) {
+  void aMalformedProbabilityIsRefused(String text) {
     assertThatThrownBy(() -> Quantities.probability(text))
         .isInstanceOf(BadInput.class)
         .hasMessage("'" + text + "': expected a probability from 0 to 1, such as 0.05");

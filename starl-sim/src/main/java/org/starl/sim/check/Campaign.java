@@ -11,23 +11,23 @@ import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Many runs that differ in their seeds, on all cores: one run at a time on each thread, nothing
- * shared between them. The result depends on the seeds alone.
+ * Many runs with different seeds, on all cores: each thread makes one run at a time, and runs share
+ * nothing. The result depends on the seeds alone.
  *
  * @param firstSeed of the first run
  * @param lastSeed of the last run, not below the first
  * @param workers threads
- * @param stopAtBad whether no run counts after the first one, in the order of seeds, that went badly
+ * @param stopAtBad whether the campaign ends with the first bad run, in the order of seeds
  */
 public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopAtBad) {
 
-  /** Told on the calling thread after each run; a run that turns out not to count is told as well. */
+  /** Called on the calling thread after each run, even if the run does not count in the end. */
   @FunctionalInterface
   public interface Progress {
 
     /**
      * @param finished runs so far
-     * @param planned runs of the whole campaign, if nothing stops it
+     * @param planned runs of the whole campaign
      * @param bad runs so far that did not go well
      */
     void advanced(long finished, long planned, long bad);
@@ -40,19 +40,20 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
           "seeds " + firstSeed + ".." + lastSeed + ": expected the smaller one first, below 2^31");
     }
     if (workers <= 0) {
-      throw new IllegalArgumentException("campaign on " + workers + " threads: expected some");
+      throw new IllegalArgumentException(
+          "campaign on " + workers + " threads: expected at least one");
     }
   }
 
-  /** On all cores, to the end, whatever the runs are like. */
+  /** On all cores, to the last seed. */
   public Campaign(long firstSeed, long lastSeed) {
     this(firstSeed, lastSeed, Runtime.getRuntime().availableProcessors(), false);
   }
 
-  /** The result of one run, or the error that is no exception of a run but ends the campaign. */
+  /** The result of one run, or an error that ends the campaign. */
   private record Finished(long seed, @Nullable RunOutcome outcome, @Nullable Error error) {}
 
-  /** What the calling thread and the workers have in common. */
+  /** State shared by the calling thread and the workers. */
   private final class Shared {
     private final LongFunction<RunOutcome> runner;
     private final AtomicLong nextIndex = new AtomicLong();
@@ -133,7 +134,7 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
       }
     }
     List<CampaignResult.Run> runs = new ArrayList<>();
-    // Runs beyond the first bad one were begun or not, as the threads had it.
+    // Whether runs beyond the first bad one were begun depends on the threads: they do not count.
     long endIndex = shared.endIndex.get();
     outcomes.forEach((seed, outcome) -> {
       if (seed - firstSeed < endIndex) {

@@ -8,8 +8,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.sim.check.RunOutcome.Verdict;
 
 /**
- * What came of a campaign: the runs in the order of their seeds. Equal campaigns have equal results,
- * however many threads ran them.
+ * The result of a campaign: the runs in the order of their seeds. Equal campaigns have equal results
+ * on any number of threads.
  */
 public record CampaignResult(List<Run> runs) {
 
@@ -20,7 +20,7 @@ public record CampaignResult(List<Run> runs) {
     runs = List.copyOf(runs);
   }
 
-  /** The run with the first seed that did not go well, or null. */
+  /** The first bad run in the order of seeds, or null. */
   public @Nullable Run firstBad() {
     for (Run run : runs) {
       if (!run.outcome().isGood()) {
@@ -41,25 +41,22 @@ public record CampaignResult(List<Run> runs) {
     return names;
   }
 
-  /** How many runs have this figure. */
+  /** Number of runs that have this figure. */
   public int samples(String figure) {
     return sorted(figure).length;
   }
 
   /**
-   * The smallest sample that is not below {@code percent} of all samples (nearest rank): 0 gives the
-   * least, 50 the median, 100 the greatest.
+   * A percentile of this figure: see {@link Percentile}.
    *
    * @throws IllegalArgumentException if no run has this figure, or percent is not from 0 to 100
    */
   public double percentile(String figure, double percent) {
     double[] samples = sorted(figure);
-    if (samples.length == 0 || !(percent >= 0 && percent <= 100)) {
-      throw new IllegalArgumentException(
-          "percentile " + percent + " of " + samples.length + " samples of '" + figure + "'");
+    if (samples.length == 0) {
+      throw new IllegalArgumentException("0 samples of '" + figure + "'");
     }
-    int rank = (int) Math.ceil(percent * samples.length / 100);
-    return samples[Math.max(rank, 1) - 1];
+    return samples[Percentile.index(samples.length, percent)];
   }
 
   private double[] sorted(String figure) {

@@ -13,7 +13,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class LineComparer extends OutputStream {
 
-  /** Stands for the line that one side no longer has. */
+  /** The text of a line that one side does not have. */
   static final String NOTHING = "(nothing more)";
 
   /** The first difference; lines count from 1. */

@@ -11,14 +11,14 @@ import java.util.function.Consumer;
 import org.starl.random.Rng;
 
 /**
- * Bytes that a bad line, a bad program or a bad person may send: random ones, and good ones that were
- * cut, changed, lengthened, spliced and repeated. For tests of whatever reads bytes from outside.
+ * Malformed inputs for tests of readers: random bytes, and good inputs that were cut, changed,
+ * lengthened, spliced and repeated.
  *
- * <p>What is tested is a method {@code fuzzerTestOneInput(byte[])}, which throws if anything is not as
- * it should be; coverage-guided fuzzers of the JVM call methods of that name as well.
+ * <p>The test is a method {@code fuzzerTestOneInput(byte[])}, which throws if the reader misbehaves;
+ * coverage-guided fuzzers of the JVM call methods of that name as well.
  *
- * <p>System properties: {@code starl.fuzz} is how many inputs, {@code starl.fuzz.seed} what they are
- * drawn from, {@code starl.fuzz.samples} a folder that takes the good ones, for a fuzzer to begin with.
+ * <p>System properties: {@code starl.fuzz} is the number of inputs, {@code starl.fuzz.seed} their
+ * seed, {@code starl.fuzz.samples} a folder to which the good inputs are written, as a fuzzer's corpus.
  */
 public final class MalformedBytes {
 

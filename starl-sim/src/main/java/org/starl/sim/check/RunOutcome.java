@@ -10,13 +10,13 @@ import org.starl.sim.kernel.RobotError;
 import org.starl.spec.SpecReport;
 
 /**
- * What came of one run of a campaign.
+ * The outcome of one run of a campaign.
  *
- * @param what is wrong, to compare runs by: the lemma that was violated first, the type of the
- *     exception; empty if there is neither
- * @param atNs when that was, in ns of virtual time; -1 if that is not known
- * @param detail one line: the first violation, who did not finish, what was thrown; empty if good
- * @param figures finite numbers to make statistics of, by name
+ * @param what is wrong, to compare runs by: the first violated lemma or the type of the exception;
+ *     empty if there is neither
+ * @param atNs its time, in ns of virtual time; -1 if unknown
+ * @param detail one line: the first violation, the unfinished robots or the exception; empty if good
+ * @param figures finite numbers for statistics, by name
  */
 public record RunOutcome(
     Verdict verdict, String what, long atNs, String detail, SortedMap<String, Double> figures) {
@@ -26,9 +26,9 @@ public record RunOutcome(
 
   /** How a run went, from good to bad. */
   public enum Verdict {
-    /** Every specification held, and every app came to its end. */
+    /** Every specification held, and every app ended. */
     GOOD,
-    /** Every specification held, but some app did not come to its end. */
+    /** Every specification held, but some app did not end. */
     UNFINISHED,
     /** A specification was violated. */
     VIOLATED,
@@ -57,7 +57,7 @@ public record RunOutcome(
   }
 
   /**
-   * What a run says of itself: the first violation, or who did not finish. Its figures are {@code
+   * The outcome of a run that ended without an exception. Its figures are {@code
    * end_s}, {@code kernel_events}, {@code datagrams_sent}, {@code datagrams_lost}, {@code
    * robots_collided} and {@code walls_hit}.
    */
@@ -103,7 +103,7 @@ public record RunOutcome(
     return verdict == Verdict.GOOD;
   }
 
-  /** Whether the other run went the same way: violated the same lemma, threw the same type. */
+  /** Whether the other run failed in the same way: same violated lemma, same type of exception. */
   public boolean isLike(RunOutcome other) {
     return verdict == other.verdict && what.equals(other.what);
   }

@@ -10,13 +10,13 @@ import org.starl.sim.fault.Span;
 import org.starl.sim.fault.TimeRange;
 
 /**
- * Takes from a run that goes badly what it does not need for that: robots, settings, faults, time.
- * What is left goes badly in the same way (same lemma, same kind of exception), and nothing more of
- * what is tried here can be taken from it, if there were runs enough to find out. Faults are taken out
- * in halves, quarters, and one by one (Zeller, Hildebrandt, "Simplifying and isolating
+ * Reduces a bad run to a small one that fails in the same way (same lemma, same type of exception):
+ * fewer robots, settings, faults, less time. If there were enough runs, the result is minimal: no
+ * further step that is tried here keeps the failure. Faults are removed in halves, quarters, and one
+ * by one (Zeller, Hildebrandt, "Simplifying and isolating
  * failure-inducing input", IEEE TSE 28(2), 2002), then shortened.
  *
- * <p>Equal runs shrink alike: nothing is drawn. The runs are made one after another, on the calling
+ * <p>Equal runs give equal results: nothing is drawn. The runs are made one after another, on the calling
  * thread.
  */
 public final class Shrink {
@@ -25,7 +25,7 @@ public final class Shrink {
   private static final long END_STEP_NS = 100 * NS_PER_MS;
   private static final long SHORTEST_FAULT_NS = 100 * NS_PER_MS;
 
-  /** An end is not looked for more exactly than to this part of it. */
+  /** The end of a run is searched to this relative precision. */
   private static final int END_PARTS = 50;
 
   private final Function<Trial, RunOutcome> runner;
@@ -35,23 +35,23 @@ public final class Shrink {
   private final Map<Trial, RunOutcome> known = new LinkedHashMap<>();
   private int runs;
 
-  /** Told of each run. */
+  /** Called after each run. */
   @FunctionalInterface
   public interface Progress {
 
     /**
      * @param run its number, from 1, which is the run to shrink
-     * @param isKept whether it goes as badly, so that its trial is the smallest so far
+     * @param isKept whether it fails in the same way, so that its trial is the smallest so far
      */
     void tried(int run, Trial trial, RunOutcome outcome, boolean isKept);
   }
 
   /**
-   * What is left.
+   * The smallest trial.
    *
    * @param outcome of the trial
-   * @param runs that it took
-   * @param isSmallest false if there were not runs enough to know that nothing more can be taken
+   * @param runs that were made
+   * @param isSmallest false if {@code mostRuns} ended the search
    */
   public record Result(Trial trial, RunOutcome outcome, int runs, boolean isSmallest) {}
 
@@ -62,7 +62,7 @@ public final class Shrink {
    * @param runner makes and runs a trial: equal trials have equal outcomes. What it throws is a
    *     failed run; {@code BadInput} is one that no run to shrink has, so that what cannot be run is
    *     not taken
-   * @param mostRuns no more are made
+   * @param mostRuns upper bound of runs
    */
   public Shrink(Function<Trial, RunOutcome> runner, int mostRuns, Progress progress) {
     this.runner = runner;
@@ -73,7 +73,7 @@ public final class Shrink {
   /**
    * Shrinks.
    *
-   * @throws IllegalArgumentException if {@code from} goes well
+   * @throws IllegalArgumentException if {@code from} is a good run
    */
   public Result shrink(Trial from) {
     RunOutcome outcome = run(from);
@@ -157,7 +157,7 @@ public final class Shrink {
     return best;
   }
 
-  /** Lasting half as long, in whole ms; the same if that is too short, or it lasts for ever. */
+  /** With half the length, in whole ms; the same if that is too short, or it never ends. */
   private static Fault halved(Fault fault) {
     Span span = fault.span();
     TimeRange lasting = span.lasting();
@@ -179,7 +179,7 @@ public final class Shrink {
 
   private Best withEarlierEnd(Best start) {
     if (start.outcome().verdict() == Verdict.UNFINISHED) {
-      // Any run is unfinished that is short enough.
+      // Every run that is short enough is unfinished.
       return start;
     }
     Best best = start;
@@ -204,7 +204,7 @@ public final class Shrink {
     return best;
   }
 
-  /** {@code trial} if it goes as badly as {@code best}, else {@code best}. */
+  /** {@code trial} if it fails in the same way as {@code best}, else {@code best}. */
   private Best tried(Best best, Trial trial) {
     RunOutcome before = known.get(trial);
     if (before == null && runs >= mostRuns) {

@@ -6,12 +6,12 @@ import org.starl.input.Quantities;
 import org.starl.sim.fault.Fault;
 
 /**
- * A run, in what {@link Shrink} can take from it.
+ * The parts of a run that {@link Shrink} can remove.
  *
- * @param robots how many start
- * @param settings keys of those that are not at their defaults, and may be
- * @param faults what goes wrong, chaos written out
- * @param endNs when it ends at the latest, in ns of virtual time
+ * @param robots number of robots that start
+ * @param settings keys of settings that are given, and can be left at their defaults
+ * @param faults to inject, those that chaos drew included
+ * @param endNs its latest end, in ns of virtual time
  */
 public record Trial(int robots, List<String> settings, List<Fault> faults, long endNs) {
 
@@ -20,7 +20,7 @@ public record Trial(int robots, List<String> settings, List<Fault> faults, long 
     faults = List.copyOf(faults);
     if (robots < 0 || endNs <= 0) {
       throw new IllegalArgumentException(
-          "a trial of " + robots + " robots until " + endNs + " ns: expected some time at least");
+          "a trial of " + robots + " robots until " + endNs + " ns: expected a time above 0");
     }
   }
 

@@ -1,9 +1,8 @@
 /**
  * Checks that take more than one run: {@link org.starl.sim.check.Determinism} runs the same twice, on
  * both kinds of carriers, and finds the first event that differs; {@link
- * org.starl.sim.check.Campaign} runs many seeds on all cores; {@link org.starl.sim.check.Shrink} takes
- * from a run that goes badly what it does not need for that. {@link
- * org.starl.sim.check.MalformedBytes} makes what readers of bytes must bear.
+ * org.starl.sim.check.Campaign} runs many seeds on all cores; {@link org.starl.sim.check.Shrink}
+ * reduces a bad run to a small one; {@link org.starl.sim.check.MalformedBytes} tests readers.
  *
  * <p>The one place of the simulator besides its carriers that uses threads: one simulation on each,
  * nothing shared.

@@ -8,10 +8,10 @@ import org.starl.sim.net.Latency;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Verdict;
 
-/** Something is wrong with the air: a rule is installed there. Several act together. */
+/** A fault of the radio network: it installs a {@link LinkRule}. Several act together. */
 public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
 
-  /** The rule, to be installed now. */
+  /** The rule to install now. */
   LinkRule rule(Onset onset);
 
   @Override
@@ -24,12 +24,12 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     return onset.ward().network().install(rule(onset))::uninstall;
   }
 
-  /** What may befall some links only: {@code from=bot1,to=bot2}. */
+  /** A fault that can be limited to some links: {@code from=bot1,to=bot2}. */
   sealed interface OnLink extends AirHarm {
 
     Link link();
 
-    /** The arguments besides the link. */
+    /** Its arguments without the link. */
     List<String> own();
 
     /**
@@ -79,8 +79,8 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
   }
 
   /**
-   * Each link is good and bad in turns, for so long on average, and loses copies with this
-   * probability while it is bad: {@code burst(2s,200ms)}, {@code burst(2s,200ms,0.9)}.
+   * Each link alternates between good and bad periods with these mean lengths, and loses copies with
+   * this probability while it is bad: {@code burst(2s,200ms)}, {@code burst(2s,200ms,0.9)}.
    */
   record Burst(long goodNs, long badNs, double probability, Link link) implements OnLink {
     @Override
@@ -104,7 +104,7 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     }
   }
 
-  /** Each copy takes so much longer: {@code delay(uniform(10ms,200ms))}. */
+  /** Each copy gets this additional delay: {@code delay(uniform(10ms,200ms))}. */
   record Delay(Latency more, Link link) implements OnLink {
     @Override
     public String name() {
@@ -122,7 +122,7 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     }
   }
 
-  /** With this probability a copy arrives twice, the second up to so much later. */
+  /** With this probability a copy arrives twice, the second time up to {@code mostNs} later. */
   record Duplicate(double probability, long mostNs, Link link) implements OnLink {
 
     static final long USUAL_NS = 50_000_000;
@@ -147,7 +147,7 @@ public sealed interface AirHarm extends Harm permits AirHarm.OnLink, Cut {
     }
   }
 
-  /** With this probability a copy is held back by up to so much, and others overtake it. */
+  /** With this probability a copy is delayed by up to {@code mostNs}, so that others overtake it. */
   record Reorder(double probability, long mostNs, Link link) implements OnLink {
     @Override
     public String name() {

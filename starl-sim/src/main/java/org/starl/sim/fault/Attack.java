@@ -4,7 +4,7 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.net.Tap;
 
-/** An {@link AttackHarm} at work, until it ends. */
+/** An {@link AttackHarm} in progress. */
 final class Attack {
 
   private final AttackHarm harm;

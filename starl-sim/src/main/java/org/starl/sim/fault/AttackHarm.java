@@ -4,15 +4,15 @@ import java.util.List;
 import org.starl.input.Quantities;
 
 /**
- * Somebody without the deployment's key hears all that is sent, and sends to robots what no robot
- * sent. Robots without a key take it for each other's; {@code sealed=yes} gives them one.
+ * An attacker without the deployment's key, who records all datagrams and sends datagrams of its own
+ * to robots. Robots without a key accept them; {@code sealed=yes} gives the robots a key.
  */
 public sealed interface AttackHarm extends Harm {
 
-  /** The mean time between two attacks on one robot, in ns; each time is exponential. */
+  /** Mean time between two attacks on one robot, in ns; the times are exponential. */
   long meanNs();
 
-  /** What is sent next, or nothing ({@code length} 0) while there is nothing to go by. */
+  /** The next datagram to send; empty ({@code length} 0) while nothing was recorded. */
   byte[] next(Eavesdropper heard);
 
   @Override
@@ -25,7 +25,7 @@ public sealed interface AttackHarm extends Harm {
     return new Attack(this, onset)::end;
   }
 
-  /** Sends changed recordings: other bytes, another sender, higher numbers, more or less of it. */
+  /** Sends changed recordings: other bytes, another sender, higher numbers, longer or shorter. */
   record Forge(Who who, long meanNs) implements AttackHarm {
     @Override
     public String name() {
@@ -38,7 +38,7 @@ public sealed interface AttackHarm extends Harm {
     }
   }
 
-  /** Sends recordings as they are, however old. */
+  /** Sends unchanged recordings of any age. */
   record Replay(Who who, long meanNs) implements AttackHarm {
     @Override
     public String name() {
@@ -51,7 +51,7 @@ public sealed interface AttackHarm extends Harm {
     }
   }
 
-  /** Sends bytes without sense. */
+  /** Sends random bytes. */
   record Flood(Who who, long meanNs) implements AttackHarm {
     @Override
     public String name() {

@@ -14,7 +14,7 @@ import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 import org.starl.input.Quantities;
 
-/** {@code name(a,b,key=c)} taken apart: arguments by place and by key, each to be used. */
+/** {@code name(a,b,key=c)}, parsed: arguments by position and by key, each of which must be used. */
 final class Call {
 
   private static final Pattern FORM = Pattern.compile("\\s*([a-z]+)\\s*(?:\\((.*)\\))?\\s*");
@@ -33,7 +33,7 @@ final class Call {
     this.name = name;
   }
 
-  /** @throws BadInput if it has not this form at all */
+  /** @throws BadInput if {@code text} does not have this form */
   static Call parse(String text) {
     Matcher form = FORM.matcher(text);
     if (!form.matches()) {
@@ -59,11 +59,11 @@ final class Call {
     boolean isTime = !value.isEmpty() && Character.isDigit(value.charAt(0));
     String key = pair.group(1).equals("from") && isTime ? "at" : pair.group(1);
     if (keyed.put(key, value) != null) {
-      throw bad("expected '" + key + "' once, stands there again");
+      throw bad("expected '" + key + "' only once");
     }
   }
 
-  /** Parts between separators that stand outside all parentheses. */
+  /** The parts between separators outside parentheses. */
   List<String> split(String whole, char separator) {
     List<String> parts = new ArrayList<>();
     int depth = 0;
@@ -90,12 +90,12 @@ final class Call {
     return name;
   }
 
-  /** From now on errors say how the fault is written. */
+  /** Sets how the fault is written, for errors. */
   void usage(String newUsage) {
     usage = newUsage;
   }
 
-  /** The next argument by place. */
+  /** The next argument by position. */
   <T> T next(String what, Function<String, T> reader) {
     if (used == placed.size()) {
       throw bad("expected " + what + ", as in " + usage);
@@ -122,7 +122,7 @@ final class Call {
     return value == null ? otherwise : value(key, value, reader);
   }
 
-  /** {@code value} as {@code reader} reads it; an error says which argument. */
+  /** {@code value} as {@code reader} reads it; an error names the argument. */
   <T> T value(String what, String value, Function<String, T> reader) {
     try {
       return reader.apply(value);
@@ -131,10 +131,10 @@ final class Call {
     }
   }
 
-  /** @throws BadInput if there is an argument that nothing asked for */
+  /** @throws BadInput if an argument was not used */
   void end() {
     if (used < placed.size()) {
-      throw bad(BadInput.quote(placed.get(used)) + " is one argument too many; expected " + usage);
+      throw bad(BadInput.quote(placed.get(used)) + " is an extra argument; expected " + usage);
     }
     for (String key : keyed.keySet()) {
       if (!asked.contains(key)) {

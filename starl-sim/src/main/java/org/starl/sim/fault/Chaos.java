@@ -9,9 +9,9 @@ import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.Unsynced;
 
 /**
- * Draws plans. Each run of a campaign gets some kinds of faults and not others, and each kind as
- * strong as it happens to be: runs that differ so find more than runs that are all alike (Groce et
- * al., "Swarm testing", ISSTA 2012). What is drawn is over by the given time.
+ * Draws fault plans. Each run of a campaign gets a random subset of the kinds of faults, each with
+ * random strength: such runs find more than runs that all use every kind (Groce et al., "Swarm
+ * testing", ISSTA 2012). All faults have ended by the given time.
  */
 final class Chaos {
 
@@ -46,7 +46,7 @@ final class Chaos {
   }
 
   private void comeAndGo(List<Function<Chaos, Harm>> kinds) {
-    // Some runs are bad throughout, most now and then.
+    // Some runs have a fault for their whole length, most have faults that come and go.
     if (rng.nextBoolean(0.3)) {
       add(network().get(rng.nextInt(network().size())).apply(this), 0, untilMs);
     }
@@ -81,7 +81,7 @@ final class Chaos {
     }
     kinds.addAll(network());
     if (envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL) {
-      // Crashes are what these must bear above all: more often than the rest.
+      // Crashes matter most for these envelopes: they are drawn more often than other faults.
       kinds.add(c -> new Crash(Who.ANY, c.unsynced()));
       kinds.add(c -> new Crash(c.one(0.5) ? Who.ANY : Who.HALF, c.unsynced()));
       kinds.add(c -> new RobotHarm.Disk(c.anyOrAll(), c.ms(1, 100)));

@@ -13,12 +13,12 @@ import org.starl.sim.net.Partition;
 import org.starl.sim.net.Verdict;
 import org.starl.sim.world.Body;
 
-/** Nothing gets through between some robots, by who or where they are. */
+/** Blocks all datagrams between some robots, chosen by name or by position. */
 public sealed interface Cut extends AirHarm {
 
   /**
-   * Groups that hear only their own: {@code partition(bot0+bot1|bot2+bot3)}; everybody else is one
-   * more. With one group it is that group against the others.
+   * Groups whose members hear only each other: {@code partition(bot0+bot1|bot2+bot3)}. All other
+   * robots form one more group.
    */
   record Groups(List<Who> groups) implements Cut {
 
@@ -51,7 +51,7 @@ public sealed interface Cut extends AirHarm {
     }
   }
 
-  /** Nothing from these reaches those: {@code partition(bot0>bot1)}. */
+  /** One way: nothing from {@code from} reaches {@code to}: {@code partition(bot0>bot1)}. */
   record OneWay(Who from, Who to) implements Cut {
     @Override
     public String name() {
@@ -76,7 +76,7 @@ public sealed interface Cut extends AirHarm {
     }
   }
 
-  /** Whoever stands in the area, against the others: {@code partition(area=circle(0,0,2m))}. */
+  /** Robots inside the area and robots outside it: {@code partition(area=circle(0,0,2m))}. */
   record Area(Region area) implements Cut {
     @Override
     public String name() {
@@ -97,7 +97,7 @@ public sealed interface Cut extends AirHarm {
     }
   }
 
-  /** Nothing carries farther, from centre to centre: {@code range(3m)}. */
+  /** The radio range, from centre to centre: {@code range(3m)}. */
   record Range(double mostMm) implements Cut {
     @Override
     public String name() {
@@ -121,7 +121,7 @@ public sealed interface Cut extends AirHarm {
     }
   }
 
-  /** Nothing passes through walls or bodies: {@code sight}. */
+  /** Datagrams need a line of sight, free of walls and bodies: {@code sight}. */
   record Sight() implements Cut {
     @Override
     public String name() {
@@ -139,7 +139,7 @@ public sealed interface Cut extends AirHarm {
     }
   }
 
-  /** Drops what {@code passes} does not let through; who is not on the floor is nowhere. */
+  /** Drops copies that {@code passes} refuses; robots off the floor have no position. */
   private static LinkRule whileOnFloor(Ward ward, String why, BiPredicate<Body, Body> passes) {
     Verdict cut = Verdict.drop(why);
     return copy -> {

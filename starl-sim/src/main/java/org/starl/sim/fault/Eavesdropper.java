@@ -7,8 +7,8 @@ import org.starl.random.Rng;
 import org.starl.sim.net.Tap;
 
 /**
- * Remembers what was sent, and makes of it what robots might take for a message. It knows no more of
- * the wire format than that names and numbers have places in it.
+ * Records datagrams and makes plausible forgeries of them. Of the wire format it knows only that
+ * names and numbers have fixed places.
  */
 final class Eavesdropper implements Tap {
 
@@ -29,13 +29,13 @@ final class Eavesdropper implements Tap {
     recorded++;
   }
 
-  /** One of the last datagrams, or nothing before the first. */
+  /** One of the last datagrams; empty before the first. */
   byte[] recorded() {
     int there = Math.min(recorded, RECORDINGS);
     return there == 0 ? NOTHING : recordings[rng.nextInt(there)].clone();
   }
 
-  /** One of the last datagrams, changed in some places. */
+  /** One of the last datagrams with some bytes changed. */
   byte[] changed() {
     byte[] datagram = recorded();
     if (datagram.length == 0) {
@@ -48,7 +48,7 @@ final class Eavesdropper implements Tap {
     return datagram;
   }
 
-  /** Random bytes, of any length that a radio carries. */
+  /** Random bytes, of any length that a radio can send. */
   byte[] noise() {
     byte[] datagram = new byte[1 + rng.nextInt(Radio.MAX_BYTES)];
     for (int i = 0; i < datagram.length; i++) {
@@ -57,7 +57,7 @@ final class Eavesdropper implements Tap {
     return datagram;
   }
 
-  // Small steps: numbers stay plausible, and bot1 becomes bot2.
+  // Small changes keep numbers plausible, and turn bot1 into bot2.
   private byte[] withOtherBytes(byte[] datagram) {
     int at = rng.nextInt(datagram.length);
     int step = rng.nextBoolean(0.7) ? 1 + rng.nextInt(3) : rng.nextInt(256);
@@ -65,7 +65,7 @@ final class Eavesdropper implements Tap {
     return datagram;
   }
 
-  // The head of one datagram before the tail of another one of the same length or not.
+  // Joins the head of one datagram and the tail of another one of any length.
   private byte[] crossed(byte[] datagram) {
     byte[] other = recorded();
     int cut = rng.nextInt(Math.min(datagram.length, other.length));

@@ -7,45 +7,45 @@ import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 
 /**
- * Which faults an app or a primitive bears without losing its invariants: chaos draws from it, and
- * from nothing else.
+ * The faults that an app or a primitive tolerates without violating its invariants. Chaos draws from
+ * these alone.
  */
 public enum Envelope {
 
   /** No fault. */
   NONE("no faults"),
 
-  /** Whatever a network may do: loss, bursts, delay, duplication, reordering, partitions. */
-  NETWORK("whatever a network may do"),
+  /** Faults of the network: loss, bursts, delay, duplication, reordering, partitions. */
+  NETWORK("faults of the network: loss, bursts, delay, duplication, reordering, partitions"),
 
   /**
-   * That, and every crash with a restart, with or without its last writes; slow storage, clocks as
-   * wrong as can be, computing that takes time. For what never rests its safety on time or place:
-   * agreement, registration, election, mutual exclusion, barrier.
+   * {@link #NETWORK}, and crashes with restarts, with or without the last writes; slow storage,
+   * clocks that are wrong without bound, slow computing. For what never relies on time or position
+   * for its safety: agreement, registration, election, mutual exclusion, barrier.
    */
-  LOGICAL("the network's faults, crashes with restarts, slow storage, wrong clocks"),
+  LOGICAL("network, and crashes with restarts, slow storage, slow computing, wrong clocks"),
 
   /**
-   * As {@link #LOGICAL}, and somebody who listens, forges, replays and floods. Only with a key: a run
+   * {@link #LOGICAL}, and an attacker who listens, forges, replays and floods. It needs a key: a run
    * with these faults seals its datagrams.
    */
-  HOSTILE("the logical ones, and forged, replayed and senseless datagrams against a key"),
+  HOSTILE("logical, and forged, replayed and random datagrams; seals datagrams with a key"),
 
   /**
-   * The network's faults, every crash with a restart, slow storage, and clocks up to 200 ppm off. For
-   * robots that drive by what they agreed on.
+   * {@link #NETWORK}, and crashes with restarts, slow storage, and clocks with up to 200 ppm of
+   * drift. For robots that drive by what they agreed on.
    */
-  MOVING("the network's faults, crashes with restarts, slow storage, clocks up to 200 ppm off"),
+  MOVING("network, and crashes with restarts, slow storage, clocks with up to 200 ppm of drift"),
 
-  /** As {@link #LOGICAL}, and a minority of the robots that crashes for good. */
-  MORTAL("the logical ones, and a minority that crashes for good"),
+  /** {@link #LOGICAL}, and a minority of the robots crashes without restart. */
+  MORTAL("logical, and a minority of the robots crashes without restart"),
 
   /**
-   * The network's faults, and what a robot on wheels meets, within bounds: clocks up to 200 ppm off,
-   * fixes up to 20 mm farther off and saying so, up to a second without fixes, slow and stuck
-   * wheels. For what rests its safety on bounded drift and error: geocast, motion, paths.
+   * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, fixes with up
+   * to 20 mm of additional error that they report, up to a second without fixes, slow and stuck
+   * wheels. For what relies on bounded drift and error: geocast, motion, paths.
    */
-  SPATIAL("the network's faults, and bounded ones of clocks, positioning and wheels");
+  SPATIAL("network, and bounded faults of clocks, positioning and wheels");
 
   private final String meaning;
 
@@ -53,12 +53,12 @@ public enum Envelope {
     this.meaning = meaning;
   }
 
-  /** One line for people. */
+  /** One line for users. */
   public String meaning() {
     return meaning;
   }
 
-  /** @throws BadInput if no envelope is called so */
+  /** @throws BadInput if no envelope has this name */
   public static Envelope parse(String text) {
     List<String> names = new ArrayList<>();
     for (Envelope envelope : values()) {
@@ -68,7 +68,7 @@ public enum Envelope {
       names.add(envelope.toString());
     }
     String hint = NearMatches.hint(text.strip(), names);
-    throw new BadInput(BadInput.quote(text) + ": no envelope of faults is called so" + hint);
+    throw new BadInput(BadInput.quote(text) + ": no such envelope of faults" + hint);
   }
 
   /** As in {@code --set chaos=logical}. */

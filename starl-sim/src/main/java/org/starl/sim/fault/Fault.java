@@ -3,14 +3,14 @@ package org.starl.sim.fault;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Something that goes wrong, and when. Its text is what {@link FaultGrammar#parse} reads. */
+/** A fault and its times. Its text is what {@link FaultGrammar#parse} reads. */
 public record Fault(Harm harm, Span span) {
 
   public static Fault always(Harm harm) {
     return new Fault(harm, Span.ALWAYS);
   }
 
-  /** Whether it ends: a crash for good is over at once. */
+  /** Whether it ends. A crash without restart ends at once. */
   public boolean isFinite() {
     return span.isFinite() || harm instanceof Crash;
   }

@@ -11,17 +11,17 @@ import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.Unsynced;
 
 /**
- * The one grammar of faults: {@code name(arguments,times)}. Whom a fault befalls comes first: a
- * name, {@code bot0+bot1}, {@code any}, which is drawn, or {@code all}.
+ * The one grammar of faults: {@code name(arguments,times)}. The affected robots come first: a name,
+ * {@code bot0+bot1}, {@code any}, which is drawn by seed, {@code half} or {@code all}.
  */
 public final class FaultGrammar {
 
-  /** Of what every fault takes, one line for people. */
+  /** The times that every fault takes, one line for users. */
   public static final String TIMES =
       "every fault takes at=12s or at=5s..20s (drawn), and for=5s, for=2s..9s or until=30s";
 
   /**
-   * One kind of fault, for people.
+   * One kind of fault, for users.
    *
    * @param usage how it is written
    * @param meaning one line
@@ -34,30 +34,30 @@ public final class FaultGrammar {
       List.of(
           row(
               "crash(WHO,restart=5s,lose=unsynced)",
-              "the program ends; restarts after so long; lose: unsynced, some or nothing",
+              "the program crashes; restart: after this time; lose: unsynced, some or nothing",
               call ->
                   new Crash(
                       who(call), call.optional("lose", FaultGrammar::unsynced, Unsynced.LOST))),
           row(
               "loss(0.3,from=WHO,to=WHO)",
-              "each copy is lost with this probability",
+              "each copy of a datagram is lost with this probability",
               call -> new AirHarm.Loss(probability(call), Link.read(call))),
           row(
               "burst(2s,200ms,0.9,from=WHO,to=WHO)",
-              "each link is good and bad in turns, so long on average; loses while bad",
+              "each link is good, then bad, for these mean times; loses copies while bad",
               call ->
                   new AirHarm.Burst(
-                      call.next("the mean time that is good", FaultGrammar::positiveNs),
-                      call.next("the mean time that is bad", FaultGrammar::positiveNs),
+                      call.next("the mean good time", FaultGrammar::positiveNs),
+                      call.next("the mean bad time", FaultGrammar::positiveNs),
                       call.nextOr("the loss while bad", Quantities::probability, 1.0),
                       Link.read(call))),
           row(
               "delay(uniform(10ms,200ms),from=WHO,to=WHO)",
-              "each copy takes so much longer",
+              "each copy gets this additional delay",
               call -> new AirHarm.Delay(call.next("a delay", Latency::parse), Link.read(call))),
           row(
               "duplicate(0.1,50ms,from=WHO,to=WHO)",
-              "a copy arrives twice with this probability, up to so much later",
+              "a copy arrives twice with this probability, the second up to this much later",
               call ->
                   new AirHarm.Duplicate(
                       probability(call),
@@ -66,7 +66,7 @@ public final class FaultGrammar {
                       Link.read(call))),
           row(
               "reorder(0.2,100ms,from=WHO,to=WHO)",
-              "a copy is held back with this probability, by up to so much",
+              "a copy is delayed with this probability, by up to this time",
               call ->
                   new AirHarm.Reorder(
                       probability(call),
@@ -74,52 +74,55 @@ public final class FaultGrammar {
                       Link.read(call))),
           row(
               "partition(bot0+bot1|bot2)",
-              "groups hear only their own; also bot0>bot1 (one way), area=rect(0,0,2m,1m),"
+              "groups hear only their own members; also bot0>bot1 (one way), area=rect(0,0,2m,1m),"
                   + " area=circle(0,0,2m)",
               FaultGrammar::partition),
           row(
               "range(3m)",
-              "nothing carries farther",
+              "the radio range, between centres",
               call -> new Cut.Range(call.next("a distance", Quantities::distanceMm))),
-          row("sight", "nothing passes through walls and bodies", call -> new Cut.Sight()),
+          row(
+              "sight",
+              "datagrams need a line of sight, free of walls and bodies",
+              call -> new Cut.Sight()),
           row("stuck(WHO)", "the wheels do not turn", call -> new RobotHarm.Stuck(who(call))),
           row(
               "slow(WHO,0.5)",
-              "the wheels do this fraction of what they are told",
+              "the wheels turn at this fraction of the commanded speed",
               call ->
                   new RobotHarm.Slow(who(call), call.next("a fraction", Quantities::probability))),
           row(
               "noise(WHO,30mm,3deg)",
-              "fixes are so much farther off, and say so",
+              "fixes have this additional error, and report it in their bound",
               call -> new RobotHarm.Noise(who(call), noise(call))),
           row("dropout(WHO)", "no fixes come", call -> new RobotHarm.Dropout(who(call))),
           row(
               "jump(WHO,300mm)",
-              "fixes are so far off, and do not say so",
+              "fixes are shifted this far, and do not report it",
               call -> new RobotHarm.Jump(who(call), call.next("how far", Quantities::distanceMm))),
           row(
               "compute(WHO,20ms)",
-              "each action takes so long, and the next one waits",
+              "each action takes this time, and the next one waits",
               call ->
                   new RobotHarm.Compute(
                       who(call), call.next("the time of an action", Quantities::durationNs))),
           row(
               "drift(WHO,200ppm)",
-              "the clock is so much too fast, or too slow: -200ppm",
+              "the clock is too fast by this rate, or too slow: -200ppm",
               call -> new RobotHarm.Drift(who(call), call.next("a drift", FaultGrammar::ppm))),
           row(
               "skew(WHO,50ms)",
-              "the clock is so much ahead, or behind: -50ms",
+              "the clock is ahead by this time, or behind: -50ms",
               call -> new RobotHarm.Skew(who(call), call.next("a skew", FaultGrammar::signedNs))),
           row(
               "disk(WHO,50ms)",
-              "writes to stable storage take so much longer to survive a crash",
+              "writes to stable storage survive a crash only after this additional time",
               call ->
                   new RobotHarm.Disk(
                       who(call), call.next("the time of a write", Quantities::durationNs))),
           row(
               "ram(WHO,300mm/s)",
-              "a foreign body drives into the robot",
+              "a foreign body drives into the robot again and again",
               call ->
                   new IntruderHarm.Ram(
                       who(call),
@@ -129,19 +132,19 @@ public final class FaultGrammar {
                           IntruderHarm.Ram.USUAL_MM_PER_S))),
           row(
               "block(WHO)",
-              "a foreign body parks before the robot",
+              "a foreign body parks in front of the robot",
               call -> new IntruderHarm.Block(who(call))),
           row(
               "forge(WHO,100ms)",
-              "somebody without the key sends changed recordings, about every so long",
+              "an attacker without the key sends changed recordings, at this mean interval",
               call -> new AttackHarm.Forge(who(call), meanTime(call))),
           row(
               "replay(WHO,100ms)",
-              "somebody without the key sends old recordings, about every so long",
+              "an attacker without the key sends old recordings, at this mean interval",
               call -> new AttackHarm.Replay(who(call), meanTime(call))),
           row(
               "flood(WHO,1ms)",
-              "somebody without the key sends bytes without sense, about every so long",
+              "an attacker without the key sends random bytes, at this mean interval",
               call -> new AttackHarm.Flood(who(call), meanTime(call))));
 
   private FaultGrammar() {}
@@ -154,7 +157,7 @@ public final class FaultGrammar {
   /**
    * Reads one fault.
    *
-   * @throws BadInput if it is none; the message names text, argument and what was expected
+   * @throws BadInput if it is not a fault; the message names text, argument and what was expected
    */
   public static Fault parse(String text) {
     Call call = Call.parse(text);
@@ -189,7 +192,7 @@ public final class FaultGrammar {
   }
 
   private static long meanTime(Call call) {
-    return call.next("the mean time between two", FaultGrammar::positiveNs);
+    return call.next("the mean interval", FaultGrammar::positiveNs);
   }
 
   private static double probability(Call call) {

@@ -9,8 +9,8 @@ import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
 /**
- * What goes wrong in a run. Its text is its faults with {@code ;} between them, as in the setting
- * {@code faults}; commas are read as well, as in a list of a scenario file.
+ * The faults of a run. Its text is its faults with {@code ;} between them, as in the setting {@code
+ * faults}; commas are read as well, as in a list of a scenario file.
  */
 public record FaultPlan(List<Fault> faults) {
 
@@ -20,7 +20,7 @@ public record FaultPlan(List<Fault> faults) {
     faults = List.copyOf(faults);
   }
 
-  /** @throws org.starl.input.BadInput if one of them is no fault */
+  /** @throws org.starl.input.BadInput if one of them is not a fault */
   public static FaultPlan parse(String text) {
     List<Fault> faults = new ArrayList<>();
     int depth = 0;
@@ -43,10 +43,10 @@ public record FaultPlan(List<Fault> faults) {
 
   /**
    * A plan drawn from an envelope: faults that come and go, alone and together, and have all ended
-   * by {@code untilNs}; of {@link Envelope#MORTAL}, some robots stay dead. What comes after is a
-   * world that behaves, in which progress can be demanded.
+   * by {@code untilNs}, except that with {@link Envelope#MORTAL} some robots stay dead. After that
+   * time progress can be demanded.
    *
-   * @param robots of the deployment: a majority of so many stays alive
+   * @param robots of the deployment, of which a majority stays alive
    */
   public static FaultPlan chaos(Envelope envelope, int robots, long untilNs, Rng rng) {
     return Chaos.draw(envelope, robots, untilNs, rng);
@@ -64,7 +64,7 @@ public record FaultPlan(List<Fault> faults) {
   }
 
   /**
-   * @throws BadInput if a fault names a robot that is none of these
+   * @throws BadInput if a fault names another robot
    */
   public void requireNamedAmong(Collection<RobotId> robots) {
     for (Fault fault : faults) {
@@ -79,17 +79,17 @@ public record FaultPlan(List<Fault> faults) {
     }
   }
 
-  /** Whether some robot's time goes wrong, so that robots need clocks of their own. */
+  /** Whether it changes some robot's time, so that robots need clocks of their own. */
   public boolean touchesTime() {
     return faults.stream()
         .anyMatch(fault -> fault.harm() instanceof RobotHarm harm && harm.touchesTime());
   }
 
   /**
-   * Lets them happen: those that begin with the run begin now.
+   * Starts the faults of a run: those that begin with the run begin now.
    *
    * @param rng of the run's seed, forked for faults
-   * @return takes more
+   * @return for adding more faults
    */
   public FaultRun install(Ward ward, Rng rng) {
     FaultRun run = new FaultRun(ward);

@@ -9,7 +9,7 @@ import org.starl.input.Quantities;
 import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
 
-/** Faults at work in one run: begins and ends them and tells of it. */
+/** The faults of one run: begins them, ends them and records both in the trace. */
 public final class FaultRun {
 
   private final Ward ward;
@@ -21,9 +21,9 @@ public final class FaultRun {
   }
 
   /**
-   * Lets these happen as well: those whose time has come begin now.
+   * Adds faults. Those that are due begin now.
    *
-   * @param rng theirs alone
+   * @param rng for these faults alone
    */
   public void add(FaultPlan plan, Rng rng) {
     Map<String, Integer> sameBefore = new LinkedHashMap<>();
@@ -33,7 +33,7 @@ public final class FaultRun {
     toEnd += more.size();
     for (int i = 0; i < more.size(); i++) {
       Fault fault = more.get(i);
-      // By its text, and for equal ones by their count, so that no fault shifts another's draws.
+      // Forked by text and, among equal faults, by count: no fault changes another one's draws.
       int copy = sameBefore.merge(fault.toString(), 1, Integer::sum);
       Rng own = rng.fork(fault + "#" + copy);
       long beginNs = fault.span().at().drawNs(own.fork("at"));

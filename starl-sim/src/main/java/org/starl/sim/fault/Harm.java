@@ -2,27 +2,27 @@ package org.starl.sim.fault;
 
 import java.util.List;
 
-/** What a fault does while it lasts, when it does not matter. Immutable. */
+/** The effect of a fault, without its times. Immutable. */
 public sealed interface Harm permits AirHarm, RobotHarm, IntruderHarm, AttackHarm, Crash {
 
-  /** As in its text: {@code crash}. */
+  /** The name in its text: {@code crash}. */
   String name();
 
-  /** Its arguments as text, times aside. */
+  /** Its arguments as text, without times. */
   List<String> arguments();
 
-  /** Whom it befalls; all for what befalls the air. */
+  /** The robots that it affects; all robots for a fault of the network. */
   Who who();
 
-  /** Everybody whom its text names, in whatever part. */
+  /** All robots that its text names, in any argument. */
   default List<Who> named() {
     return List.of(who());
   }
 
-  /** Does it, until the returned cure runs. */
+  /** Begins it; the returned cure ends it. */
   Runnable begin(Onset onset);
 
-  /** The name of the argument that says how long it lasts. */
+  /** The key of the argument for its length. */
   default String lastingKey() {
     return "for";
   }

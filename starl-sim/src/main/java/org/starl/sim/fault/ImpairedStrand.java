@@ -10,10 +10,9 @@ import org.starl.platform.Timers;
 import org.starl.sim.kernel.SimStrand;
 
 /**
- * A robot's strand by the robot's own clock, on which computing can take time: then each action
- * (what arrives, a timer, the app from one wait to the next) holds the strand so long, and what
- * comes meanwhile waits for its turn, in order. What measures the robot, and its storage, stand
- * outside.
+ * A robot's strand on the robot's own clock. Computing can take time on it: then each action (a
+ * message, a timer, the app from one wait to the next) occupies the strand for that time, and later
+ * actions wait in order. Positioning and stable storage are not delayed.
  */
 public final class ImpairedStrand implements Strand, Timers {
 
@@ -24,7 +23,7 @@ public final class ImpairedStrand implements Strand, Timers {
   private final Timer nextTurn;
   private long computeNs;
   private long busyUntilNs;
-  // Whether what ran last on the strand was an action, and not only one that came and had to wait.
+  // Whether the last event on the strand ran an action, and did not only put one into the queue.
   private boolean wasAction;
 
   public ImpairedStrand(SimStrand strand, RobotClock clock, Clock trueClock) {
@@ -34,7 +33,7 @@ public final class ImpairedStrand implements Strand, Timers {
     nextTurn = strand.timer(this::turn);
   }
 
-  /** From now on the robot's time is wrong in this way. */
+  /** Sets the impairment of the robot's time. */
   public void apply(Impairment impairment) {
     clock.set(impairment.driftPpm(), impairment.skewNs());
     computeNs = impairment.computeNs();
@@ -91,13 +90,13 @@ public final class ImpairedStrand implements Strand, Timers {
       }
     }
     if (looks[0] > 1) {
-      // The app goes on right after the action that made it true.
+      // The app continues right after the action that made the condition true.
       hold();
     }
     return true;
   }
 
-  /** As a gate: {@code action} has come, and takes its turn. */
+  /** As a gate: queues {@code action}. */
   public void pass(Runnable action) {
     if (isFree()) {
       act(action);
@@ -136,7 +135,7 @@ public final class ImpairedStrand implements Strand, Timers {
     return waiting.isEmpty() && busyUntilNs <= trueClock.nowNs();
   }
 
-  // The app waits in the queue like everybody else.
+  // The app waits in the queue like every other action.
   private void takeTurn() {
     if (isFree()) {
       hold();
@@ -147,7 +146,7 @@ public final class ImpairedStrand implements Strand, Timers {
     }
   }
 
-  /** Set by the robot's clock; expires, takes its turn, and then acts. */
+  /** A timer on the robot's clock: when it expires, its action is queued. */
   private final class ImpairedTimer implements Timer {
     private final Runnable action;
     private final Runnable turn = this::act;

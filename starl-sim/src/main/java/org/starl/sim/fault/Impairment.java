@@ -3,16 +3,17 @@ package org.starl.sim.fault;
 import org.starl.sim.world.PositionNoise;
 
 /**
- * What is wrong with one robot's parts. Several add up.
+ * The impairments of one robot's parts, summed over its faults.
  *
- * @param wheels the fraction of what the wheels are told that they do, from 0 (stuck) to 1
- * @param noise fixes are so much farther off the truth, and say so
- * @param isBlind whether no fixes come
- * @param offXMm fixes are off the truth by this, and do not say so
- * @param driftPpm so many microseconds a second the robot's clock is too fast; below 0, too slow
- * @param skewNs so much the robot's clock is ahead; below 0, behind
- * @param computeNs every action of the robot takes so long
- * @param diskNs writes to stable storage take so much longer until they survive a crash
+ * @param wheels wheel speed as a fraction of the commanded speed, from 0 (stuck) to 1
+ * @param noise additional error of fixes, included in the bound that they report
+ * @param isBlind whether there are no fixes
+ * @param offXMm additional error of fixes along x, not included in that bound
+ * @param offYMm the same along y
+ * @param driftPpm rate by which the robot's clock is too fast, in us per s; below 0, too slow
+ * @param skewNs time by which the robot's clock is ahead, in ns; below 0, behind
+ * @param computeNs time that each action of the robot takes, in ns
+ * @param diskNs additional time until a write to stable storage survives a crash, in ns
  */
 public record Impairment(
     double wheels,
@@ -45,7 +46,7 @@ public record Impairment(
     return new Impairment(1, PositionNoise.NONE, false, 0, 0, 0, 0, 0, diskNs);
   }
 
-  /** Both at once. */
+  /** Both together. */
   public Impairment plus(Impairment other) {
     return new Impairment(
         wheels * other.wheels,

@@ -7,27 +7,27 @@ import java.util.Map;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
-/** Who is impaired in what way at present. */
+/** The impairments in effect, by robot. */
 public final class Impairments {
 
   private final List<Impairment> ofAll = new ArrayList<>();
   private final Map<RobotId, List<Impairment>> ofOne = new LinkedHashMap<>();
 
   /**
-   * @param robot null for all
+   * @param robot null for all robots
    */
   public void add(@Nullable RobotId robot, Impairment impairment) {
     of(robot).add(impairment);
   }
 
-  /** Takes out one that was added. */
+  /** Removes one that was added. */
   public void remove(@Nullable RobotId robot, Impairment impairment) {
     if (!of(robot).remove(impairment)) {
-      throw new IllegalStateException(robot + " does not suffer from " + impairment);
+      throw new IllegalStateException(robot + " does not have " + impairment);
     }
   }
 
-  /** All that {@code robot} suffers from. */
+  /** The sum of the impairments of {@code robot}. */
   public Impairment total(RobotId robot) {
     Impairment total = Impairment.NONE;
     for (Impairment impairment : ofAll) {

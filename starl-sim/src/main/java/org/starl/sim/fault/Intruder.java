@@ -9,7 +9,7 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.world.Body;
 
-/** One body under the world's control, after a robot. */
+/** A body of the world that follows one robot. */
 final class Intruder {
 
   private static final long STEP_NS = 50_000_000;
@@ -49,7 +49,7 @@ final class Intruder {
     }
     double radiusMm = victim.radiusMm();
     for (int i = 0; i < TRIES; i++) {
-      // Straight before it first: that is where it blocks, and where it is met head-on.
+      // Straight ahead first: there it blocks the robot, and meets it head-on.
       double spread = StrictMath.PI * i / TRIES;
       double direction = victim.pose().headingRad() + spread * (2 * rng.nextDouble() - 1);
       double distanceMm =

@@ -7,12 +7,12 @@ import org.starl.input.Quantities;
 import org.starl.sim.world.Body;
 
 /**
- * A body that is no robot of the deployment appears beside a robot and gets in its way; it vanishes
- * when the fault ends. Where no place is free near the robot, or it is not on the floor, none comes.
+ * A foreign body appears near a robot and blocks it; it vanishes when the fault ends. No body appears
+ * where no place is free near the robot, or while the robot is off the floor.
  */
 public sealed interface IntruderHarm extends Harm {
 
-  /** How fast it drives at the robot, in mm/s; 0 where it parks before it. */
+  /** Speed towards the robot, in mm/s; 0 if it parks in front of it. */
   double speedMmPerS();
 
   @Override
@@ -46,7 +46,7 @@ public sealed interface IntruderHarm extends Harm {
     }
   }
 
-  /** Parks before the robot: {@code block(bot1,at=3s,for=10s)}. */
+  /** Parks in front of the robot: {@code block(bot1,at=3s,for=10s)}. */
   record Block(Who who) implements IntruderHarm {
     @Override
     public String name() {

@@ -9,7 +9,7 @@ import org.starl.random.Rng;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Verdict;
 
-/** Which copies a fault of the air befalls: those from these robots to those. */
+/** The links that a fault affects: from some robots to some robots. */
 public record Link(Who from, Who to) {
 
   public static final Link ALL = new Link(Who.ALL, Who.ALL);
@@ -30,7 +30,7 @@ public record Link(Who from, Who to) {
     return arguments;
   }
 
-  /** {@code rule} for these copies alone. */
+  /** {@code rule} for copies on these links alone. */
   LinkRule limit(LinkRule rule, Ward ward, Rng rng) {
     if (equals(ALL)) {
       return rule;

@@ -5,11 +5,11 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**
- * A fault's begin.
+ * The context in which a fault begins.
  *
  * @param number of the fault in its plan, from 0
- * @param whom it befalls: whom its {@link Harm#who} means now
- * @param lastingNs how long it lasts, or {@link Span#NEVER}
- * @param rng its own generator
+ * @param whom the robots that it affects: those that {@link Harm#who} selects now
+ * @param lastingNs its length in ns, or {@link Span#NEVER}
+ * @param rng its generator
  */
 public record Onset(Ward ward, int number, List<RobotId> whom, long lastingNs, Rng rng) {}

@@ -3,14 +3,14 @@ package org.starl.sim.fault;
 import org.starl.platform.Clock;
 
 /**
- * A robot's own clock, which runs too fast or too slow, ahead or behind, but never backwards: where
- * it has to go back it stands still until its time has come. It outlives the robot's program.
+ * A robot's own clock, which may run too fast or too slow, ahead or behind, but never backwards:
+ * where it has to go back it stands still until its time is reached. It outlives the robot's program.
  */
 public final class RobotClock implements Clock {
 
   private static final long MILLION = 1_000_000;
 
-  // Beyond this no time is told apart: 30 years.
+  // Largest time that it tells: 30 years.
   private static final long FAR_NS = 1_000_000_000_000_000_000L;
 
   private final Clock trueClock;
@@ -27,10 +27,10 @@ public final class RobotClock implements Clock {
   }
 
   /**
-   * From now on it runs so.
+   * Sets drift and skew from now on.
    *
-   * @param newDriftPpm so many microseconds a second too fast, above -1,000,000
-   * @param newSkewNs so much ahead of what it would show without
+   * @param newDriftPpm rate by which it is too fast, in us per s, above -1,000,000
+   * @param newSkewNs time by which it is ahead, in ns
    */
   void set(long newDriftPpm, long newSkewNs) {
     if (newDriftPpm <= -MILLION) {
@@ -49,7 +49,7 @@ public final class RobotClock implements Clock {
     return Math.max(shownNs, runningNs(trueClock.nowNs()));
   }
 
-  /** The first true time, not before now, at which it shows {@code localNs}, if it goes on so. */
+  /** The first true time, not before now, at which it shows {@code localNs}, if nothing changes. */
   long trueNs(long localNs) {
     long nowNs = trueClock.nowNs();
     if (localNs <= nowNs()) {
@@ -61,7 +61,7 @@ public final class RobotClock implements Clock {
     }
     long trueNs = anchorTrueNs + (long) (aheadNs * (MILLION / (double) (MILLION + driftPpm)));
     trueNs = Math.max(trueNs, nowNs);
-    // Rounding leads a few ns astray, one way or the other.
+    // Rounding is wrong by a few ns in either direction.
     while (runningNs(trueNs) < localNs) {
       trueNs++;
     }

@@ -7,13 +7,13 @@ import org.starl.input.Quantities;
 import org.starl.random.Rng;
 import org.starl.sim.world.PositionNoise;
 
-/** A part of a robot does not do what it should; its program goes on. */
+/** A part of a robot is impaired; its program continues. */
 public sealed interface RobotHarm extends Harm {
 
-  /** What is wrong. */
+  /** The impairment. */
   Impairment impairment(Rng rng);
 
-  /** Whether it is the robot's time that is wrong, which takes a clock of its own. */
+  /** Whether it changes the robot's time, so that the robot needs a clock of its own. */
   default boolean touchesTime() {
     return false;
   }
@@ -49,7 +49,7 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** The wheels do this fraction of what they are told: {@code slow(bot1,0.5)}. */
+  /** The wheels turn at this fraction of the commanded speed: {@code slow(bot1,0.5)}. */
   record Slow(Who who, double fraction) implements RobotHarm {
     @Override
     public String name() {
@@ -67,7 +67,10 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** Fixes are farther off, and say so: {@code noise(bot1,30mm)}, {@code noise(all,30mm,0.1rad)}. */
+  /**
+   * Fixes have larger errors, and report the larger bound: {@code noise(bot1,30mm)}, {@code
+   * noise(all,30mm,0.1rad)}.
+   */
   record Noise(Who who, PositionNoise more) implements RobotHarm {
     @Override
     public String name() {
@@ -106,7 +109,7 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** Fixes are this far off in a direction that is drawn, and do not say so. */
+  /** Fixes are shifted by this distance in a random direction, and report no larger bound. */
   record Jump(Who who, double distanceMm) implements RobotHarm {
     @Override
     public String name() {
@@ -129,7 +132,7 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** Each action of the robot takes so long, and the next one waits: {@code compute(bot1,20ms)}. */
+  /** Each action of the robot takes this time, and the next one waits: {@code compute(bot1,20ms)}. */
   record Compute(Who who, long actionNs) implements RobotHarm {
     @Override
     public String name() {
@@ -152,10 +155,10 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** The clock is so much too fast, or, below 0, too slow: {@code drift(bot1,200ppm)}. */
+  /** The clock runs too fast by this rate, or too slow if below 0: {@code drift(bot1,200ppm)}. */
   record Drift(Who who, long ppm) implements RobotHarm {
 
-    /** A clock that is off by half is no clock. */
+    /** Largest drift: half of the true rate. */
     static final long MOST_PPM = 500_000;
 
     @Override
@@ -179,7 +182,7 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** The clock is so much ahead, or, below 0, behind: {@code skew(bot1,50ms)}. */
+  /** The clock is ahead by this time, or behind if below 0: {@code skew(bot1,50ms)}. */
   record Skew(Who who, long skewNs) implements RobotHarm {
     @Override
     public String name() {
@@ -203,7 +206,9 @@ public sealed interface RobotHarm extends Harm {
     }
   }
 
-  /** Writes to stable storage take so much longer to survive a crash: {@code disk(bot1,50ms)}. */
+  /**
+   * Writes to stable storage need this additional time to survive a crash: {@code disk(bot1,50ms)}.
+   */
   record Disk(Who who, long delayNs) implements RobotHarm {
     @Override
     public String name() {

@@ -30,12 +30,12 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
     }
   }
 
-  /** From one time of the run to a later one. */
+  /** From one time of the run to a later one, in ns. */
   public static Span between(long fromNs, long untilNs) {
     return new Span(TimeRange.exactly(fromNs), null, untilNs);
   }
 
-  /** Whether it ends at all. */
+  /** Whether it ends. */
   public boolean isFinite() {
     return lasting != null || untilNs != NEVER;
   }
@@ -48,7 +48,7 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
     return untilNs == NEVER ? NEVER : untilNs - beginNs;
   }
 
-  /** Reads what {@code call} says of times. */
+  /** Reads the times in {@code call}. */
   static Span read(Call call, String lastingKey) {
     TimeRange at = call.optional("at", TimeRange::parse, TimeRange.ZERO);
     String lasting = call.keyed(lastingKey);
@@ -62,7 +62,7 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
     }
   }
 
-  /** As text, in the order in which people think: when, how long. */
+  /** As text: begin, then length. */
   List<String> arguments(String lastingKey) {
     List<String> arguments = new ArrayList<>();
     if (!at.equals(TimeRange.ZERO)) {

@@ -8,44 +8,44 @@ import org.starl.sim.world.Body;
 import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
 
-/** What faults can do to a run: its levers. Times in ns from the start of the run. */
+/** What faults can do to a run. Times in ns from the start of the run. */
 public interface Ward {
 
   long nowNs();
 
-  /** Runs {@code action} at {@code atNs}, or now, later in order, if that is past. */
+  /** Runs {@code action} at {@code atNs}; if that is past, now, after the events of this time. */
   void at(long atNs, Runnable action);
 
-  /** The robots that are there, crashed ones included, in the order in which they came. */
+  /** The robots that have joined and not left, crashed ones included, in the order of joining. */
   List<RobotId> robots();
 
-  /** Whether the robot is or was there. */
+  /** Whether the robot has ever joined. */
   boolean isKnown(RobotId robot);
 
-  /** Whether the robot is there, and has not crashed. */
+  /** Whether the robot has joined, and neither left nor crashed. */
   boolean isUp(RobotId robot);
 
-  /** Ends the program of a robot that is up, for good. */
+  /** Crashes the program of a robot that is up, without restart. */
   void crash(RobotId robot);
 
-  /** Ends the program of a robot that is up, and restarts it after {@code downNs}. */
+  /** Crashes the program of a robot that is up, and restarts it after {@code downNs}. */
   void crash(RobotId robot, long downNs, Unsynced unsynced);
 
   SimNetwork network();
 
   World world();
 
-  /** The robot's body, or null while it has none on the floor. */
+  /** The robot's body, or null while it is off the floor. */
   @Nullable Body body(RobotId robot);
 
   /**
-   * Impairs a robot in this and every later incarnation, or all robots and those that are to come,
+   * Impairs a robot in this and every later incarnation, or all robots and those that join later,
    * until the returned cure runs.
    *
-   * @param robot null for all
+   * @param robot null for all robots
    */
   Runnable impair(@Nullable RobotId robot, Impairment impairment);
 
-  /** Tells everybody who watches: an event of kind {@code fault}. */
+  /** Records an event of kind {@code fault} in the trace. */
   void tell(RobotId robot, String name, String detail);
 }

@@ -3,7 +3,7 @@ package org.starl.sim.junit;
 import java.util.function.Consumer;
 import org.starl.sim.SimResult;
 
-/** What a {@link StarlTest} wants to know of the end of a run, besides what monitors watch. */
+/** Checks of a {@link StarlTest} after a run, besides its monitors. */
 @FunctionalInterface
 public interface Afterwards {
 

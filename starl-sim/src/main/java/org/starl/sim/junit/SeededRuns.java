@@ -15,17 +15,17 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 
 /**
- * The runs of one test, for seeds that follow each other.
+ * The runs of one test, for consecutive seeds.
  *
  * @param name of the test, as Maven's {@code -Dtest} takes it
- * @param faults of every run, besides those that the scenario has itself
+ * @param faults of every run, besides those of the scenario
  * @param chaos to draw from; the scenario's own if none
- * @param atMostNs when runs end whose scenario sets no end
+ * @param atMostNs end of runs whose scenario sets no end
  * @param scenario the test's method
  */
 record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, Scenario scenario) {
 
-  /** Of so many bad runs the failure tells what went wrong. */
+  /** The failure describes at most this many bad runs. */
   private static final int MOST_TOLD = 5;
 
   /** Fills the builder of one seed, and says what to check. */
@@ -65,7 +65,7 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
   /**
    * Runs them all.
    *
-   * @throws AssertionError if not every run goes well
+   * @throws AssertionError if a run is bad
    * @throws InterruptedException if the test's thread is interrupted
    */
   void run(long firstSeed, long lastSeed) throws InterruptedException {
@@ -91,7 +91,7 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     try {
       return planned(seed, builder, checks);
     } catch (AssertionError | RuntimeException wrong) {
-      // Goes on as it is, since JUnit knows some kinds; the seed is told beside it.
+      // Thrown unchanged, since JUnit handles some types; the seed is added to it.
       wrong.addSuppressed(new IllegalStateException("seed " + seed + "; " + replay(seed)));
       throw wrong;
     }

@@ -76,7 +76,8 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     if (alone.isPresent()) {
       runs.run(alone.get(), alone.get());
     } else if (wanted.seeds() < 1) {
-      throw new ExtensionConfigurationException("seeds = " + wanted.seeds() + ": expected some");
+      throw new ExtensionConfigurationException(
+          "seeds = " + wanted.seeds() + ": expected at least 1");
     } else {
       runs.run(wanted.firstSeed(), wanted.firstSeed() + wanted.seeds() - 1);
     }
@@ -122,7 +123,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     }
   }
 
-  /** Empty if the parameter is blank, as a build passes it on where nobody set it. */
+  /** Empty if the parameter is blank: builds pass it on even if it is not set. */
   private static Optional<Long> seed(String text) {
     if (text.isBlank()) {
       return Optional.empty();

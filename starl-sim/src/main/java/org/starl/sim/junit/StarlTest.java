@@ -34,13 +34,13 @@ import org.starl.sim.fault.Envelope;
 @ExtendWith(StarlExtension.class)
 public @interface StarlTest {
 
-  /** How many runs, at least one. */
+  /** Number of runs, at least 1. */
   int seeds() default 100;
 
   /** The first run's seed; each next run has the next one. */
   long firstSeed() default 1;
 
-  /** What goes wrong in every run, each as text: {@code crash(bot2,at=12s,restart=5s)}. */
+  /** Faults of every run, each as text: {@code crash(bot2,at=12s,restart=5s)}. */
   String[] faults() default {};
 
   /** Faults drawn by seed from these, over before half of the run's time, at most 60 s. */

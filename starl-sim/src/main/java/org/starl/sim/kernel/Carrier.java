@@ -1,13 +1,13 @@
 package org.starl.sim.kernel;
 
 /**
- * Carries one app, which waits now and then, beside the kernel, which goes on meanwhile: either the
- * app or the kernel runs, never both.
+ * The thread of one blocking app. Either the app or the kernel runs, never both: while the app waits,
+ * the kernel continues.
  */
 interface Carrier {
 
   /**
-   * Kernel's side: lets the app begin or go on, and returns when it suspends itself or is over.
+   * Called by the kernel: starts or resumes the app, and returns when it suspends itself or ends.
    *
    * @throws ForeignWait if it does neither, because it waits for something that is not the kernel,
    *     for longer than the limit
@@ -17,12 +17,12 @@ interface Carrier {
   /** Touches what {@link #resume} is going to use ({@link Cache}). */
   int touch();
 
-  /** App's side: lets the kernel go on, and returns when the kernel resumes it. */
+  /** Called by the app: resumes the kernel, and returns when the kernel resumes the app. */
   void suspend();
 
   /**
-   * Kernel's side, after a {@link ForeignWait}: interrupts the app, and returns when it suspends
-   * itself or is over.
+   * Called by the kernel after a {@link ForeignWait}: interrupts the app, and returns when it suspends
+   * itself or ends.
    *
    * @throws ForeignWait as {@link #resume} does
    */

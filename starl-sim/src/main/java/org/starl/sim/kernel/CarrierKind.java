@@ -2,13 +2,13 @@ package org.starl.sim.kernel;
 
 import org.jspecify.annotations.Nullable;
 
-/** What carries an app that waits. The order of everything is the same on both. */
+/** Thread type for blocking apps. The order of events is the same on both. */
 public enum CarrierKind {
 
   /** A virtual thread whose scheduler is the kernel: fast and small. */
   VIRTUAL,
 
-  /** A platform thread that passes a baton to and fro with the kernel: runs everywhere. */
+  /** A platform thread that takes turns with the kernel: runs everywhere. */
   PLATFORM;
 
   private static final int FIRST_GOOD_JDK = 24;

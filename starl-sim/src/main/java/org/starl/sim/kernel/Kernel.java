@@ -85,7 +85,7 @@ public final class Kernel implements Clock, AutoCloseable {
     return new KernelTimer(this, null, action);
   }
 
-  /** A new strand; its name is for people. */
+  /** A new strand; its name is for messages. */
   public SimStrand strand(String name) {
     return new SimStrand(this, name);
   }

@@ -18,7 +18,7 @@ final class PatientWait implements AutoCloseable {
   }
 
   /**
-   * Waits until somebody unparks this thread, or for no reason.
+   * Waits until this thread is unparked; may return early.
    *
    * @return false, at once, if the limit has passed
    */

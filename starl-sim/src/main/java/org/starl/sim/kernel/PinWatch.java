@@ -6,7 +6,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Looks after apps that wait where a virtual thread cannot leave the kernel's thread: inside a
+ * Watches for apps that wait where a virtual thread cannot leave the kernel's thread: inside a
  * static initialiser or a native method. Such a wait would hold the kernel for good, since only the
  * kernel could end it; past the limit this watch makes it fail. Has a thread of its own.
  */

@@ -1,8 +1,8 @@
 package org.starl.sim.kernel;
 
 /**
- * Ends a run: an exception came out of a robot's app, handler or timer, which is a bug of the
- * robot's program. The cause is that exception.
+ * A robot's app, handler or timer threw, which is a bug of the robot's program and ends the run. The
+ * cause is that exception.
  */
 public final class RobotError extends RuntimeException {
 

@@ -35,7 +35,7 @@ public final class SimBackground implements Background {
     kernel.schedule(freeNs, strand, outcome);
   }
 
-  /** While it computes no strand is current: a task that waits or says it is on one is found out. */
+  /** No strand is current while it computes: a task that waits, or claims to be on a strand, fails. */
   private Runnable compute(Runnable task, Runnable done) {
     SimStrand caller = kernel.current();
     kernel.setCurrent(null);

@@ -124,7 +124,7 @@ final class VirtualCarrier implements Carrier, Executor {
     LockSupport.unpark(thread);
   }
 
-  /** Called by whoever makes the virtual thread runnable: most times the kernel, in resume. */
+  /** Called by the thread that makes the virtual thread runnable: mostly the kernel, in resume. */
   @Override
   public void execute(Runnable runnable) {
     if (Thread.currentThread() == kernelThread) {

@@ -4,8 +4,8 @@ import java.util.function.Consumer;
 import org.starl.id.RobotId;
 
 /**
- * Who can hear a broadcast at all. It spares large swarms with short range the walk over everyone;
- * who is in doubt is named, and a {@link LinkRule} decides.
+ * The robots that may receive a broadcast. In large swarms with short range it spares the network the
+ * visit of every robot. It may name too many robots, never too few: a {@link LinkRule} decides.
  */
 @FunctionalInterface
 public interface Audience {

@@ -6,8 +6,8 @@ import org.starl.sim.kernel.Cache;
 import org.starl.sim.kernel.Touchable;
 
 /**
- * Deliveries and packets, used again and again. One that a closed strand never ran, or never let pass
- * its gate, is never taken back: it is garbage, nothing waits for it.
+ * A pool of deliveries and packets. A delivery that a closed strand never ran is not returned to the
+ * pool; the garbage collector takes it.
  */
 final class DeliveryPool {
 
@@ -83,7 +83,7 @@ final class DeliveryPool {
 
     private SimRadio radio() {
       if (to == null) {
-        throw new IllegalStateException("a delivery that is in the pool");
+        throw new IllegalStateException("the delivery is in the pool already");
       }
       return to;
     }

@@ -1,9 +1,9 @@
 package org.starl.sim.net;
 
-/** What lies between a robot's radio and its program. */
+/** Stands between a robot's radio and its program, and may delay what arrives. */
 @FunctionalInterface
 public interface Gate {
 
-  /** Runs {@code arrival} on the robot's strand, which runs now: at once, or when its turn comes. */
+  /** Runs {@code arrival} on the robot's strand, which is running: at once, or in its turn. */
   void pass(Runnable arrival);
 }

@@ -8,7 +8,7 @@ import org.starl.input.Quantity;
 import org.starl.random.Rng;
 
 /**
- * How long a datagram takes: a distribution of delays in ns, none below 0. Its text is what {@link
+ * The delay of a datagram: a distribution in ns, never below 0. Its text is what {@link
  * #parse} reads and {@code toString} gives: {@code 100ms}, {@code uniform(10ms,200ms)}, {@code
  * normal(100ms,20ms)}, {@code exponential(50ms)}.
  */
@@ -23,7 +23,8 @@ public sealed interface Latency {
   long drawNs(Rng rng);
 
   /**
-   * Longer than any delay of any run: the greatest one, or one that is not drawn in 10^13 draws.
+   * An upper bound of the delays of a run: the greatest one, or one so rare that 10^13 draws are not
+   * expected to exceed it.
    */
   long longestNs();
 
@@ -32,7 +33,7 @@ public sealed interface Latency {
     return false;
   }
 
-  /** Reads a distribution. @throws BadInput if it is none */
+  /** Reads a distribution. @throws BadInput if {@code text} is not one */
   static Latency parse(String text) {
     String stripped = text.strip();
     int open = stripped.indexOf('(');

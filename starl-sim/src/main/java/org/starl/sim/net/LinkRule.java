@@ -1,8 +1,8 @@
 package org.starl.sim.net;
 
 /**
- * One fault, or one law of the air: says what becomes of a copy. A partition, a limited range, a
- * burst of loss, duplication are rules.
+ * A rule of the network: passes, delays, repeats, delivers or drops each copy of a datagram. Faults
+ * such as a partition, a limited range or bursts of loss are rules.
  */
 @FunctionalInterface
 public interface LinkRule {
@@ -10,10 +10,10 @@ public interface LinkRule {
   /** Decides about {@code copy}, or passes it on to the next rule and at last to the base link. */
   Verdict judge(Transmission copy);
 
-  /** Takes an installed rule out. */
+  /** Removes an installed rule. */
   @FunctionalInterface
   interface Handle {
-    /** From now on the rule judges nothing; what it decided stands. May be called again. */
+    /** Removes the rule; its earlier decisions stand. May be called again. */
     void uninstall();
   }
 }

@@ -4,7 +4,7 @@ import org.starl.input.Quantities;
 import org.starl.random.Rng;
 
 /**
- * How often a datagram is lost: each copy to each recipient on its own.
+ * The probability that a datagram is lost: each copy to each recipient independently.
  *
  * @param probability from 0 (never) to 1 (always)
  */
@@ -18,12 +18,12 @@ public record Loss(double probability) {
     }
   }
 
-  /** Reads a probability. @throws org.starl.input.BadInput if it is none */
+  /** Reads a probability. @throws org.starl.input.BadInput if {@code text} is not one */
   public static Loss parse(String text) {
     return new Loss(Quantities.probability(text));
   }
 
-  /** Draws nothing where the answer is certain. */
+  /** Whether to lose a copy. Draws nothing where the answer is certain. */
   boolean strikes(Rng rng) {
     return probability > 0 && (probability >= 1 || rng.nextBoolean(probability));
   }

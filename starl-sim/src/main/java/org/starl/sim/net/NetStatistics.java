@@ -1,11 +1,11 @@
 package org.starl.sim.net;
 
 /**
- * What the air has carried so far.
+ * Counts of the network so far.
  *
  * @param sent datagrams handed to radios; a broadcast is one
- * @param sentBytes their lengths added up
+ * @param sentBytes the sum of their lengths
  * @param delivered copies handed to a recipient's radio
- * @param lost copies that came to nothing: loss, a rule, a recipient that does not exist or is gone
+ * @param lost copies not delivered: by loss, by a rule, or to a recipient that is not there
  */
 public record NetStatistics(long sent, long sentBytes, long delivered, long lost) {}

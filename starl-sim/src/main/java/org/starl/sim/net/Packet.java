@@ -2,7 +2,7 @@ package org.starl.sim.net;
 
 import org.jspecify.annotations.Nullable;
 
-/** A copy of a sender's bytes, shared by all its deliveries, taken back when the last is done. */
+/** A sender's bytes, shared by all their deliveries, returned to the pool by the last one. */
 final class Packet {
 
   private static final int LEAST_CAPACITY = 64;

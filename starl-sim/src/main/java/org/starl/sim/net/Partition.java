@@ -8,9 +8,9 @@ import java.util.Set;
 import org.starl.id.RobotId;
 
 /**
- * Splits the air: datagrams pass within a group and between robots that are in no group, and
- * nowhere else; or, split one way, from anywhere to anywhere but from one group to the other.
- * Install it to split, uninstall it to heal.
+ * A network partition. Datagrams pass within a group, and among the robots in no group. A one-way
+ * partition blocks only datagrams from one group to the other. Install it to split, uninstall it to
+ * heal.
  */
 public final class Partition implements LinkRule {
 
@@ -27,17 +27,17 @@ public final class Partition implements LinkRule {
     }
   }
 
-  /** These groups, and all others as one more. A robot in two groups belongs to the first. */
+  /** These groups, and all other robots as one more. A robot in two groups counts in the first. */
   public static Partition of(List<? extends Collection<RobotId>> groups) {
     return new Partition(groups, false);
   }
 
-  /** These robots on one side, everyone else on the other. */
+  /** These robots on one side, all others on the other. */
   public static Partition isolating(RobotId... robots) {
     return new Partition(List.of(List.of(robots)), false);
   }
 
-  /** Nothing from {@code from} reaches {@code to}; the other way everything does. */
+  /** One way: datagrams from {@code from} do not reach {@code to}. */
   public static Partition oneWay(Collection<RobotId> from, Collection<RobotId> to) {
     return new Partition(List.of(from, to), true);
   }

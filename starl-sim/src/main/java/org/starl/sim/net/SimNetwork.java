@@ -13,12 +13,12 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
 /**
- * The air between all robots of a run. Robots come and go with {@link #attach} and {@link #detach};
+ * The radio network of all robots of a run. Robots come and go with {@link #attach} and {@link #detach};
  * rules with {@link #install}. Used by one kernel at a time.
  */
 public final class SimNetwork {
 
-  /** Where injected datagrams come from, as far as the trace goes. */
+  /** The sender of injected datagrams, in the trace. */
   private static final RobotId NOBODY = new RobotId("nobody");
 
   private final Kernel kernel;
@@ -40,7 +40,7 @@ public final class SimNetwork {
   private long lost;
 
   /**
-   * @param kernel has the run's true time, and runs what arrives
+   * @param kernel has the run's true time, and runs deliveries
    * @param rng the run's generator; the network forks it by robots' names
    */
   public SimNetwork(Kernel kernel, TraceSink trace, Rng rng) {
@@ -49,19 +49,19 @@ public final class SimNetwork {
     this.root = rng;
   }
 
-  /** From now on, what no rule decides takes so long and is lost so often. */
+  /** Sets delay and loss of copies that no rule decides. */
   public void base(Latency newLatency, Loss newLoss) {
     latency = newLatency;
     loss = newLoss;
   }
 
-  /** Who makes the choices that no rule made; the seed unless set. */
+  /** Sets who chooses loss and delay of such copies; by default they are drawn by seed. */
   public void choice(LinkChoice newChoice) {
     choice = newChoice;
     seeded = false;
   }
 
-  /** Who can hear whose broadcasts; everyone unless set. */
+  /** Sets which robots may receive a broadcast; by default all. */
   public void audience(Audience newAudience) {
     audience = newAudience;
   }
@@ -94,7 +94,7 @@ public final class SimNetwork {
     return radio;
   }
 
-  /** Takes {@code id}'s radio off the air: it sends nothing more, what is under way to it is lost. */
+  /** Removes the radio of {@code id}: it sends nothing more, datagrams on their way to it are lost. */
   public void detach(RobotId id) {
     int slot = stations.slot(id);
     SimRadio radio = stations.radio(slot);
@@ -105,14 +105,14 @@ public final class SimNetwork {
     }
   }
 
-  /** Puts {@code rule} before those that are installed, until its handle takes it out. */
+  /** Installs {@code rule} before the installed ones, until its handle removes it. */
   public LinkRule.Handle install(LinkRule rule) {
     Installed installed = new Installed(rule);
     rules.add(0, installed);
     return () -> rules.remove(installed);
   }
 
-  /** Lets somebody listen to all that is sent from now on. */
+  /** Adds a listener to all datagrams sent from now on. */
   public Tap.Handle listen(Tap tap) {
     // So that one tap that listens twice can stop once.
     Tap own = (from, buffer, length) -> tap.sent(from, buffer, length);
@@ -121,8 +121,8 @@ public final class SimNetwork {
   }
 
   /**
-   * Lets {@code to} receive these bytes now, whoever they say they are from: no robot sent them, no
-   * rule and no loss befalls them. Nothing happens if {@code to} is not on the air.
+   * Delivers these bytes to {@code to} now, although no robot sent them. No rule and no loss applies.
+   * Does nothing if {@code to} has no radio.
    */
   public void inject(RobotId to, byte[] datagram) {
     SimRadio radio = stations.radio(stations.slot(to));

@@ -18,10 +18,10 @@ final class SimRadio implements Radio {
   private boolean closed;
 
   /**
-   * @param key what its draws depend on
-   * @param datagrams how many the robot has sent in its earlier incarnations
-   * @param strand what it receives on
-   * @param gate what stands before the receiver, if anything
+   * @param key seeds its draws
+   * @param datagrams number of datagrams sent in the robot's earlier incarnations
+   * @param strand on which it receives
+   * @param gate before the receiver, or null
    */
   SimRadio(
       SimNetwork network,
@@ -90,12 +90,12 @@ final class SimRadio implements Radio {
     return gate;
   }
 
-  /** The number of the datagram that it sends now, from 0 in the robot's first incarnation. */
+  /** The number of the datagram being sent, from 0 in the robot's first incarnation. */
   long nextDatagram() {
     return datagrams++;
   }
 
-  /** How many datagrams the robot has sent in this and earlier incarnations. */
+  /** Number of datagrams that the robot has sent in this and earlier incarnations. */
   long datagrams() {
     return datagrams;
   }

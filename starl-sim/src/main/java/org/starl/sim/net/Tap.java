@@ -2,7 +2,7 @@ package org.starl.sim.net;
 
 import org.starl.id.RobotId;
 
-/** Somebody who listens to the air: hears every datagram as it is sent, whoever it is for. */
+/** Receives every datagram of the network when it is sent, whatever its recipient. */
 @FunctionalInterface
 public interface Tap {
 

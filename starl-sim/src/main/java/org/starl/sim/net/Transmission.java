@@ -10,7 +10,7 @@ import org.starl.random.Rng;
  * @param datagram its number among the sender's datagrams of this run, from 0; the copies of a
  *     broadcast share it
  * @param bytes its length
- * @param rng a generator for this copy alone: whatever is drawn from it shifts no other copy
+ * @param rng a generator for this copy alone: draws from it change no other copy
  */
 public record Transmission(
     RobotId from, RobotId to, long sentAtNs, long datagram, int bytes, Rng rng) {}

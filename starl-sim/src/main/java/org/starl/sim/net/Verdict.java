@@ -1,9 +1,9 @@
 package org.starl.sim.net;
 
-/** What a {@link LinkRule} says about a copy of a datagram. */
+/** The decision of a {@link LinkRule} about a copy of a datagram. */
 public sealed interface Verdict {
 
-  /** No opinion: the next rule decides, after the last one the base loss and delay. */
+  /** The next rule decides; after the last one, the base loss and delay. */
   Verdict PASS = new Pass();
 
   static Verdict drop(String why) {
@@ -19,12 +19,12 @@ public sealed interface Verdict {
     return new Deliver(delaysNs.clone());
   }
 
-  /** The next rule decides; if the copy arrives, so much later than it would. */
+  /** The next rule decides; if the copy arrives, then later by {@code delayNs}. */
   static Verdict later(long extraNs) {
     return new Later(extraNs);
   }
 
-  /** The next rule decides; if the copy arrives, it does so once more, so much after that. */
+  /** The next rule decides; if the copy arrives, it arrives again {@code delayNs} after that. */
   static Verdict again(long afterNs) {
     return new Again(afterNs);
   }
@@ -53,7 +53,7 @@ public sealed interface Verdict {
   }
 
   /**
-   * It arrives nowhere.
+   * The copy is dropped.
    *
    * @param why one word for the trace: {@code partition}, {@code range}, ...
    */

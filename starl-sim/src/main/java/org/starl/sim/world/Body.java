@@ -12,8 +12,8 @@ import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 
 /**
- * A robot's true body in the {@link World}: a disc that drives. Which way it may still drive before
- * the world has to look again is its <em>budget</em>, see {@link Collider}.
+ * A robot's true body in the {@link World}: a disc that drives. The distance that it may still drive
+ * before the world has to check it again is its <em>budget</em>, see {@link Collider}.
  */
 public final class Body {
 
@@ -29,11 +29,11 @@ public final class Body {
   private long timerNs = NEVER;
   private boolean gone;
 
-  // What it is told to do, within the world's limits.
+  // The commanded speeds, within the world's limits.
   double wantedMmPerS;
   double wantedRadPerS;
 
-  // What it truly does since anchorNs.
+  // The true speeds since anchorNs.
   private long anchorNs;
   private double anchorXMm;
   private double anchorYMm;
@@ -111,14 +111,14 @@ public final class Body {
     return wantedMmPerS != 0 && mmPerS == 0;
   }
 
-  /** What the bump sensors on its front half say now. */
+  /** The state of the bump sensors on its front half. */
   public Bumps bumps() {
     return bumps;
   }
 
   /**
-   * Sets the one receiver that is told when {@link #bumps} has changed. It is called in the midst of
-   * a step of the world and must only note it or schedule something.
+   * Sets the one listener to changes of {@link #bumps}. It is called in the middle of a step of the
+   * world, and must only take a note or schedule something.
    */
   public void onBump(Runnable receiver) {
     bumpReceiver = receiver;
@@ -171,7 +171,7 @@ public final class Body {
     }
   }
 
-  /** Moves so from {@code nowNs} on, to which it was moved. Returns whether that is a change. */
+  /** Sets the true speeds from {@code nowNs} on, to which it was moved. Returns whether they changed. */
   boolean setMotion(long nowNs, double newMmPerS, double newRadPerS) {
     if (newMmPerS == mmPerS && newRadPerS == radPerS) {
       return false;
@@ -194,7 +194,7 @@ public final class Body {
     return Math.abs(mmPerS);
   }
 
-  /** How far it may still drive, from where it is at {@code nowNs}. */
+  /** The budget left at {@code nowNs}, in mm. */
   double budgetMm(long nowNs) {
     spendBudget(nowNs);
     return budgetMm;
@@ -212,7 +212,7 @@ public final class Body {
     }
   }
 
-  /** When its budget is spent if it goes on like this; never in the past. */
+  /** The time at which its budget is spent at its present speeds; never in the past. */
   long spentNs() {
     double ns = budgetMm / speedMmPerS() * NS_PER_S;
     return mmPerS == 0 || ns > LONGEST_NS ? NEVER : budgetNs + (long) ns;

@@ -5,6 +5,7 @@ import java.util.BitSet;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.starl.input.BadInput;
+import org.starl.input.TextFile;
 
 /**
  * Reads the grid maps of the public path-finding benchmarks (N. Sturtevant, "Benchmarks for

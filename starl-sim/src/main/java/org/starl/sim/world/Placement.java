@@ -20,9 +20,8 @@ public final class Placement {
   private final double radiusMm;
   private final double spacingMm;
   private final Obstacles obstacles;
-  // A cell is so large that what is nearer than the spacing lies in it or beside it. Only looked
-  // up,
-  // never gone through.
+  // By cell, so large that places nearer than the spacing lie in the same or a neighbouring cell.
+  // Only looked up, never iterated.
   private final Map<Long, List<Point>> cells = new HashMap<>();
 
   /**
@@ -43,7 +42,7 @@ public final class Placement {
    * {@code count} poses: on the floor with the whole body, clear of obstacles, apart from each other,
    * headings drawn evenly.
    *
-   * @throws BadInput if so many robots find no room
+   * @throws BadInput if there is not enough room
    */
   public List<Pose> draw(int count, Rng rng) {
     List<Pose> poses = new ArrayList<>();

@@ -23,7 +23,7 @@ public record PositionNoise(double boundMm, double boundRad) {
     }
   }
 
-  /** Both at once. */
+  /** The sum of both. */
   public PositionNoise plus(PositionNoise other) {
     return new PositionNoise(
         boundMm + other.boundMm, Math.min(StrictMath.PI, boundRad + other.boundRad));

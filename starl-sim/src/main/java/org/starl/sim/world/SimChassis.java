@@ -39,19 +39,19 @@ public final class SimChassis implements Chassis {
     tell = () -> strand.post(toReceiver);
   }
 
-  /** The body is on the floor: it does what the wheels were told last. */
+  /** The body was put on the floor: it follows the last command. */
   public void mount(Body newBody) {
     body = newBody;
     newBody.onBump(tell);
     apply();
   }
 
-  /** The body is to leave the floor. */
+  /** The body is taken off the floor. */
   public void unmount() {
     body = null;
   }
 
-  /** The program is gone: the wheels stop, and nothing that it still says moves them. */
+  /** The program has ended: the wheels stop, and ignore later commands of it. */
   public void halt() {
     if (body != null) {
       body.drive(WheelCommand.STOP);
@@ -84,8 +84,8 @@ public final class SimChassis implements Chassis {
   }
 
   /**
-   * From now on the wheels do only these fractions of what they are told; 0 and 0 are stuck wheels,
-   * 1 and 1 sound ones.
+   * Sets the wheel speeds as fractions of the commanded ones: 0 and 0 for stuck wheels, 1 and 1 for
+   * good ones.
    */
   public void impair(double newLinearFactor, double newAngularFactor) {
     linearFactor = newLinearFactor;

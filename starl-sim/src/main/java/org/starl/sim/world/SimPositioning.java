@@ -11,10 +11,10 @@ import org.starl.platform.Timers;
 import org.starl.random.Rng;
 
 /**
- * Measures where a robot's {@link Body} is, once a period, in one incarnation of its program, while
- * the body is on the floor. The
- * measuring system stands outside the robot: its period runs on true time, whatever the robot's own
- * clock does. Fixes come at the times phase + k period of the run, so that a restart shifts none.
+ * Measures the position of a robot's {@link Body} once a period, in one incarnation of its program,
+ * while the body is on the floor. The measuring system is outside the robot: its period is in true
+ * time, whatever the robot's own clock does. Fixes come at the times phase + k period of the run, so
+ * that a restart does not change them.
  */
 public final class SimPositioning implements Positioning {
 
@@ -80,13 +80,13 @@ public final class SimPositioning implements Positioning {
     begin();
   }
 
-  /** The body is on the floor, to be measured. */
+  /** The body was put on the floor: fixes begin. */
   public void mount(Body newBody) {
     body = newBody;
     begin();
   }
 
-  /** The body is to leave the floor: no more fixes. */
+  /** The body is taken off the floor: no more fixes. */
   public void unmount() {
     body = null;
     timer.cancel();
@@ -98,17 +98,17 @@ public final class SimPositioning implements Positioning {
     }
   }
 
-  /** Whether fixes come; where not, none is made up for later. */
+  /** Sets whether fixes come; missed ones do not come later. */
   public void turn(boolean on) {
     isOn = on;
   }
 
-  /** From now on fixes are so far off. */
+  /** Sets the error of fixes. */
   public void setNoise(PositionNoise newNoise) {
     noise = newNoise;
   }
 
-  /** From now on fixes are off the truth by this besides, and do not say so. */
+  /** Sets an additional error of fixes that their bound does not include. */
   public void setOffset(double newOffXMm, double newOffYMm) {
     offXMm = newOffXMm;
     offYMm = newOffYMm;

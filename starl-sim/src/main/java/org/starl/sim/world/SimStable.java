@@ -35,8 +35,8 @@ public final class SimStable implements Stable {
   }
 
   /**
-   * The program is gone: nothing is flushed any more, and what the program still writes while it is
-   * unwound is not written.
+   * The program has ended: nothing more is flushed, and writes of the program while it is unwound have
+   * no effect.
    */
   public void halt() {
     isHalted = true;
@@ -45,20 +45,20 @@ public final class SimStable implements Stable {
     }
   }
 
-  /** How many writes are not flushed. */
+  /** Number of writes that are not flushed. */
   public int unflushed() {
     return pending.size();
   }
 
-  /** Serves a new incarnation from now on; what was not flushed is lost. */
+  /** Serves a new incarnation; writes that were not flushed are lost. */
   public void restart(Timers strandTimers) {
     restart(strandTimers, 0);
   }
 
   /**
-   * Serves a new incarnation from now on.
+   * Serves a new incarnation.
    *
-   * @param surviving so many of the writes that were not flushed survive, the earliest; at most
+   * @param surviving number of unflushed writes that survive, the earliest ones; at most
    *     {@link #unflushed}
    */
   public void restart(Timers strandTimers, int surviving) {
@@ -73,7 +73,7 @@ public final class SimStable implements Stable {
     isHalted = false;
   }
 
-  /** How long later writes take; they still come after earlier ones. */
+  /** Sets the delay of later writes; they still come after earlier ones. */
   public void setFlushDelay(long newFlushDelayNs) {
     if (newFlushDelayNs < 0) {
       throw new IllegalArgumentException("delay " + newFlushDelayNs + " ns: expected at least 0");

@@ -9,6 +9,7 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
+import org.starl.input.TextFile;
 
 /**
  * Reads the waypoint files of StarL's demo apps: one thing a line, mm and degrees.
@@ -60,9 +61,8 @@ public final class WaypointFiles {
    */
   public static WaypointFile parse(String file, String text) {
     WaypointFiles reader = new WaypointFiles(file);
-    String withoutMark = text.startsWith("\uFEFF") ? text.substring(1) : text;
     int number = 0;
-    for (String line : withoutMark.split("\r\n|\r|\n", -1)) {
+    for (String line : text.split("\r\n|\r|\n", -1)) {
       number++;
       reader.line(number, line.strip());
     }

@@ -103,7 +103,7 @@ class CampaignTest {
   }
 
   @Test
-  void whatARunThrowsIsAFailedRun() throws InterruptedException {
+  void anExceptionMakesAFailedRun() throws InterruptedException {
     CampaignResult result =
         new Campaign(1, 3, 2, false)
             .run(
@@ -179,7 +179,7 @@ class CampaignTest {
   }
 
   @Test
-  void aSimulationTellsWhatCameOfIt() throws InterruptedException {
+  void aSimulationReportsItsResult() throws InterruptedException {
     CampaignResult result =
         new Campaign(1, 4, 2, false)
             .run(seed -> RunOutcome.of(sleepers(seed).build().run()), SILENT);

@@ -71,7 +71,7 @@ class DeterminismTest {
   }
 
   @Test
-  void whatARunLeavesBehindForTheNextIsFound() throws IOException {
+  void stateThatARunLeavesForTheNextIsFound() throws IOException {
     AtomicInteger calls = new AtomicInteger();
     Determinism check =
         verify((round, gvh, rng) -> {

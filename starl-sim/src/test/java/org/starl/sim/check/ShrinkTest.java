@@ -95,7 +95,7 @@ class ShrinkTest {
   }
 
   @Test
-  void whatCannotBeRunIsNotTaken() {
+  void aTrialThatCannotRunIsNotKept() {
     Shrink.Result result =
         shrink(
             trial(8, 4),

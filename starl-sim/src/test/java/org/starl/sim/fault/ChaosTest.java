@@ -75,7 +75,7 @@ class ChaosTest {
   }
 
   @Test
-  void chaosBitesThenHealsAndEverybodyHearsEverybodyAgain() {
+  void chaosEndsAndThenAllRobotsHearEachOther() {
     for (Envelope envelope :
         new Envelope[] {Envelope.NETWORK, Envelope.LOGICAL, Envelope.SPATIAL}) {
       for (long seed = 1; seed <= 10; seed++) {

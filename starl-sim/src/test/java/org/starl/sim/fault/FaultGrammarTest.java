@@ -59,7 +59,7 @@ class FaultGrammarTest {
         "ram(bot1,100mm/s)",
         "block(bot1,at=3s,for=10s)"
       })
-  void whatIsWrittenShortestIsWrittenTheSame(String text) {
+  void theShortestTextIsWrittenUnchanged(String text) {
     String canonical = text.replace("1min", "60s");
     assertThat(FaultGrammar.parse(text)).hasToString(canonical);
   }
@@ -83,7 +83,7 @@ class FaultGrammarTest {
   }
 
   @Property
-  void whatIsWrittenIsReadBack(@ForAll("faults") Fault fault) {
+  void aWrittenFaultIsReadBack(@ForAll("faults") Fault fault) {
     assertThat(FaultGrammar.parse(fault.toString())).isEqualTo(fault);
   }
 
@@ -93,7 +93,7 @@ class FaultGrammarTest {
   }
 
   @Property
-  void whateverIsTypedIsAFaultOrBadInputInOneLine(@ForAll("typed") String text) {
+  void anyTextIsAFaultOrBadInputInOneLine(@ForAll("typed") String text) {
     try {
       FaultGrammar.parse(text);
     } catch (BadInput e) {
@@ -250,7 +250,7 @@ class FaultGrammarTest {
             + " ms s min h), such as 100ms",
         "loss(1.5) | 'loss(1.5)': a probability: '1.5': expected a probability from 0 to 1, such as"
             + " 0.05",
-        "loss(0.1,0.2) | 'loss(0.1,0.2)': '0.2' is one argument too many; expected"
+        "loss(0.1,0.2) | 'loss(0.1,0.2)': '0.2' is an extra argument; expected"
             + " loss(0.3,from=WHO,to=WHO)",
         "loss(0.1,at=5s..2s) | 'loss(0.1,at=5s..2s)': at: '5s..2s': expected the earlier time first",
         "loss(0.1,for=5s,until=9s) | 'loss(0.1,for=5s,until=9s)': expected an end by 'for' or by"
@@ -259,13 +259,13 @@ class FaultGrammarTest {
             + " 'at'",
         "loss(0.1 | 'loss(0.1': expected a fault, such as crash(bot2,at=12s,restart=5s)",
         "loss((0.1) | 'loss((0.1)': expected a ) for each (",
-        "loss(0.1,at=1s,at=2s) | 'loss(0.1,at=1s,at=2s)': expected 'at' once, stands there again",
+        "loss(0.1,at=1s,at=2s) | 'loss(0.1,at=1s,at=2s)': expected 'at' only once",
         "drift(bot1,200) | 'drift(bot1,200)': a drift: '200': expected -500000ppm to 500000ppm,"
             + " such as 200ppm",
         "partition(area=box) | 'partition(area=box)': area: 'box': expected rect(0,0,2m,1m), two"
             + " corners, or circle(0,0,2m)"
       })
-  void whatIsWrongIsSaidInOneLine(String text, String expected) {
+  void anErrorIsOneLine(String text, String expected) {
     assertThatThrownBy(() -> FaultGrammar.parse(text))
         .isInstanceOf(BadInput.class)
         .hasMessage(expected);

@@ -38,7 +38,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aCrashForGoodIsOverAtOnceAndSparesWhoIsDown() {
+  void aCrashWithoutRestartEndsAtOnceAndSkipsRobotsThatAreDown() {
     ProbeRun run = ProbeRun.of("crash(bot0,at=3s)", "crash(bot0,at=4s)");
     assertThat(run.faults())
         .containsExactly(

@@ -269,7 +269,7 @@ class StarlTestTest {
   }
 
   @Test
-  void whatIsWrittenWrongIsTold() {
+  void anErrorInTheAnnotationIsTold() {
     assertThat(failure(run("badFault", "")))
         .hasMessageContaining("faults: ")
         .hasMessageContaining("crush");

@@ -148,7 +148,7 @@ class RobotErrorTest {
 
   @ParameterizedTest
   @EnumSource
-  void aFailureWhileOneIsUnwoundLeavesNobodyParked(CarrierKind kind) {
+  void aFailureDuringUnwindingLeavesNoAppParked(CarrierKind kind) {
     List<String> log = new ArrayList<>();
     Kernel kernel = new Kernel(kind);
     for (int i = 0; i < 3; i++) {

@@ -77,7 +77,7 @@ final class LatencyTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"banana(1)", "banana", "uniform(10ms)", "uniform(1ms,2ms", "", "normal()"})
-  void whatIsNoDelayIsRefusedWithExamples(String text) {
+  void aMalformedDelayIsRefusedWithExamples(String text) {
     assertThatThrownBy(() -> Latency.parse(text))
         .isInstanceOf(BadInput.class)
         .hasMessage(

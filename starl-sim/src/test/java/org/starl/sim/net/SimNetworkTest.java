@@ -124,7 +124,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void oneMoreRobotShiftsNobodysDraws() {
+  void oneMoreRobotChangesNoOtherRobotsDraws() {
     Air few = new Air(3);
     Air many = new Air(5);
     for (Air air : List.of(few, many)) {
@@ -283,7 +283,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void whoLeavesReceivesAndSendsNothingMore() {
+  void aRobotThatLeftReceivesAndSendsNothing() {
     Air air = new Air(3);
     air.network.base(new Latency.Constant(10 * MS), Loss.NONE);
     air.broadcast("bot0", "first");
@@ -304,7 +304,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void whoComesBackDrawsNoDelayAgain() {
+  void aRobotThatReturnsDrawsNewDelays() {
     Air air = new Air(2);
     air.network.base(new Latency.Uniform(0, 1000 * MS), Loss.NONE);
     for (int incarnation = 0; incarnation < 3; incarnation++) {
@@ -325,7 +325,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void whoHasNoReceiverLosesWhatArrives() {
+  void aRadioWithoutReceiverLosesDatagrams() {
     Air air = new Air(1);
     Radio deaf = air.network.attach(new RobotId("deaf"), air.time.strand("deaf"));
     air.broadcast("bot0", "hello");
@@ -354,7 +354,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void theSeededChoiceIsWhatTheNetworkDoesByItself() {
+  void theNetworkChoosesBySeedByDefault() {
     Air byItself = new Air(2);
     Air byChoice = new Air(2);
     byChoice.network.choice(LinkChoice.seeded());
@@ -369,7 +369,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void anAudienceLimitsWhoHearsBroadcasts() {
+  void anAudienceLimitsTheRecipientsOfBroadcasts() {
     Air air = new Air(4);
     air.network.audience((sender, hearer) -> {
       hearer.accept(sender);

@@ -215,7 +215,7 @@ final class PortsTest {
   }
 
   @Test
-  void whatIsReadFromStableStorageIsACopy() {
+  void stableStorageReturnsCopies() {
     SimStable stable = new SimStable(time, 0);
     assertThatThrownBy(() -> stable.put("a", new byte[1], () -> {}))
         .isInstanceOf(IllegalStateException.class);

@@ -76,7 +76,7 @@ final class WaypointFilesTest {
     WaypointFile read =
         WaypointFiles.parse(
             "all.wpt",
-            "\uFEFF// a comment\r\nWAY, 1.5,-2,90,A\r\n\r\n  WAY,3,4,0,B,10\n"
+            "// a comment\r\nWAY, 1.5,-2,90,A\r\n\r\n  WAY,3,4,0,B,10\n"
                 + "SENSE,5,6,7,object\nObstacle;0,0;0,5000;-1\nHidden;0,0;1,0;1,1;2500");
     assertThat(read.waypoints()).extracting(Waypoint::name).containsExactly("A", "B");
     assertThat(read.waypoints().get(0).position().at()).isEqualTo(new Point(1.5, -2));
@@ -119,7 +119,7 @@ final class WaypointFilesTest {
   }
 
   @Test
-  void whatIsNoTextFileIsNamedInOneLine(@TempDir Path folder) throws IOException {
+  void aFileThatIsNotTextIsNamedInOneLine(@TempDir Path folder) throws IOException {
     Path picture = folder.resolve("picture.wpt");
     Files.write(picture, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, (byte) 0xFF});
     Path zeros = folder.resolve("zeros.wpt");

@@ -54,7 +54,7 @@ final class WorldTest {
   }
 
   @Test
-  void speedsAreCappedAtWhatTheBodyCanDo() {
+  void speedsAreCappedAtTheBodysLimits() {
     Body body = bot(0, 0, 0, EAST);
     body.drive(straight(9000));
     time.runFor(1);
@@ -95,7 +95,7 @@ final class WorldTest {
   }
 
   @Test
-  void whoIsDrivenIntoBumpsOnItsFrontHalfOnly() {
+  void aBodyThatIsHitBumpsOnItsFrontHalfOnly() {
     Body front = bot(0, 1000, 0, WEST);
     Body back = bot(1, 1000, 1000, EAST);
     Body toFront = bot(2, 0, 0, EAST);
@@ -157,7 +157,7 @@ final class WorldTest {
   }
 
   @Test
-  void aBodyIsFreeWhenWhatItTouchesLeaves() {
+  void aBodyIsFreeWhenItsObstacleLeaves() {
     Body inTheWay = bot(0, 500, 0, EAST);
     Body body = bot(1, 0, 0, EAST);
     body.drive(straight(200));

@@ -3,6 +3,7 @@ package org.starl.cli.report;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.List;
+import org.starl.sim.check.Percentile;
 
 /** Many values, in order. */
 final class Spread {
@@ -37,10 +38,9 @@ final class Spread {
     return sorted.length == 0;
   }
 
-  /** The smallest value that is not below {@code percent} of all (nearest rank). */
+  /** See {@link Percentile}. */
   double percentile(double percent) {
-    int rank = (int) Math.ceil(percent * sorted.length / 100);
-    return sorted[Math.max(rank, 1) - 1];
+    return sorted[Percentile.index(sorted.length, percent)];
   }
 
   double least() {

@@ -3,6 +3,7 @@ package org.starl.cli.report;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import org.starl.sim.check.Percentile;
 
 /** How many of something there were by when, run by run: the middle run, and most of the others. */
 final class TimeChart {
@@ -37,7 +38,7 @@ final class TimeChart {
   }
 
   private static int rank(int[] sorted, int percent) {
-    return sorted[Math.max(1, (sorted.length * percent + 99) / 100) - 1];
+    return sorted[Percentile.index(sorted.length, percent)];
   }
 
   void write() {

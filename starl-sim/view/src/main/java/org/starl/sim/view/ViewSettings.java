@@ -1,5 +1,6 @@
 package org.starl.sim.view;
 
+import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.starl.input.BadInput;
@@ -11,11 +12,26 @@ import org.starl.sim.record.Part;
 import org.starl.trace.TraceHeader;
 
 /**
- * What a run's settings say about its window: {@code speed}, {@code drawTrails}, {@code trailLength},
- * {@code drawWaypoints}, {@code drawWaypointNames}, {@code drawObstacles}, {@code maxFps}; and how far
- * its radio reaches.
+ * The settings of the window, which a scenario file or {@code --set} gives and the trace's header
+ * keeps; and the range of the run's radio. The simulator does not know them.
  */
-final class ViewSettings {
+public final class ViewSettings {
+
+  private static final Setting<Double> SPEED =
+      Setting.number("speed", 5, "window: simulated seconds per real second; 0 for no limit");
+  private static final Setting<Boolean> DRAW_TRAILS =
+      Setting.yesOrNo("drawTrails", false, "window: show where robots have been");
+  private static final Setting<Integer> TRAIL_LENGTH =
+      Setting.whole("trailLength", 128, 1, "window: number of points of a trail");
+  private static final Setting<Boolean> DRAW_WAYPOINTS =
+      Setting.yesOrNo("drawWaypoints", true, "window: show what the app draws, such as waypoints");
+  private static final Setting<Boolean> DRAW_OBSTACLES =
+      Setting.yesOrNo("drawObstacles", true, "window: show obstacles");
+  private static final Setting<Integer> MAX_FPS =
+      Setting.whole("maxFps", 30, 1, "window: pictures per real second, at most");
+
+  private static final List<Setting<?>> TABLE =
+      List.of(SPEED, DRAW_TRAILS, TRAIL_LENGTH, DRAW_WAYPOINTS, DRAW_OBSTACLES, MAX_FPS);
 
   private static final Pattern RANGE = Pattern.compile("range\\(([^,)]*)\\)");
 
@@ -27,30 +43,25 @@ final class ViewSettings {
     this.rangeMm = rangeMm;
   }
 
-  /** Of a run: what its header says, else the defaults. */
+  /** The settings of the window, in the order to show them. */
+  public static List<Setting<?>> all() {
+    return TABLE;
+  }
+
+  /** Those in a run's header, else the defaults. */
   static ViewSettings of(TraceHeader header) {
     SimSettings.Builder builder = SimSettings.builder();
-    for (Setting<?> setting : Setting.all()) {
+    for (Setting<?> setting : TABLE) {
       String value = header.settings().get(setting.key());
-      if (value != null && isOfWindow(setting)) {
-        builder.set(setting.key(), value);
+      if (value != null) {
+        builder.read(setting, value);
       }
     }
     String faults = header.settings().getOrDefault(Setting.FAULTS.key(), "");
     return new ViewSettings(builder.build(), rangeMm(faults));
   }
 
-  private static boolean isOfWindow(Setting<?> setting) {
-    return setting == Setting.SPEED
-        || setting == Setting.DRAW_TRAILS
-        || setting == Setting.TRAIL_LENGTH
-        || setting == Setting.DRAW_WAYPOINTS
-        || setting == Setting.DRAW_WAYPOINT_NAMES
-        || setting == Setting.DRAW_OBSTACLES
-        || setting == Setting.MAX_FPS;
-  }
-
-  /** Of {@code range(3m)} among faults that last all the time; 0 if there is none. */
+  /** The distance in {@code range(3m)}, a fault that lasts all the time; 0 if there is none. */
   private static double rangeMm(String faults) {
     Matcher range = RANGE.matcher(faults);
     if (!range.find()) {
@@ -63,28 +74,28 @@ final class ViewSettings {
     }
   }
 
-  /** What is switched on at first. */
+  /** What the window shows at first. */
   Look look() {
     Look look =
         Look.FILE
             .with(Part.MESSAGES, true)
             .with(Part.RANGE, true)
             .with(Part.LOCATIONS, true)
-            .with(Part.TRAILS, settings.get(Setting.DRAW_TRAILS))
-            .with(Part.WALLS, settings.get(Setting.DRAW_OBSTACLES))
-            .with(Part.HIDDEN, settings.get(Setting.DRAW_OBSTACLES))
-            .withTrails(settings.get(Setting.TRAIL_LENGTH))
+            .with(Part.TRAILS, settings.get(DRAW_TRAILS))
+            .with(Part.WALLS, settings.get(DRAW_OBSTACLES))
+            .with(Part.HIDDEN, settings.get(DRAW_OBSTACLES))
+            .withTrails(settings.get(TRAIL_LENGTH))
             .withRange(rangeMm);
-    return settings.get(Setting.DRAW_WAYPOINTS) ? look : look.with(Part.APP, false);
+    return settings.get(DRAW_WAYPOINTS) ? look : look.with(Part.APP, false);
   }
 
-  /** Simulated seconds in a real one; {@link Playback#NO_LIMIT} for as fast as it goes. */
+  /** Simulated seconds per real second; {@link Playback#NO_LIMIT} for as fast as possible. */
   double speed() {
-    double speed = settings.get(Setting.SPEED);
+    double speed = settings.get(SPEED);
     return speed == 0 ? Playback.NO_LIMIT : speed;
   }
 
   int maxFps() {
-    return settings.get(Setting.MAX_FPS);
+    return settings.get(MAX_FPS);
   }
 }

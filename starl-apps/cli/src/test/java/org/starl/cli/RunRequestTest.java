@@ -1,0 +1,74 @@
+package org.starl.cli;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+import org.starl.sim.Setting;
+import picocli.CommandLine;
+
+final class RunRequestTest {
+
+  @TempDir private Path folder;
+
+  private static Chosen request(List<String> words) {
+    RunOptions options = new RunOptions();
+    CommandLine line = new CommandLine(options);
+    line.addMixin("seed", new SeedOption());
+    line.parseArgs(words.toArray(String[]::new));
+    return options.chosen(Main.ALL);
+  }
+
+  @ParameterizedTest
+  @ValueSource(
+      strings = {
+        "hello",
+        "hello --robots 3 --for 2min --loss 0.5",
+        "intersection --loss 0.1 --delay uniform(10ms,50ms) --gps-noise 2cm --ideal --chaos",
+        "intersection --fault crash(bot1,at=2s) --fault loss(0.9,from=bot1) --set debris=0",
+        "search --set chaos=logical --set idealMotion=no --set headingNoise=0.1deg --set rooms=3",
+        "mutex --set drawTrails=true --set trailLength=7 --set busy=3s --chaos --set chaos=off",
+        "race --set faults=slow(bot0,0.5);partition(bot0|bot1,at=1s,for=2s) --set robots=2"
+      })
+  void itsCommandLineMakesTheSameRequest(String words) {
+    Chosen request = request(List.of(words.split(" ")));
+    Chosen again = request(request.words(7));
+    assertThat(again).isEqualTo(request);
+    assertThat(again.settings().given()).isEqualTo(request.settings().given());
+    assertThat(again.words(7)).isEqualTo(request.words(7));
+  }
+
+  @Test
+  void aScenarioFileAndOptionsMakeTheSameRequest() throws IOException {
+    Path file = folder.resolve("my.yaml");
+    Files.writeString(
+        file, "app: race\nmessageLoss: 0.3\nchaos: yes\nfaults: [crash(bot1,at=2s)]\n");
+    Chosen ofFile = request(List.of(file.toString(), "--fault", "crash(bot2,at=3s)"));
+    assertThat(ofFile)
+        .isEqualTo(
+            request(
+                List.of(
+                    "race --loss 0.3 --chaos --fault crash(bot1,at=2s) --fault crash(bot2,at=3s)"
+                        .split(" "))));
+    assertThat(ofFile.replay(7))
+        .isEqualTo(
+            "./starl run race --seed 7 --loss 0.3 --fault 'crash(bot1,at=2s)' --fault"
+                + " 'crash(bot2,at=3s)' --chaos");
+  }
+
+  @Test
+  void settingsOfTheWindowReachTheTracesHeader() {
+    Chosen request = request(List.of("hello", "--set", "drawTrails=yes"));
+    var header = request.plan(1).simulation().build().blueprint().header();
+    assertThat(header.settings())
+        .containsEntry("drawTrails", "true")
+        .containsEntry("messageLoss", "0")
+        .doesNotContainKeys("trailLength", Setting.ROBOTS.key());
+  }
+}

@@ -1,0 +1,23 @@
+package org.starl.sim.check;
+
+/**
+ * Exact percentiles by nearest rank. The samples of a campaign are in memory anyway, so that no
+ * histogram has to round them.
+ */
+public final class Percentile {
+
+  private Percentile() {}
+
+  /**
+   * Where, among {@code count} sorted samples, the smallest one stands that is not below {@code
+   * percent} of all: 0 gives the least, 50 the median, 100 the greatest.
+   *
+   * @throws IllegalArgumentException if there is no sample, or percent is not from 0 to 100
+   */
+  public static int index(int count, double percent) {
+    if (count <= 0 || !(percent >= 0 && percent <= 100)) {
+      throw new IllegalArgumentException("percentile " + percent + " of " + count + " samples");
+    }
+    return Math.max((int) Math.ceil(percent * count / 100), 1) - 1;
+  }
+}
