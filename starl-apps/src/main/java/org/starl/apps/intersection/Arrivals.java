@@ -2,18 +2,19 @@ package org.starl.apps.intersection;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Route;
-import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**
- * Cars that come at random, independently of each other: a Poisson process, drawn one by one. Each
- * takes any of the twelve routes.
+ * Cars that arrive at random, independently of each other (a Poisson process), each on any of the
+ * twelve routes. The cars do not depend on when {@link #poll} is called.
  */
 final class Arrivals {
 
   private static final double NS_PER_S = 1e9;
 
+  private final Crossing crossing;
   private final double rateHz;
   private final long untilNs;
   private final String prefix;
@@ -23,11 +24,12 @@ final class Arrivals {
   private int count;
 
   /**
-   * @param rateHz how many come in a second, on average, on all arms together; above 0
-   * @param untilNs nobody comes from then on
+   * @param rateHz average number of cars per second, on all arms together; above 0
+   * @param untilNs no car arrives from then on
    * @param prefix of the cars' names; their number follows
    */
-  Arrivals(double rateHz, long untilNs, String prefix, Rng rng) {
+  Arrivals(Crossing crossing, double rateHz, long untilNs, String prefix, Rng rng) {
+    this.crossing = crossing;
     this.rateHz = rateHz;
     this.untilNs = untilNs;
     this.prefix = prefix;
@@ -35,16 +37,16 @@ final class Arrivals {
     drawGap();
   }
 
-  /** The next one that has come until {@code nowNs}, or null. */
-  @Nullable Arrival poll(long nowNs) {
+  /** Removes the next car that has arrived by {@code nowNs}; null if there is none. */
+  @Nullable Car poll(long nowNs) {
     if (nextNs > nowNs || nextNs >= untilNs) {
       return null;
     }
     Route route = routes.get(rng.nextInt(routes.size()));
-    Arrival arrival = new Arrival(new RobotId(prefix + count), route, (long) nextNs);
+    Car car = Car.atTheEdge(crossing, prefix + count, route, (long) nextNs);
     count++;
     drawGap();
-    return arrival;
+    return car;
   }
 
   private void drawGap() {

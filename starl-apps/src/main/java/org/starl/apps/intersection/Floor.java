@@ -2,6 +2,7 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Obstacle;
@@ -10,72 +11,64 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
-/** What stands at an intersection: the kerbs of its lanes, which cars know; debris, which they don't. */
+/** Objects at an intersection: kerbs, which cars know; debris, which they do not; roadside units. */
 final class Floor {
 
-  // In zone widths from the middle: lanes are walled between these.
+  // Distances from the middle in zone widths. Lanes have kerbs between the first two.
   private static final double KERB_FROM = 1;
   private static final double KERB_TO = 3;
+  private static final double UNIT = 1.45;
 
   private static final double DEBRIS_HALF_MM = 30;
   private static final long MIN_DEBRIS_MS = 5_000;
   private static final long MAX_DEBRIS_MS = 30_000;
 
-  // Roadside units stand so far from the middle, behind the kerbs.
-  private static final double CORNER = 1.45;
-
   private Floor() {}
 
   /** Where the roadside units of an open road stand: at three of the four corners. */
   static List<Pose> roadsideUnits(Crossing crossing) {
-    double mm = CORNER * crossing.zoneWidthMm();
-    return List.of(
-        Pose.of(crossing.middle().plus(new Point(-mm, mm)), 0),
-        Pose.of(crossing.middle().plus(new Point(mm, mm)), 0),
-        Pose.of(crossing.middle().plus(new Point(mm, -mm)), 0));
+    return Stream.of(new Point(-UNIT, UNIT), new Point(UNIT, UNIT), new Point(UNIT, -UNIT))
+        .map(corner -> Pose.of(crossing.middle().plus(corner.times(crossing.zoneWidthMm())), 0))
+        .toList();
   }
 
   /** Both sides and the middle line of each arm, as in the original StarL's intersection. */
   static Obstacles kerbs(Crossing crossing) {
     List<Obstacle> kerbs = new ArrayList<>();
-    double width = crossing.zoneWidthMm();
     for (int side = -1; side <= 1; side++) {
       for (int sign : new int[] {-1, 1}) {
-        double across = side * width;
-        double from = sign * KERB_FROM * width;
-        double to = sign * KERB_TO * width;
-        kerbs.add(wall(crossing, new Point(from, across), new Point(to, across)));
-        kerbs.add(wall(crossing, new Point(across, from), new Point(across, to)));
+        double from = sign * KERB_FROM;
+        double to = sign * KERB_TO;
+        kerbs.add(wall(crossing, new Point(from, side), new Point(to, side)));
+        kerbs.add(wall(crossing, new Point(side, from), new Point(side, to)));
       }
     }
     return new Obstacles(kerbs);
   }
 
+  private static Obstacle wall(Crossing crossing, Point from, Point to) {
+    double width = crossing.zoneWidthMm();
+    Point middle = crossing.middle();
+    return Obstacle.wall(middle.plus(from.times(width)), middle.plus(to.times(width)));
+  }
+
   /**
-   * {@code pieces} hidden squares of 60 mm in the middle of critical zones, each of which somebody
-   * clears away after 5 to 30 s: what cars bump into.
+   * Adds {@code pieces} hidden squares of 60 mm in the middle of critical zones. Each is removed after 5
+   * to 30 s.
    */
   static Obstacles withDebris(Obstacles obstacles, Crossing crossing, int pieces, Rng rng) {
     Obstacles all = obstacles;
     for (int i = 0; i < pieces; i++) {
-      Zone zone = Zone.values()[rng.nextInt(Zone.values().length)];
-      Point at = crossing.centre(zone);
-      all = all.plus(debris(at, rng.nextLong(MIN_DEBRIS_MS, MAX_DEBRIS_MS)));
+      Point at = crossing.centre(Zone.values()[rng.nextInt(Zone.values().length)]);
+      List<Point> corners =
+          List.of(
+              at.plus(new Point(-DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),
+              at.plus(new Point(DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),
+              at.plus(new Point(DEBRIS_HALF_MM, DEBRIS_HALF_MM)),
+              at.plus(new Point(-DEBRIS_HALF_MM, DEBRIS_HALF_MM)));
+      long lifetimeMs = rng.nextLong(MIN_DEBRIS_MS, MAX_DEBRIS_MS);
+      all = all.plus(new Obstacle(corners, true, true, lifetimeMs));
     }
     return all;
-  }
-
-  private static Obstacle debris(Point at, long lifetimeMs) {
-    List<Point> corners =
-        List.of(
-            at.plus(new Point(-DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),
-            at.plus(new Point(DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),
-            at.plus(new Point(DEBRIS_HALF_MM, DEBRIS_HALF_MM)),
-            at.plus(new Point(-DEBRIS_HALF_MM, DEBRIS_HALF_MM)));
-    return new Obstacle(corners, true, true, lifetimeMs);
-  }
-
-  private static Obstacle wall(Crossing crossing, Point from, Point to) {
-    return Obstacle.wall(crossing.middle().plus(from), crossing.middle().plus(to));
   }
 }

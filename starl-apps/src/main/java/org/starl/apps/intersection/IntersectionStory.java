@@ -2,6 +2,7 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.Measures;
@@ -11,165 +12,73 @@ import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Action;
-import org.starl.trace.TraceEvent.Variable;
 
-/** Who came, registered, waited and crossed, and when. */
+/** Reports when each car came, registered, waited and crossed. */
 final class IntersectionStory implements Story {
 
   private static final double NS_PER_S = 1e9;
 
+  // Each car's trips in order; a car that is put on the floor again starts another trip.
   private final SortedMap<RobotId, List<Crossed>> cars = new TreeMap<>();
 
   /** One trip. Times in ns; negative for what has not happened. */
   private static final class Crossed {
     private String trip = "?";
-    private String rest = "";
+    private List<String> rest = List.of();
     private long crashedNs = -1;
-    private long arrivedNs = -1;
+    private long cameNs = -1;
     private long askedNs = -1;
     private long grantedNs = -1;
     private long leftNs = -1;
     private long doneNs = -1;
-    private int bumps;
+    private int stops;
   }
 
   @Override
   public void observed(TraceEvent event) {
+    if (event instanceof TraceEvent.Fault fault && !fault.name().equals(TraceEvent.Fault.CRASH)) {
+      return; // may be about no car
+    }
+    Crossed car = latest(event.robot());
+    CrossingTrace.trip(event).ifPresent(trip -> car.trip = trip.label());
+    CrossingTrace.myseq(event).ifPresent(myseq -> car.rest = myseq);
+    CrossingTrace.location(event).ifPresent(location -> located(car, location, event.timeNs()));
+    if (CrossingTrace.isStopped(event)) {
+      car.stops++;
+    }
     switch (event) {
-      case Action action -> {
-        if (action.source().equals(CrossingTrace.SOURCE)
-            && action.name().equals(CrossingTrace.TRIP)) {
-          car(action.robot()).trip = action.args().get(0);
-        }
-      }
-      case Variable variable -> changed(variable);
-      case TraceEvent.Joined joined -> arrived(joined.robot(), joined.timeNs());
-      case TraceEvent.Left left -> car(left.robot()).leftNs = left.timeNs();
-      case TraceEvent.Fault fault -> {
-        if (fault.name().equals(TraceEvent.Fault.CRASH)) {
-          car(fault.robot()).crashedNs = fault.timeNs();
-        }
-      }
+      case TraceEvent.Joined joined -> came(joined.robot(), joined.timeNs());
+      case TraceEvent.Left left -> car.leftNs = left.timeNs();
+      case TraceEvent.Fault crash -> car.crashedNs = crash.timeNs();
       default -> {
-        // No part of the story.
+        // Not part of the story.
       }
     }
   }
 
-  private void arrived(RobotId robot, long timeNs) {
-    Crossed last = car(robot);
-    if (last.arrivedNs < 0) {
-      last.arrivedNs = timeNs;
+  private void came(RobotId robot, long timeNs) {
+    Crossed last = latest(robot);
+    if (last.cameNs < 0) {
+      last.cameNs = timeNs;
       return;
     }
     Crossed again = new Crossed();
     again.trip = last.trip;
-    again.arrivedNs = timeNs;
+    again.cameNs = timeNs;
     trips(robot).add(again);
   }
 
-  private void changed(Variable variable) {
-    Crossed car = car(variable.robot());
-    if (variable.name().equals(CrossingTrace.LOCATION)
-        && variable.source().equals(CrossingTrace.SOURCE)) {
-      switch (Location.valueOf(variable.value())) {
-        case MUTEX_WAIT -> {
-          if (car.askedNs < 0) {
-            car.askedNs = variable.timeNs();
-          }
-        }
-        case MOVE_WAIT -> car.grantedNs = variable.timeNs();
-        case DONE -> car.doneNs = variable.timeNs();
-        default -> {
-          // On its way between two of these.
-        }
-      }
-    } else if (variable.name().equals("myseq") && variable.source().equals(CrossingTrace.SOURCE)) {
-      car.rest = variable.value();
-    } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {
-      car.bumps++;
+  private static void located(Crossed car, Location location, long timeNs) {
+    if (location == Location.MUTEX_WAIT && car.askedNs < 0) {
+      car.askedNs = timeNs;
+    } else if (location == Location.MOVE_WAIT) {
+      car.grantedNs = timeNs;
+    } else if (location == Location.DONE) {
+      car.doneNs = timeNs;
     }
   }
 
-  @Override
-  public List<String> lines() {
-    List<String> lines = new ArrayList<>();
-    cars.forEach((robot, trips) -> {
-      for (Crossed trip : trips) {
-        lines.add(line(robot, trip));
-      }
-    });
-    return lines;
-  }
-
-  private static String line(RobotId robot, Crossed car) {
-    StringBuilder line = new StringBuilder(robot + " (" + car.trip + ")");
-    if (car.arrivedNs < 0) {
-      return line.append(" never came onto the floor").toString();
-    }
-    line.append(" came at ").append(seconds(car.arrivedNs));
-    if (car.askedNs >= 0) {
-      line.append(", was registered at ").append(seconds(car.askedNs));
-    }
-    if (car.grantedNs >= 0) {
-      line.append(", waited ").append(seconds(car.grantedNs - car.askedNs));
-    } else if (car.askedNs >= 0 && car.crashedNs < 0) {
-      line.append(", still waits for ").append(car.rest);
-    }
-    if (car.bumps > 0) {
-      line.append(", was stopped ").append(car.bumps == 1 ? "once" : car.bumps + " times");
-    }
-    if (car.leftNs >= 0) {
-      line.append(", was across at ").append(seconds(car.leftNs));
-    }
-    if (car.doneNs > 0) {
-      line.append(", had unregistered at ").append(seconds(car.doneNs));
-    }
-    if (car.crashedNs >= 0) {
-      line.append(", crashed at ").append(seconds(car.crashedNs));
-      if (car.grantedNs >= 0 && car.leftNs < 0) {
-        line.append(" with ").append(car.rest).append(" before it");
-      }
-    }
-    return line.toString();
-  }
-
-  @Override
-  public Measures measures() {
-    int crossed = 0;
-    List<Long> waits = new ArrayList<>();
-    for (List<Crossed> trips : cars.values()) {
-      for (Crossed trip : trips) {
-        if (trip.grantedNs >= 0) {
-          waits.add(trip.grantedNs - trip.askedNs);
-        }
-        if (trip.leftNs >= 0) {
-          crossed++;
-        }
-      }
-    }
-    return new Measures(cars.size(), crossed, waits);
-  }
-
-  @Override
-  public List<Sample> samples() {
-    List<Long> crossings = new ArrayList<>();
-    for (List<Crossed> trips : cars.values()) {
-      for (Crossed trip : trips) {
-        if (trip.leftNs >= 0) {
-          crossings.add(trip.leftNs);
-        }
-      }
-    }
-    return List.of(
-        Sample.howLong(
-            "wait from being registered to being granted all zones", measures().waitsNs()),
-        Sample.when("crossings", crossings));
-  }
-
-  /** The trip that it is on, or was on last. */
-  private Crossed car(RobotId robot) {
+  private Crossed latest(RobotId robot) {
     List<Crossed> trips = trips(robot);
     return trips.get(trips.size() - 1);
   }
@@ -178,8 +87,68 @@ final class IntersectionStory implements Story {
     return cars.computeIfAbsent(robot, id -> new ArrayList<>(List.of(new Crossed())));
   }
 
-  private static String seconds(long ns) {
-    long tenths = Math.round(ns / NS_PER_S * 10);
-    return tenths / 10 + "." + tenths % 10 + " s";
+  @Override
+  public List<String> lines() {
+    List<String> lines = new ArrayList<>();
+    cars.forEach((robot, trips) -> trips.forEach(trip -> lines.add(line(robot, trip))));
+    return lines;
+  }
+
+  private static String line(RobotId robot, Crossed car) {
+    String name = robot + " (" + car.trip + ")";
+    if (car.cameNs < 0) {
+      return name + " never came onto the floor";
+    }
+    List<String> parts = new ArrayList<>(List.of(name + " came at " + seconds(car.cameNs)));
+    if (car.askedNs >= 0) {
+      parts.add("was registered at " + seconds(car.askedNs));
+    }
+    if (car.grantedNs >= 0) {
+      parts.add("waited " + seconds(car.grantedNs - car.askedNs));
+    } else if (car.askedNs >= 0 && car.crashedNs < 0) {
+      parts.add("still waits for " + car.rest);
+    }
+    if (car.stops > 0) {
+      parts.add("was stopped " + (car.stops == 1 ? "once" : car.stops + " times"));
+    }
+    if (car.leftNs >= 0) {
+      parts.add("left the floor at " + seconds(car.leftNs));
+    }
+    if (car.doneNs > 0) {
+      parts.add("was unregistered at " + seconds(car.doneNs));
+    }
+    if (car.crashedNs >= 0) {
+      boolean wasInside = car.grantedNs >= 0 && car.leftNs < 0;
+      String rest = wasInside ? " with " + car.rest + " ahead" : "";
+      parts.add("crashed at " + seconds(car.crashedNs) + rest);
+    }
+    return String.join(", ", parts);
+  }
+
+  @Override
+  public Measures measures() {
+    List<Crossed> trips = cars.values().stream().flatMap(List::stream).toList();
+    List<Long> waitsNs =
+        trips.stream().filter(t -> t.grantedNs >= 0).map(t -> t.grantedNs - t.askedNs).toList();
+    return new Measures(cars.size(), leftNs().size(), waitsNs);
+  }
+
+  private List<Long> leftNs() {
+    return cars.values().stream()
+        .flatMap(List::stream)
+        .filter(trip -> trip.leftNs >= 0)
+        .map(trip -> trip.leftNs)
+        .toList();
+  }
+
+  @Override
+  public List<Sample> samples() {
+    return List.of(
+        Sample.howLong("wait from registration to the grant of all zones", measures().waitsNs()),
+        Sample.when("crossings", leftNs()));
+  }
+
+  static String seconds(long ns) {
+    return String.format(Locale.ROOT, "%.1f s", ns / NS_PER_S);
   }
 }

@@ -2,14 +2,15 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
-import java.util.EnumMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.function.BiFunction;
+import java.util.function.Function;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.logic.Zone;
+import org.starl.geometry.Rectangle;
 import org.starl.geometry.Region;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -18,42 +19,39 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimControl;
 
 /**
- * Cars arrive at random for a while. One that arrives comes onto the road at the last place of its
- * arm once nobody is in that place, and waits beyond the edge until then. One that has come to a
- * stand past its departure zone, and has given back all that it held, drives off the floor, and is
- * out of the run when it has unregistered. Whoever still waits beyond the edge when the time of
- * arrivals is over turns away.
+ * Lets cars arrive at random for a while. A car waits beyond the edge of the road until the last place
+ * of its arm is free, and enters there. It leaves the floor when it has released everything and stands
+ * past its departure zone, and leaves the run when it has unregistered. Cars that are still beyond the
+ * edge at the end of arrivals turn away.
  */
 final class OpenRoad implements Director {
 
   private static final long LOOK_EVERY_NS = 100_000_000;
-  private static final int EDGE = Crossing.PLACES - 1;
 
   private final Crossing crossing;
   private final double radiusMm;
   private final Arrivals arrivals;
   private final long untilNs;
-  private final BiFunction<Arrival, Trip, RobotSpec> programs;
+  private final Function<Car, RobotSpec> robots;
   private final OpenRoadStory story;
   private final Operator operator;
   private final Participants units;
-  private final Map<Zone, Deque<Arrival>> outside = new EnumMap<>(Zone.class);
+  private final List<Rectangle> exits;
+  private final Map<String, Deque<Car>> beyondEdge = new LinkedHashMap<>();
   private final List<Car> cars = new ArrayList<>();
   private boolean arrivalsAreOver;
 
-  private record Car(RobotId id, Zone arm, Region exit) {}
-
   /**
    * @param untilNs the end of arrivals
-   * @param programs makes the robot of an arrival
-   * @param units at the roadside, which are there from the start to the end
+   * @param robots creates the robot of a car that enters
+   * @param units the roadside units, which stay to the end
    */
   OpenRoad(
       Crossing crossing,
       double radiusMm,
       Arrivals arrivals,
       long untilNs,
-      BiFunction<Arrival, Trip, RobotSpec> programs,
+      Function<Car, RobotSpec> robots,
       OpenRoadStory story,
       Operator operator,
       Participants units) {
@@ -61,10 +59,14 @@ final class OpenRoad implements Director {
     this.radiusMm = radiusMm;
     this.arrivals = arrivals;
     this.untilNs = untilNs;
-    this.programs = programs;
+    this.robots = robots;
     this.story = story;
     this.operator = operator;
     this.units = units;
+    exits = Arrays.stream(Zone.values()).map(crossing::exitRegion).toList();
+    for (Zone zone : Zone.values()) {
+      beyondEdge.put(Crossing.placeName(zone, 0), new ArrayDeque<>());
+    }
   }
 
   @Override
@@ -74,66 +76,49 @@ final class OpenRoad implements Director {
 
   @Override
   public void direct(SimControl control) {
-    look(control);
-  }
-
-  private void look(SimControl control) {
     long nowNs = control.nowNs();
-    units.forEach(unit -> operator.lookAtUnit(control, unit));
-    cars.removeIf(car -> isGone(control, car));
-    for (Arrival next = arrivals.poll(nowNs); next != null; next = arrivals.poll(nowNs)) {
-      outside.computeIfAbsent(next.route().from(), arm -> new ArrayDeque<>()).add(next);
+    units.forEach(unit -> operator.checkUnit(control, unit));
+    cars.removeIf(car -> isGone(control, car.id()));
+    for (Car next = arrivals.poll(nowNs); next != null; next = arrivals.poll(nowNs)) {
+      beyondEdge.computeIfAbsent(next.arm(), arm -> new ArrayDeque<>()).add(next);
       story.arrived(next);
     }
     if (nowNs >= untilNs && !arrivalsAreOver) {
       arrivalsAreOver = true;
-      outside
-          .values()
-          .forEach(waiting -> {
-            story.turnedAway(waiting.size());
-            waiting.clear();
-          });
+      story.turnedAway(beyondEdge.values().stream().mapToInt(Deque::size).sum());
+      beyondEdge.values().forEach(Deque::clear);
     }
-    for (Deque<Arrival> waiting : outside.values()) {
-      if (!waiting.isEmpty() && comesIn(control, waiting.element())) {
-        story.cameIn(waiting.remove());
+    for (Deque<Car> queue : beyondEdge.values()) {
+      Car first = queue.peek();
+      if (first != null && isEdgeFree(control, first)) {
+        cars.add(first);
+        control.join(robots.apply(first));
+        story.entered(queue.remove());
       }
     }
     story.towed(operator.towed());
-    if (!isOver()) {
-      control.at(nowNs + LOOK_EVERY_NS, () -> look(control));
-    } else {
+    if (isOver()) {
       units.forEach(control::leave);
+    } else {
+      control.at(nowNs + LOOK_EVERY_NS, () -> direct(control));
     }
   }
 
-  private boolean comesIn(SimControl control, Arrival arrival) {
-    Zone arm = arrival.route().from();
-    Region edge = crossing.place(arm, EDGE);
-    for (Car car : cars) {
-      if (car.arm() == arm
-          && control.isOnFloor(car.id())
-          && edge.distanceMm(control.truePose(car.id()).at()) < radiusMm) {
+  private boolean isEdgeFree(SimControl control, Car car) {
+    Region edge = crossing.region(car.arm() + "." + (Crossing.PLACES - 1));
+    for (Car other : cars) {
+      if (other.arm().equals(car.arm())
+          && control.isOnFloor(other.id())
+          && edge.distanceMm(control.truePose(other.id()).at()) < radiusMm) {
         return false;
       }
     }
-    if (!control.isFree(crossing.placePose(arm, EDGE))) {
-      return false;
-    }
-    Trip trip = crossing.tripFromEdge(arrival.route());
-    cars.add(new Car(arrival.id(), arm, crossing.exitRegion(arrival.route().lastZone())));
-    control.join(programs.apply(arrival, trip));
-    return true;
+    return control.isFree(car.start());
   }
 
-  private boolean isGone(SimControl control, Car car) {
-    RobotId id = car.id();
-    operator.look(control, id);
-    if (control.isOnFloor(id)
-        && operator.isReady(id)
-        && car.exit().contains(control.truePose(id).at())) {
-      operator.drivesOff(control, id);
-    }
+  private boolean isGone(SimControl control, RobotId id) {
+    operator.checkCar(control, id);
+    operator.takeIfThrough(control, id, exits);
     if (!control.isFinished(id)) {
       return false;
     }

@@ -1,8 +1,8 @@
 package org.starl.apps.intersection;
 
+import static org.starl.apps.intersection.IntersectionStory.seconds;
+
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.EnumMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -15,33 +15,29 @@ import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
-import org.starl.apps.intersection.logic.Zone;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Variable;
 
-/** How the traffic went. Of a car that has left, only how long it waited and when it left is kept. */
+/** Reports the traffic of an open road. Of a car that has left, it keeps only two times. */
 final class OpenRoadStory implements Story {
 
-  private static final double NS_PER_S = 1e9;
   private static final double NS_PER_MIN = 60e9;
 
   private final long untilNs;
-  private final SortedMap<RobotId, Arrival> waiting = new TreeMap<>();
+  private final SortedMap<RobotId, Car> waiting = new TreeMap<>();
   private final Set<RobotId> onFloor = new TreeSet<>();
-  private final Map<Zone, Integer> queues = new EnumMap<>(Zone.class);
-  private final Map<Zone, Integer> beyondEdge = new EnumMap<>(Zone.class);
+  // Number of cars per arm that wait for their zones, and of those the ones beyond the edge.
+  private final Map<String, Integer> queued = new TreeMap<>();
+  private final Map<String, Integer> beyondEdge = new TreeMap<>();
   private final List<Long> waitsNs = new ArrayList<>();
   private final List<Long> leftNs = new ArrayList<>();
   private int arrived;
-  private int cameIn;
+  private int entered;
   private int turnedAway;
-  private int left;
   private int towed;
   private int stopped;
   private int longestQueue;
   private int longestBeyondEdge;
-  private long lastLeftNs;
 
   /**
    * @param untilNs the end of arrivals
@@ -50,96 +46,89 @@ final class OpenRoadStory implements Story {
     this.untilNs = untilNs;
   }
 
-  /** Somebody has come to the edge of the road. */
-  void arrived(Arrival arrival) {
+  /** A car has arrived at the edge of the road. */
+  void arrived(Car car) {
     arrived++;
-    longestQueue = Math.max(longestQueue, count(queues, arrival, 1));
-    longestBeyondEdge = Math.max(longestBeyondEdge, count(beyondEdge, arrival, 1));
+    longestQueue = Math.max(longestQueue, queued.merge(car.arm(), 1, Integer::sum));
+    longestBeyondEdge = Math.max(longestBeyondEdge, beyondEdge.merge(car.arm(), 1, Integer::sum));
   }
 
-  /** Somebody who had arrived comes onto the road. */
-  void cameIn(Arrival arrival) {
-    cameIn++;
-    count(beyondEdge, arrival, -1);
-    waiting.put(arrival.id(), arrival);
-    onFloor.add(arrival.id());
+  /** A car that had arrived enters the road. */
+  void entered(Car car) {
+    entered++;
+    beyondEdge.merge(car.arm(), -1, Integer::sum);
+    waiting.put(car.id(), car);
+    onFloor.add(car.id());
   }
 
-  /** So many who had arrived never came onto the road. */
+  /** So many cars that had arrived never entered. */
   void turnedAway(int cars) {
     turnedAway += cars;
   }
 
-  /** So many were towed until now. */
+  /** So many cars have been towed so far. */
   void towed(int cars) {
     towed = cars;
   }
 
-  private int crossed() {
-    return left - towed;
-  }
-
-  private static int count(Map<Zone, Integer> byArm, Arrival arrival, int more) {
-    return byArm.merge(arrival.route().from(), more, Integer::sum);
-  }
-
   @Override
   public void observed(TraceEvent event) {
-    if (event instanceof Variable variable) {
-      if (variable.source().equals(CrossingTrace.SOURCE)
-          && variable.name().equals(CrossingTrace.LOCATION)
-          && variable.value().equals(Location.MOVE_WAIT.name())) {
-        granted(variable);
-      } else if (variable.name().equals("motionflag") && variable.value().equals("FAIL")) {
-        stopped++;
+    if (CrossingTrace.location(event).filter(Location.MOVE_WAIT::equals).isPresent()) {
+      Car car = waiting.remove(event.robot());
+      if (car != null) {
+        queued.merge(car.arm(), -1, Integer::sum);
+        waitsNs.add(event.timeNs() - car.readyNs());
       }
-    } else if (event instanceof TraceEvent.Left gone && onFloor.remove(gone.robot())) {
-      left++;
-      lastLeftNs = gone.timeNs();
-      leftNs.add(lastLeftNs);
-      Arrival towedBefore = waiting.remove(gone.robot());
+    } else if (CrossingTrace.isStopped(event)) {
+      stopped++;
+    } else if (event instanceof TraceEvent.Left && onFloor.remove(event.robot())) {
+      leftNs.add(event.timeNs());
+      Car towedBefore = waiting.remove(event.robot());
       if (towedBefore != null) {
-        count(queues, towedBefore, -1);
+        queued.merge(towedBefore.arm(), -1, Integer::sum);
       }
     }
   }
 
-  private void granted(Variable event) {
-    Arrival arrival = waiting.remove(event.robot());
-    if (arrival != null) {
-      count(queues, arrival, -1);
-      waitsNs.add(event.timeNs() - arrival.atNs());
-    }
+  private int crossed() {
+    return leftNs.size() - towed;
+  }
+
+  private long lastLeftNs() {
+    return leftNs.isEmpty() ? 0 : leftNs.get(leftNs.size() - 1);
+  }
+
+  private static double perMinute(int cars, long ns) {
+    return ns == 0 ? 0 : cars * NS_PER_MIN / ns;
   }
 
   @Override
   public List<String> lines() {
-    long[] waits = sortedWaitsNs();
+    long[] waits = waitsNs.stream().mapToLong(Long::longValue).sorted().toArray();
     List<String> lines = new ArrayList<>();
     lines.add(
-        arrived
-            + " cars arrived in "
-            + seconds(untilNs)
-            + " ("
-            + perMinute(arrived, untilNs)
-            + "), "
-            + cameIn
-            + " came onto the road, "
-            + turnedAway
-            + " turned away at the end of arrivals");
+        String.format(
+            Locale.ROOT,
+            "%d cars arrived in %s (%.1f/min), %d entered the road, %d turned away",
+            arrived,
+            seconds(untilNs),
+            perMinute(arrived, untilNs),
+            entered,
+            turnedAway));
     lines.add(
-        crossed()
-            + " crossed ("
-            + perMinute(crossed(), lastLeftNs)
-            + "), the last one left at "
-            + seconds(lastLeftNs));
+        String.format(
+            Locale.ROOT,
+            "%d crossed (%.1f/min), the last one left at %s",
+            crossed(),
+            perMinute(crossed(), lastLeftNs()),
+            seconds(lastLeftNs())));
     lines.add(
-        "from arrival to being granted its zones a car waited "
-            + wait(waits, 50)
-            + " (median), 95 % up to "
-            + wait(waits, 95)
-            + ", the longest "
-            + wait(waits, 100));
+        String.format(
+            Locale.ROOT,
+            "time from arrival to the grant of its zones: median %s, 95 %% up to %s, longest %s",
+            seconds(Measures.waitNs(waits, 50)),
+            seconds(Measures.waitNs(waits, 95)),
+            seconds(Measures.waitNs(waits, 100))));
     lines.add(
         "longest queue of an arm: "
             + longestQueue
@@ -149,7 +138,7 @@ final class OpenRoadStory implements Story {
       lines.add(towed + " dead cars were towed");
     }
     if (stopped > 0) {
-      lines.add("cars were stopped by something " + (stopped == 1 ? "once" : stopped + " times"));
+      lines.add("cars were stopped on their way " + (stopped == 1 ? "once" : stopped + " times"));
     }
     return lines;
   }
@@ -159,35 +148,17 @@ final class OpenRoadStory implements Story {
     SortedMap<String, Double> figures = new TreeMap<>();
     figures.put("arrived", (double) arrived);
     figures.put("crossed", (double) crossed());
-    figures.put("crossed_per_min", lastLeftNs == 0 ? 0 : crossed() * NS_PER_MIN / lastLeftNs);
+    figures.put("crossed_per_min", perMinute(crossed(), lastLeftNs()));
     figures.put("longest_queue", (double) longestQueue);
     figures.put("towed", (double) towed);
     figures.put("turned_away", (double) turnedAway);
-    return new Measures(cameIn, crossed(), waitsNs, figures);
+    return new Measures(entered, crossed(), waitsNs, figures);
   }
 
   @Override
   public List<Sample> samples() {
     return List.of(
-        Sample.howLong("wait from arriving to being granted all zones", waitsNs),
+        Sample.howLong("wait from arrival to the grant of all zones", waitsNs),
         Sample.when("cars that have left", leftNs));
-  }
-
-  private long[] sortedWaitsNs() {
-    long[] waits = waitsNs.stream().mapToLong(Long::longValue).toArray();
-    Arrays.sort(waits);
-    return waits;
-  }
-
-  private static String wait(long[] sortedWaitsNs, int percent) {
-    return seconds(Measures.waitNs(sortedWaitsNs, percent));
-  }
-
-  private static String perMinute(int cars, long ns) {
-    return String.format(Locale.ROOT, "%.1f/min", ns == 0 ? 0 : cars * NS_PER_MIN / ns);
-  }
-
-  private static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.1f s", ns / NS_PER_S);
   }
 }

@@ -6,18 +6,18 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.sim.SimControl;
 import org.starl.sim.SimObserver;
 import org.starl.sim.world.Unsynced;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Takes cars off the floor: those that have crossed and given back all that they held, and those whose
- * program has been dead for a minute. On such a car, and on one whose program dies when it is off the
- * floor already, another program is started, which says that the car is nowhere any more. A roadside
- * unit that has been dead for a minute is started again.
+ * Takes cars off the floor: cars that have crossed and released all that they held, and cars whose
+ * program has been dead for a minute. Restarts the programs of such dead cars, and of roadside units
+ * that have been dead for a minute. A program that is started for a car off the floor has to be a
+ * {@link org.starl.apps.intersection.logic.TowedCar}: see {@link #isOffFloor}.
  */
 final class Operator implements SimObserver {
 
@@ -30,42 +30,51 @@ final class Operator implements SimObserver {
 
   @Override
   public void observed(TraceEvent event) {
-    if (event instanceof Variable variable
-        && variable.source().equals(CrossingTrace.SOURCE)
-        && variable.name().equals(CrossingTrace.LOCATION)) {
-      Location location = Location.valueOf(variable.value());
-      if (location == Location.UNREGISTER_WAIT || location == Location.DONE) {
-        ready.add(variable.robot());
-      } else {
-        ready.remove(variable.robot());
+    CrossingTrace.location(event)
+        .ifPresent(location -> {
+          if (location == Location.UNREGISTER_WAIT || location == Location.DONE) {
+            ready.add(event.robot());
+          } else {
+            ready.remove(event.robot());
+          }
+        });
+  }
+
+  /**
+   * Takes a car off the floor if its program has released everything and it stands in an exit.
+   *
+   * @return whether it did
+   */
+  boolean takeIfThrough(SimControl control, RobotId car, Iterable<? extends Region> exits) {
+    if (control.isOnFloor(car) && ready.contains(car)) {
+      for (Region exit : exits) {
+        if (exit.contains(control.truePose(car).at())) {
+          takeOffFloor(control, car);
+          return true;
+        }
       }
     }
+    return false;
   }
 
-  /** Whether a car has given back all that it held, as its program has told. */
-  boolean isReady(RobotId car) {
-    return ready.contains(car);
-  }
-
-  /** A car that has crossed drives off the floor. */
-  void drivesOff(SimControl control, RobotId car) {
+  private void takeOffFloor(SimControl control, RobotId car) {
     offFloor.add(car);
     control.takeOffFloor(car);
   }
 
-  /** Looks after a car that is there; to be called now and then. */
-  void look(SimControl control, RobotId car) {
+  /** Tows and restarts a car that has been dead for long; call it at regular intervals. */
+  void checkCar(SimControl control, RobotId car) {
     if (isLongDead(control, car)) {
       if (control.isOnFloor(car)) {
         towed++;
-        drivesOff(control, car);
+        takeOffFloor(control, car);
       }
       control.restart(car, Unsynced.LOST);
     }
   }
 
-  /** The same for a roadside unit, which is started again where it stands. */
-  void lookAtUnit(SimControl control, RobotId unit) {
+  /** Restarts a roadside unit that has been dead for long; call it at regular intervals. */
+  void checkUnit(SimControl control, RobotId unit) {
     if (isLongDead(control, unit)) {
       control.restart(unit, Unsynced.LOST);
     }
@@ -76,28 +85,27 @@ final class Operator implements SimObserver {
       deadSinceNs.remove(robot);
       return false;
     }
-    long nowNs = control.nowNs();
-    Long sinceNs = deadSinceNs.putIfAbsent(robot, nowNs);
-    boolean isLong = sinceNs != null && nowNs - sinceNs >= TOW_AFTER_NS;
+    Long sinceNs = deadSinceNs.putIfAbsent(robot, control.nowNs());
+    boolean isLong = sinceNs != null && control.nowNs() - sinceNs >= TOW_AFTER_NS;
     if (isLong) {
       deadSinceNs.remove(robot);
     }
     return isLong;
   }
 
-  /** Whether a program that starts on {@code car} now starts off the floor, where the car has been. */
+  /** Whether {@code car} has been on the floor and was taken off it. */
   boolean isOffFloor(RobotId car) {
     return offFloor.contains(car);
   }
 
-  /** A car is out of the run. */
+  /** Forgets a car that is out of the run. */
   void forget(RobotId car) {
     ready.remove(car);
     offFloor.remove(car);
     deadSinceNs.remove(car);
   }
 
-  /** How many cars it has towed. */
+  /** Number of cars towed so far. */
   int towed() {
     return towed;
   }

@@ -9,10 +9,10 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
 /**
- * A floor of square cells as it is in truth, hidden obstacles included: which cells are free, and
- * between which neighbours stands a wall. A body that fits a cell with its margin gets from the middle
- * of one to that of another exactly where free neighbours lead there. A cell is its number, row by row
- * from the lower left.
+ * The true floor in square cells: which cells are free, and between which neighbours there is a wall,
+ * hidden obstacles included. A body that fits a cell with its margin gets from the middle of a cell to
+ * the middle of another exactly if free neighbours lead there. A cell is its number, row by row from
+ * the lower left.
  */
 final class Board {
 
@@ -20,7 +20,7 @@ final class Board {
   private final int rows;
   private final double cellMm;
   private final BitSet blocked = new BitSet();
-  // Of each cell: whether a wall stands on its right, and on its upper side.
+  // For each cell: whether there is a wall on its right side, and on its upper side.
   private final BitSet wallRight = new BitSet();
   private final BitSet wallAbove = new BitSet();
 
@@ -64,7 +64,7 @@ final class Board {
     blocked.set(cell, !isFree);
   }
 
-  /** Whether a wall stands between two neighbours. */
+  /** Whether there is a wall between two neighbours. */
   boolean hasWall(int cell, int neighbour) {
     return walls(cell, neighbour).get(Math.min(cell, neighbour));
   }
@@ -79,7 +79,7 @@ final class Board {
         : wallAbove;
   }
 
-  /** The cells beside a cell, free or not, whether a wall is between or not. */
+  /** The cells beside a cell, free or not, whatever wall is between. */
   List<Integer> neighbours(int cell) {
     List<Integer> neighbours = new ArrayList<>(4);
     if (cell % columns > 0) {
@@ -98,9 +98,9 @@ final class Board {
   }
 
   /**
-   * Steps from a cell to each, or -1 where no way leads.
+   * Number of steps from a cell to each cell, or -1 if there is no way.
    *
-   * @param avoided cells that the way leads through none of, {@code from} excepted
+   * @param avoided cells that the way may not enter
    */
   int[] steps(int from, BitSet avoided) {
     int[] steps = new int[cells()];
@@ -121,7 +121,7 @@ final class Board {
     return steps;
   }
 
-  /** The cells on a shortest way between two, both included; empty if there is none. */
+  /** The cells on a shortest way between two cells, both included; empty if there is none. */
   List<Integer> way(int from, int to, BitSet avoided) {
     int[] steps = steps(to, avoided);
     List<Integer> way = new ArrayList<>();

@@ -7,30 +7,32 @@ import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 import org.starl.random.Rng;
 
 /**
- * A maze drawn by seed: cells joined to a tree by walks at random, some walls taken away again so that
- * there are several ways, and one cell walled in.
+ * A maze drawn from the seed: random walks join the cells to a tree, then some walls are removed so that
+ * there are several ways, and one cell is walled in.
  */
 final class DrawnMaze {
 
   private static final int COLUMNS = 8;
 
-  /** More than so many robots need a longer maze, so that nobody is in another's only way. */
+  // More robots than this need a longer maze, so that none blocks another's only way.
   private static final int MANY_ROBOTS = 6;
 
   private static final int COLUMNS_FOR_MANY = 12;
   private static final int ROWS = 6;
   private static final double CELL_MM = 1_000;
-  private static final double TAKEN_AWAY = 0.15;
+  private static final Point ORIGIN = new Point(0, 0);
+  private static final double REMOVED = 0.15;
   private static final int FEWEST_STEPS = 5;
   private static final int MOST_STEPS = 60;
 
-  /** So many are drawn, and found too small, before that is said: one may have few places far apart. */
+  // A maze may have too few places far apart: then another one is drawn, up to so many.
   private static final int MAZES = 10;
 
-  /** A wall is known or hidden as a whole, up to so many cells long. */
+  // Length in cells of a piece of wall that is known or hidden as a whole, at most.
   private static final int LONGEST_WALL = 2;
 
   private final int columns;
@@ -44,8 +46,8 @@ final class DrawnMaze {
   }
 
   /**
-   * @param hidden the part of the walls that nobody is told of
-   * @throws org.starl.input.BadInput if so many robots find no room
+   * @param hidden the part of the walls that is on no map
+   * @throws org.starl.input.BadInput if there is no room for so many robots
    */
   static Layout draw(int robots, double hidden, Rng rng) {
     Rng walls = rng.fork("walls");
@@ -74,7 +76,7 @@ final class DrawnMaze {
     joinAll();
     for (int cell = 0; cell < board.cells(); cell++) {
       for (int next : board.neighbours(cell)) {
-        if (next > cell && rng.nextBoolean(TAKEN_AWAY)) {
+        if (next > cell && rng.nextBoolean(REMOVED)) {
           board.setWall(cell, next, false);
         }
       }
@@ -106,16 +108,12 @@ final class DrawnMaze {
   }
 
   private Obstacles walls(double hidden, Rng draw) {
+    Rectangle floor = board.floor();
+    Point upperLeft = new Point(0, floor.yMaxMm());
+    Point lowerRight = new Point(floor.xMaxMm(), 0);
+    Point upperRight = new Point(floor.xMaxMm(), floor.yMaxMm());
     List<Obstacle> walls = new ArrayList<>();
-    double width = columns * CELL_MM;
-    double height = ROWS * CELL_MM;
-    walls.add(
-        Obstacle.wall(
-            new Point(0, 0),
-            new Point(width, 0),
-            new Point(width, height),
-            new Point(0, height),
-            new Point(0, 0)));
+    walls.add(Obstacle.wall(ORIGIN, lowerRight, upperRight, upperLeft, ORIGIN));
     for (int column = 0; column < columns - 1; column++) {
       addLine(walls, column, 1, columns, ROWS, hidden, draw);
     }
@@ -125,7 +123,7 @@ final class DrawnMaze {
     return new Obstacles(walls);
   }
 
-  /** The walls on one line, between each cell and the one across it. */
+  /** Adds the walls on one line, between each cell and its neighbour across the line. */
   private void addLine(
       List<Obstacle> walls, int first, int across, int along, int count, double hidden, Rng draw) {
     int from = 0;

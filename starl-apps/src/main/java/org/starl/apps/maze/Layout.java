@@ -21,10 +21,10 @@ import org.starl.primitives.paths.Capsule;
  */
 record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
 
-  /** How far from where it should be a robot may stand, besides the goal's tolerance. */
-  private static final double STANDS_MM = 10;
+  // How far from its place a robot may stand, besides the goal's tolerance.
+  private static final double OFF_MM = 10;
 
-  /** One robot: where it starts, and its goals in turn. */
+  /** One robot: its start, and its goals in turn. */
   record Robot(Pose start, List<Goal> goals) {
     Robot {
       goals = List.copyOf(goals);
@@ -35,21 +35,21 @@ record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
     robots = List.copyOf(robots);
   }
 
-  /** What robot {@code index} is told. */
+  /** The task of robot {@code index}. */
   Errand errand(int index, double bodyMm, CollisionMode mode) {
     Robot robot = robots.get(index);
-    return new Errand(
-        robot.start().at(), robot.goals(), others(index, bodyMm), floor, Blocks.of(floor), mode);
+    List<Capsule> others = others(index, bodyMm);
+    return new Errand(robot.start().at(), robot.goals(), others, floor, Blocks.of(floor), mode);
   }
 
-  /** Where the others stand while they hold no part of the floor. */
+  /** Where the other robots stand while they hold no block. */
   List<Capsule> others(int index, double bodyMm) {
     List<Capsule> others = new ArrayList<>();
     for (int i = 0; i < robots.size(); i++) {
       if (i != index) {
-        others.add(disc(robots.get(i).start().at(), bodyMm + STANDS_MM));
+        others.add(disc(robots.get(i).start().at(), bodyMm + OFF_MM));
         for (Goal goal : robots.get(i).goals()) {
-          others.add(disc(goal.at(), bodyMm + STANDS_MM + goal.toleranceMm()));
+          others.add(disc(goal.at(), bodyMm + OFF_MM + goal.toleranceMm()));
         }
       }
     }

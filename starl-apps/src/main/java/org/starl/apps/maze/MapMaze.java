@@ -8,7 +8,7 @@ import org.starl.geometry.Point;
 import org.starl.random.Rng;
 import org.starl.sim.world.GridMap;
 
-/** A grid map with robots, and with hidden boxes on their ways. */
+/** A grid map with drawn robots, and with hidden boxes on their ways. */
 final class MapMaze {
 
   private static final int FEWEST_STEPS = 6;
@@ -17,7 +17,7 @@ final class MapMaze {
   private MapMaze() {}
 
   /**
-   * @param boxes how many hidden boxes of a cell each, where they find room
+   * @param boxes number of hidden boxes of one cell each, fewer if there is no room
    */
   static Layout draw(GridMap map, double cellMm, int robots, int boxes, Rng rng) {
     Board board = new Board(map.columns(), map.rows(), cellMm);
@@ -30,9 +30,7 @@ final class MapMaze {
       throw Places.noRoom(robots, found);
     }
     List<Obstacle> all = new ArrayList<>(map.walls(cellMm).all());
-    if (robots > 0) {
-      places.hideBoxes(boxes).forEach(cell -> all.add(box(board.middle(cell), cellMm / 2)));
-    }
+    places.hideBoxes(boxes).forEach(cell -> all.add(box(board.middle(cell), cellMm / 2)));
     return new Layout(board.floor(), new Obstacles(all), places.robots());
   }
 

@@ -5,11 +5,13 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
+import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
@@ -39,11 +41,12 @@ public final class MazeDemo implements Demo {
 
   private static final int MOST_ROBOTS = 8;
   private static final int MOST_BOXES = 64;
+  private static final double HIDDEN_PART = 0.4;
   private static final double LEAST_CELL_MM = 480;
   private static final double CELL_SPARE_MM = 20;
   private static final double MOST_CELL_MM = 10_000;
 
-  /** For one robot at a time, bumping its way along every wall of it. */
+  // Bound for one robot that drives alone and bumps along every wall.
   private static final long TURN_NS = 1_800_000_000_000L;
 
   private static final Parameter SCENARIO =
@@ -64,10 +67,20 @@ public final class MazeDemo implements Demo {
       new Parameter(
           "hidden",
           "",
-          "drawn: which part of the walls nobody knows of, 0 to 1 (0.4); map: how many hidden boxes"
-              + " stand on the robots' shortest ways, 0 to 64 (one a robot)");
+          "drawn: part of the walls that is hidden, 0 to 1 (default: 0.4); map: number of hidden"
+              + " boxes on the robots' shortest ways, 0 to 64 (default: one per robot)");
   private static final Parameter COLLISION =
-      new Parameter("collision", "back", "what a bump does: stop, back or discover");
+      new Parameter("collision", "back", "what a robot does after a bump: stop, back or discover");
+
+  private static final List<String> MAPS =
+      List.of(
+          "empty-48-48",
+          "maze-32-32-4",
+          "room-32-32-4",
+          "random-64-64-20",
+          "den312d",
+          "ht_chantry",
+          "Berlin_1_256");
 
   @Override
   public String name() {
@@ -99,29 +112,20 @@ public final class MazeDemo implements Demo {
     List<Input> inputs = new ArrayList<>();
     Path original = data.resolve("starl-original").resolve("maze");
     if (Files.isDirectory(original)) {
-      inputs.add(input("maze", FILES.key(), original, "3 of 3 runs hold for ever: Path not found"));
+      inputs.add(input("maze", FILES, original, "3 of 3 runs hold for ever: Path not found"));
     }
-    for (String map :
-        List.of(
-            "empty-48-48",
-            "maze-32-32-4",
-            "room-32-32-4",
-            "random-64-64-20",
-            "den312d",
-            "ht_chantry",
-            "Berlin_1_256")) {
+    for (String map : MAPS) {
       Path file = data.resolve("maps").resolve(map + ".map");
       if (Files.exists(file)) {
-        inputs.add(input(map + ".map", MAP.key(), file, ""));
+        inputs.add(input(map + ".map", MAP, file, ""));
       }
     }
     return inputs;
   }
 
-  private static Input input(String name, String key, Path value, String before) {
-    SortedMap<String, String> parameters = new TreeMap<>();
-    parameters.put(key, value.toString());
-    return new Input(name, value, parameters, before);
+  private static Input input(String name, Parameter parameter, Path value, String original) {
+    Map<String, String> parameters = Map.of(parameter.key(), value.toString());
+    return new Input(name, value, new TreeMap<>(parameters), original);
   }
 
   @Override
@@ -153,24 +157,17 @@ public final class MazeDemo implements Demo {
 
   private static String scenario(Request request) {
     String scenario = request.parameter(SCENARIO.key());
-    boolean isDrawn = scenario.equals(SCENARIO.defaultValue());
     boolean hasFiles = !request.parameter(FILES.key()).isEmpty();
     boolean hasMap = !request.parameter(MAP.key()).isEmpty();
     if (hasFiles && hasMap) {
       throw new BadInput("files and map: expected one of them");
     }
-    if (isDrawn) {
-      return hasFiles ? "files" : hasMap ? "map" : scenario;
+    String implied = hasFiles ? "files" : hasMap ? "map" : SCENARIO.defaultValue();
+    if (!scenario.equals(implied) && !scenario.equals(SCENARIO.defaultValue())) {
+      String hint = NearMatches.hint(scenario, List.of("drawn", "files", "map"));
+      throw bad(SCENARIO, scenario, "drawn, files with files=FOLDER, or map with map=FILE" + hint);
     }
-    boolean isKnown = scenario.equals("files") || scenario.equals("map");
-    if (!isKnown || scenario.equals("files") != hasFiles || scenario.equals("map") != hasMap) {
-      throw new BadInput(
-          "scenario="
-              + BadInput.quote(scenario)
-              + ": expected drawn, files with files=FOLDER, or map with map=FILE"
-              + NearMatches.hint(scenario, List.of("drawn", "files", "map")));
-    }
-    return scenario;
+    return implied;
   }
 
   private static Layout layout(Request request, SimSettings settings, int robots) {
@@ -194,20 +191,20 @@ public final class MazeDemo implements Demo {
 
   private static Plan plan(Layout layout, CollisionMode mode, SimSettings settings) {
     SortedMap<RobotId, Errand> errands = new TreeMap<>();
-    SortedMap<RobotId, Integer> goals = new TreeMap<>();
     double bodyMm = settings.robotRadiusMm();
+    int goals = 0;
     Simulation.Builder simulation =
         Simulation.builder().settings(settings).obstacles(layout.obstacles());
     for (int i = 0; i < layout.robots().size(); i++) {
       RobotId id = new RobotId(settings.robotName() + i);
       Errand errand = layout.errand(i, bodyMm, mode);
       errands.put(id, errand);
-      goals.put(id, errand.goals().size());
+      goals += errand.goals().size();
       simulation.robot(
           new RobotSpec(id, layout.robots().get(i).start(), true, gvh -> new MazeApp(gvh, errand)));
     }
     MazeStory story = new MazeStory(goals);
-    MazeTruth truth = new MazeTruth(layout.floor(), layout.obstacles(), errands, bodyMm);
+    MazeTruth truth = new MazeTruth(layout.obstacles(), errands, bodyMm);
     simulation
         .observer(story)
         .monitor(() -> new MazeSpec(truth, errands.size() * TURN_NS))
@@ -222,50 +219,37 @@ public final class MazeDemo implements Demo {
         return mode;
       }
     }
-    throw new BadInput(
-        COLLISION.key() + "=" + BadInput.quote(text) + ": expected stop, back or discover");
+    throw bad(COLLISION, text, "stop, back or discover");
   }
 
   private static double cellMm(Request request, double bodyMm) {
-    double cellMm;
-    try {
-      cellMm = Quantities.distanceMm(request.parameter(CELL.key()));
-    } catch (BadInput error) {
-      throw Quantities.in(CELL.key(), error);
-    }
+    double cellMm = ParameterParser.parse(request, CELL, Quantities::distanceMm);
     double leastMm = Math.max(LEAST_CELL_MM, 2 * (bodyMm + Errand.MARGIN_MM)) + CELL_SPARE_MM;
     if (cellMm < leastMm || cellMm > MOST_CELL_MM) {
-      throw new BadInput(
-          CELL.key()
-              + "="
-              + BadInput.quote(request.parameter(CELL.key()))
-              + ": expected "
-              + Math.round(leastMm)
-              + "mm (room for a body and its margin) to 10m");
+      String least = Math.round(leastMm) + "mm (room for a body and its margin)";
+      throw bad(CELL, request.parameter(CELL.key()), least + " to 10m");
     }
     return cellMm;
   }
 
   private static int boxes(Request request, int robots) {
-    String text = request.parameter(HIDDEN.key());
-    try {
-      return text.isEmpty() ? robots : (int) Quantities.whole(text, 0, MOST_BOXES);
-    } catch (BadInput error) {
-      throw Quantities.in(HIDDEN.key(), error);
-    }
+    return ParameterParser.parse(
+        request,
+        HIDDEN,
+        text -> text.isEmpty() ? robots : (int) Quantities.whole(text, 0, MOST_BOXES));
   }
 
   private static double hiddenPart(Request request) {
-    String text = request.parameter(HIDDEN.key());
-    double part;
-    try {
-      part = text.isEmpty() ? 0.4 : Quantities.number(text);
-    } catch (BadInput error) {
-      throw Quantities.in(HIDDEN.key(), error);
-    }
+    double part =
+        ParameterParser.parse(
+            request, HIDDEN, text -> text.isEmpty() ? HIDDEN_PART : Quantities.number(text));
     if (part > 1) {
-      throw new BadInput(HIDDEN.key() + "=" + BadInput.quote(text) + ": expected 0 to 1");
+      throw bad(HIDDEN, request.parameter(HIDDEN.key()), "0 to 1");
     }
     return part;
+  }
+
+  private static BadInput bad(Parameter parameter, String text, String expected) {
+    return new BadInput(parameter.key() + "=" + BadInput.quote(text) + ": expected " + expected);
   }
 }

@@ -1,7 +1,6 @@
 package org.starl.apps.maze;
 
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -17,23 +16,23 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 
-/** Who got where, when, after how many contacts; and who found that there is no way. */
+/** Reports each answer: when, and after how many marks from contacts. */
 final class MazeStory implements Story {
 
   private static final double NS_PER_S = 1e9;
 
-  private final SortedMap<RobotId, Integer> goals;
+  private final int goals;
   private final List<String> lines = new ArrayList<>();
   private final Map<RobotId, Integer> marks = new TreeMap<>();
-  private final Map<RobotId, Long> sinceNs = new LinkedHashMap<>();
+  private final Map<RobotId, Long> sinceNs = new TreeMap<>();
   private final List<Long> waitsNs = new ArrayList<>();
   private final List<Long> answeredNs = new ArrayList<>();
   private final SortedMap<String, Long> counts = new TreeMap<>();
 
   /**
-   * @param goals how many each robot has
+   * @param goals of all robots
    */
-  MazeStory(SortedMap<RobotId, Integer> goals) {
+  MazeStory(int goals) {
     this.goals = goals;
     for (Answer answer : Answer.values()) {
       counts.put(word(answer), 0L);
@@ -50,30 +49,28 @@ final class MazeStory implements Story {
         marks.merge(action.robot(), 1, Integer::sum);
         counts.merge("contacts", 1L, Long::sum);
       } else if (action.name().equals(MazeTrace.ANSWER)) {
-        answered(action);
+        answered(action.robot(), action.args(), action.timeNs());
       }
     }
   }
 
-  private void answered(Action action) {
-    RobotId robot = action.robot();
-    Answer answer = Answer.valueOf(action.args().get(1));
-    String goal = action.args().get(0);
-    int contacts = marks.getOrDefault(robot, 0);
+  private void answered(RobotId robot, List<String> args, long timeNs) {
+    String goal = args.get(0);
+    Answer answer = Answer.valueOf(args.get(1));
     String what =
         switch (answer) {
           case REACHED -> "is at " + goal;
-          case NO_WAY -> "has proven that no way leads to " + goal;
+          case NO_WAY -> "has proven that there is no way to " + goal;
           case GAVE_UP -> "gave up on " + goal;
         };
+    int contacts = marks.getOrDefault(robot, 0);
     String learned = contacts == 0 ? "" : ", " + contacts + " marks from contacts so far";
     lines.add(
-        String.format(
-            Locale.ROOT, "%8.1f s  %s %s%s", action.timeNs() / NS_PER_S, robot, what, learned));
+        String.format(Locale.ROOT, "%8.1f s  %s %s%s", timeNs / NS_PER_S, robot, what, learned));
     counts.merge(word(answer), 1L, Long::sum);
     if (answer != Answer.GAVE_UP) {
-      answeredNs.add(action.timeNs());
-      waitsNs.add(action.timeNs() - sinceNs.getOrDefault(robot, 0L));
+      answeredNs.add(timeNs);
+      waitsNs.add(timeNs - sinceNs.getOrDefault(robot, 0L));
     }
   }
 
@@ -88,8 +85,7 @@ final class MazeStory implements Story {
 
   @Override
   public Measures measures() {
-    int all = goals.values().stream().mapToInt(Integer::intValue).sum();
-    return new Measures(all, waitsNs.size(), waitsNs, new TreeMap<>(), counts);
+    return new Measures(goals, waitsNs.size(), waitsNs, new TreeMap<>(), counts);
   }
 
   @Override

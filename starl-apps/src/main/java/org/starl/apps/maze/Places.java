@@ -3,15 +3,17 @@ package org.starl.apps.maze;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
 /**
- * Draws starts and goals in the middle of cells: three of four goals within reach, the others cut
- * off, if the board has such places. Whoever can reach its goal at all can do so past the starts and
- * goals of all others.
+ * Draws a start and a goal for each robot, in the middle of cells. About three of four goals can be
+ * reached; the others are cut off, if the board has such places. A goal that can be reached can be
+ * reached past the starts and goals of all other robots.
  */
 final class Places {
 
@@ -20,18 +22,22 @@ final class Places {
   private static final int TRIES = 3_000;
   private static final int TRIES_FOR_CUT_OFF = 40;
   private static final int TRIES_FOR_A_BOX = 20;
+  private static final int NONE = -1;
 
   private final Board board;
   private final int fewestSteps;
   private final int mostSteps;
   private final Rng rng;
-  private final List<int[]> pairs = new ArrayList<>();
+  private final List<Pair> pairs = new ArrayList<>();
 
-  /** Goals that were to be cut off, and are not. */
+  // Goals that were to be cut off and are not, for want of such places.
   private final List<Integer> toClose = new ArrayList<>();
 
+  /** The cells of one robot. */
+  private record Pair(int start, int goal) {}
+
   /**
-   * @param mostSteps a goal in reach is so many cells off at most, where nothing hidden is in the way
+   * @param mostSteps to a goal that can be reached, without boxes on the way
    */
   Places(Board board, int fewestSteps, int mostSteps, Rng rng) {
     this.board = board;
@@ -41,11 +47,14 @@ final class Places {
   }
 
   /**
-   * @return how many found room: {@code robots}, or fewer
+   * Draws the places of {@code robots} robots.
+   *
+   * @return the number of robots that found room
    */
   int draw(int robots) {
-    while (pairs.size() < robots && drawOne()) {
-      // The next one.
+    boolean hasRoom = true;
+    while (hasRoom && pairs.size() < robots) {
+      hasRoom = drawOne();
     }
     return pairs.size();
   }
@@ -57,11 +66,12 @@ final class Places {
   private boolean drawOne() {
     boolean isCutOff = rng.nextBoolean(CUT_OFF);
     for (int i = 0; i < TRIES; i++) {
-      int start = freeCell();
-      int goal = start < 0 ? -1 : goal(start, isCutOff && i < TRIES_FOR_CUT_OFF);
-      if (goal >= 0) {
-        pairs.add(new int[] {start, goal});
-        if (nobodyIsInTheWay()) {
+      int start = rng.nextInt(board.cells());
+      boolean isFree = board.isFree(start) && !used(NONE).get(start);
+      int goal = isFree ? goal(start, isCutOff && i < TRIES_FOR_CUT_OFF) : NONE;
+      if (goal != NONE) {
+        pairs.add(new Pair(start, goal));
+        if (isFreeOfBlocking()) {
           if (isCutOff && i >= TRIES_FOR_CUT_OFF) {
             toClose.add(goal);
           }
@@ -73,47 +83,42 @@ final class Places {
     return false;
   }
 
-  private int freeCell() {
-    int cell = rng.nextInt(board.cells());
-    return board.isFree(cell) && !used(-1).get(cell) ? cell : -1;
-  }
-
   private int goal(int start, boolean isCutOff) {
     int[] steps = board.steps(start, new BitSet());
-    BitSet used = used(-1);
-    List<Integer> choice = new ArrayList<>();
-    for (int cell = 0; cell < board.cells(); cell++) {
-      boolean fits =
-          isCutOff
-              ? steps[cell] < 0 && isNear(start, cell)
-              : steps[cell] >= fewestSteps && steps[cell] <= mostSteps;
-      if (fits && cell != start && board.isFree(cell) && !used.get(cell)) {
-        choice.add(cell);
-      }
-    }
-    return choice.isEmpty() ? -1 : choice.get(rng.nextInt(choice.size()));
+    BitSet used = used(NONE);
+    List<Integer> choice =
+        IntStream.range(0, board.cells())
+            .filter(cell -> cell != start && board.isFree(cell) && !used.get(cell))
+            .filter(cell ->
+                isCutOff
+                    ? steps[cell] < 0 && isNear(start, cell)
+                    : steps[cell] >= fewestSteps && steps[cell] <= mostSteps)
+            .boxed()
+            .toList();
+    return choice.isEmpty() ? NONE : choice.get(rng.nextInt(choice.size()));
   }
 
   private boolean isNear(int a, int b) {
     return board.middle(a).distanceMm(board.middle(b)) <= mostSteps * board.cellMm() / 2;
   }
 
-  /** The starts and goals of all but one. */
+  /** The starts and goals of all robots but one. */
   private BitSet used(int except) {
     BitSet used = new BitSet();
     for (int i = 0; i < pairs.size(); i++) {
       if (i != except) {
-        used.set(pairs.get(i)[0]);
-        used.set(pairs.get(i)[1]);
+        used.set(pairs.get(i).start());
+        used.set(pairs.get(i).goal());
       }
     }
     return used;
   }
 
-  private boolean nobodyIsInTheWay() {
+  /** Whether every goal that can be reached can be reached past the other robots' places. */
+  private boolean isFreeOfBlocking() {
     for (int i = 0; i < pairs.size(); i++) {
-      int start = pairs.get(i)[0];
-      int goal = pairs.get(i)[1];
+      int start = pairs.get(i).start();
+      int goal = pairs.get(i).goal();
       if (board.steps(start, used(i))[goal] < 0 && board.steps(start, new BitSet())[goal] >= 0) {
         return false;
       }
@@ -122,17 +127,20 @@ final class Places {
   }
 
   /**
-   * Blocks cells on the robots' shortest ways, in turn, which nobody is told of: some goals are cut
-   * off by that. So are those that were to be: by boxes all round.
+   * Blocks {@code count} cells on the robots' shortest ways, in turn, fewer if there is no room. This
+   * cuts off some goals. If {@code count} is above 0, also blocks the cells around the goals that were
+   * to be cut off.
+   *
+   * @return the cells
    */
   List<Integer> hideBoxes(int count) {
     List<Integer> boxes = new ArrayList<>();
     if (count > 0) {
       toClose.forEach(goal -> boxes.addAll(close(goal)));
     }
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count && !pairs.isEmpty(); i++) {
       int box = hideBox(i % pairs.size());
-      if (box >= 0) {
+      if (box != NONE) {
         boxes.add(box);
       }
     }
@@ -140,39 +148,37 @@ final class Places {
   }
 
   private List<Integer> close(int goal) {
-    List<Integer> around = board.neighbours(goal);
-    BitSet ends = used(-1);
-    around.removeIf(cell -> !board.isFree(cell));
+    List<Integer> around = board.neighbours(goal).stream().filter(board::isFree).toList();
     around.forEach(cell -> board.setFree(cell, false));
-    if (around.stream().anyMatch(ends::get) || !nobodyIsInTheWay()) {
+    if (around.stream().anyMatch(used(NONE)::get) || !isFreeOfBlocking()) {
       around.forEach(cell -> board.setFree(cell, true));
-      around.clear();
+      return List.of();
     }
     return around;
   }
 
   private int hideBox(int index) {
-    List<Integer> way = board.way(pairs.get(index)[0], pairs.get(index)[1], used(index));
-    BitSet ends = used(-1);
+    List<Integer> way = board.way(pairs.get(index).start(), pairs.get(index).goal(), used(index));
+    BitSet used = used(NONE);
     for (int i = 0; way.size() > 2 && i < TRIES_FOR_A_BOX; i++) {
       int cell = way.get(1 + rng.nextInt(way.size() - 2));
-      if (!ends.get(cell)) {
+      if (!used.get(cell)) {
         board.setFree(cell, false);
-        if (nobodyIsInTheWay()) {
+        if (isFreeOfBlocking()) {
           return cell;
         }
         board.setFree(cell, true);
       }
     }
-    return -1;
+    return NONE;
   }
 
   List<Layout.Robot> robots() {
     List<Layout.Robot> robots = new ArrayList<>();
-    for (int[] pair : pairs) {
-      var at = board.middle(pair[0]);
+    for (Pair pair : pairs) {
+      Point at = board.middle(pair.start());
       double headingRad = StrictMath.PI * (2 * rng.nextDouble() - 1);
-      Goal goal = new Goal("G" + robots.size(), board.middle(pair[1]), TOLERANCE_MM);
+      Goal goal = new Goal("G" + robots.size(), board.middle(pair.goal()), TOLERANCE_MM);
       robots.add(new Layout.Robot(new Pose(at.xMm(), at.yMm(), headingRad), List.of(goal)));
     }
     return robots;

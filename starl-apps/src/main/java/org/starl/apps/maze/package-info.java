@@ -1,6 +1,6 @@
 /**
  * The maze as a simulation: its floors (drawn, the original StarL's files, grid maps), its robots'
- * places, its specifications and the story of a run.
+ * places, its specifications and the report of a run.
  *
  * <p>May import: core, primitives, sim, {@code org.starl.apps}, {@code logic}, {@code spec} and
  * {@code view} beside it.

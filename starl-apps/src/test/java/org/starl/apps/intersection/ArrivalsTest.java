@@ -8,17 +8,18 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
+import org.starl.apps.intersection.logic.Crossing;
 import org.starl.random.Rng;
 
 class ArrivalsTest {
 
   private static final long HOUR_NS = 3_600_000_000_000L;
 
-  private static List<Arrival> all(Arrivals arrivals, long stepNs) {
-    List<Arrival> all = new ArrayList<>();
+  private static List<Car> all(Arrivals arrivals, long stepNs) {
+    List<Car> all = new ArrayList<>();
     for (long nowNs = 0; nowNs < 20 * HOUR_NS; nowNs += stepNs) {
-      for (Arrival a = arrivals.poll(nowNs); a != null; a = arrivals.poll(nowNs)) {
-        assertThat(a.atNs()).isLessThanOrEqualTo(nowNs);
+      for (Car a = arrivals.poll(nowNs); a != null; a = arrivals.poll(nowNs)) {
+        assertThat(a.readyNs()).isLessThanOrEqualTo(nowNs);
         all.add(a);
       }
     }
@@ -26,34 +27,34 @@ class ArrivalsTest {
   }
 
   private static Arrivals arrivals(long seed) {
-    return new Arrivals(1 / 3.0, 10 * HOUR_NS, "bot", new Rng(seed));
+    return new Arrivals(Crossing.STANDARD, 1 / 3.0, 10 * HOUR_NS, "bot", new Rng(seed));
   }
 
   @Test
-  void theyComeAtTheRateOnAllRoutesUntilTheEnd() {
-    List<Arrival> all = all(arrivals(1), HOUR_NS / 3600);
+  void carsArriveAtTheRateOnAllRoutesUntilTheEnd() {
+    List<Car> all = all(arrivals(1), HOUR_NS / 3600);
     // 12,000 are expected, with a deviation of 110.
     assertThat((double) all.size()).isCloseTo(12_000, within(550.0));
-    assertThat(all.get(all.size() - 1).atNs()).isLessThan(10 * HOUR_NS);
+    assertThat(all.get(all.size() - 1).readyNs()).isLessThan(10 * HOUR_NS);
     Set<String> routes = new TreeSet<>();
-    all.forEach(arrival -> routes.add(arrival.route().toString()));
+    all.forEach(arrival -> routes.add(arrival.trip().label()));
     assertThat(routes).hasSize(12);
     assertThat(all.get(7).id().name()).isEqualTo("bot7");
   }
 
-  /** As many gaps are below the mean as an exponential distribution has: 1 - 1/e. */
+  /** The share of gaps below the mean is that of an exponential distribution: 1 - 1/e. */
   @Test
-  void theyComeIndependentlyOfEachOther() {
-    List<Arrival> all = all(arrivals(2), HOUR_NS / 3600);
+  void carsArriveIndependentlyOfEachOther() {
+    List<Car> all = all(arrivals(2), HOUR_NS / 3600);
     int below = 0;
     for (int i = 1; i < all.size(); i++) {
-      below += all.get(i).atNs() - all.get(i - 1).atNs() < 3_000_000_000L ? 1 : 0;
+      below += all.get(i).readyNs() - all.get(i - 1).readyNs() < 3_000_000_000L ? 1 : 0;
     }
     assertThat(below / (double) all.size()).isCloseTo(1 - 1 / StrictMath.E, within(0.02));
   }
 
   @Test
-  void whoComesWhenDoesNotDependOnWhoLooksWhen() {
+  void arrivalsDoNotDependOnWhenPollIsCalled() {
     assertThat(all(arrivals(3), HOUR_NS)).isEqualTo(all(arrivals(3), HOUR_NS / 100));
     assertThat(all(arrivals(3), HOUR_NS)).isNotEqualTo(all(arrivals(4), HOUR_NS));
   }

@@ -16,7 +16,7 @@ import org.starl.sim.SimObserver;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
 
-/** Who is where at the same time in Figure 7 (paper, section 5.3), over some seeds. */
+/** Which cars are inside, or hold zones, at the same time in Figure 7 (paper, section 5.3). */
 class Figure7Test {
 
   private static final int SEEDS = 12;
@@ -80,7 +80,7 @@ class Figure7Test {
   }
 
   @Test
-  void routesWithAZoneInCommonAreNot() {
+  void routesWithAZoneInCommonAreNotHeldTogether() {
     assertThat(HOLDING).doesNotContain("bot1[B, B1, D] bot2[A, B, C, C1]");
   }
 }

@@ -21,12 +21,12 @@ import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
-/** Cars come and go all the time; all monitors watch, progress with its bounds among them. */
+/** Cars arrive and leave; all specifications are checked, including progress with its bounds. */
 class OpenRoadTest {
 
   private static final long SECOND_NS = 1_000_000_000;
 
-  /** Who is on the floor, and what stopped cars. */
+  /** Records which robots are on the floor, and how often cars were stopped. */
   private static final class Floor implements SimObserver {
     private final SortedSet<RobotId> onFloor = new TreeSet<>();
     private final SortedSet<RobotId> came = new TreeSet<>();
@@ -56,7 +56,7 @@ class OpenRoadTest {
       }
     }
 
-    /** Whether nobody has any part of its body in the place in which a car appears. */
+    /** Whether no other body is in the place in which a car appears. */
     private boolean isAlone(TraceEvent.Joined joined) {
       for (Zone arm : Zone.values()) {
         Region edge = Crossing.STANDARD.place(arm, Crossing.PLACES - 1);
@@ -89,18 +89,18 @@ class OpenRoadTest {
 
   @ParameterizedTest
   @ValueSource(longs = {1, 2, 3})
-  void whoComesCrossesAndLeaves(long seed) {
+  void everyCarThatEntersCrossesAndLeaves(long seed) {
     Plan plan = plan(seed, "8/min", Map.of("duration", "120s"));
     Floor floor = new Floor();
     SimResult result = run(plan, seed, floor);
-    // The roadside units leave when everybody has.
+    // The roadside units leave after the last car.
     assertThat(floor.onFloor).isEmpty();
     int cars = floor.came.size() - 3;
     assertThat(plan.story().measures().came()).isEqualTo(cars);
     assertThat(plan.story().measures().completed()).isEqualTo(cars).isGreaterThan(5);
     assertThat(result.results()).hasSize(cars);
     assertThat(floor.lastJoinedNs).isLessThan(120 * SECOND_NS);
-    assertThat(floor.stopped).as("nobody runs into anybody").isZero();
+    assertThat(floor.stopped).as("no car runs into another").isZero();
   }
 
   @ParameterizedTest
@@ -110,11 +110,11 @@ class OpenRoadTest {
         plan(seed, "20/min", Map.of("messageLoss", "0.3", "messageDelay", "uniform(10ms,200ms)"));
     Floor floor = new Floor();
     run(plan, seed, floor);
-    assertThat(floor.stopped).as("nobody runs into anybody").isZero();
+    assertThat(floor.stopped).as("no car runs into another").isZero();
   }
 
   @Test
-  void whereMoreComeThanCanCrossTheyWaitBeyondTheEdge() {
+  void carsWaitBeyondTheEdgeIfMoreArriveThanCanCross() {
     Plan plan = plan(6, "60/min", Map.of());
     Floor floor = new Floor();
     run(plan, 6, floor);
@@ -125,8 +125,8 @@ class OpenRoadTest {
     // On each arm three, and some that cross or leave.
     assertThat(floor.most - 3).isBetween(12, 20);
     assertThat(figures.get("longest_queue")).isGreaterThan(5);
-    assertThat(floor.crowded).as("nobody appears in a place that is not free").isZero();
-    assertThat(floor.stopped).as("nobody runs into anybody").isZero();
+    assertThat(floor.crowded).as("no car appears in an occupied place").isZero();
+    assertThat(floor.stopped).as("no car runs into another").isZero();
   }
 
   @Test
@@ -141,14 +141,14 @@ class OpenRoadTest {
 
   @ParameterizedTest
   @ValueSource(longs = {10, 11, 12})
-  void whoseProgramStartsAnewGoesOnWhereItStands(long seed) {
+  void aRestartedProgramContinuesFromWhereItsCarStands(long seed) {
     Plan plan = plan(seed, "12/min", Map.of("chaos", "moving", "chaosFor", "60s"));
     run(plan, seed, new Floor());
     assertThat(plan.story().measures().completed()).isGreaterThan(4);
   }
 
   @Test
-  void aDeadCarIsTowedAndTheOthersGoOn() {
+  void aDeadCarIsTowedAndTheOthersContinue() {
     Plan plan =
         plan(
             13,
@@ -162,7 +162,7 @@ class OpenRoadTest {
   }
 
   @Test
-  void nobodyNeedCome() {
+  void aRunWithoutArrivalsEnds() {
     Plan plan = plan(9, "1/h", Map.of());
     SimResult result = run(plan, 9, new Floor());
     assertThat(plan.story().measures().came()).isZero();

@@ -13,18 +13,18 @@ import org.starl.gvh.GvhCell;
 import org.starl.id.ProcessId;
 import org.starl.motion.MotionFlag;
 
-/** A car that does not do as it should, in one way, and tells of what it does as others do. */
+/** A car with one planted bug, which writes the same trace events as a correct car. */
 final class RudeCar extends LogicThread {
 
   private static final String MUTEX = "mutex/crossing";
 
-  /** What is wrong with it. */
+  /** The planted bug. */
   enum Fault {
-    /** Drives without a word to the mutex. */
+    /** Drives without asking the mutex. */
     DOES_NOT_ASK,
-    /** Has a mutex that grants at once, whoever else is inside. */
+    /** Has a mutex that grants at once, even if other cars are inside. */
     ASKS_NOBODY,
-    /** Gives a zone back as soon as it has come to its middle. */
+    /** Releases a zone as soon as it has reached its middle. */
     GIVES_BACK_TOO_EARLY,
     /** Stands at the head of its arm for ever. */
     NEVER_LEAVES

@@ -15,7 +15,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** Whole cars that are rude, on the floor: what is checked at the intersection must see them. */
+/** Simulates faulty cars: the specifications must report each planted bug. */
 class RudeCarsTest {
 
   private static final int SEEDS = 20;
@@ -27,22 +27,19 @@ class RudeCarsTest {
             .set(Setting.FLOOR_HEIGHT, SimSettings.defaults().get(Setting.FLOOR_WIDTH))
             .duration(Duration.ofSeconds(fault == RudeCar.Fault.NEVER_LEAVES ? 1800 : 60))
             .build();
-    List<Car> cars =
-        Cars.drawn(Crossing.STANDARD, settings.robotName(), CARS, new Rng(seed).fork("cars"));
+    Crossing crossing = Crossing.STANDARD;
+    List<Car> cars = Car.drawn(crossing, settings.robotName(), CARS, new Rng(seed).fork("cars"));
     Operator operator = new Operator();
     Simulation.Builder simulation =
-        Simulation.builder()
+        new IntersectionPlan(crossing, Floor.kerbs(crossing), settings)
+            .simulation(new Bounds(IntersectionPlan.deltaNs(settings), CARS, 0))
             .seed(seed)
-            .settings(settings)
-            .obstacles(Floor.kerbs(Crossing.STANDARD))
-            .director(new Traffic(Crossing.STANDARD, settings.robotRadiusMm(), cars, operator))
+            .director(new Traffic(crossing, settings.robotRadiusMm(), cars, operator))
             .observer(operator);
     for (Car car : cars) {
       simulation.robot(
           new RobotSpec(car.id(), car.start(), false, gvh -> new RudeCar(gvh, car.trip(), fault)));
     }
-    IntersectionDemo.watch(
-        simulation, new Bounds(IntersectionDemo.deltaNs(settings), CARS, 0), settings);
     return simulation.build().run();
   }
 

@@ -14,10 +14,10 @@ import org.starl.id.RobotId;
 import org.starl.sim.SimObserver;
 import org.starl.trace.TraceEvent;
 
-/** Other worlds than the usual one. */
+/** Scenarios and worlds other than the default. */
 class ScenariosTest {
 
-  /** Where each body was put, and how often it moved from there. */
+  /** Records where each body was put on the floor, and how often it started to move. */
   private static final class Parking implements SimObserver {
     private final SortedMap<RobotId, Integer> moves = new TreeMap<>();
     private final SortedMap<RobotId, Point> left = new TreeMap<>();
@@ -71,7 +71,7 @@ class ScenariosTest {
   }
 
   @Test
-  void aLotOfDebrisOnlyCostsTime() {
+  void debrisOnlyCostsTime() {
     Map<String, String> parameters = Map.of("debris", "8");
     IntersectionTest.run(IntersectionTest.request(4, 6, parameters), Map.of());
   }

@@ -39,7 +39,7 @@ class MazeTest {
     return plan;
   }
 
-  /** Runs it: every goal is answered, nobody gives up, and every answer is true. */
+  /** Runs a maze in which every goal must be answered truly and no robot may give up. */
   private static SimResult run(
       long seed, int robots, Map<String, String> parameters, Map<String, String> settings) {
     Plan plan = plan(seed, robots, parameters, settings);
@@ -72,19 +72,19 @@ class MazeTest {
   }
 
   @Test
-  void alsoUnderChaos() {
+  void goalsAreAnsweredUnderChaos() {
     for (long seed = 11; seed <= 14; seed++) {
       run(seed, 3, Map.of(), Map.of("chaos", "spatial"));
     }
   }
 
   @Test
-  void alsoWithInexactPositionsAndWheels() {
+  void goalsAreAnsweredWithInexactPositionsAndWheels() {
     run(5, 2, Map.of(), Map.of("positionNoise", "15mm", "speedError", "0.05"));
   }
 
   @Test
-  void theOriginalsMazeHasAWayToOneOfItsGoals() {
+  void oneGoalOfTheOriginalsMazeIsReached() {
     Path folder = shared("starl-original/maze");
     SimResult result = run(3, 1, Map.of("files", folder.toString()), Map.of());
     // A wall as high as the floor stands between the two goals.
@@ -94,7 +94,7 @@ class MazeTest {
 
   @ParameterizedTest
   @CsvSource({"maze-32-32-4, 6", "empty-48-48, 8", "ht_chantry, 4"})
-  void onGridMaps(String map, int robots) {
+  void goalsAreAnsweredOnGridMaps(String map, int robots) {
     Path file = shared("maps/" + map + ".map");
     run(2, robots, Map.of("map", file.toString()), Map.of("messageLoss", "0.2"));
   }
@@ -116,7 +116,7 @@ class MazeTest {
 
   @ParameterizedTest
   @CsvSource({"1000, REACHED", "700, REACHED", "500, REACHED", "300, NO_WAY", "0, NO_WAY"})
-  void aHiddenRoomIsEnteredExactlyIfItsDoorIsWideEnough(
+  void aHiddenRoomIsEnteredExactlyIfItsDoorFitsBodyAndMargin(
       int doorMm, String answer, @TempDir Path folder) throws IOException {
     int half = doorMm / 2;
     String door =
@@ -133,7 +133,7 @@ class MazeTest {
 
   @ParameterizedTest
   @ValueSource(ints = {340, 360, 400, 440, 470})
-  void betweenTheBodyAndItsMarginAnyAnswerWillDoThatIsTrue(int doorMm, @TempDir Path folder)
+  void anyTrueAnswerIsRightForADoorBetweenBodyAndMargin(int doorMm, @TempDir Path folder)
       throws IOException {
     int half = doorMm / 2;
     String door =
@@ -143,7 +143,7 @@ class MazeTest {
             + "Hidden;2000,"
             + (1500 + half)
             + ";2000,2000;-1\n";
-    // From the inside: it may get out, and then its goals there and here are both owed an answer.
+    // It starts inside and may get out; both goals must be answered anyway.
     folder(
         folder,
         ROOM + door,
@@ -158,7 +158,8 @@ class MazeTest {
   }
 
   @Test
-  void whoIsWalledInSaysSoAndWhoseGoalLiesInAWallToo(@TempDir Path folder) throws IOException {
+  void noWayIsAnsweredForAGoalOutsideOfClosedWallsOrInsideAnObstacle(@TempDir Path folder)
+      throws IOException {
     String wall = "Hidden;2000,1000;2000,2000;-1\n";
     folder(
         folder,
@@ -185,7 +186,7 @@ class MazeTest {
           files=nowhere | nowhere/dest.wpt: no such file
           map=nowhere.map | nowhere.map: no such file
           """)
-  void badParametersAreTold(String setting, String message) {
+  void badParametersAreReported(String setting, String message) {
     String key = setting.substring(0, setting.indexOf('='));
     String value = setting.substring(setting.indexOf('=') + 1);
     boolean isRobots = key.equals("robots");
@@ -197,7 +198,7 @@ class MazeTest {
   }
 
   @Test
-  void badFilesAreTold(@TempDir Path folder) throws IOException {
+  void badFilesAreReported(@TempDir Path folder) throws IOException {
     Map<String, String> files = Map.of("files", folder.toString());
     folder(folder, "Hidden;0,0;1,1;500", "WAY,500,500,0,bot0", "WAY,1500,1500,0,A");
     assertThatThrownBy(() -> plan(1, 1, files, Map.of()))
@@ -216,7 +217,7 @@ class MazeTest {
   }
 
   @Test
-  void aCellMustHoldABodyAndItsMargin() {
+  void aCellMustFitABodyAndItsMargin() {
     Path file = shared("maps/maze-32-32-4.map");
     Map<String, String> parameters = Map.of("map", file.toString(), "cell", "400mm");
     assertThatThrownBy(() -> plan(1, 4, parameters, Map.of()))

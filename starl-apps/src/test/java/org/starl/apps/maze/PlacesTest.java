@@ -14,7 +14,7 @@ import org.starl.primitives.paths.Plan;
 import org.starl.primitives.paths.PlanTask;
 import org.starl.random.Rng;
 
-/** Drawn places, against the planner that robots use. */
+/** Drawn places against the planner that robots use. */
 class PlacesTest {
 
   private static boolean leads(Layout layout, int i, boolean pastTheOthers) {
@@ -33,12 +33,12 @@ class PlacesTest {
 
   /** The first maze that this seed draws has no room for four. */
   @Test
-  void aMazeWithoutRoomIsDrawnAnew() {
+  void aMazeWithoutRoomIsDrawnAgain() {
     assertThat(DrawnMaze.draw(4, 0.5, new Rng(58)).robots()).hasSize(4);
   }
 
   @Property(tries = 25)
-  void inADrawnMazeNobodyIsInAnothersOnlyWay(@ForAll long seed) {
+  void noRobotOfADrawnMazeBlocksAnothersOnlyWay(@ForAll long seed) {
     Layout layout = DrawnMaze.draw(4, 0.5, new Rng(seed));
     assertThat(layout.robots()).hasSize(4);
     for (int i = 0; i < 4; i++) {
@@ -47,7 +47,7 @@ class PlacesTest {
   }
 
   @Property(tries = 10)
-  void boxesOnAFloorLeaveNobodyInAnothersOnlyWay(@ForAll long seed) {
+  void placesAreDistinctOnABoardWithBoxes(@ForAll long seed) {
     Board board = new Board(9, 7, 500);
     Rng rng = new Rng(seed);
     for (int i = 0; i < 12; i++) {

@@ -27,7 +27,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** Robots that are rude, or lie: what is checked of a maze must see them. */
+/** Simulates faulty robots: the specification must report each planted bug. */
 class RudeRobotsTest {
 
   private static final int SEEDS = 20;
@@ -37,13 +37,13 @@ class RudeRobotsTest {
   enum Bug {
     /** Takes a bump for an arrival, as the original's motion did. */
     BUMPED_IS_THERE,
-    /** Gives a goal up at the first bump, as the original did when its planner found nothing. */
+    /** Answers that there is no way at the first bump, as the original did when its planner failed. */
     BUMPED_IS_NO_WAY,
-    /** Marks a square around the contact that it guesses, and widens it by the body. */
+    /** Marks a square around a guessed point of contact, widened by the body. */
     MARKS_A_GUESS,
-    /** Asks nobody for the floor, and goes where another one stands. */
+    /** Does not ask for blocks, and drives to where another robot stands. */
     ASKS_NOBODY,
-    /** Waits for somebody to clear the way. */
+    /** Waits for ever after a bump, without an answer. */
     HOLDS_FOR_EVER
   }
 
@@ -115,7 +115,7 @@ class RudeRobotsTest {
           new RobotSpec(
               id, layout.robots().get(i).start(), true, gvh -> new RudeRobot(gvh, errand, bug)));
     }
-    MazeTruth truth = new MazeTruth(layout.floor(), layout.obstacles(), errands, BODY_MM);
+    MazeTruth truth = new MazeTruth(layout.obstacles(), errands, BODY_MM);
     return simulation.monitor(() -> new MazeSpec(truth, BOUND_NS)).build().run();
   }
 

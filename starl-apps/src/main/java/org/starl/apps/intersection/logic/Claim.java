@@ -4,16 +4,14 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
-import org.starl.primitives.registration.RegPrim;
 import org.starl.primitives.registration.Registration;
 
 /**
- * A car's claim on one place of its arm: it registers among those who want a place of this rank, asks
- * for its own one, and unregisters when it has given that back. Where a primitive gives up and says
- * so, it asks again.
+ * A car's claim to one place of its arm. It registers with the cars that want a place of the same rank,
+ * asks the mutex for the place, and unregisters after it has released the place. It asks again when a
+ * primitive reports a failure.
  */
 final class Claim {
 
@@ -26,71 +24,61 @@ final class Claim {
   }
 
   private final RobotId self;
-  private final RegPrim reg;
-  private final Membership membership;
+  private final Registration reg;
   private final MutexPrim mutex;
   private String place = "";
-  private boolean startedAnew;
+  private boolean restarted;
   private State state = State.OUT;
 
   /**
-   * @param xid of the registration and the mutex of one rank of places
+   * @param xid instance of the registration and the mutex
    * @param acceptors of the registration
    */
   Claim(GlobalVarHolder gvh, String xid, Participants acceptors) {
-    Registration registration = new Registration(gvh, xid, acceptors);
     self = gvh.id.name();
-    reg = registration;
-    membership = registration;
-    mutex = new M_Mutex(gvh, xid, registration);
+    reg = new Registration(gvh, xid, acceptors);
+    mutex = new M_Mutex(gvh, xid, reg);
   }
 
-  /** From now on {@code aPlace} is wanted; it must be held before the car enters it. */
-  void want(String aPlace) {
+  /** The place that is wanted or held; empty for none. */
+  String place() {
+    return place;
+  }
+
+  /** Asks for {@code wanted} from now on; the car must hold it before it enters it. */
+  void want(String wanted) {
     if (state != State.OUT || !place.isEmpty()) {
-      throw new IllegalStateException("wants " + aPlace + " while " + state + " for " + place);
+      throw new IllegalStateException("wants " + wanted + " while " + state + " for " + place);
     }
-    place = aPlace;
+    place = wanted;
   }
 
-  /**
-   * For a program that has started anew: its body is in this place of those of this rank, and has to
-   * hold it, or, if it is empty, in none of them.
-   */
-  void standsIn(String aPlace) {
-    startedAnew = true;
-    if (aPlace.isEmpty()) {
-      mutex.standsIn(List.of());
-    } else {
-      mutex.standsIn(List.of(aPlace));
-      want(aPlace);
-    }
+  /** After a restart of the program: the body is in {@code occupied}; empty for no place. */
+  void standsIn(String occupied) {
+    restarted = true;
+    mutex.standsIn(occupied.isEmpty() ? List.of() : List.of(occupied));
+    place = occupied;
   }
 
   boolean isHeld() {
     return state == State.HELD;
   }
 
-  /** Whether it waits for its place. */
   boolean isWaiting() {
     return !place.isEmpty() && state != State.HELD;
   }
 
-  /** Whether it holds nothing, wants nothing and is not registered, as earlier starts are not. */
+  /** Whether neither this process nor an earlier one of this robot is registered or wants a place. */
   boolean isOver() {
-    return state == State.OUT && place.isEmpty() && !(startedAnew && isMentioned());
+    return state == State.OUT && place.isEmpty() && !(restarted && isMentioned());
   }
 
   private boolean isMentioned() {
-    return membership.view().number() == 0
-        || membership.view().mentioned().stream().anyMatch(id -> id.robot().equals(self));
+    return reg.view().number() == 0
+        || reg.view().mentioned().stream().anyMatch(id -> id.robot().equals(self));
   }
 
-  String place() {
-    return place;
-  }
-
-  /** Gives the place back, which is held, and unregisters. */
+  /** Releases the place, which must be held, and unregisters. */
   void release() {
     mutex.release(place);
     place = "";
@@ -98,8 +86,8 @@ final class Claim {
     state = State.LEAVING;
   }
 
-  /** Does what is to be done now; to be called once a period. */
-  void look() {
+  /** Takes the next step; call it once a period. */
+  void step() {
     switch (state) {
       case OUT -> {
         if (!place.isEmpty()) {
@@ -118,16 +106,15 @@ final class Claim {
       case ASKING -> {
         if (mutex.od_mutex()) {
           state = State.HELD;
-          if (startedAnew) {
-            mutex.standsIn(List.of()); // who it was before need not keep the place any more
+          if (restarted) {
+            mutex.standsIn(List.of()); // the claim of the earlier process is no longer needed
           }
         } else if (mutex.failed().get()) {
-          boolean mustRegister = mutex.failure().get().mustRegister();
-          state = mustRegister ? State.OUT : State.REGISTERING;
+          state = mutex.failure().get().mustRegister() ? State.OUT : State.REGISTERING;
         }
       }
       case HELD -> {
-        // Until it is released.
+        // Until release().
       }
       case LEAVING -> {
         if (reg.isUnregistered()) {

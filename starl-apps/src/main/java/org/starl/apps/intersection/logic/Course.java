@@ -7,36 +7,37 @@ import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.gvh.GvhCell;
 
 /**
- * How far a car has come: the stations that still lie ahead, and the zones behind the car that it may
- * still be in. Strand only.
+ * The car's progress on its trip: the stations ahead, and the zones behind that the body may still be
+ * in. Writes Figure 4's variable {@code myseq} to the trace. Strand only.
  */
 final class Course {
 
   private final GlobalVarHolder gvh;
   private final Crossing crossing;
   private final Trip trip;
-  private final CrossingTrace trace;
+  private final GvhCell<List<String>> myseq;
   private final ArrayDeque<ItemPosition> ahead;
   private final List<String> behind = new ArrayList<>();
 
-  Course(GlobalVarHolder gvh, Crossing crossing, Trip trip, CrossingTrace trace) {
+  Course(GlobalVarHolder gvh, Crossing crossing, Trip trip) {
     this.gvh = gvh;
     this.crossing = crossing;
     this.trip = trip;
-    this.trace = trace;
     ahead = new ArrayDeque<>(trip.stations());
+    myseq = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
   }
 
-  /** Whether nothing lies ahead but the exit. */
+  /** Whether only the exit lies ahead. */
   boolean isEmpty() {
     return ahead.isEmpty();
   }
 
   /** The zones ahead, in order. */
   List<String> zones() {
-    return ahead.stream().map(Course::csName).collect(Collectors.toList());
+    return ahead.stream().map(ItemPosition::name).collect(Collectors.toList());
   }
 
   /** The next station; after the last one, the exit. */
@@ -44,20 +45,20 @@ final class Course {
     return ahead.isEmpty() ? trip.exit() : ahead.element();
   }
 
-  /** The car is at the next station, and drives on: from now on that zone lies behind. */
+  /** The car is at the next station and drives on: that zone is behind from now on. */
   void remove() {
-    behind.add(csName(ahead.remove()));
-    trace.myseq(zones());
+    behind.add(ahead.remove().name());
+    myseq.set(zones());
   }
 
-  /** The zones behind that the whole body is out of for certain; each is told once. */
-  List<String> left() {
+  /** Removes and returns the zones behind that the whole body has left for certain. */
+  List<String> takeLeft() {
     List<String> left = behind.stream().filter(this::isClearOf).collect(Collectors.toList());
     behind.removeAll(left);
     return left;
   }
 
-  /** Whether the car is out of all zones behind, and has been told so. */
+  /** Whether {@link #takeLeft} has returned all zones behind. */
   boolean isAllLeft() {
     return behind.isEmpty();
   }
@@ -68,30 +69,28 @@ final class Course {
   }
 
   /**
-   * For a program that has started anew: finds out how far the car has come. What lies ahead is what
-   * is left from the first zone it is in; nothing, if it is in none and nearer to the exit than to the
-   * first station.
+   * After a restart of the program: finds out how far the car has come. The rest of the trip starts at
+   * the first zone that the body may be in. It is empty if the body is in no zone and nearer to the
+   * exit than to the first station.
    *
-   * @return whether it has reached the first zone, or is beyond all of them
+   * @return whether the car has reached the first zone, or is beyond all zones
    */
   boolean resume() {
     List<String> occupied = occupied();
     boolean isBeyond = occupied.isEmpty() && isNearerToTheExit();
-    while (isBeyond ? !ahead.isEmpty() : isBehind(occupied)) {
+    if (isBeyond) {
+      ahead.clear();
+    }
+    while (!occupied.isEmpty() && !occupied.contains(ahead.element().name())) {
       ahead.remove();
     }
     return isBeyond || !occupied.isEmpty();
   }
 
-  /** Tells the trace what lies ahead, as the trip that is left. */
+  /** Writes the rest of the trip to the trace. */
   void tell() {
-    trace.trip(trip.label(), zones());
-    trace.myseq(zones());
-  }
-
-  /** Whether the car is in some zones, and the next one of its trip is none of them. */
-  private boolean isBehind(List<String> occupied) {
-    return !occupied.isEmpty() && !occupied.contains(csName(ahead.element()));
+    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), zones());
+    myseq.set(zones());
   }
 
   private boolean isNearerToTheExit() {
@@ -103,9 +102,5 @@ final class Course {
   private boolean isClearOf(String zone) {
     double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
     return gvh.gps.isClearOf(crossing.region(zone), radiusMm);
-  }
-
-  private static String csName(ItemPosition station) {
-    return station.name();
   }
 }

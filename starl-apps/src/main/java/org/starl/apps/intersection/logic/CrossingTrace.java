@@ -1,10 +1,16 @@
 package org.starl.apps.intersection.logic;
 
+import java.util.Arrays;
 import java.util.List;
-import org.starl.GlobalVarHolder;
-import org.starl.gvh.GvhCell;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import org.starl.apps.intersection.logic.IntersectionApp.Location;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Variable;
 
-/** How one car appears in a trace. Strand only. */
+/** How one car appears in a trace: the words that the program writes and observers read. */
 public final class CrossingTrace {
 
   /** {@code source} of the app's events. */
@@ -13,33 +19,56 @@ public final class CrossingTrace {
   /** Action at the start of the program: the trip's label, and the zones ahead as a list. */
   public static final String TRIP = "trip";
 
-  /** Variable: the {@link IntersectionApp.Location}. */
+  /** Variable: the {@link Location}. */
   public static final String LOCATION = "location";
 
   /** Variable: the zones that still lie ahead, as a list. */
   public static final String MYSEQ = "myseq";
 
-  private final GlobalVarHolder gvh;
-  private final GvhCell<IntersectionApp.Location> location;
-  private final GvhCell<List<String>> myseq;
+  private CrossingTrace() {}
 
-  /** Tells the trip, and that all of it lies ahead. */
-  CrossingTrace(GlobalVarHolder gvh, Trip trip, IntersectionApp.Location start) {
-    this.gvh = gvh;
-    trip(trip.label(), trip.zones());
-    location = gvh.variable(SOURCE, LOCATION, start);
-    myseq = gvh.variable(SOURCE, MYSEQ, trip.zones());
+  /** The action {@link #TRIP}: what {@code robot}'s program says at its start. */
+  public record TripEvent(RobotId robot, String label, List<String> zones) {}
+
+  /** The event as a trip, if it is one. */
+  public static Optional<TripEvent> trip(TraceEvent event) {
+    return event instanceof Action action
+            && action.source().equals(SOURCE)
+            && action.name().equals(TRIP)
+        ? Optional.of(
+            new TripEvent(action.robot(), action.args().get(0), list(action.args().get(1))))
+        : Optional.empty();
   }
 
-  GvhCell<IntersectionApp.Location> location() {
-    return location;
+  /** The location that the event's robot has now, if the event changes it. */
+  public static Optional<Location> location(TraceEvent event) {
+    return variable(event, LOCATION).map(Location::valueOf);
   }
 
-  void trip(String label, List<String> zones) {
-    gvh.trace.action(SOURCE, TRIP, label, zones);
+  /** The new {@link #MYSEQ} of the event's robot, if the event changes it. */
+  public static Optional<List<String>> myseq(TraceEvent event) {
+    return variable(event, MYSEQ).map(CrossingTrace::list);
   }
 
-  void myseq(List<String> zones) {
-    myseq.set(zones);
+  /** Reads a list such as {@code [A, C, D1]}. */
+  private static List<String> list(String value) {
+    return Arrays.stream(value.substring(1, value.length() - 1).split(", ", -1))
+        .filter(name -> !name.isEmpty())
+        .collect(Collectors.toList());
+  }
+
+  private static Optional<String> variable(TraceEvent event, String name) {
+    return event instanceof Variable variable
+            && variable.source().equals(SOURCE)
+            && variable.name().equals(name)
+        ? Optional.of(variable.value())
+        : Optional.empty();
+  }
+
+  /** Whether the event's robot was stopped on its way: a bump, no fix, stuck wheels. */
+  public static boolean isStopped(TraceEvent event) {
+    return event instanceof Variable variable
+        && variable.name().equals("motionflag")
+        && variable.value().equals("FAIL");
   }
 }

@@ -14,33 +14,32 @@ import org.starl.primitives.registration.RegPrim;
 import org.starl.primitives.registration.Registration;
 
 /**
- * One car at the automatic intersection: the paper's Figure 4, with its locations, which are
- * those of the PVS theory in Figure 5. What lies between two sleeps is one atomic action.
+ * One car at the automatic intersection: the paper's Figure 4, with its locations, which are also those
+ * of the PVS theory in Figure 5. The code between two sleeps is one atomic action.
  *
- * <p>Where it must differ from the figure to be safe:
+ * <p>Differences from the figure, needed for safety:
  *
  * <ul>
- *   <li>The figure gives a zone back when the car is not in motion. A car that has bumped into
- *       something is not in motion either, and still stands in the zone. Here a zone is given back
- *       only once the motion is DONE <em>and</em> the whole body is proven to be outside, position
- *       error included; after a FAIL the car keeps its zones and tries again.
- *   <li>The figure's first release is of a zone that was never asked for. Here nothing is released
- *       before a first critical zone lies behind the car.
- *   <li>The car drives on past its departure zone before it gives that back, so that the next car
- *       finds it free.
- *   <li>On an open road a car comes onto its arm behind others: in QUEUE it drives up, place by
- *       place, until it is in the arrival zone, where the figure begins.
- *   <li>A program that has started anew does not know how far the car has come. In RESUME it waits
- *       for a position fix, says which zones its body may be in, so that who it was before keeps no
- *       others, and goes on from the first of them: it may turn back to that zone's middle.
- *   <li>To unregister takes messages, as to register does: UNREGISTER_WAIT is where a car waits for
- *       it. Where a primitive gives up and says so ({@code failed}), the car asks again: in MUTEX_S
- *       for its zones, in S_0 to be registered, also where the mutex failed because it is no longer.
+ *   <li>The figure releases a zone when the car is not in motion. But a car that has bumped into
+ *       something is not in motion either, and still stands in the zone. Here a zone is released only
+ *       when the motion is DONE <em>and</em> the whole body is proven to be outside, position error
+ *       included. After a FAIL the car keeps its zones and tries again.
+ *   <li>The figure's first release is of a zone that was never requested. Here nothing is released
+ *       before the first critical zone is behind the car.
+ *   <li>The car drives past its departure zone before it releases it, so the next car finds it free.
+ *   <li>On an open road a car enters its arm behind other cars. In QUEUE it drives, place by place, to
+ *       the arrival zone, where the figure begins.
+ *   <li>A restarted program does not know how far the car has come. In RESUME it waits for a position
+ *       fix, declares which zones its body may be in, so that the process before the restart keeps no
+ *       others, and continues from the first of them. It may turn back to that zone's middle.
+ *   <li>Unregistering takes messages, as registering does: the car waits for it in UNREGISTER_WAIT.
+ *   <li>When a primitive gives up ({@code failed}), the car asks again: in MUTEX_S for its zones, in S_0
+ *       for registration, also if the mutex failed because the car is no longer registered.
  * </ul>
  */
 public final class IntersectionApp extends LogicThread {
 
-  /** Figure 4's locations, RESUME, QUEUE and UNREGISTER_WAIT. */
+  /** Figure 4's locations, and RESUME, QUEUE and UNREGISTER_WAIT. */
   public enum Location {
     RESUME,
     QUEUE,
@@ -57,16 +56,16 @@ public final class IntersectionApp extends LogicThread {
   private static final long PERIOD_MS = 100;
   private static final long RETRY_MS = 1000;
 
-  private final RegPrim reg;
-  private final MutexPrim mutex;
-  private final Lane lane;
   private final GvhCell<Location> location;
   private final Course myseq;
+  private final Lane lane;
+  private final RegPrim reg;
+  private final MutexPrim mutex;
   private Participants plist = Participants.of();
 
   /**
-   * A car among those that the deployment knows, all of which are acceptors of the registration, at
-   * the head of its arm.
+   * A car that starts in its arrival zone. All cars are known to the deployment and are acceptors of
+   * the registration.
    *
    * @param xid names this intersection: cars with another one are at another intersection
    */
@@ -75,7 +74,7 @@ public final class IntersectionApp extends LogicThread {
   }
 
   /**
-   * A car on an open road, where anybody may come.
+   * A car on an open road, where any car may arrive.
    *
    * @param acceptors of the registrations: the roadside units
    */
@@ -86,31 +85,29 @@ public final class IntersectionApp extends LogicThread {
     reg = registration;
     mutex = new M_Mutex(gvh, xid, registration);
     lane = new Lane(gvh, xid, crossing, trip.approach(), acceptors);
-    CrossingTrace trace = new CrossingTrace(gvh, trip, start(trip));
-    location = trace.location();
-    myseq = new Course(gvh, crossing, trip, trace);
+    gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
+    location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, start(trip));
+    myseq = new Course(gvh, crossing, trip);
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
   }
 
   @Override
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
-      lane.look();
+      lane.step();
       switch (location.get()) {
         case RESUME -> {
           if (gvh.gps.hasFix()) {
             mutex.standsIn(myseq.occupied());
-            lane.beginAnew(myseq.resume());
+            lane.resume(myseq.resume());
             myseq.tell();
             location.set(lane.isAtTheHead() ? Location.S_0 : Location.QUEUE);
           }
         }
         case QUEUE -> {
           if (gvh.gps.hasFix()) {
-            lane.drive(this::arrivedOrRetried);
-            if (lane.isAtTheHead()) {
-              location.set(Location.S_0);
-            }
+            lane.drive(this::hasArrived);
+            location.set(lane.isAtTheHead() ? Location.S_0 : Location.QUEUE);
           }
         }
         case S_0 -> {
@@ -138,9 +135,9 @@ public final class IntersectionApp extends LogicThread {
           location.set(Location.MUTEX_WAIT);
         }
         case MUTEX_WAIT -> {
-          if (mutex.od_mutex() && !lane.isWaiting()) { // also for a place that the car stands in
-            if (startedAnew()) {
-              mutex.standsIn(List.of()); // who it was before need not keep anything any more
+          if (mutex.od_mutex() && !lane.isWaiting()) { // the place that the car stands in, too
+            if (isRestarted()) {
+              mutex.standsIn(List.of()); // the claim of the earlier process is no longer needed
             }
             gvh.plat.moat.doMove(myseq.currentDestination());
             location.set(Location.MOVE_WAIT);
@@ -149,16 +146,16 @@ public final class IntersectionApp extends LogicThread {
           }
         }
         case MOVE_WAIT -> {
-          if (arrivedOrRetried(myseq.currentDestination())) {
-            giveBackWhatIsBehind();
+          if (hasArrived(myseq.currentDestination())) {
+            releaseLeft();
             myseq.remove();
             gvh.plat.moat.doMove(myseq.currentDestination());
             location.set(myseq.isEmpty() ? Location.S_1 : Location.MOVE_WAIT);
           }
         }
         case S_1 -> {
-          if (arrivedOrRetried(myseq.currentDestination())) {
-            giveBackWhatIsBehind();
+          if (hasArrived(myseq.currentDestination())) {
+            releaseLeft();
             if (myseq.isAllLeft() && !lane.holds()) {
               reg.unregister();
               gvh.plat.moat.motion_stop();
@@ -184,19 +181,19 @@ public final class IntersectionApp extends LogicThread {
     if (trip.stations().isEmpty()) {
       return Location.DONE;
     }
-    if (startedAnew()) {
+    if (isRestarted()) {
       return Location.RESUME;
     }
     lane.begin();
     return lane.isAtTheHead() ? Location.S_0 : Location.QUEUE;
   }
 
-  private boolean startedAnew() {
+  private boolean isRestarted() {
     return gvh.id.boot() > 1;
   }
 
-  /** Whether the car is at {@code destination}; one that was stopped on its way sets out again. */
-  private boolean arrivedOrRetried(ItemPosition destination) {
+  /** Whether the car is at {@code destination}; a car that was stopped on its way tries again. */
+  private boolean hasArrived(ItemPosition destination) {
     MotionFlag flag = gvh.plat.moat.motionflag().get();
     if (flag == MotionFlag.FAIL) {
       sleep(RETRY_MS);
@@ -205,8 +202,9 @@ public final class IntersectionApp extends LogicThread {
     return flag == MotionFlag.DONE;
   }
 
-  private void giveBackWhatIsBehind() {
-    lane.giveBackWhatIsBehind();
-    myseq.left().forEach(mutex::release);
+  /** Releases the zones and places behind that the whole body has left. */
+  private void releaseLeft() {
+    lane.releaseLeft();
+    myseq.takeLeft().forEach(mutex::release);
   }
 }

@@ -9,14 +9,13 @@ import org.starl.geometry.ItemPosition;
 import org.starl.id.Participants;
 
 /**
- * A car's way up its arm, place by place, to the arrival zone. No two cars are in one place: a car
- * drives to the next place only while it holds it, and gives the one behind it back only once its
- * whole body is out of it for certain. Nobody drives to the last place of an arm, where cars come
- * onto the road, so that one is held by nobody.
+ * A car's way along its arm, place by place, to the arrival zone. A car drives to the next place only
+ * while it holds that place, and releases the one behind only when its whole body is outside for
+ * certain. So no two cars are in one place. The last place of an arm, where cars enter the road, needs
+ * no claim: no car drives to it.
  *
- * <p>Each rank of places has a registration and a mutex of its own, for a car asks for a place while
- * it holds the one behind. Whoever waits, waits for a car that is farther ahead: nobody waits in a
- * circle.
+ * <p>A car asks for the next place while it holds the one behind, so each rank of places has its own
+ * registration and mutex. A car waits only for cars ahead of it, so no cycle of waiting cars can form.
  */
 public final class Lane {
 
@@ -27,7 +26,7 @@ public final class Lane {
   private boolean isDriving;
 
   /**
-   * @param approach the places to come to, in order
+   * @param approach the places to drive to, in order
    * @param acceptors of every registration
    */
   Lane(
@@ -44,45 +43,48 @@ public final class Lane {
     }
   }
 
-  /** The instance of registration and mutex for the places of one rank: {@code crossing.queue0}. */
+  /** The instance of registration and mutex for one rank of places: {@code crossing.queue0}. */
   public static String instance(String xid, int rank) {
     return xid + ".queue" + rank;
   }
 
-  /** Whether the car is in the arrival zone, or began there. */
+  /** Whether the car has reached the arrival zone, or started there. */
   boolean isAtTheHead() {
     return ahead.isEmpty();
   }
 
-  /** Whether no place is held any more, and every registration is left. */
+  /** Whether all places are released and all registrations left. */
   boolean isOver() {
     return claims.stream().allMatch(Claim::isOver);
   }
 
-  /** Whether a place is wanted and not held. */
+  /** Whether a place is wanted that is not held yet. */
   boolean isWaiting() {
     return claims.stream().anyMatch(Claim::isWaiting);
   }
 
-  /** For a car that has come onto the road. */
+  boolean holds() {
+    return claims.stream().anyMatch(Claim::isHeld);
+  }
+
+  /** Asks for the first place, for a car that has just entered the road. */
   void begin() {
     wantNext();
   }
 
   /**
-   * For a program that has started anew: finds out where on its arm the car stands, wants what it
-   * stands in, and goes on from there.
+   * After a restart of the program: finds the place that the car stands in, claims it, and continues
+   * from there.
    *
    * @param isPast whether the car has reached the critical zones or is beyond them
    */
-  void beginAnew(boolean isPast) {
-    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
+  void resume(boolean isPast) {
     int rank = ahead.size();
     int behind = 0;
     boolean isFound = false;
     for (ItemPosition place : ahead) {
       rank--;
-      boolean isThere = !gvh.gps.isClearOf(crossing.region(place.name()), radiusMm);
+      boolean isThere = !isClearOf(place.name());
       claims.get(rank).standsIn(isThere ? place.name() : "");
       isFound |= isThere;
       behind += isFound ? 0 : 1;
@@ -97,50 +99,42 @@ public final class Lane {
     wantNext();
   }
 
-  /** Whether a place is held. */
-  boolean holds() {
-    return claims.stream().anyMatch(Claim::isHeld);
-  }
-
-  /** What is to be done while the car does something else; to be called once a period. */
-  void look() {
-    claims.forEach(Claim::look);
+  /** Continues registering, asking and leaving; call it once a period. */
+  void step() {
+    claims.forEach(Claim::step);
   }
 
   /**
-   * Drives up as far as possible; to be called once a period.
+   * Drives to the next place that is held; call it once a period.
    *
    * @param arrived whether the car is where it was sent
    */
   void drive(Predicate<ItemPosition> arrived) {
     ItemPosition next = ahead.element();
-    if (isDriving) {
-      if (arrived.test(next)) {
-        ahead.remove();
-        isDriving = false;
-        giveBackWhatIsBehind();
-        wantNext();
-      }
-    } else if (!isWaiting()) {
+    if (!isDriving && !isWaiting()) {
       gvh.plat.moat.doMove(next);
       isDriving = true;
+    } else if (isDriving && arrived.test(next)) {
+      ahead.remove();
+      isDriving = false;
+      releaseLeft();
+      wantNext();
     }
   }
 
-  /** Gives back the places that this car is out of for certain; to be called when it stands. */
-  void giveBackWhatIsBehind() {
-    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
+  /** Releases the places behind that the whole body has left; call it when the car stands. */
+  void releaseLeft() {
     for (Claim claim : claims) {
-      if (claim.isHeld()
-          && !isAhead(claim.place())
-          && gvh.gps.isClearOf(crossing.region(claim.place()), radiusMm)) {
+      boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(claim.place()));
+      if (claim.isHeld() && !isAhead && isClearOf(claim.place())) {
         claim.release();
       }
     }
   }
 
-  private boolean isAhead(String place) {
-    return ahead.stream().anyMatch(next -> next.name().equals(place));
+  private boolean isClearOf(String place) {
+    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
+    return gvh.gps.isClearOf(crossing.region(place), radiusMm);
   }
 
   private void wantNext() {

@@ -10,24 +10,23 @@ import org.starl.primitives.mutex.MutexPrim;
 import org.starl.primitives.registration.Registration;
 
 /**
- * A post at the side of the road, without wheels. It serves the intersection's registrations as an
- * acceptor, so that cars that come and go agree on who is there. And it takes part in every mutex
- * without ever asking for anything: it is older there than any car, so no car gets in without its
- * consent, and when all who crossed with a car that has crashed are gone, the unit still knows what
- * that car may hold.
+ * A fixed unit at the roadside, without wheels. It is an acceptor of all registrations, so cars that
+ * come and go agree on the list of cars. It is also a participant of every mutex, but never asks for a
+ * section. It is older than any car, so every car needs its consent: it still knows what a crashed car
+ * may hold when all cars that crossed with it have left.
  */
 public final class RoadsideUnit extends LogicThread {
 
   private static final long PERIOD_MS = 500;
 
-  private final List<Post> posts = new ArrayList<>();
+  private final List<Member> members = new ArrayList<>();
 
-  /** Its part in one registration and the mutex over it. */
-  private static final class Post {
+  /** The unit's part in one registration and the mutex over it. */
+  private static final class Member {
     private final Registration registration;
     private boolean isRegistering;
 
-    Post(GlobalVarHolder gvh, String xid, Participants units) {
+    Member(GlobalVarHolder gvh, String xid, Participants units) {
       registration = new Registration(gvh, xid, units);
       MutexPrim mutex = new M_Mutex(gvh, xid, registration);
       if (gvh.id.boot() > 1) {
@@ -35,7 +34,7 @@ public final class RoadsideUnit extends LogicThread {
       }
     }
 
-    void look() {
+    void keepRegistered() {
       if (registration.mayRequest()) {
         isRegistering = false;
       } else if (!isRegistering || registration.failed().get()) {
@@ -46,24 +45,24 @@ public final class RoadsideUnit extends LogicThread {
   }
 
   /**
-   * @param units all roadside units of the intersection, this one among them
+   * @param units all roadside units of the intersection, including this one
    */
   public RoadsideUnit(GlobalVarHolder gvh, String xid, Participants units) {
     super(gvh);
     if (!units.contains(gvh.id.name())) {
-      throw new IllegalArgumentException(gvh.id.name() + " is none of the units " + units);
+      throw new IllegalArgumentException(gvh.id.name() + " is not among the units " + units);
     }
-    posts.add(new Post(gvh, xid, units));
-    for (int rank = 0; rank < Crossing.PLACES - 1; rank++) {
-      posts.add(new Post(gvh, Lane.instance(xid, rank), units));
+    members.add(new Member(gvh, xid, units));
+    for (int rank = 0; rank < Crossing.CLAIMED_PLACES; rank++) {
+      members.add(new Member(gvh, Lane.instance(xid, rank), units));
     }
   }
 
-  /** Stays registered, for as long as it is there. */
+  /** Stays registered; never ends by itself. */
   @Override
   public List<Object> callStarL() {
     while (true) {
-      posts.forEach(Post::look);
+      members.forEach(Member::keepRegistered);
       sleep(PERIOD_MS);
     }
   }

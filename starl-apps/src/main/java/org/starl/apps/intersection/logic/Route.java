@@ -1,46 +1,44 @@
 package org.starl.apps.intersection.logic;
 
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
- * One of the twelve ways through the intersection: from arrival zone {@code from}0, through {@code
- * from} and its successors.
+ * One of the twelve routes through the intersection: from arrival zone {@code from}0 through {@code
+ * from} and its successors in the ring.
  */
 public record Route(Zone from, Turn turn) {
 
-  /** All twelve. */
+  /** All twelve routes. */
   public static List<Route> all() {
-    List<Route> routes = new ArrayList<>();
-    for (Zone from : Zone.values()) {
-      for (Turn turn : Turn.values()) {
-        routes.add(new Route(from, turn));
-      }
-    }
-    return List.copyOf(routes);
+    return Arrays.stream(Zone.values())
+        .flatMap(from -> Arrays.stream(Turn.values()).map(turn -> new Route(from, turn)))
+        .collect(Collectors.toList());
+  }
+
+  /** The route that is written {@code text}, as by {@link #toString}. */
+  public static Optional<Route> parse(String text) {
+    return all().stream().filter(route -> route.toString().equals(text)).findFirst();
   }
 
   /** The critical zones in the order in which they are crossed. */
   public List<Zone> zones() {
-    List<Zone> zones = new ArrayList<>();
-    Zone zone = from;
-    for (int i = 0; i < turn.zones(); i++) {
-      zones.add(zone);
-      zone = zone.next();
-    }
-    return List.copyOf(zones);
+    return Stream.iterate(from, Zone::next).limit(turn.zones()).collect(Collectors.toList());
   }
 
   public Zone lastZone() {
     return zones().get(turn.zones() - 1);
   }
 
-  /** {@code A0}. */
+  /** The arrival zone: {@code A0}. */
   public String arrival() {
     return from + "0";
   }
 
-  /** {@code D1}. */
+  /** The departure zone: {@code D1}. */
   public String departure() {
     return lastZone() + "1";
   }
@@ -48,10 +46,7 @@ public record Route(Zone from, Turn turn) {
   /** The paper's notation: {@code A0 A C D D1}. */
   @Override
   public String toString() {
-    StringBuilder text = new StringBuilder(arrival());
-    for (Zone zone : zones()) {
-      text.append(' ').append(zone);
-    }
-    return text.append(' ').append(departure()).toString();
+    String zones = zones().stream().map(Zone::name).collect(Collectors.joining(" "));
+    return arrival() + " " + zones + " " + departure();
   }
 }

@@ -5,22 +5,20 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.id.Participants;
-import org.starl.primitives.mutex.M_Mutex;
-import org.starl.primitives.registration.Registration;
 
 /**
- * What an operator starts on a car that has crashed and is off the road: it says that the car is in
- * no zone and no place any more, and ends when nobody lists the car.
+ * The program that the operator starts on a crashed car after taking it off the road. It declares that
+ * the car is in no zone and no place, and ends when no registration mentions the car.
  */
 public final class TowedCar extends LogicThread {
 
   private static final long PERIOD_MS = 500;
 
-  private final List<Registration> registrations = new ArrayList<>();
+  private final List<Claim> claims = new ArrayList<>();
 
   /**
    * @param acceptors of the registrations
-   * @param places how many ranks of places cars queue on
+   * @param places number of ranks of places that cars claim; 0 if cars start in the arrival zone
    */
   public TowedCar(GlobalVarHolder gvh, String xid, Participants acceptors, int places) {
     super(gvh);
@@ -31,22 +29,16 @@ public final class TowedCar extends LogicThread {
   }
 
   private void add(String xid, Participants acceptors) {
-    Registration registration = new Registration(gvh, xid, acceptors);
-    new M_Mutex(gvh, xid, registration).standsIn(List.of());
-    registrations.add(registration);
+    Claim claim = new Claim(gvh, xid, acceptors);
+    claim.standsIn("");
+    claims.add(claim);
   }
 
   @Override
   public List<Object> callStarL() {
-    while (registrations.stream().anyMatch(this::isMentioned)) {
+    while (!claims.stream().allMatch(Claim::isOver)) {
       sleep(PERIOD_MS);
     }
     return returnResults();
-  }
-
-  private boolean isMentioned(Registration registration) {
-    return registration.view().number() == 0
-        || registration.view().mentioned().stream()
-            .anyMatch(id -> id.robot().equals(gvh.id.name()));
   }
 }

@@ -1,19 +1,13 @@
 package org.starl.apps.intersection.logic;
 
-/** What a car does at the intersection. A U-turn is forbidden. */
+/** The turns that a car may take, in order of the zones that they need. A U-turn is forbidden. */
 public enum Turn {
-  RIGHT(1),
-  STRAIGHT(2),
-  LEFT(3);
+  RIGHT,
+  STRAIGHT,
+  LEFT;
 
-  private final int zones;
-
-  Turn(int zones) {
-    this.zones = zones;
-  }
-
-  /** How many critical zones the car drives through. */
+  /** Number of critical zones that the car drives through. */
   public int zones() {
-    return zones;
+    return ordinal() + 1;
   }
 }

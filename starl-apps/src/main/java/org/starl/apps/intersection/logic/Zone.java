@@ -8,17 +8,17 @@ import org.starl.geometry.Point;
  * D B B1 fix this ring. Zone A lies in the north-west, x points east and y north.
  */
 public enum Zone {
-  A(-1, +1),
-  C(-1, -1),
-  D(+1, -1),
-  B(+1, +1);
+  A(-1, +1, new Point(-1, 0)),
+  C(-1, -1, new Point(0, -1)),
+  D(+1, -1, new Point(1, 0)),
+  B(+1, +1, new Point(0, 1));
 
-  private final int east;
-  private final int north;
+  private final Point corner;
+  private final Point outward;
 
-  Zone(int east, int north) {
-    this.east = east;
-    this.north = north;
+  Zone(int east, int north, Point outward) {
+    corner = new Point(east, north);
+    this.outward = outward;
   }
 
   /** The next zone of the ring. */
@@ -26,28 +26,18 @@ public enum Zone {
     return values()[(ordinal() + 1) % values().length];
   }
 
-  /** The way out of the ring at this zone, as a unit vector: A1 leads west, C1 south. */
+  /** Unit vector along the way out of the ring at this zone: A1 leads west, C1 south. */
   Point outward() {
-    return switch (this) {
-      case A -> new Point(-1, 0);
-      case C -> new Point(0, -1);
-      case D -> new Point(1, 0);
-      case B -> new Point(0, 1);
-    };
+    return outward;
   }
 
-  /** The way back along which cars came to this zone: A0 lies in the north, C0 in the west. */
+  /** Unit vector from this zone to its arrival zone: A0 lies in the north, C0 in the west. */
   Point arrivalSide() {
-    return switch (this) {
-      case A -> new Point(0, 1);
-      case C -> new Point(-1, 0);
-      case D -> new Point(0, -1);
-      case B -> new Point(1, 0);
-    };
+    return corner.minus(outward);
   }
 
   /** From the middle of the intersection to the middle of this zone, in zone widths. */
   Point fromMiddle() {
-    return new Point(east * 0.5, north * 0.5);
+    return corner.times(0.5);
   }
 }

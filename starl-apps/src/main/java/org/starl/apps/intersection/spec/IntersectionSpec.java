@@ -3,23 +3,23 @@ package org.starl.apps.intersection.spec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
-import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Lane;
-import org.starl.geometry.Region;
+import org.starl.geometry.Rectangle;
 import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.registration.RegistrationSpec;
 import org.starl.spec.Monitor;
 
-/** Everything that is checked in a run of the intersection. */
+/** All specifications of the intersection. */
 public final class IntersectionSpec {
 
   private IntersectionSpec() {}
 
-  /** Monitors' makers, as each run needs its own. */
+  /** Creates the monitors of one run each. */
   public static List<Supplier<? extends Monitor>> of(String xid, Crossing crossing, Bounds bounds) {
-    SortedMap<String, Region> zones = new TreeMap<>(crossing.regions());
+    SortedMap<String, Rectangle> zones = crossing.regions();
+    zones.putAll(crossing.places(bounds.places()));
     List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
     monitors.add(() -> new TrafficSafety(zones));
     monitors.add(MuxSafety::new);
@@ -27,12 +27,9 @@ public final class IntersectionSpec {
     monitors.add(() -> new TrafficProgress(bounds.trafficNs()));
     monitors.add(() -> new MutexSpec(xid, bounds.zones()));
     monitors.add(RegistrationSpec::new);
-    if (bounds.places() > 0) {
-      zones.putAll(crossing.heldPlaces());
-      for (int rank = 0; rank < bounds.places(); rank++) {
-        String instance = Lane.instance(xid, rank);
-        monitors.add(() -> new MutexSpec(instance, bounds.queue()));
-      }
+    for (int rank = 0; rank < bounds.places(); rank++) {
+      String instance = Lane.instance(xid, rank);
+      monitors.add(() -> new MutexSpec(instance, bounds.queue()));
     }
     return monitors;
   }

@@ -11,33 +11,32 @@ import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Variable;
 
 /**
- * {@code Inv_list_crit} (paper, Figure 6): what a car still has to cross, it holds while it moves, has
- * requested while it waits, and at the start it is the whole path.
+ * {@code Inv_list_crit} (paper, Figure 6): the zones ahead of a car ({@code myseq}) are its whole path
+ * at the start, are requested while it waits, and are held while it moves.
  *
- * <p>It is an invariant of states between atomic actions. One action writes several variables one
- * after the other, all at one time; so a car's state is looked at when the next event is of another
- * time or another robot.
+ * <p>It is an invariant of the states between atomic actions. One action writes several variables one
+ * after the other, all at one time. So a car's state is checked when the next event is of another time
+ * or another robot.
  *
  * <p>In PVS the grant and the car's step from {@code mutex_wait} to {@code move_wait} are one action,
- * {@code od_mutex}. A program learns of its grant when it looks next, so between the two it still
- * waits for what it holds already, or for what has just been refused.
+ * {@code od_mutex}. A program sees the grant at its next step, so between the two it still waits for
+ * what it already holds, or for what has just been refused.
  */
 final class ListCrit implements Monitor {
 
   private static final String LEMMA = "Inv_list_crit";
 
-  private final Trips trips = new Trips();
   private final SortedMap<RobotId, State> states = new TreeMap<>();
   private final HeldZones zones;
   private @Nullable TraceEvent last;
 
   private static final class State {
     private Location location = Location.S_0;
+    private List<String> path = List.of();
     private List<String> myseq = List.of();
-    private boolean told;
+    private boolean isReported;
   }
 
   /** Of the mutex {@code xid}. */
@@ -57,8 +56,7 @@ final class ListCrit implements Monitor {
 
   @Override
   public String says(String lemma) {
-    return "What a car still has to cross, it holds while it moves and has asked for while it "
-        + "waits.";
+    return "A car holds the zones ahead of it while it moves, and has requested them while it waits.";
   }
 
   @Override
@@ -68,26 +66,17 @@ final class ListCrit implements Monitor {
     }
     last = event;
     zones.observe(event);
-    if (trips.observe(event)) {
-      // A program that has started anew tells another path, from where the car stands.
-      states.putIfAbsent(event.robot(), new State());
-    } else if (event instanceof TraceEvent.Left) {
+    if (event instanceof TraceEvent.Left) {
       states.remove(event.robot());
-    } else if (event instanceof Variable variable
-        && variable.source().equals(CrossingTrace.SOURCE)) {
-      changed(variable);
     }
-  }
-
-  private void changed(Variable variable) {
-    State state = states.get(variable.robot());
-    if (state == null) {
-      return; // of a car that has left the floor, and owes nothing
-    }
-    if (variable.name().equals(CrossingTrace.LOCATION)) {
-      state.location = Location.valueOf(variable.value());
-    } else if (variable.name().equals(CrossingTrace.MYSEQ)) {
-      state.myseq = HeldZones.list(variable.value());
+    // A restarted program writes another trip, from where the car stands.
+    CrossingTrace.trip(event)
+        .ifPresent(
+            trip -> states.computeIfAbsent(trip.robot(), r -> new State()).path = trip.zones());
+    State state = states.get(event.robot());
+    if (state != null) {
+      CrossingTrace.location(event).ifPresent(location -> state.location = location);
+      CrossingTrace.myseq(event).ifPresent(myseq -> state.myseq = myseq);
     }
   }
 
@@ -101,24 +90,24 @@ final class ListCrit implements Monitor {
   private void check(TraceEvent event, Report report) {
     RobotId robot = event.robot();
     State state = states.get(robot);
-    if (state == null || state.told) {
+    if (state == null || state.isReported) {
       return;
     }
     report.checked(LEMMA);
-    String wrong = whatIsWrong(robot, state);
+    String wrong = violation(robot, state);
     if (!wrong.isEmpty()) {
-      state.told = true;
+      state.isReported = true;
       report.violated(LEMMA, event.timeNs(), List.of(robot), wrong);
     }
   }
 
-  private String whatIsWrong(RobotId robot, State state) {
-    List<String> path = trips.of(robot);
+  /** Empty if the invariant holds. */
+  private String violation(RobotId robot, State state) {
     Set<String> rest = new TreeSet<>(state.myseq);
     String myseq = state.location + ": myseq " + state.myseq;
     return switch (state.location) {
       case S_0, REGISTER_WAIT, QUEUE ->
-          state.myseq.equals(path) ? "" : myseq + " is not the path " + path;
+          state.myseq.equals(state.path) ? "" : myseq + " is not the path " + state.path;
       case MUTEX_WAIT ->
           zones.requested(robot).equals(rest)
                   || zones.held(robot).equals(rest)

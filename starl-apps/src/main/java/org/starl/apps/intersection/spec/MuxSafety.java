@@ -8,8 +8,8 @@ import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
 /**
- * {@code Inv_mux_safety} (paper, Figure 6): any two cars' crit_sets are disjoint. {@code Exclusive} of
- * the mutex says the same of participants; this says it of cars, whatever their participants are.
+ * {@code Inv_mux_safety} (paper, Figure 6): the crit_sets of any two cars are disjoint. The mutex's
+ * {@code Exclusive} says the same of processes; this says it of cars, over all their processes.
  */
 final class MuxSafety implements Monitor {
 
@@ -24,14 +24,14 @@ final class MuxSafety implements Monitor {
 
   @Override
   public String says(String lemma) {
-    return "No two cars hold a zone in common.";
+    return "No two cars hold the same zone.";
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
     if (!(event instanceof TraceEvent.Action)) {
       zones.observe(event);
-      return; // gives nobody anything
+      return; // cannot be a grant
     }
     RobotId robot = event.robot();
     SortedSet<String> before = zones.held(robot);

@@ -10,15 +10,15 @@ import org.starl.spec.Circumstances;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
-import org.starl.trace.TraceEvent.Variable;
 
 /**
- * {@code traffic_progress} (paper, section 3): within a bound every approaching vehicle departs. It is
- * owed from the moment at which a car comes onto the floor until it leaves it, while no fault is
- * under way and no car is dead: who stands behind one owes nothing. Nor does a parked car or a
- * roadside unit.
+ * {@code traffic_progress} (paper, section 3): every approaching vehicle departs within a bound. The
+ * bound runs from the time at which a car comes onto the floor until it leaves. It does not run while a
+ * fault is active or a car is dead, because cars behind a dead car cannot depart. Parked cars and
+ * roadside units need not depart.
  */
 final class TrafficProgress implements Monitor {
 
@@ -27,9 +27,9 @@ final class TrafficProgress implements Monitor {
   private final Within<RobotId> departures;
   private final Circumstances circumstances = new Circumstances();
   private final Set<RobotId> dead = new TreeSet<>();
-  private final Trips trips = new Trips();
-  // Bodies on the floor of which it is not known yet whether they are cars'.
-  private final Set<RobotId> unknown = new TreeSet<>();
+  // Robots with a trip; a car that comes onto the floor may write its trip before or after that.
+  private final Set<RobotId> cars = new TreeSet<>();
+  private final Set<RobotId> onFloor = new TreeSet<>();
 
   TrafficProgress(long boundNs) {
     departures = new Within<>(boundNs);
@@ -42,49 +42,36 @@ final class TrafficProgress implements Monitor {
 
   @Override
   public String says(String lemma) {
-    return "Every car that comes has left again within the bound.";
+    return "Every car that has come onto the floor leaves it within the bound.";
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
+    RobotId robot = event.robot();
     boolean isChanged = circumstances.observe(event);
-    if (event instanceof TraceEvent.Fault) {
+    if (event instanceof Fault) {
       dead.removeIf(circumstances::isUp);
-      if (!circumstances.isUp(event.robot())) {
-        dead.add(event.robot());
+      if (!circumstances.isUp(robot)) {
+        dead.add(robot);
       }
-    } else if (event instanceof Left) {
-      dead.remove(event.robot());
+    }
+    if (event instanceof Left) {
+      dead.remove(robot);
+      cars.remove(robot);
+      onFloor.remove(robot);
     }
     if (isChanged) {
       departures.assumeAll(circumstances.isFair() && dead.isEmpty(), event.timeNs());
     }
-    if (trips.observe(event) && unknown.remove(event.robot())) {
-      owe(event.robot(), event.timeNs());
+    boolean hasTrip = CrossingTrace.trip(event).filter(trip -> !trip.zones().isEmpty()).isPresent();
+    boolean isNew = (hasTrip && cars.add(robot)) || (event instanceof Joined && onFloor.add(robot));
+    if (isNew && cars.contains(robot) && onFloor.contains(robot)) {
+      departures.owe(robot, event.timeNs());
     }
-    switch (event) {
-      case Joined joined -> {
-        if (trips.isCar(joined.robot())) {
-          owe(joined.robot(), joined.timeNs());
-        } else {
-          unknown.add(joined.robot());
-        }
-      }
-      case Left left -> {
-        unknown.remove(left.robot());
-        settle(left.robot(), report);
-      }
-      case Variable variable -> {
-        if (variable.source().equals(CrossingTrace.SOURCE)
-            && variable.name().equals(CrossingTrace.LOCATION)
-            && variable.value().equals(Location.DONE.name())) {
-          settle(variable.robot(), report);
-        }
-      }
-      default -> {
-        // Neither comes nor goes.
-      }
+    boolean isDone = CrossingTrace.location(event).filter(Location.DONE::equals).isPresent();
+    if ((isDone || event instanceof Left) && departures.settle(robot)) {
+      report.checked(LEMMA);
     }
   }
 
@@ -93,19 +80,8 @@ final class TrafficProgress implements Monitor {
     expire(endNs, report);
   }
 
-  private void owe(RobotId robot, long nowNs) {
-    if (!trips.of(robot).isEmpty()) {
-      departures.owe(robot, nowNs);
-    }
-  }
-
-  private void settle(RobotId robot, Report report) {
-    if (departures.settle(robot)) {
-      report.checked(LEMMA);
-    }
-  }
-
   private void expire(long nowNs, Report report) {
+    long boundS = departures.boundNs() / 1_000_000_000;
     departures.expire(
         nowNs,
         (robot, sinceNs, deadlineNs) ->
@@ -113,10 +89,6 @@ final class TrafficProgress implements Monitor {
                 LEMMA,
                 deadlineNs,
                 List.of(robot),
-                "came at "
-                    + sinceNs / 1_000_000
-                    + " ms and has not departed within "
-                    + departures.boundNs() / 1_000_000_000
-                    + " s"));
+                "came at " + sinceNs / 1_000_000 + " ms, not departed within " + boundS + " s"));
   }
 }

@@ -13,15 +13,16 @@ import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
 /**
- * {@code traffic_safety} (paper, section 3): no two cars occupy the same zone at the same time, nor
- * the same place of an arm. A car occupies a zone while any part of its true body is inside; what it believes does not count.
+ * {@code traffic_safety} (paper, section 3): no two cars occupy the same zone at the same time, nor the
+ * same place of an arm. A car occupies a zone while any part of its true body is inside, whatever the
+ * car believes.
  *
- * <p>Also {@code occupied_is_held}: whoever occupies a zone holds it. This is the reason why {@code
- * traffic_safety} follows from {@code Inv_mux_safety}, and it tells of a zone given back too early
- * even if nobody else happens to enter it.
+ * <p>Also {@code occupied_is_held}: a car that occupies a zone holds it. This is why {@code
+ * traffic_safety} follows from {@code Inv_mux_safety}. It reports a zone that is released too early
+ * even if no other car enters it.
  *
- * <p>Bodies are looked at every 10 ms of movement: at 250 mm/s a body may go 2.5 mm into a zone
- * unseen.
+ * <p>Bodies are checked every 10 ms of movement: at 250 mm/s a body may be 2.5 mm inside a zone before
+ * it is seen.
  */
 final class TrafficSafety implements Monitor {
 
@@ -32,12 +33,12 @@ final class TrafficSafety implements Monitor {
   private final List<Zone> zones = new ArrayList<>();
   private final Bodies bodies = new Bodies();
   private final HeldZones held = new HeldZones();
-  private final SortedSet<String> told = new TreeSet<>();
-  private long seenNs;
+  private final SortedSet<String> reported = new TreeSet<>();
+  private long checkedNs;
 
   private record Zone(String name, Region region, SortedSet<RobotId> occupants) {}
 
-  TrafficSafety(SortedMap<String, Region> zones) {
+  TrafficSafety(SortedMap<String, ? extends Region> zones) {
     zones.forEach((name, region) -> this.zones.add(new Zone(name, region, new TreeSet<>())));
   }
 
@@ -48,43 +49,33 @@ final class TrafficSafety implements Monitor {
 
   @Override
   public String says(String lemma) {
-    return switch (lemma) {
-      case SAFETY -> "No two cars are in one zone at the same time, with any part of their bodies.";
-      case HELD -> "A car that is in a zone, with any part of its body, holds that zone.";
-      default -> "";
-    };
+    return lemma.equals(SAFETY)
+        ? "No two cars are in one zone at the same time, with any part of their bodies."
+        : "A car that is in a zone, with any part of its body, holds that zone.";
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    lookUntil(event.timeNs(), report);
+    checkUntil(event.timeNs(), report);
     bodies.observe(event);
     held.observe(event);
   }
 
   @Override
   public void finish(long endNs, Report report) {
-    lookUntil(endNs, report);
-    lookAt(endNs, report);
+    checkUntil(endNs, report);
+    check(endNs, report);
   }
 
-  private void lookUntil(long timeNs, Report report) {
-    while (seenNs < timeNs) {
-      lookAt(seenNs, report);
-      seenNs = anybodyMoves() ? Math.min(seenNs + STEP_NS, timeNs) : timeNs;
+  private void checkUntil(long timeNs, Report report) {
+    while (checkedNs < timeNs) {
+      check(checkedNs, report);
+      boolean anyMoves = bodies.robots().stream().anyMatch(bodies::isMoving);
+      checkedNs = anyMoves ? Math.min(checkedNs + STEP_NS, timeNs) : timeNs;
     }
   }
 
-  private boolean anybodyMoves() {
-    for (RobotId robot : bodies.robots()) {
-      if (bodies.isMoving(robot)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private void lookAt(long timeNs, Report report) {
+  private void check(long timeNs, Report report) {
     report.checked(SAFETY);
     report.checked(HELD);
     for (Zone zone : zones) {
@@ -92,13 +83,9 @@ final class TrafficSafety implements Monitor {
     }
     for (RobotId robot : bodies.robots()) {
       Point at = bodies.poseAt(robot, timeNs).at();
-      double radiusMm = bodies.radiusMm(robot);
       for (Zone zone : zones) {
-        if (zone.region().distanceMm(at) < radiusMm) {
-          if (zone.occupants().add(robot)) {
-            entered(zone, timeNs, report);
-          }
-          checkHeld(zone.name(), robot, at, timeNs, report);
+        if (zone.region().distanceMm(at) < bodies.radiusMm(robot)) {
+          occupies(robot, zone, at, timeNs, report);
         } else if (!zone.occupants().isEmpty()) {
           zone.occupants().remove(robot);
         }
@@ -106,30 +93,16 @@ final class TrafficSafety implements Monitor {
     }
   }
 
-  private static void entered(Zone zone, long timeNs, Report report) {
-    if (zone.occupants().size() > 1) {
-      report.violated(
-          SAFETY,
-          timeNs,
-          new ArrayList<>(zone.occupants()),
-          "all of them are in zone " + zone.name());
+  private void occupies(RobotId robot, Zone zone, Point at, long timeNs, Report report) {
+    SortedSet<RobotId> robots = zone.occupants();
+    if (robots.add(robot) && robots.size() > 1) {
+      String detail = "all of them are in zone " + zone.name();
+      report.violated(SAFETY, timeNs, List.copyOf(robots), detail);
     }
-  }
-
-  private void checkHeld(String zone, RobotId robot, Point at, long timeNs, Report report) {
-    if (!held.holds(robot, zone) && told.add(robot + " " + zone)) {
-      report.violated(
-          HELD,
-          timeNs,
-          List.of(robot),
-          "is in zone "
-              + zone
-              + " around ("
-              + Math.round(at.xMm())
-              + ", "
-              + Math.round(at.yMm())
-              + ") mm and holds "
-              + held.held(robot));
+    if (!held.holds(robot, zone.name()) && reported.add(robot + " " + zone.name())) {
+      String where = "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
+      String detail = "is in zone " + zone.name() + " around " + where;
+      report.violated(HELD, timeNs, List.of(robot), detail + " and holds " + held.held(robot));
     }
   }
 }

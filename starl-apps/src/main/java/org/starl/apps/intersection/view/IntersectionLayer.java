@@ -7,20 +7,20 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.Optional;
+import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.Function;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.apps.intersection.spec.HeldZones;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
-import org.starl.geometry.Region;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
@@ -29,7 +29,7 @@ import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 
-/** Draws zones in the colour of who holds them, and each car's intended route dotted. */
+/** Draws each zone in the colour of the car that holds it, and each car's intended route dotted. */
 public final class IntersectionLayer implements Layer {
 
   private static final String ZONES = "zones";
@@ -37,35 +37,27 @@ public final class IntersectionLayer implements Layer {
   private static final int HELD_ALPHA = 70;
 
   private final Crossing crossing;
-  private final Function<RobotId, Optional<Trip>> tripsOfArrivals;
   private final Map<RobotId, Trip> trips;
   private final Participants units;
   private final HeldZones zones;
 
-  /** Of cars that are all known beforehand. */
+  /** For a fixed set of cars. */
   public IntersectionLayer(Crossing crossing, Map<RobotId, Trip> trips) {
-    this(crossing, robot -> Optional.empty(), trips, Participants.of(), new HeldZones());
+    this(crossing, trips, Participants.of(), new HeldZones());
   }
 
   /**
-   * Of an open road.
+   * For an open road. The cars' routes are read from the trace.
    *
-   * @param trips of cars that come; asked when one comes onto the floor, maybe by several threads
-   * @param units at the roadside
+   * @param units the roadside units
    */
-  public IntersectionLayer(
-      Crossing crossing, Function<RobotId, Optional<Trip>> trips, Participants units) {
-    this(crossing, trips, Map.of(), units, new HeldZones());
+  public IntersectionLayer(Crossing crossing, Participants units) {
+    this(crossing, Map.of(), units, new HeldZones());
   }
 
   private IntersectionLayer(
-      Crossing crossing,
-      Function<RobotId, Optional<Trip>> tripsOfArrivals,
-      Map<RobotId, Trip> trips,
-      Participants units,
-      HeldZones zones) {
+      Crossing crossing, Map<RobotId, Trip> trips, Participants units, HeldZones zones) {
     this.crossing = crossing;
-    this.tripsOfArrivals = tripsOfArrivals;
     this.trips = new TreeMap<>(trips);
     this.units = units;
     this.zones = zones;
@@ -73,17 +65,24 @@ public final class IntersectionLayer implements Layer {
 
   @Override
   public IntersectionLayer copy() {
-    return new IntersectionLayer(crossing, tripsOfArrivals, trips, units, zones.copy());
+    return new IntersectionLayer(crossing, trips, units, zones.copy());
   }
 
   @Override
   public void observe(TraceEvent event) {
     zones.observe(event);
-    if (units.size() > 0 && event instanceof TraceEvent.Joined joined) {
-      tripsOfArrivals.apply(joined.robot()).ifPresent(trip -> trips.put(joined.robot(), trip));
-    } else if (units.size() > 0 && event instanceof TraceEvent.Left left) {
-      trips.remove(left.robot());
+    if (isOpen()) {
+      CrossingTrace.trip(event)
+          .flatMap(trip -> Route.parse(trip.label()))
+          .ifPresent(route -> trips.put(event.robot(), crossing.trip(route)));
+      if (event instanceof TraceEvent.Left) {
+        trips.remove(event.robot());
+      }
     }
+  }
+
+  private boolean isOpen() {
+    return units.size() > 0;
   }
 
   @Override
@@ -108,16 +107,9 @@ public final class IntersectionLayer implements Layer {
   }
 
   private void paintZones(Graphics2D floor, Scene scene, Look look) {
-    for (Map.Entry<String, Region> zone : crossing.regions().entrySet()) {
-      paintZone(floor, zone.getKey(), (Rectangle) zone.getValue(), scene, look);
-    }
-    int places = units.size() == 0 ? 1 : Crossing.PLACES;
-    for (Zone zone : Zone.values()) {
-      for (int rank = 0; rank < places; rank++) {
-        String name = Crossing.placeName(zone, rank);
-        paintZone(floor, name, (Rectangle) crossing.place(zone, rank), scene, look);
-      }
-    }
+    SortedMap<String, Rectangle> areas = crossing.regions();
+    areas.putAll(crossing.places(isOpen() ? Crossing.PLACES : 1));
+    areas.forEach((name, area) -> paintZone(floor, name, area, scene, look));
   }
 
   @Override
@@ -126,12 +118,10 @@ public final class IntersectionLayer implements Layer {
     for (Trip trip : trips.values()) {
       ends.add(trip.exit().at());
     }
-    if (units.size() > 0) {
-      for (Zone zone : Zone.values()) {
-        Rectangle last = (Rectangle) crossing.place(zone, Crossing.PLACES - 1);
-        ends.add(new Point(last.xMinMm(), last.yMinMm()));
-        ends.add(new Point(last.xMaxMm(), last.yMaxMm()));
-      }
+    for (Zone zone : isOpen() ? Zone.values() : new Zone[0]) {
+      Rectangle last = crossing.place(zone, Crossing.PLACES - 1);
+      ends.add(new Point(last.xMinMm(), last.yMinMm()));
+      ends.add(new Point(last.xMaxMm(), last.yMaxMm()));
     }
     return ends;
   }
@@ -146,12 +136,9 @@ public final class IntersectionLayer implements Layer {
   }
 
   private void paintZone(Graphics2D floor, String name, Rectangle area, Scene scene, Look look) {
-    Rectangle2D square =
-        new Rectangle2D.Double(
-            area.xMinMm(),
-            area.yMinMm(),
-            area.xMaxMm() - area.xMinMm(),
-            area.yMaxMm() - area.yMinMm());
+    double widthMm = area.xMaxMm() - area.xMinMm();
+    double heightMm = area.yMaxMm() - area.yMinMm();
+    Rectangle2D square = new Rectangle2D.Double(area.xMinMm(), area.yMinMm(), widthMm, heightMm);
     floor.setColor(holder(name, scene, look));
     floor.fill(square);
     floor.setColor(look.theme().border());
@@ -207,11 +194,9 @@ public final class IntersectionLayer implements Layer {
     for (RobotId robot : scene.robots()) {
       if (scene.pose(robot).isPresent()) {
         Point at = scene.pose(robot).get().at();
-        boolean inside = false;
-        for (Zone zone : Zone.values()) {
-          inside |= crossing.region(zone).contains(at);
-        }
-        interest += inside ? 10 : 1;
+        boolean isInside =
+            Arrays.stream(Zone.values()).anyMatch(zone -> crossing.region(zone).contains(at));
+        interest += isInside ? 10 : 1;
       }
     }
     return interest;

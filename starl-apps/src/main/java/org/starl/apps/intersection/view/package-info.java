@@ -1,5 +1,5 @@
 /**
- * How the intersection is drawn: zones and who holds them, intended routes.
+ * Draws the intersection: zones in the colour of the car that holds them, intended routes.
  *
  * <p>May import: core, primitives, sim, the app's {@code logic} and {@code spec}, {@code
  * java.awt}.

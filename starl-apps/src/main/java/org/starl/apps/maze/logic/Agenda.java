@@ -7,8 +7,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 
 /**
- * What one robot is after: its goals in turn, what has become of them, and whether it is on its way
- * back to where it last stood in nobody's way, and why. Pure.
+ * One robot's goals in turn, the answers so far, and whether it is on its way back to its resting place:
+ * its start, or the last goal that it reached. Pure.
  */
 final class Agenda {
 
@@ -26,11 +26,12 @@ final class Agenda {
     rest = errand.start();
   }
 
+  /** Whether all goals are answered. */
   boolean isDone() {
     return goals.isEmpty();
   }
 
-  /** The goal that it is after; there is one unless all are answered. */
+  /** The first goal without an answer; there must be one. */
   Goal goal() {
     return goals.element();
   }
@@ -45,38 +46,38 @@ final class Agenda {
     return goesBack ? rest : goal().at();
   }
 
-  /** Nearer than this is there. */
+  /** It has arrived when it is nearer than this. */
   double toleranceMm() {
     return goesBack ? BACK_MM : goal().toleranceMm();
   }
 
-  /** Whether nothing less than the whole floor will do for this goal. */
+  /** Whether it has to hold all blocks of the floor for this goal. */
   boolean needsAll() {
     return needsAll;
   }
 
-  /** There is a way, but through others: back, to ask for the whole floor. */
+  /** There is a way, but it needs blocks that are not held: go back, then ask for all blocks. */
   void backForAll() {
     needsAll = true;
     goesBack = true;
   }
 
-  /** There is no way: back, to say so from there. */
+  /** There is no way: go back, and answer from there. */
   void backForGood() {
     isCutOff = true;
     goesBack = true;
   }
 
-  /** It has come to where it was going; returns what there is to answer, null for nothing. */
+  /** It has arrived where it was going; returns the answer that is due, null for none. */
   @Nullable Answer arrived() {
-    Answer onWayBack = isCutOff ? Answer.NO_WAY : null;
-    Answer answer = goesBack ? onWayBack : Answer.REACHED;
+    Answer whenBack = isCutOff ? Answer.NO_WAY : null;
+    Answer answer = goesBack ? whenBack : Answer.REACHED;
     goesBack = false;
     isCutOff = false;
     return answer;
   }
 
-  /** Notes what becomes of the goal that it is after, and returns that goal; it goes on to the next. */
+  /** Records the answer to the present goal, returns that goal, and continues with the next one. */
   Goal answer(Answer answer) {
     Goal goal = goals.remove();
     if (answer == Answer.REACHED) {
@@ -87,7 +88,7 @@ final class Agenda {
     return goal;
   }
 
-  /** A goal's name and the answer, in the goals' order. */
+  /** A text with name and answer for each answered goal, in order. */
   List<Object> answers() {
     return List.copyOf(answers);
   }

@@ -1,10 +1,10 @@
 package org.starl.apps.maze.logic;
 
-/** What becomes of a goal. */
+/** The result for one goal. */
 public enum Answer {
   REACHED,
-  /** There is none for a body that is wider by {@link Errand#MARGIN_MM}. */
+  /** There is no way for a body that is wider by {@link Errand#MARGIN_MM}. */
   NO_WAY,
-  /** It squeezed through a gap that is narrower, and does not find back. */
+  /** The robot went through a gap that is narrower than that, and finds no way back. */
   GAVE_UP
 }

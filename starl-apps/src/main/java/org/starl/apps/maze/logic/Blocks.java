@@ -12,14 +12,23 @@ import org.starl.geometry.Segment;
 import org.starl.primitives.paths.Path;
 
 /**
- * The floor in rectangles, the sections of the robots' mutex: 32 at most, as many as one may ask for.
- * A block is called by its column and row, {@code 0.0} being at the lower left.
+ * The floor cut into rectangles, which are the sections of the robots' mutex. There are at most 32, the
+ * most that one request may name. A block's name is its column and row; {@code 0.0} is at the lower
+ * left.
+ *
+ * <p>A robot requests more around a way than it later plans in, so after a bump it has room to plan
+ * again in the blocks that it holds.
  */
 public record Blocks(Rectangle floor, int columns, int rows) {
 
   private static final int MOST = 32;
   private static final int WANTED = 20;
   private static final double LEAST_SIDE_MM = 2_000;
+
+  // A robot requests the blocks within this distance of its body on the way ...
+  private static final double ASK_MM = 120;
+  // ... and its body stays this far inside them on a way that it plans later.
+  private static final double INSIDE_MM = 50;
 
   public Blocks {
     if (columns < 1 || rows < 1 || columns * rows > MOST) {
@@ -50,8 +59,25 @@ public record Blocks(Rectangle floor, int columns, int rows) {
     return all;
   }
 
-  /** Those that a disc of this radius touches on its way. */
-  public SortedSet<String> along(Path path, double radiusMm) {
+  /** The blocks to request for a way of a body that stays within {@code reachMm} of it. */
+  SortedSet<String> toRequest(Path way, double reachMm) {
+    return along(way, reachMm + ASK_MM);
+  }
+
+  /** Where a new way may not lead if all within {@code reachMm} of it is to be in {@code held}. */
+  List<Polygon> forbidden(Collection<String> held, double reachMm) {
+    return outside(held, reachMm + INSIDE_MM);
+  }
+
+  /** The blocks of {@code held} that a body does not need while it stands at {@code at}. */
+  SortedSet<String> spare(Collection<String> held, Point at, double bodyMm) {
+    SortedSet<String> spare = new TreeSet<>(held);
+    spare.removeAll(around(at, bodyMm + ASK_MM));
+    return spare;
+  }
+
+  /** The blocks that a disc of this radius touches on its way. */
+  SortedSet<String> along(Path path, double radiusMm) {
     SortedSet<String> along = new TreeSet<>();
     for (int i = 0; i < columns * rows; i++) {
       for (int leg = 0; leg < path.legs(); leg++) {
@@ -64,36 +90,20 @@ public record Blocks(Rectangle floor, int columns, int rows) {
     return along;
   }
 
-  /** Those that a disc touches. */
-  public SortedSet<String> around(Point at, double radiusMm) {
+  /** The blocks that a disc touches. */
+  SortedSet<String> around(Point at, double radiusMm) {
     return along(new Path(List.of(at, at)), radiusMm);
   }
 
-  /** Where the centre of a disc may not be that is to stay in {@code held}. */
+  /** Where the centre of a disc may not be if the disc is to stay in {@code held}. */
   List<Polygon> outside(Collection<String> held, double radiusMm) {
     List<Polygon> outside = new ArrayList<>();
     for (int i = 0; i < columns * rows; i++) {
       if (!held.contains(name(i))) {
-        Rectangle r = rectangle(i);
-        outside.add(
-            Polygon.of(
-                new Point(r.xMinMm() - radiusMm, r.yMinMm() - radiusMm),
-                new Point(r.xMaxMm() + radiusMm, r.yMinMm() - radiusMm),
-                new Point(r.xMaxMm() + radiusMm, r.yMaxMm() + radiusMm),
-                new Point(r.xMinMm() - radiusMm, r.yMaxMm() + radiusMm)));
+        outside.add(polygon(rectangle(i).widened(radiusMm)));
       }
     }
     return outside;
-  }
-
-  /** The block of this name. */
-  public Rectangle rectangle(String name) {
-    for (int i = 0; i < columns * rows; i++) {
-      if (name(i).equals(name)) {
-        return rectangle(i);
-      }
-    }
-    throw new IllegalArgumentException("no block " + name);
   }
 
   private String name(int index) {
@@ -103,23 +113,28 @@ public record Blocks(Rectangle floor, int columns, int rows) {
   private Rectangle rectangle(int index) {
     double width = (floor.xMaxMm() - floor.xMinMm()) / columns;
     double height = (floor.yMaxMm() - floor.yMinMm()) / rows;
-    int column = index % columns;
-    int row = index / columns;
-    double x = floor.xMinMm() + column * width;
-    double y = floor.yMinMm() + row * height;
+    double x = floor.xMinMm() + index % columns * width;
+    double y = floor.yMinMm() + index / columns * height;
     return new Rectangle(x, y, x + width, y + height);
   }
 
-  private static double distanceMm(Rectangle r, Segment leg) {
-    if (r.contains(leg.from()) || r.contains(leg.to())) {
+  private static Polygon polygon(Rectangle r) {
+    return Polygon.of(
+        new Point(r.xMinMm(), r.yMinMm()),
+        new Point(r.xMaxMm(), r.yMinMm()),
+        new Point(r.xMaxMm(), r.yMaxMm()),
+        new Point(r.xMinMm(), r.yMaxMm()));
+  }
+
+  private static double distanceMm(Rectangle block, Segment leg) {
+    if (block.contains(leg.from()) || block.contains(leg.to())) {
       return 0;
     }
-    Point a = new Point(r.xMinMm(), r.yMinMm());
-    Point b = new Point(r.xMaxMm(), r.yMinMm());
-    Point c = new Point(r.xMaxMm(), r.yMaxMm());
-    Point d = new Point(r.xMinMm(), r.yMaxMm());
-    double low = Math.min(leg.distanceMm(new Segment(a, b)), leg.distanceMm(new Segment(b, c)));
-    double high = Math.min(leg.distanceMm(new Segment(c, d)), leg.distanceMm(new Segment(d, a)));
-    return Math.min(low, high);
+    Polygon outline = polygon(block);
+    double leastMm = Double.POSITIVE_INFINITY;
+    for (int side = 0; side < outline.vertices().size(); side++) {
+      leastMm = Math.min(leastMm, leg.distanceMm(outline.side(side)));
+    }
+    return leastMm;
   }
 }

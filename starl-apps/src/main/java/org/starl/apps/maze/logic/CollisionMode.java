@@ -4,13 +4,13 @@ import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.body.RobotType;
 
-/** What a robot does when it bumps: the three of the paper's section 5.1. */
+/** What a robot does after a bump: the three modes of the paper's section 5.1. */
 public enum CollisionMode {
   /** Stops at the contact; the app turns round and drives back on its trail. */
   STOP(CollisionPolicy.STOP_ON_COLLISION, 0, 5_000),
-  /** Backs away from the contact, blind, for 800 ms. */
+  /** Backs away from the contact for 800 ms. */
   BACK(CollisionPolicy.USE_COLBACK, 110, 5_000),
-  /** Backs away, then feels along the obstacle for a while: more contacts a collision. */
+  /** Backs away, then drives along the obstacle for a while, which gives more contacts. */
   DISCOVER(CollisionPolicy.USE_COLBACK, 1_000, 4_000);
 
   private final CollisionPolicy policy;
@@ -23,17 +23,17 @@ public enum CollisionMode {
     this.feelMs = feelMs;
   }
 
-  /** How far from its way it may get after a contact. */
+  /** How far from its way the robot may get after a contact. */
   double wanderMm() {
     return wanderMm;
   }
 
-  /** For how long it goes on after a contact on its own, at the most. */
+  /** For how long it moves by itself after a contact, at most. */
   long feelMs() {
     return feelMs;
   }
 
-  /** The same for a robot on its way back, which does not stay to feel for more. */
+  /** The mode of a robot on its way back, which does not look for more contacts. */
   CollisionMode goingBack() {
     return this == DISCOVER ? BACK : this;
   }

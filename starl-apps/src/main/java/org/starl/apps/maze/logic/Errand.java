@@ -7,12 +7,11 @@ import org.starl.motion.Contact;
 import org.starl.primitives.paths.Capsule;
 
 /**
- * What one robot is to do, and what all robots know of the floor beforehand, obstacles apart.
+ * One robot's task, and what all robots know of the floor beforehand, apart from obstacles.
  *
  * @param start where it stands at first
- * @param goals in the order in which it goes there
- * @param others discs in which the other robots stand whenever they hold no block: their starts and
- *     goals
+ * @param goals in the order in which it drives to them
+ * @param others discs in which the other robots stand while they hold no block: their starts and goals
  * @param floor all bodies stay in it
  */
 public record Errand(
@@ -23,10 +22,10 @@ public record Errand(
     Blocks blocks,
     CollisionMode mode) {
 
-  /** A way for a body that is wider by this on every side is found if there is one. */
+  /** If there is a way for a body that is wider by this on every side, a way is found. */
   public static final double MARGIN_MM = 75;
 
-  /** A contact this near to another one's place may be with that one's body. */
+  // A contact this near to another robot's place may be with that robot.
   private static final double NEAR_MM = 40;
 
   public Errand {
@@ -41,12 +40,8 @@ public record Errand(
    */
   boolean mayBeOther(Contact contact, double bodyMm) {
     Point at = contact.at().pose().at();
-    for (Capsule other : others) {
-      double reachMm = bodyMm + other.radiusMm() + contact.at().errorMm() + NEAR_MM;
-      if (other.axis().distanceMm(at) <= reachMm) {
-        return true;
-      }
-    }
-    return false;
+    double reachMm = bodyMm + contact.at().errorMm() + NEAR_MM;
+    return others.stream()
+        .anyMatch(other -> other.axis().distanceMm(at) <= reachMm + other.radiusMm());
   }
 }

@@ -5,7 +5,7 @@ import org.starl.geometry.Point;
 /**
  * A place to go to.
  *
- * @param toleranceMm nearer than this is there, above 0
+ * @param toleranceMm a robot is there when it is nearer than this; above 0
  */
 public record Goal(String name, Point at, double toleranceMm) {
 

@@ -1,20 +1,21 @@
 package org.starl.apps.maze.logic;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.geometry.Point;
 import org.starl.motion.Contact;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
 
 /**
- * What one robot knows of the maze, and how it comes to know more: its map at first, and what each
- * contact proves. After a contact the collision mode does its part, while more contacts may come;
- * then all of them are learned from. Strand only.
+ * What one robot knows of the maze: its map, and the marks that contacts have proven. After a bump the
+ * collision mode takes its course, which may give more contacts. Then the robot learns from all of
+ * them. Strand only.
  */
 final class Knowledge {
 
-  /** Contacts are learned from at a place that is as certain, but it is not waited for for ever. */
+  // The robot waits for a position as certain as this before it learns, but not for ever.
   private static final double CERTAIN_MM = 30;
-
   private static final long LONGEST_FEEL_MS = 5_000;
 
   private final GlobalVarHolder gvh;
@@ -22,7 +23,8 @@ final class Knowledge {
   private final Ride ride;
   private final MazeTrace trace;
   private final double bodyMm;
-  private Belief belief;
+  private final Obstacles map;
+  private final List<Mark> marks = new ArrayList<>();
   private long feltMs;
 
   Knowledge(GlobalVarHolder gvh, Errand errand, Ride ride, MazeTrace trace) {
@@ -31,36 +33,36 @@ final class Knowledge {
     this.ride = ride;
     this.trace = trace;
     bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
-    belief = new Belief(gvh.gps.knownObstacles().all(), List.of());
+    map = gvh.gps.knownObstacles().all();
   }
 
-  Belief belief() {
-    return belief;
-  }
-
-  /** By what is known now, from here to {@code goal}. */
+  /** A search for a way from here to {@code goal}, by what is known now. */
   Search searchTo(Point goal) {
-    return new Search(errand, belief, gvh.gps.pose().at(), goal, bodyMm);
+    return new Search(errand, map, marks, gvh.gps.pose().at(), goal, bodyMm);
   }
 
-  /** Whether the robot knows well enough where it is. */
-  boolean isPlaceCertain() {
+  /** Whether no mark excludes a body at {@code at} that is wider by the margin. */
+  boolean isUnmarked(Point at) {
+    return Mark.places(marks, 1).stream().noneMatch(place -> place.contains(at));
+  }
+
+  boolean isPositionCertain() {
     return gvh.gps.errorMm() <= CERTAIN_MM;
   }
 
-  /** The robot has bumped. */
+  /** The robot has bumped; {@link #hasLearned} is to be called from now on. */
   void bumped() {
     feltMs = 0;
   }
 
-  /** Whether all is learned from the bump; to be asked once a period until it is. */
+  /** Whether the robot has learned all from the bump; call it once a period until then. */
   boolean hasLearned(long periodMs) {
     feltMs += periodMs;
     if (gvh.plat.moat.inMotion() && feltMs < errand.mode().feelMs()) {
       return false;
     }
     ride.stop();
-    if (!isPlaceCertain() && feltMs < LONGEST_FEEL_MS) {
+    if (!isPositionCertain() && feltMs < LONGEST_FEEL_MS) {
       return false;
     }
     ride.contacts().forEach(this::learn);
@@ -70,7 +72,7 @@ final class Knowledge {
   private void learn(Contact contact) {
     if (!errand.mayBeOther(contact, bodyMm)) {
       List<Mark> proven = Mark.of(contact, bodyMm);
-      belief = belief.plus(proven);
+      marks.addAll(proven);
       trace.marks(proven);
     }
   }

@@ -10,11 +10,11 @@ import org.starl.geometry.Polygon;
 import org.starl.motion.Contact;
 
 /**
- * What a contact proves. The body's centre stood at {@code at}, and something touches the body
- * somewhere between two directions, nobody knows where. Wherever that is, a body of radius r does not
- * fit around any centre that is nearer than r to <em>all</em> of these points. So the mark is what
- * the discs around them have in common: a lens that begins just before the contact and lies over the
- * obstacle.
+ * What a contact proves. The body's centre was at {@code at}, and something touches the body somewhere
+ * between two directions. Where exactly is unknown. A body of radius r does not fit around a centre
+ * that is nearer than r to the touched point. So it does not fit around a centre that is nearer than r
+ * to <em>all</em> points of the arc. The mark is the intersection of the discs around them: a lens that
+ * begins just before the contact and covers the obstacle.
  *
  * @param at the centre, by the robot's own position
  * @param errorMm the true centre was within this distance
@@ -24,36 +24,47 @@ import org.starl.motion.Contact;
  */
 public record Mark(Point at, double errorMm, double fromRad, double sweepRad, double bodyMm) {
 
-  /** A body touches from a gap of so much on, by what its bump sensors can tell. */
+  // Gap at which a bump sensor already closes.
   private static final double TOUCH_MM = 2;
 
-  /** Corners are whole mm, and points of contact are looked at every few degrees. */
+  // Corners are whole mm, and points of the arc are taken every few degrees.
   private static final double ROUNDING_MM = 3;
 
-  /** A bump sensor feels from straight ahead to the side, and this far beyond both. */
+  // A bump sensor covers its side from straight ahead on, and this much beyond both ends.
   private static final double OTHER_SIDE_RAD = Angles.fromDegrees(18);
-
   private static final double SIDE_RAD = Angles.fromDegrees(93);
 
-  /** With the other sensor open, the contact is farther to the side than this. */
+  // If the other sensor is open, the contact is farther to the side than this.
   private static final double OFF_CENTER_RAD = Angles.fromDegrees(12);
 
   private static final double STEP_RAD = Angles.fromDegrees(5);
   private static final int CORNERS = 20;
   private static final double LEAST_HALF_WIDTH_MM = 8;
 
-  /** What a contact proves: nothing if the place is too uncertain, else one mark a closed sensor. */
+  /** One mark for each closed sensor; none if the position is too uncertain. */
   public static List<Mark> of(Contact contact, double bodyMm) {
     List<Mark> marks = new ArrayList<>();
     Bumps bumps = contact.bumps();
+    double innerRad = bumps == Bumps.BOTH ? -OTHER_SIDE_RAD : OFF_CENTER_RAD;
     if (bumps != Bumps.RIGHT) {
-      add(marks, contact, bumps == Bumps.BOTH ? -OTHER_SIDE_RAD : OFF_CENTER_RAD, SIDE_RAD, bodyMm);
+      add(marks, contact, innerRad, SIDE_RAD, bodyMm);
     }
     if (bumps != Bumps.LEFT) {
-      double to = bumps == Bumps.BOTH ? OTHER_SIDE_RAD : -OFF_CENTER_RAD;
-      add(marks, contact, -SIDE_RAD, to, bodyMm);
+      add(marks, contact, -SIDE_RAD, -innerRad, bodyMm);
     }
     return marks;
+  }
+
+  /** The places of all {@code marks} that exclude something. */
+  static List<Polygon> places(List<Mark> marks, double part) {
+    List<Polygon> places = new ArrayList<>();
+    for (Mark mark : marks) {
+      Polygon place = mark.place(part);
+      if (place != null) {
+        places.add(place);
+      }
+    }
+    return places;
   }
 
   private static void add(
@@ -64,7 +75,7 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
       double first = contact.at().pose().headingRad() + from - errorRad;
       Mark mark =
           new Mark(contact.at().pose().at(), contact.at().errorMm(), first, sweepRad, bodyMm);
-      // Else the robot would come back to the same place for ever and learn nothing.
+      // Otherwise the robot would come back to the same place for ever and learn nothing.
       if (mark.radiusMm(1) > bodyMm) {
         marks.add(mark);
       }
@@ -74,8 +85,8 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
   /**
    * Where the centre of a body cannot be.
    *
-   * @param part the body is wider by this part of the margin: 1 for all of it, 0 for the body itself
-   * @return null if the contact proves nothing for such a body
+   * @param part the body is wider by this part of the margin: 1 for all of it, 0 for the robot's body
+   * @return null if the contact excludes nothing for such a body
    */
   public @Nullable Polygon place(double part) {
     double radiusMm = radiusMm(part);
@@ -101,11 +112,12 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
     return new Polygon(corners);
   }
 
-  /** Wherever the obstacle is, it is this near to the point of contact that is taken for it. */
+  /** Radius of the discs: the body's, less all errors of the touched point. */
   private double radiusMm(double part) {
     return bodyMm + part * Errand.MARGIN_MM - TOUCH_MM - errorMm - ROUNDING_MM;
   }
 
+  /** Points of the arc, one of which is near the touched point. */
   private List<Point> touching() {
     int steps = (int) StrictMath.ceil(sweepRad / STEP_RAD);
     List<Point> touching = new ArrayList<>();
@@ -121,7 +133,7 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
         from.yMm() + mm * StrictMath.sin(directionRad));
   }
 
-  /** From a place inside a circle to its edge. */
+  /** Distance from a point inside a circle to its edge. */
   private static double toEdgeMm(Point from, double directionRad, Point center, double radiusMm) {
     Point off = from.minus(center);
     double along =

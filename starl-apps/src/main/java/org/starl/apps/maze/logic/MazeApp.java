@@ -14,13 +14,30 @@ import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.paths.Path;
 
 /**
- * One robot in the maze (paper, section 5.4): it goes to its goals in turn, and says of each whether
- * it got there, standing at it, or back where it stood before. See the package for why what it says
- * is true. What lies between two sleeps is one atomic action.
+ * One robot in the maze (paper, section 5.4). It drives to its goals in turn. For each goal it answers,
+ * at the goal or back at its resting place, whether it has reached it. The package documentation says
+ * why the answers are true. The code between two sleeps is one atomic action.
  */
 public final class MazeApp extends LogicThread {
 
-  /** The mutex's instance. */
+  /** The program's locations. */
+  public enum Location {
+    START,
+    /** Stands at its resting place, holds nothing, and searches a way to the next goal. */
+    CHOOSE,
+    ASK,
+    ASK_WAIT,
+    DRIVE,
+    /** Has bumped, and learns from it. */
+    FEEL,
+    /** Stands in the blocks that it holds, and searches another way. */
+    PLAN_AGAIN,
+    /** Drives back on its trail, because no way was found from where it stood. */
+    RETREAT,
+    DONE
+  }
+
+  /** Instance of the mutex over the blocks. */
   public static final String FLOOR = "floor";
 
   private static final long PERIOD_MS = 100;
@@ -28,9 +45,9 @@ public final class MazeApp extends LogicThread {
   private static final MutexTimes DAY = MutexTimes.DEFAULT.withDeadlineMs(24L * 3600 * 1000);
 
   private final Errand errand;
+  private final double bodyMm;
   private final MutexPrim mutex;
   private final Ride ride;
-  private final Footprint footprint;
   private final GvhCell<Location> location;
   private final MazeTrace trace;
   private final Knowledge known;
@@ -41,10 +58,9 @@ public final class MazeApp extends LogicThread {
   public MazeApp(GlobalVarHolder gvh, Errand errand) {
     super(gvh);
     this.errand = errand;
+    bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     mutex = new M_Mutex(gvh, FLOOR, M_Mutex.closedGroup(gvh, gvh.id.participants()), DAY);
     ride = new Ride(gvh);
-    double bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
-    footprint = new Footprint(errand.blocks(), bodyMm, errand.mode().wanderMm());
     location = gvh.variable(MazeTrace.SOURCE, MazeTrace.LOCATION, Location.START);
     trace = new MazeTrace(gvh);
     known = new Knowledge(gvh, errand, ride, trace);
@@ -56,10 +72,10 @@ public final class MazeApp extends LogicThread {
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
       switch (location.get()) {
-        case START -> location.set(known.isPlaceCertain() ? Location.CHOOSE : Location.START);
+        case START -> location.set(known.isPositionCertain() ? Location.CHOOSE : Location.START);
         case CHOOSE -> choose();
         case ASK -> {
-          mutex.do_mutex(agenda.needsAll() ? errand.blocks().all() : footprint.along(path));
+          mutex.do_mutex(agenda.needsAll() ? errand.blocks().all() : blocksFor(path));
           location.set(Location.ASK_WAIT);
         }
         case ASK_WAIT -> {
@@ -96,7 +112,7 @@ public final class MazeApp extends LogicThread {
         location.set(Location.ASK);
       }
       case Search.Outcome.NoWay no -> answer(Answer.NO_WAY);
-      case Search.Outcome.Lost from -> answer(Answer.GAVE_UP);
+      case Search.Outcome.Lost lost -> answer(Answer.GAVE_UP);
     }
   }
 
@@ -108,7 +124,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private void drives(Runnable arrived) {
-    switch (ride.look()) {
+    switch (ride.step()) {
       case UNDER_WAY -> {}
       case ARRIVED -> arrived.run();
       case BUMPED -> {
@@ -135,24 +151,22 @@ public final class MazeApp extends LogicThread {
   private void planAgain() {
     Search search = known.searchTo(agenda.to());
     boolean isBack = agenda.goesBack();
-    List<Polygon> outside = footprint.outside(mutex.held(), isBack);
-    goOn(found(() -> isBack ? search.back(outside) : search.onward(outside)));
-  }
-
-  private void goOn(Search.Outcome outcome) {
-    switch (outcome) {
-      case Search.Outcome.Way found -> {
-        if (!ride.mayTry(found)) {
+    // The way back starts where the body already stands, which may be near the edge of its blocks.
+    double reachMm = isBack ? bodyMm : bodyMm + errand.mode().wanderMm();
+    List<Polygon> forbidden = errand.blocks().forbidden(mutex.held(), reachMm);
+    switch (found(() -> isBack ? search.back(forbidden) : search.onward(forbidden))) {
+      case Search.Outcome.Way way -> {
+        if (!ride.mayTry(way)) {
           giveUp();
-        } else if (agenda.goesBack() || mutex.held().containsAll(footprint.along(found.path()))) {
-          drive(found.path());
+        } else if (isBack || mutex.held().containsAll(blocksFor(way.path()))) {
+          drive(way.path());
         } else {
           agenda.backForAll();
         }
       }
       case Search.Outcome.NoWay no -> agenda.backForGood();
-      case Search.Outcome.Lost from -> {
-        if (ride.mayTry(from) && ride.retreat(known.belief())) {
+      case Search.Outcome.Lost lost -> {
+        if (ride.mayTry(lost) && ride.retreat(known::isUnmarked)) {
           location.set(Location.RETREAT);
         } else {
           giveUp();
@@ -161,14 +175,18 @@ public final class MazeApp extends LogicThread {
     }
   }
 
+  private SortedSet<String> blocksFor(Path way) {
+    return errand.blocks().toRequest(way, bodyMm + errand.mode().wanderMm());
+  }
+
   private void answer(Answer answer) {
     trace.answer(agenda.answer(answer), answer);
     location.set(Location.CHOOSE);
   }
 
-  /** Stays where it is, with the blocks that it stands in. */
+  /** Gives up all goals and stays where it is, with the blocks that it stands in. */
   private void giveUp() {
-    SortedSet<String> spare = footprint.spare(mutex.held(), gvh.gps.pose().at());
+    SortedSet<String> spare = errand.blocks().spare(mutex.held(), gvh.gps.pose().at(), bodyMm);
     if (!spare.isEmpty()) {
       mutex.release(spare);
     }
@@ -177,7 +195,7 @@ public final class MazeApp extends LogicThread {
     }
   }
 
-  /** Gives the strand up while it looks. */
+  /** Runs the search off the strand and waits for its result. */
   private Search.Outcome found(Supplier<Search.Outcome> search) {
     Computation<Search.Outcome> outcome = gvh.plat.compute(search);
     await(outcome::isDone);

@@ -1,9 +1,8 @@
 package org.starl.apps.maze.logic;
 
 import java.util.List;
+import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
-import org.starl.geometry.Point;
-import org.starl.geometry.Polygon;
 import org.starl.geometry.RegionText;
 import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.Path;
@@ -14,19 +13,19 @@ public final class MazeTrace {
   /** {@code source} of the app's events. */
   public static final String SOURCE = "app";
 
-  /** Variable: the {@link Location}. */
+  /** Variable: the {@link MazeApp.Location}. */
   public static final String LOCATION = "location";
 
-  /** Variable: the name of the goal that the robot is after; empty at the end. */
+  /** Variable: the name of the goal that the robot drives to; empty at the end. */
   public static final String TOWARD = "toward";
 
-  /** Variable: the way that it intends, as x,y>x,y in whole mm; empty for none. */
+  /** Variable: the intended way, as x,y>x,y in whole mm; empty for none. */
   public static final String WAY = "way";
 
-  /** Action: a goal's name, the {@link Answer}, how well the robot knows its place in mm. */
+  /** Action: a goal's name, the {@link Answer}, the position's error bound in mm. */
   public static final String ANSWER = "answer";
 
-  /** Action: a polygon in which no centre of a body can be that is wider by the margin. */
+  /** Action: a polygon that excludes the centre of every body that is wider by the margin. */
   public static final String MARK = "mark";
 
   private final GlobalVarHolder gvh;
@@ -44,7 +43,10 @@ public final class MazeTrace {
   }
 
   void way(Path path) {
-    way.set(text(path));
+    way.set(
+        path.points().stream()
+            .map(at -> Math.round(at.xMm()) + "," + Math.round(at.yMm()))
+            .collect(Collectors.joining(">")));
   }
 
   void noWay() {
@@ -55,22 +57,9 @@ public final class MazeTrace {
     gvh.trace.action(SOURCE, ANSWER, goal.name(), answer, gvh.gps.errorMm());
   }
 
-  /** Marks that prove something for a body that is wider by the margin; others are not told. */
+  /** Writes the marks that exclude a body that is wider by the margin. */
   void marks(List<Mark> marks) {
-    for (Mark mark : marks) {
-      Polygon place = mark.place(1);
-      if (place != null) {
-        gvh.trace.action(SOURCE, MARK, RegionText.format(place));
-      }
-    }
-  }
-
-  private static String text(Path path) {
-    StringBuilder text = new StringBuilder();
-    for (Point point : path.points()) {
-      text.append(text.length() == 0 ? "" : ">");
-      text.append(Math.round(point.xMm())).append(',').append(Math.round(point.yMm()));
-    }
-    return text.toString();
+    Mark.places(marks, 1)
+        .forEach(place -> gvh.trace.action(SOURCE, MARK, RegionText.format(place)));
   }
 }

@@ -2,6 +2,7 @@ package org.starl.apps.maze.logic;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Predicate;
 import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
@@ -11,20 +12,20 @@ import org.starl.motion.Contact;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.paths.Path;
 
-/** Drives along a path, point by point, and remembers what the body touched and where it has been. */
+/** Drives along a path, point by point, and records contacts and the robot's own trail. Strand only. */
 final class Ride {
 
-  /** How it stands with the latest ride. */
+  /** State of the latest ride. */
   enum State {
     UNDER_WAY,
     ARRIVED,
-    /** Stands after a contact, or goes where the collision mode takes it. */
+    /** Has touched something; the collision mode takes its course. */
     BUMPED,
-    /** Stands: no fix, stuck wheels. */
+    /** Stopped without a contact: no fix, or stuck wheels. */
     HELD_UP
   }
 
-  /** So often it tries to squeeze through, or to go back on its trail, one after the other. */
+  // Attempts in a row through a narrow gap or back along the trail.
   private static final int TRIES_WHEN_LOST = 30;
 
   private static final double PASS_MM = 20;
@@ -47,7 +48,7 @@ final class Ride {
     gvh.plat.moat.onContact(contacts::add);
   }
 
-  /** How robots drive in a maze whose bodies are like that. */
+  /** Motion parameters of a robot in a maze with the body of {@code body}. */
   static MotionParameters motion(MotionParameters body, CollisionMode mode) {
     return mode.applyTo(body).toBuilder()
         .goalRadiusMm(PASS_MM)
@@ -57,9 +58,9 @@ final class Ride {
   }
 
   /**
-   * Sets out.
+   * Starts to drive.
    *
-   * @param lastMm nearer to the end than this is there
+   * @param lastMm the ride ends when the robot is nearer to the end than this
    */
   void along(Path path, double lastMm, CollisionMode mode) {
     contacts.clear();
@@ -69,9 +70,9 @@ final class Ride {
     toNext();
   }
 
-  /** To be asked every now and then: drives on. */
-  State look() {
-    remember();
+  /** Drives on; call it once a period. */
+  State step() {
+    extendTrail();
     if (!contacts.isEmpty()) {
       return State.BUMPED;
     }
@@ -87,16 +88,16 @@ final class Ride {
   }
 
   void stop() {
-    remember();
+    extendTrail();
     gvh.plat.moat.motion_stop();
   }
 
-  /** What it has touched since it set out. */
+  /** The contacts since the start of the ride. */
   List<Contact> contacts() {
     return List.copyOf(contacts);
   }
 
-  /** Whether what was found is still to be tried: not narrow ways and none for ever. */
+  /** Whether to try what was found: narrow ways, and none, only so often in a row. */
   boolean mayTry(Search.Outcome found) {
     boolean isWide = found instanceof Search.Outcome.Way way && !way.isNarrow();
     lost = isWide ? 0 : lost + 1;
@@ -104,15 +105,16 @@ final class Ride {
   }
 
   /**
-   * Sets out to where it came from last, along its trail, which it then forgets from there on.
+   * Starts to drive back to the latest point of its trail that {@code isAllowed}, and forgets the trail
+   * from there on.
    *
-   * @return false if it remembers no such place that lies in no mark
+   * @return false if there is no such point
    */
-  boolean retreat(Belief belief) {
+  boolean retreat(Predicate<Point> isAllowed) {
     Point here = gvh.gps.pose().at();
     for (int i = trail.size() - 1; i >= 0; i--) {
       Point at = trail.get(i);
-      if (at.distanceMm(here) >= LEAST_RETREAT_MM && !belief.isMarked(at)) {
+      if (at.distanceMm(here) >= LEAST_RETREAT_MM && isAllowed.test(at)) {
         trail.subList(i + 1, trail.size()).clear();
         along(new Path(List.of(here, at)), RETREAT_TO_MM, CollisionMode.BACK);
         return true;
@@ -132,7 +134,7 @@ final class Ride {
     gvh.plat.moat.setParameters(usual);
   }
 
-  private void remember() {
+  private void extendTrail() {
     Point at = gvh.gps.pose().at();
     if (trail.isEmpty() || trail.get(trail.size() - 1).distanceMm(at) >= TRAIL_STEP_MM) {
       trail.add(at);
@@ -142,7 +144,7 @@ final class Ride {
     }
   }
 
-  /** The points to drive to, no leg too long: the longer it is, the farther a robot strays. */
+  /** The points to drive to. Legs are short, as a robot strays farther on a longer leg. */
   private static List<Point> cut(Path path) {
     List<Point> points = new ArrayList<>();
     for (int i = 0; i < path.legs(); i++) {

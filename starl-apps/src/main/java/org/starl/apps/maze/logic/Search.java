@@ -2,6 +2,7 @@ package org.starl.apps.maze.logic;
 
 import java.util.ArrayList;
 import java.util.List;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.primitives.paths.LocalPlanner;
@@ -10,80 +11,80 @@ import org.starl.primitives.paths.Plan;
 import org.starl.primitives.paths.PlanTask;
 
 /**
- * Looks for a way by what a robot believes. Immutable, to be asked off the strand.
+ * Searches a way by what a robot knows. Immutable, so it can run off the strand.
  *
+ * @param map the obstacles that are known beforehand
+ * @param marks what contacts have proven
  * @param from where the robot is
  * @param bodyMm radius of its body
  */
-record Search(Errand errand, Belief belief, Point from, Point goal, double bodyMm) {
+record Search(
+    Errand errand, Obstacles map, List<Mark> marks, Point from, Point goal, double bodyMm) {
 
   private static final LocalPlanner PLANNER = new LocalPlanner();
 
-  /** A way may begin so far from the robot, where it stands nearer to something than a way does. */
+  // A way may begin so far from the robot if the robot stands nearer to something than a way may
+  // lead.
   private static final int SLACK_MM = 150;
 
-  /** What the planner rounds away of a margin. */
+  // What the planner may round away of a margin.
   private static final double PLANNER_MM = 6;
 
-  /** For a robot that is where a wider body could not be: parts of the margin, in turn. */
+  // Parts of the margin to try, in turn, for a robot that is where a wider body does not fit.
   private static final List<Double> NARROWER = List.of(0.5, 0.0);
 
-  /** What comes of a search. */
+  Search {
+    marks = List.copyOf(marks);
+  }
+
+  /** The result of a search. */
   sealed interface Outcome {
 
-    /** A way; a narrow one leads through gaps that are wide enough for the body alone. */
+    /** A way; a narrow one leads through gaps that fit the body, but not the margin. */
     record Way(Path path, boolean isNarrow) implements Outcome {}
 
-    /** Proven: no way for a body that is wider by the margin. */
+    /** Proven: there is no way from the start for a body that is wider by the margin. */
     record NoWay() implements Outcome {}
 
-    /** There is a way from the start, but none from here. */
+    /** There may be a way from the start, but none was found from here. */
     record Lost() implements Outcome {}
   }
 
   /** A way, or the proof that there is none. */
   Outcome anywhere() {
-    Plan plan = fromHere(1, List.of());
-    if (plan instanceof Plan.Found found) {
-      return way(found, false);
+    Outcome wide = search(List.of(), List.of(1.0));
+    if (wide instanceof Outcome.Way) {
+      return wide;
     }
-    // From a place that only the body itself could get to, having no way on proves nothing.
-    return isCutOff() ? new Outcome.NoWay() : narrow(List.of());
+    // The robot may be where a wider body does not fit; no way from there proves nothing.
+    return isCutOff() ? new Outcome.NoWay() : search(List.of(), NARROWER);
   }
 
-  /** A way that keeps out of {@code outside}. */
-  private Outcome within(List<Polygon> outside) {
-    return fromHere(1, outside) instanceof Plan.Found found
-        ? way(found, false)
-        : new Outcome.Lost();
+  /** A way outside of {@code forbidden}; if there is none, a way anywhere, or the proof. */
+  Outcome onward(List<Polygon> forbidden) {
+    Outcome inside = search(forbidden, List.of(1.0));
+    return inside instanceof Outcome.Way ? inside : anywhere();
   }
 
-  /** A way that keeps out of {@code outside}; if there is none, one anywhere, or the proof. */
-  Outcome onward(List<Polygon> outside) {
-    return within(outside) instanceof Outcome.Way way ? way : anywhere();
+  /** A way outside of {@code forbidden}, through narrow gaps if necessary. */
+  Outcome back(List<Polygon> forbidden) {
+    Outcome wide = search(forbidden, List.of(1.0));
+    return wide instanceof Outcome.Way ? wide : search(forbidden, NARROWER);
   }
 
-  /** A way that keeps out of {@code outside}, if need be through gaps that the margin closes. */
-  Outcome back(List<Polygon> outside) {
-    return within(outside) instanceof Outcome.Way way ? way : narrow(outside);
-  }
-
-  private Outcome narrow(List<Polygon> outside) {
-    for (double part : NARROWER) {
-      if (fromHere(part, outside) instanceof Plan.Found found) {
-        return way(found, true);
+  /** The first way that is found for one of these parts of the margin, tried in turn. */
+  private Outcome search(List<Polygon> forbidden, List<Double> parts) {
+    for (double part : parts) {
+      if (PLANNER.planFromNear(task(from, part, forbidden), SLACK_MM) instanceof Plan.Found found) {
+        List<Point> points = new ArrayList<>(found.path().points());
+        points.add(0, from);
+        return new Outcome.Way(new Path(points), part < 1);
       }
     }
     return new Outcome.Lost();
   }
 
-  private Outcome.Way way(Plan.Found found, boolean isNarrow) {
-    List<Point> points = new ArrayList<>(found.path().points());
-    points.add(0, from);
-    return new Outcome.Way(new Path(points), isNarrow);
-  }
-
-  /** Whether there is no way from the start, with as much of the margin as there is round it. */
+  /** Whether there is no way from the start, with as much of the margin as fits around the start. */
   private boolean isCutOff() {
     Plan plan = PLANNER.plan(task(errand.start(), 1, List.of()));
     for (int i = 0; i < NARROWER.size() && isStartBlocked(plan); i++) {
@@ -96,21 +97,11 @@ record Search(Errand errand, Belief belief, Point from, Point goal, double bodyM
     return plan instanceof Plan.Blocked blocked && blocked.end() == Plan.End.START;
   }
 
-  private Plan fromHere(double part, List<Polygon> outside) {
-    return PLANNER.planFromNear(task(from, part, outside), SLACK_MM);
-  }
-
-  private PlanTask task(Point start, double part, List<Polygon> outside) {
-    List<Polygon> keepOut = new ArrayList<>(belief.places(part));
-    keepOut.addAll(outside);
+  private PlanTask task(Point start, double part, List<Polygon> forbidden) {
+    List<Polygon> keepOut = new ArrayList<>(Mark.places(marks, part));
+    keepOut.addAll(forbidden);
+    double clearanceMm = Math.max(0, part * Errand.MARGIN_MM - PLANNER_MM);
     return new PlanTask(
-        start,
-        goal,
-        errand.floor(),
-        belief.map(),
-        errand.others(),
-        keepOut,
-        bodyMm,
-        Math.max(0, part * Errand.MARGIN_MM - PLANNER_MM));
+        start, goal, errand.floor(), map, errand.others(), keepOut, bodyMm, clearanceMm);
   }
 }

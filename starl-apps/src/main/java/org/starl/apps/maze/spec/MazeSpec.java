@@ -1,6 +1,8 @@
 package org.starl.apps.maze.spec;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.apps.maze.logic.Answer;
@@ -8,7 +10,7 @@ import org.starl.apps.maze.logic.Goal;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
-import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
@@ -20,15 +22,15 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 
 /**
- * The maze's own goal.
+ * The maze's specification, checked against true bodies and true obstacles.
  *
  * <ul>
- *   <li>{@code Reached}: who says that it is at its goal is there, in truth.
- *   <li>{@code NoWay}: where a robot says that there is no way, there is none for a body that is wider
- *       by the margin, hidden obstacles and all.
- *   <li>{@code Belief}: where a robot believes that such a body cannot be, it cannot.
- *   <li>{@code Apart}: no two robots touch. Looked at every 20 ms of movement.
- *   <li>{@code Answered}: each goal is answered within the bound, as long as the world behaves.
+ *   <li>{@code Reached}: a robot that answers that it is at its goal is there.
+ *   <li>{@code NoWay}: where a robot answers that there is no way, there is none for a body that is
+ *       wider by the margin, hidden obstacles included.
+ *   <li>{@code Belief}: no such body fits with its centre in a mark.
+ *   <li>{@code Apart}: no two robots touch. Checked every 20 ms of movement.
+ *   <li>{@code Answered}: each goal is answered within the bound while no fault is active.
  * </ul>
  */
 public final class MazeSpec implements Monitor {
@@ -42,15 +44,20 @@ public final class MazeSpec implements Monitor {
   private static final long STEP_NS = 20_000_000;
   private static final double ROUNDING_MM = 0.01;
 
-  /** Marks are looked at so closely. */
+  // Solid bodies never overlap. They may touch from a gap of a millimetre on.
+  private static final double TOUCHING_MM = 2;
+
+  // Distance of the points at which a mark is checked.
   private static final double GRAIN_MM = 20;
 
   private final MazeTruth truth;
-  private final Within<String> answers;
+  private final Within<Task> answers;
   private final Circumstances circumstances = new Circumstances();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> touching = new TreeSet<>();
-  private long nextLookNs;
+  private long nextCheckNs;
+
+  private record Task(RobotId robot, String goal) {}
 
   /**
    * @param boundNs from a robot's start to its last answer
@@ -68,10 +75,10 @@ public final class MazeSpec implements Monitor {
   @Override
   public String says(String lemma) {
     return switch (lemma) {
-      case REACHED -> "A robot that says it is at its goal is there, in truth.";
+      case REACHED -> "A robot that answers that it is at its goal is there.";
       case NO_WAY ->
-          "Where a robot says that no way leads, there is none, hidden obstacles and all.";
-      case BELIEF -> "Where a robot believes that it cannot be, it cannot.";
+          "Where a robot answers that there is no way, there is none, hidden obstacles included.";
+      case BELIEF -> "Where a robot has marked that its body does not fit, it does not fit.";
       case APART -> "No two robots touch.";
       case ANSWERED -> "Each goal is answered within the bound.";
       default -> "";
@@ -81,88 +88,69 @@ public final class MazeSpec implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
-    lookUntil(event.timeNs(), report);
+    checkApartUntil(event.timeNs(), report);
     bodies.observe(event);
     if (circumstances.observe(event)) {
       answers.assumeAll(circumstances.isFair(), event.timeNs());
     }
-    if (event instanceof Joined joined && truth.errands().containsKey(joined.robot())) {
-      for (Goal goal : truth.errands().get(joined.robot()).goals()) {
-        answers.owe(key(joined.robot(), goal.name()), joined.timeNs());
+    if (event instanceof Joined joined) {
+      for (Goal goal : truth.goals(joined.robot())) {
+        answers.owe(new Task(joined.robot(), goal.name()), joined.timeNs());
       }
     } else if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
-      acted(action, report);
+      switch (action.name()) {
+        case MazeTrace.MARK -> checkMark(action, report);
+        case MazeTrace.ANSWER -> checkAnswer(action, report);
+        default -> {
+          // Not checked here.
+        }
+      }
     }
   }
 
   @Override
   public void finish(long endNs, Report report) {
     expire(endNs, report);
-    lookUntil(endNs, report);
-  }
-
-  private static String key(RobotId robot, String goal) {
-    return robot + " " + goal;
+    checkApartUntil(endNs, report);
   }
 
   private void expire(long nowNs, Report report) {
+    long boundS = answers.boundNs() / 1_000_000_000;
     answers.expire(
         nowNs,
-        (key, sinceNs, deadlineNs) ->
+        (task, sinceNs, deadlineNs) ->
             report.violated(
                 ANSWERED,
                 deadlineNs,
-                List.of(new RobotId(key.substring(0, key.indexOf(' ')))),
-                "no answer on " + key + " within " + answers.boundNs() / 1_000_000_000 + " s"));
+                List.of(task.robot()),
+                "no answer for " + task.goal() + " within " + boundS + " s"));
   }
 
-  private void acted(Action action, Report report) {
-    switch (action.name()) {
-      case MazeTrace.MARK -> checkMark(action, report);
-      case MazeTrace.ANSWER -> {
-        String name = action.args().get(0);
-        if (answers.settle(key(action.robot(), name))) {
-          report.checked(ANSWERED);
-        }
-        Goal goal = truth.goal(action.robot(), name);
-        if (goal == null) {
-          report.violated(
-              REACHED, action.timeNs(), List.of(action.robot()), name + " is no goal of it");
-        } else {
-          checkAnswer(action, goal, report);
-        }
-      }
-      default -> {
-        // Of no concern here.
-      }
-    }
-  }
-
-  private void checkAnswer(Action action, Goal goal, Report report) {
+  private void checkAnswer(Action action, Report report) {
     RobotId robot = action.robot();
-    switch (Answer.valueOf(action.args().get(1))) {
-      case REACHED -> {
-        report.checked(REACHED);
-        double errorMm = Double.parseDouble(action.args().get(2));
-        Pose at = bodies.poseAt(robot, action.timeNs());
-        double offMm = at.distanceMm(goal.at());
-        if (!(offMm <= goal.toleranceMm() + errorMm + ROUNDING_MM)) {
-          report.violated(
-              REACHED,
-              action.timeNs(),
-              List.of(robot),
-              "says that it is at " + goal.name() + " and is " + Math.round(offMm) + " mm off");
-        }
+    String name = action.args().get(0);
+    if (answers.settle(new Task(robot, name))) {
+      report.checked(ANSWERED);
+    }
+    Optional<Goal> goal =
+        truth.goals(robot).stream().filter(g -> g.name().equals(name)).findFirst();
+    if (goal.isEmpty()) {
+      violated(REACHED, action, name + " is not its goal", report);
+      return;
+    }
+    Answer answer = Answer.valueOf(action.args().get(1));
+    if (answer == Answer.REACHED) {
+      report.checked(REACHED);
+      double errorMm = Double.parseDouble(action.args().get(2));
+      double offMm = bodies.poseAt(robot, action.timeNs()).distanceMm(goal.get().at());
+      if (!(offMm <= goal.get().toleranceMm() + errorMm + ROUNDING_MM)) {
+        String detail = "answers that it is at " + name + ", but is " + Math.round(offMm);
+        violated(REACHED, action, detail + " mm off", report);
       }
-      case NO_WAY -> {
-        report.checked(NO_WAY);
-        if (truth.leadsTo(robot, goal)) {
-          report.violated(
-              NO_WAY, action.timeNs(), List.of(robot), "there is a way to " + goal.name());
-        }
-      }
-      case GAVE_UP -> {
-        // Says nothing of the world.
+    } else if (answer == Answer.NO_WAY) {
+      report.checked(NO_WAY);
+      if (truth.leadsTo(robot, goal.get())) {
+        violated(NO_WAY, action, "there is a way to " + name, report);
       }
     }
   }
@@ -170,88 +158,61 @@ public final class MazeSpec implements Monitor {
   private void checkMark(Action action, Report report) {
     report.checked(BELIEF);
     Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
-    for (Point corner : mark.vertices()) {
-      if (!isFine(corner, action, report)) {
-        return;
-      }
-    }
-    double xMin = mark.vertices().stream().mapToDouble(Point::xMm).min().orElseThrow();
-    double xMax = mark.vertices().stream().mapToDouble(Point::xMm).max().orElseThrow();
-    double yMin = mark.vertices().stream().mapToDouble(Point::yMm).min().orElseThrow();
-    double yMax = mark.vertices().stream().mapToDouble(Point::yMm).max().orElseThrow();
-    for (double x = xMin; x <= xMax; x += GRAIN_MM) {
-      for (double y = yMin; y <= yMax; y += GRAIN_MM) {
+    List<Point> points = new ArrayList<>(mark.vertices());
+    Rectangle box = Rectangle.around(mark.vertices());
+    for (double x = box.xMinMm(); x <= box.xMaxMm(); x += GRAIN_MM) {
+      for (double y = box.yMinMm(); y <= box.yMaxMm(); y += GRAIN_MM) {
         Point at = new Point(x, y);
-        if (mark.contains(at) && !isFine(at, action, report)) {
-          return;
+        if (mark.contains(at)) {
+          points.add(at);
         }
       }
     }
+    points.stream()
+        .filter(truth::isRoomAt)
+        .findFirst()
+        .ifPresent(
+            at -> violated(BELIEF, action, "has marked " + text(at) + ", but fits there", report));
   }
 
-  private boolean isFine(Point at, Action action, Report report) {
-    if (!truth.isRoomAt(at)) {
-      return true;
-    }
-    report.violated(
-        BELIEF,
-        action.timeNs(),
-        List.of(action.robot()),
-        "believes that nobody fits around ("
-            + Math.round(at.xMm())
-            + ", "
-            + Math.round(at.yMm())
-            + ") mm, where there is room");
-    return false;
+  private static void violated(String lemma, Action action, String detail, Report report) {
+    report.violated(lemma, action.timeNs(), List.of(action.robot()), detail);
   }
 
-  private void lookUntil(long timeNs, Report report) {
-    while (nextLookNs <= timeNs) {
-      if (!anybodyMoves()) {
-        nextLookNs = timeNs + 1;
+  private static String text(Point at) {
+    return "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
+  }
+
+  private void checkApartUntil(long timeNs, Report report) {
+    while (nextCheckNs <= timeNs) {
+      if (bodies.robots().stream().noneMatch(bodies::isMoving)) {
+        nextCheckNs = timeNs + 1;
         return;
       }
-      look(report);
-      nextLookNs += STEP_NS;
+      checkApart(report);
+      nextCheckNs += STEP_NS;
     }
   }
 
-  private boolean anybodyMoves() {
-    for (RobotId robot : bodies.robots()) {
-      if (bodies.isMoving(robot)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private void look(Report report) {
+  private void checkApart(Report report) {
     report.checked(APART);
-    List<RobotId> robots = List.copyOf(bodies.robots());
-    for (int i = 0; i < robots.size(); i++) {
-      for (int j = i + 1; j < robots.size(); j++) {
-        if (bodies.isMoving(robots.get(i)) || bodies.isMoving(robots.get(j))) {
-          checkApart(robots.get(i), robots.get(j), report);
+    for (RobotId one : bodies.robots()) {
+      for (RobotId other : bodies.robots()) {
+        boolean isMoving = bodies.isMoving(one) || bodies.isMoving(other);
+        if (one.compareTo(other) < 0 && isMoving) {
+          checkApart(one, other, report);
         }
       }
     }
   }
 
   private void checkApart(RobotId one, RobotId other, Report report) {
-    Point at = bodies.poseAt(one, nextLookNs).at();
-    double gapMm =
-        at.distanceMm(bodies.poseAt(other, nextLookNs).at())
-            - bodies.radiusMm(one)
-            - bodies.radiusMm(other);
-    // Solid bodies never overlap; they touch from a gap of a millimetre on.
-    if (gapMm > 2) {
+    Point at = bodies.poseAt(one, nextCheckNs).at();
+    double distanceMm = at.distanceMm(bodies.poseAt(other, nextCheckNs).at());
+    if (distanceMm - bodies.radiusMm(one) - bodies.radiusMm(other) > TOUCHING_MM) {
       touching.remove(one + " " + other);
     } else if (touching.add(one + " " + other)) {
-      report.violated(
-          APART,
-          nextLookNs,
-          List.of(one, other),
-          "touch around (" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm");
+      report.violated(APART, nextCheckNs, List.of(one, other), "touch around " + text(at));
     }
   }
 }

@@ -19,6 +19,7 @@ import org.starl.apps.maze.logic.Goal;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
+import org.starl.geometry.Rectangle;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
@@ -29,7 +30,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * Draws the goals, crossed out where there is no way, what contacts have proven, and each robot's
+ * Draws the goals, crossed out if there is no way, the marks that contacts have proven, and each robot's
  * intended way dotted.
  */
 public final class MazeLayer implements Layer {
@@ -44,7 +45,6 @@ public final class MazeLayer implements Layer {
   private final Map<RobotId, List<Polygon>> marks = new TreeMap<>();
   private final Map<String, Answer> answers = new TreeMap<>();
 
-  /** Of robots that are all known beforehand. */
   public MazeLayer(SortedMap<RobotId, Errand> errands) {
     this.errands = new TreeMap<>(errands);
   }
@@ -74,8 +74,9 @@ public final class MazeLayer implements Layer {
   public List<Point> corners() {
     List<Point> corners = new ArrayList<>();
     for (Errand errand : errands.values()) {
-      corners.add(new Point(errand.floor().xMinMm(), errand.floor().yMinMm()));
-      corners.add(new Point(errand.floor().xMaxMm(), errand.floor().yMaxMm()));
+      Rectangle area = errand.floor();
+      corners.add(new Point(area.xMinMm(), area.yMinMm()));
+      corners.add(new Point(area.xMaxMm(), area.yMaxMm()));
     }
     return corners;
   }
@@ -87,28 +88,26 @@ public final class MazeLayer implements Layer {
 
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
-    for (Errand errand : errands.values()) {
-      var area = errand.floor();
+    if (!errands.isEmpty()) {
+      Rectangle area = errands.get(errands.firstKey()).floor();
+      double widthMm = area.xMaxMm() - area.xMinMm();
+      double heightMm = area.yMaxMm() - area.yMinMm();
       floor.setColor(look.theme().floor());
-      floor.fill(
-          new Rectangle2D.Double(
-              area.xMinMm(),
-              area.yMinMm(),
-              area.xMaxMm() - area.xMinMm(),
-              area.yMaxMm() - area.yMinMm()));
-      break;
+      floor.fill(new Rectangle2D.Double(area.xMinMm(), area.yMinMm(), widthMm, heightMm));
     }
-    for (RobotId robot : look.shows(MARKS) ? scene.robots() : List.<RobotId>of()) {
-      Color colour = look.robot(scene, robot);
-      // Of one who is selected, what it alone believes.
-      boolean isMeant = look.selected() == null || look.selected().equals(robot);
-      for (Polygon mark : isMeant ? marks.getOrDefault(robot, List.of()) : List.<Polygon>of()) {
-        paintMark(floor, mark, colour, look);
+    for (RobotId robot : scene.robots()) {
+      // If a robot is selected, only its own marks.
+      boolean isShown = look.selected() == null || look.selected().equals(robot);
+      if (isShown && look.shows(MARKS)) {
+        Color colour = look.robot(scene, robot);
+        marks.getOrDefault(robot, List.of()).forEach(mark -> paintMark(floor, mark, colour, look));
       }
     }
-    for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
+    for (RobotId robot : scene.robots()) {
       String way = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.WAY);
-      paintWay(floor, way, look.robot(scene, robot), look);
+      if (!way.isEmpty() && look.shows(WAYS)) {
+        paintWay(floor, way, look.robot(scene, robot), look);
+      }
     }
   }
 
@@ -124,12 +123,7 @@ public final class MazeLayer implements Layer {
   }
 
   private static void paintMark(Graphics2D floor, Polygon mark, Color colour, Look look) {
-    Path2D outline = new Path2D.Double();
-    List<Point> corners = mark.vertices();
-    outline.moveTo(corners.get(0).xMm(), corners.get(0).yMm());
-    for (Point corner : corners) {
-      outline.lineTo(corner.xMm(), corner.yMm());
-    }
+    Path2D outline = line(mark.vertices());
     outline.closePath();
     floor.setColor(Theme.faded(colour, MARK_ALPHA));
     floor.fill(outline);
@@ -138,28 +132,26 @@ public final class MazeLayer implements Layer {
   }
 
   private static void paintWay(Graphics2D floor, String way, Color colour, Look look) {
-    if (way.isEmpty()) {
-      return;
-    }
-    Path2D path = new Path2D.Double();
-    boolean isFirst = true;
+    List<Point> points = new ArrayList<>();
     for (String point : way.split(">", -1)) {
       int comma = point.indexOf(',');
       double x = Double.parseDouble(point.substring(0, comma));
       double y = Double.parseDouble(point.substring(comma + 1));
-      if (isFirst) {
-        path.moveTo(x, y);
-      } else {
-        path.lineTo(x, y);
-      }
-      isFirst = false;
+      points.add(new Point(x, y));
     }
     floor.setColor(colour);
     floor.setStroke(look.dots(4 * look.pixelMm(), 8 * look.pixelMm()));
-    floor.draw(path);
+    floor.draw(line(points));
   }
 
-  /** A flag on a pole; crossed out once it is known that no way leads there. */
+  private static Path2D line(List<Point> points) {
+    Path2D line = new Path2D.Double();
+    line.moveTo(points.get(0).xMm(), points.get(0).yMm());
+    points.forEach(point -> line.lineTo(point.xMm(), point.yMm()));
+    return line;
+  }
+
+  /** A flag on a pole; crossed out once the robot has answered that there is no way, or gave up. */
   private void paintGoal(Graphics2D floor, RobotId robot, Goal goal, Color colour, Look look) {
     double px = look.pixelMm();
     double x = goal.at().xMm();
@@ -195,11 +187,11 @@ public final class MazeLayer implements Layer {
     if (errand == null) {
       return "";
     }
-    List<String> told = new ArrayList<>();
+    List<String> answered = new ArrayList<>();
     for (Goal goal : errand.goals()) {
       Answer answer = answers.get(robot + " " + goal.name());
       if (answer != null) {
-        told.add(
+        answered.add(
             goal.name()
                 + switch (answer) {
                   case REACHED -> " reached";
@@ -214,10 +206,10 @@ public final class MazeLayer implements Layer {
     return location
         + (toward.isEmpty() ? "" : ", to " + toward)
         + (learned == 0 ? "" : ", " + learned + " marks")
-        + (told.isEmpty() ? "" : "\n" + String.join(", ", told));
+        + (answered.isEmpty() ? "" : "\n" + String.join(", ", answered));
   }
 
-  /** The end, when all has been found out. */
+  /** Highest at the end of a run, when all goals are answered. */
   @Override
   public double interest(Scene scene) {
     double seen = answers.size();

@@ -46,6 +46,13 @@ class CrossingTest {
             "B0 B A C C1");
   }
 
+  @ParameterizedTest
+  @MethodSource("routes")
+  void aRouteIsParsedFromItsText(Route route) {
+    assertThat(Route.parse(route.toString())).contains(route);
+    assertThat(Route.parse(route + " X")).isEmpty();
+  }
+
   @Test
   void criticalZonesAreTheSquaresAroundTheMiddle() {
     assertThat(CROSSING.region(Zone.A)).isEqualTo(new Rectangle(2000, 2500, 2500, 3000));
@@ -57,10 +64,8 @@ class CrossingTest {
   @Test
   void noTwoZonesOverlap() {
     Map<String, Region> zones = new TreeMap<>(CROSSING.regions());
+    zones.putAll(CROSSING.places(Crossing.PLACES));
     for (Zone zone : Zone.values()) {
-      for (int rank = 0; rank < Crossing.PLACES; rank++) {
-        zones.put(Crossing.placeName(zone, rank), CROSSING.place(zone, rank));
-      }
       zones.put(zone + " exit", CROSSING.exitRegion(zone));
     }
     assertThat(zones).hasSize(24);
@@ -81,7 +86,7 @@ class CrossingTest {
 
   @ParameterizedTest
   @MethodSource("routes")
-  void aTripHoldsItsRoutesZonesInOrder(Route route) {
+  void aTripHasTheZonesOfItsRouteInOrder(Route route) {
     List<String> expected = new ArrayList<>();
     route.zones().forEach(zone -> expected.add(zone.name()));
     expected.add(route.departure());
@@ -95,7 +100,7 @@ class CrossingTest {
 
   @ParameterizedTest
   @MethodSource("routes")
-  void aCarFromTheEdgeComesUpPlaceByPlace(Route route) {
+  void aCarFromTheEdgeDrivesPlaceByPlaceToItsArrivalZone(Route route) {
     Trip trip = CROSSING.tripFromEdge(route);
     String head = route.arrival();
     assertThat(trip.approach()).extracting(ItemPosition::name).containsExactly(head + ".1", head);
@@ -117,8 +122,8 @@ class CrossingTest {
 
   @ParameterizedTest
   @MethodSource("routes")
-  void whoWaitsOrHasLeftIsClearOfWhatOthersNeed(Route route) {
-    Pose arrival = CROSSING.arrivalPose(route.from());
+  void carsAtArrivalPointDeparturePointAndExitAreClearOfTheZonesBefore(Route route) {
+    Pose arrival = CROSSING.placePose(route.from(), 0);
     assertThat(CROSSING.place(route.from(), 0).contains(arrival.at())).isTrue();
     CROSSING
         .regions()
@@ -138,11 +143,11 @@ class CrossingTest {
 
   @ParameterizedTest
   @MethodSource("routes")
-  void aStraightWayFromStationToStationTouchesOnlyTheTripsZones(Route route) {
+  void aStraightLineFromStationToStationTouchesOnlyTheTripsZones(Route route) {
     Trip trip = CROSSING.trip(route);
     Set<String> allowed = new TreeSet<>(trip.zones());
     List<Pose> way = new ArrayList<>();
-    way.add(CROSSING.arrivalPose(route.from()));
+    way.add(CROSSING.placePose(route.from(), 0));
     trip.stations().forEach(station -> way.add(station.pose()));
     way.add(trip.exit().pose());
     for (int leg = 1; leg < way.size(); leg++) {

@@ -15,7 +15,7 @@ import org.starl.spec.SpecReport;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
 
-/** Each monitor is red where its lemma does not hold, and only there. */
+/** Each monitor reports a violation exactly where its lemma does not hold. */
 class MonitorsTest {
 
   private static final RobotId BOT0 = new RobotId("bot0");
@@ -88,7 +88,7 @@ class MonitorsTest {
   }
 
   @Test
-  void twoBodiesInOneZoneAreSeenInMidMotion() {
+  void twoBodiesInOneZoneAreReportedDuringMotion() {
     joins(BOT0, 2250, 2250);
     mutex(BOT0, "od_mutex", "C");
     joins(BOT1, 1600, 2250);
@@ -101,7 +101,7 @@ class MonitorsTest {
   }
 
   @Test
-  void aZoneGivenBackTooEarlyIsSeenThoughNobodyEnters() {
+  void aZoneReleasedTooEarlyIsReportedEvenIfNoOtherCarEnters() {
     joins(BOT0, 2250, 2250);
     mutex(BOT0, "od_mutex", "C D1");
     after(1);
@@ -113,7 +113,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoHasLeftTheFloorOccupiesNothing() {
+  void aCarThatHasLeftTheFloorOccupiesNoZone() {
     joins(BOT0, 2250, 2250);
     mutex(BOT0, "od_mutex", "C");
     after(1);
@@ -125,7 +125,7 @@ class MonitorsTest {
   }
 
   @Test
-  void aPlaceOfTheQueueIsHeldByItsOwnMutex() {
+  void aPlaceIsHeldThroughTheMutexOfItsRank() {
     joins(BOT0, 1100, 2250);
     events.add(
         new TraceEvent.Action(
@@ -134,12 +134,14 @@ class MonitorsTest {
     mutex(BOT0, "od_mutex", "C C1");
     mutex(BOT0, "release", "C C1", "");
     after(1);
-    assertThat(report(new TrafficSafety(Crossing.STANDARD.heldPlaces())).holds()).isTrue();
+    assertThat(report(new TrafficSafety(Crossing.STANDARD.places(Crossing.CLAIMED_PLACES))).holds())
+        .isTrue();
     events.add(
         new TraceEvent.Action(
             nowNs, BOT0, "mutex/crossing.queue1", "release", List.of("bot0#1", "1", "C0.1", "")));
     after(1);
-    SpecReport report = report(new TrafficSafety(Crossing.STANDARD.heldPlaces()));
+    SpecReport report =
+        report(new TrafficSafety(Crossing.STANDARD.places(Crossing.CLAIMED_PLACES)));
     assertRed(report, "occupied_is_held", 2, BOT0);
   }
 
@@ -152,7 +154,7 @@ class MonitorsTest {
   }
 
   @Test
-  void commonCritSetsAreNot() {
+  void overlappingCritSetsAreReported() {
     mutex(BOT0, "od_mutex", "A C C1");
     after(1);
     mutex(BOT0, "release", "A", "C C1");
@@ -182,7 +184,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoMovesHoldsWhatIsLeftOfItsPath() {
+  void aMovingCarMayHoldTheRestOfItsPath() {
     asksForAAndA1();
     mutex(BOT0, "od_mutex", "A A1");
     after(0.1);
@@ -198,7 +200,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoMovesWithoutHoldingIsSeen() {
+  void aCarThatMovesWithoutHoldingIsReported() {
     asksForAAndA1();
     app(BOT0, "location", "MOVE_WAIT");
     after(1);
@@ -206,7 +208,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoGivesBackWhatIsStillAheadIsSeen() {
+  void aCarThatReleasesAZoneAheadIsReported() {
     asksForAAndA1();
     mutex(BOT0, "od_mutex", "A A1");
     app(BOT0, "location", "MOVE_WAIT");
@@ -217,7 +219,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoAsksForLessThanItsPathIsSeen() {
+  void aCarThatRequestsLessThanItsPathIsReported() {
     sets(BOT0, "[A, A1]");
     app(BOT0, "location", "S_0");
     app(BOT0, "myseq", "[A, A1]");
@@ -229,7 +231,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoDepartsInTimeHasMadeProgress() {
+  void aCarThatDepartsWithinTheBoundMakesProgress() {
     sets(BOT0, "[A, A1]");
     joins(BOT0, 0, 0);
     after(20);
@@ -239,7 +241,7 @@ class MonitorsTest {
   }
 
   @Test
-  void aBodyWithoutATripOwesNothing() {
+  void aRobotWithoutATripNeedNotDepart() {
     joins(BOT1, 1000, 1000);
     sets(BOT0, "[]");
     joins(BOT0, 0, 0);
@@ -251,7 +253,7 @@ class MonitorsTest {
   }
 
   @Test
-  void whoNeverDepartsIsSeenAtTheBound() {
+  void aCarThatNeverDepartsIsReportedAtTheBound() {
     joins(BOT0, 0, 0);
     sets(BOT0, "[A, A1]");
     sets(BOT1, "[B, B1]");

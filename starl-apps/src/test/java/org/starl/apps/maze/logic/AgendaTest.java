@@ -13,7 +13,7 @@ import org.starl.motion.Contact;
 import org.starl.motion.Location;
 import org.starl.primitives.paths.Capsule;
 
-/** What a robot is after, and what it answers when. */
+/** A robot's goals, and which answer it gives when. */
 class AgendaTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 6_000, 6_000);
@@ -31,7 +31,7 @@ class AgendaTest {
   private final Agenda agenda = new Agenda(errand(List.of()));
 
   @Test
-  void whoArrivesAtItsGoalHasReachedItAndRestsThere() {
+  void aReachedGoalIsTheNextRestingPlace() {
     assertThat(agenda.to()).isEqualTo(FIRST.at());
     assertThat(agenda.toleranceMm()).isEqualTo(50);
     assertThat(agenda.arrived()).isEqualTo(Answer.REACHED);
@@ -41,7 +41,7 @@ class AgendaTest {
   }
 
   @Test
-  void whoIsCutOffSaysSoOnlyBackWhereItStood() {
+  void noWayIsAnsweredBackAtTheRestingPlace() {
     agenda.backForGood();
     assertThat(agenda.goesBack()).isTrue();
     assertThat(agenda.to()).isEqualTo(START);
@@ -55,7 +55,7 @@ class AgendaTest {
   }
 
   @Test
-  void whoNeedsTheWholeFloorAnswersNothingBackWhereItStoodAndNeedsItForThatGoalAlone() {
+  void allBlocksAreNeededForOneGoalOnlyAndNothingIsAnsweredBeforeIt() {
     agenda.backForAll();
     assertThat(agenda.to()).isEqualTo(START);
     assertThat(agenda.arrived()).isNull();
@@ -69,7 +69,7 @@ class AgendaTest {
   }
 
   @Test
-  void aContactNearAnotherOnesPlaceMayBeWithThatOne() {
+  void aContactNearAnotherRobotsPlaceMayBeWithThatRobot() {
     Capsule other = new Capsule(new Segment(AT, AT), 165);
     Errand errand = errand(List.of(other));
     assertThat(errand.mayBeOther(contact(3_000 - 165 - 165 - 10 - 39, 10), 165)).isTrue();

@@ -16,7 +16,7 @@ import org.starl.motion.Contact;
 import org.starl.motion.Location;
 import org.starl.random.Rng;
 
-/** What contacts prove, against the points that were really touched. */
+/** Marks against the points that were really touched. */
 class MarkTest {
 
   private static final double BODY_MM = 165;
@@ -56,7 +56,7 @@ class MarkTest {
   }
 
   @Property(tries = 2_000)
-  void whereAMarkLiesNoBodyFitsThatIsWiderByThatPartOfTheMargin(@ForAll long seed) {
+  void noBodyWiderByAPartOfTheMarginFitsInAMarkForThatPart(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Touching touching = Touching.drawn(rng, 60);
     for (Mark mark : Mark.of(touching.contact(), BODY_MM)) {
@@ -80,7 +80,7 @@ class MarkTest {
   }
 
   @Property(tries = 500)
-  void theRobotDoesNotComeBackToWhereItTouched(@ForAll long seed) {
+  void aMarkContainsADiscAroundTheRobotsPosition(@ForAll long seed) {
     Touching touching = Touching.drawn(new Rng(seed), 20);
     List<Mark> marks = Mark.of(touching.contact(), BODY_MM);
     assertThat(marks).isNotEmpty();
@@ -94,7 +94,7 @@ class MarkTest {
   }
 
   @Example
-  void anUncertainPlaceProvesNothing() {
+  void anUncertainPositionProvesNothing() {
     Pose at = new Pose(0, 0, 0);
     assertThat(Mark.of(told(at, 70, 0, Bumps.LEFT), BODY_MM)).isEmpty();
     assertThat(Mark.of(told(at, 0, 2, Bumps.LEFT), BODY_MM)).isEmpty();
