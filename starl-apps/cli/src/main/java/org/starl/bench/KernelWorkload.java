@@ -20,8 +20,8 @@ import org.starl.sim.Simulation;
 
 /**
  * B1: N robots, each 100 times: wait 100 ms, send one message to a random other robot with an
- * exponential delay of mean 50 ms; the receiver counts. Phases are random in 0..100 ms. So every
- * robot brings about 100 wake-ups and 100 deliveries. No robot has a body.
+ * exponential delay of mean 50 ms; the receiver counts. Phases are random in 0..100 ms. So there
+ * are about 100 wake-ups and 100 deliveries per robot. No robot has a body.
  */
 public final class KernelWorkload implements Workload {
 
@@ -80,7 +80,7 @@ public final class KernelWorkload implements Workload {
     return builder;
   }
 
-  /** What both styles do in a round. */
+  /** The round of both styles. */
   private static final class Peer {
     private final List<RobotId> ids;
     private final int me;
@@ -100,7 +100,7 @@ public final class KernelWorkload implements Workload {
       return rng.nextLong(0, PERIOD_MS * NS_PER_MS - 1);
     }
 
-    void sendToSomebody() {
+    void sendToRandomPeer() {
       int other = rng.nextInt(ids.size() - 1);
       endpoint.send(ids.get(other >= me ? other + 1 : other), 1);
     }
@@ -123,7 +123,7 @@ public final class KernelWorkload implements Workload {
       gvh.plat.strand.sleepUntil(gvh.plat.clock.nowNs() + peer.phaseNs());
       for (int round = 0; round < ROUNDS; round++) {
         sleep(PERIOD_MS);
-        peer.sendToSomebody();
+        peer.sendToRandomPeer();
       }
       return peer.results();
     }
@@ -140,7 +140,7 @@ public final class KernelWorkload implements Workload {
 
     @Override
     protected boolean step() {
-      peer.sendToSomebody();
+      peer.sendToRandomPeer();
       round++;
       return round < ROUNDS;
     }
