@@ -3,15 +3,15 @@ package org.starl.bench;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryMXBean;
 
-/** How much of the heap a robot holds while it runs. */
+/** Heap used per robot during a run. */
 final class Footprint {
 
-  /** Every robot is up then, and no workload is over. */
+  /** All robots have started then, and no workload has ended. */
   private static final long PROBED_AT_NS = 5_000_000_000L;
 
   private Footprint() {}
 
-  /** Runs {@code workload} once more for this, since a collection in its middle takes time. */
+  /** Measured in a run of its own, because it collects garbage in the middle of the run. */
   static long bytesPerRobot(Workload workload, int robots, Workload.Style style, long seed) {
     long before = heldBytes();
     long[] during = {before};

@@ -20,8 +20,8 @@ import org.starl.sim.Simulation;
 
 /**
  * B1: N robots, each 100 times: wait 100 ms, send one message to a random other robot with an
- * exponential delay of mean 50 ms; the receiver counts. Phases are random in 0..100 ms. So every
- * robot brings about 100 wake-ups and 100 deliveries. No robot has a body.
+ * exponential delay of mean 50 ms; the receiver counts. Phases are random in 0..100 ms. So there
+ * are about 100 wake-ups and 100 deliveries per robot. No robot has a body.
  */
 public final class KernelWorkload implements Workload {
 

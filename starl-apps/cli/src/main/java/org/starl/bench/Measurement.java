@@ -18,13 +18,13 @@ import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 
 /**
- * One run of a workload, in numbers. CPU time is that of the thread which ran the simulation: with
- * virtual threads that is everything; robots on platform threads are not counted in, so their
- * figures rest on wall time.
+ * One run of a workload, in numbers. CPU time is that of the thread that ran the simulation. With
+ * virtual threads that is all of it; robots on platform threads are not included: use wall time for
+ * them.
  *
- * @param setUpS wall time from the plan until all robots are up; in none of the other figures
+ * @param setUpS wall time from the plan until all robots have started; not part of the other figures
  * @param coldness 0 for the first run in its JVM
- * @param bytesPerRobot of heap, in the middle of a run of its own after the timed ones
+ * @param bytesPerRobot of heap, measured in the middle of a separate run after the timed ones
  */
 public record Measurement(
     String workload,
@@ -43,10 +43,10 @@ public record Measurement(
   private static final double KB_PER_MB = 1024;
 
   /**
-   * Runs {@code workload} {@code runs} times in this JVM, the first one cold.
+   * Runs {@code workload} {@code runs} times in this JVM; the first run is cold.
    *
-   * @param afterRun is told how many have been run, after each and outside of what is measured
-   * @throws BadInput if it cannot be run so
+   * @param afterRun called with the number of runs so far, after each run and outside of the measured time
+   * @throws BadInput if the workload cannot run with these arguments
    */
   public static List<Measurement> take(
       Workload workload,
@@ -97,17 +97,17 @@ public record Measurement(
         peakRssMb);
   }
 
-  /** Events a CPU second. */
+  /** Events per CPU second. */
   public double eventsPerCpuS() {
     return events / cpuS;
   }
 
-  /** Simulated seconds a CPU second. */
+  /** Simulated seconds per CPU second. */
   public double realTimeFactor() {
     return simulatedS / cpuS;
   }
 
-  /** In the order in which to show it. */
+  /** The figures in display order. */
   public Map<String, Object> asMap() {
     Map<String, Object> map = new LinkedHashMap<>();
     map.put("workload", workload);
@@ -126,7 +126,7 @@ public record Measurement(
     return map;
   }
 
-  /** Looks at the clocks when all robots have come up, which they do at time 0. */
+  /** Reads the clocks when all robots have started, which they do at time 0. */
   private static final class Start implements Director {
     private long cpuNs;
     private long wallNs;
@@ -144,7 +144,7 @@ public record Measurement(
     }
   }
 
-  /** As the kernel of the machine counts it; -1 where it does not say. */
+  /** Peak resident memory as the operating system counts it; -1 if unknown. */
   private static double readPeakRssMb() {
     Path status = Path.of("/proc/self/status");
     if (!Files.isReadable(status)) {

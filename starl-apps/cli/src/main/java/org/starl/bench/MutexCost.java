@@ -19,24 +19,24 @@ import org.starl.sim.check.Percentile;
 import org.starl.sim.net.Latency;
 
 /**
- * {@code starl bench mutex}: what an entry into a section costs a group of N robots, in virtual time
- * and messages, beside what the algorithm promises. Every message takes delta, none is lost; every
- * robot enters the same section once and gives it back after d1.
+ * {@code starl bench mutex}: the cost of an entry into a section in a group of N robots, in virtual
+ * time and messages, compared with theory. Every message takes delta, none is lost; every robot enters
+ * the same section once and releases it after d1.
  *
  * <ul>
- *   <li><b>Free</b>: one robot after the other, so that nobody holds the section. Promised: 2 delta, N
- *       - 1 requests, as many answers, and as many releases.
- *   <li><b>Busy</b>: all at the same time. Promised: the last one is in after (N - 1)(d1 + 2 delta) + 2
- *       delta at most. Who waits longer than a first resend asks again, and is told that its request
- *       is noted: that is what the messages beyond 3 (N - 1) are.
+ *   <li><b>Free</b>: one robot after the other, so that the section is free. Theory: 2 delta, N - 1
+ *       requests, as many answers, and as many releases.
+ *   <li><b>Busy</b>: all at the same time. Theory: the last one enters after at most (N - 1)(d1 + 2
+ *       delta) + 2 delta. A robot that waits longer than the first resend period repeats its request,
+ *       which is acknowledged: these are the messages beyond 3 (N - 1).
  * </ul>
  *
  * @param robots N
- * @param freeMs time to enter, the longest
- * @param freeMessages an entry
- * @param busyMedianMs time to enter
- * @param busyMostMs the longest time to enter
- * @param busyMessages an entry
+ * @param freeMs maximum time to enter
+ * @param freeMessages messages per entry
+ * @param busyMedianMs median time to enter
+ * @param busyMostMs maximum time to enter
+ * @param busyMessages messages per entry
  */
 public record MutexCost(
     int robots,
@@ -46,28 +46,28 @@ public record MutexCost(
     double busyMostMs,
     double busyMessages) {
 
-  /** As in {@code starl bench NAME}. */
+  /** Name in {@code starl bench NAME}. */
   public static final String NAME = "mutex";
 
-  /** One line. */
+  /** One line for people. */
   public static final String SUMMARY =
-      "messages and time that an entry costs, 2 to 64 robots, beside the theory";
+      "messages and time per entry, 2 to 64 robots, compared with theory";
 
-  /** Delta: how long every message takes. */
+  /** Delta: the delay of every message. */
   public static final long DELTA_MS = 10;
 
-  /** d1: how long every robot holds. */
+  /** d1: how long every robot holds the section. */
   public static final long HOLD_MS = 100;
 
   private static final long NS_PER_MS = 1_000_000;
   private static final double NS_PER_MS_EXACTLY = 1e6;
   private static final String SECTION = "A";
 
-  /** A row for 2 robots, for 4, for 8, and so on, up to {@code mostRobots}, each told of. */
+  /** A row for 2 robots, for 4, 8, and so on, up to {@code mostRobots}; calls {@code afterRow} after each. */
   public static List<MutexCost> take(int mostRobots, long seed, IntConsumer afterRow) {
     List<MutexCost> rows = new ArrayList<>();
     for (int robots = 2; robots <= mostRobots; robots *= 2) {
-      // So long after each other that each finds the section free, and the air silent.
+      // So far apart that each robot finds the section free and no message under way.
       Entries free = enter(robots, HOLD_MS + 10 * DELTA_MS, seed);
       Entries busy = enter(robots, 0, seed);
       rows.add(
@@ -98,7 +98,7 @@ public record MutexCost(
     return (robots - 1) * (HOLD_MS + 2 * DELTA_MS) + 2 * DELTA_MS;
   }
 
-  /** In the order in which to show it. */
+  /** The figures in display order. */
   public Map<String, Object> asMap() {
     Map<String, Object> map = new LinkedHashMap<>();
     map.put("n", robots);
@@ -137,7 +137,7 @@ public record MutexCost(
     Simulation.Builder simulation = Simulation.builder().name(NAME).seed(seed).settings(settings);
     for (int i = 0; i < robots; i++) {
       long askMs = i * apartMs;
-      // Off the floor: nothing but messages happens.
+      // Without bodies: only messages cause events.
       simulation.robot(
           new RobotSpec(
               new RobotId("bot" + i), new Pose(0, 0, 0), false, gvh -> new Entrant(gvh, askMs)));

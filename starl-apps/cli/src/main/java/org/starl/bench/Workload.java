@@ -2,16 +2,16 @@ package org.starl.bench;
 
 import org.starl.sim.Simulation;
 
-/** A simulation that is run to see how fast it runs. */
+/** A simulation whose speed is measured. */
 public interface Workload {
 
-  /** As in {@code starl bench NAME}. */
+  /** Name in {@code starl bench NAME}. */
   String name();
 
-  /** One line. */
+  /** One line for people. */
   String summary();
 
-  /** How the robots' apps are written. */
+  /** The style of the robots' apps. */
   enum Style {
     BLOCKING,
     STEP

@@ -3,7 +3,7 @@ package org.starl.bench;
 import java.util.List;
 import java.util.Optional;
 
-/** The workloads that there are. */
+/** All workloads. */
 public final class Workloads {
 
   private static final List<Workload> ALL = List.of(new KernelWorkload(), new PatrolWorkload());

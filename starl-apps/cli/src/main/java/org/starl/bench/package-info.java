@@ -1,7 +1,7 @@
 /**
- * The workloads that StarL measures itself by, over its public API: {@code starl bench b1} is the
- * kernel with strands and radio, {@code b2} the whole stack with motion and positioning. A workload
- * says what it measured, per second of CPU time of the thread that ran it; it passes no judgement.
+ * StarL's benchmarks, over its public API: {@code starl bench b1} measures the kernel with strands and
+ * radio, {@code b2} the whole stack with motion and positioning. Figures are per second of CPU time of
+ * the thread that ran the simulation; no benchmark passes or fails.
  *
  * <p>May import: all other modules.
  */

@@ -8,7 +8,6 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
-import org.starl.input.BadInput;
 import org.starl.launch.DeploymentCheck;
 import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;

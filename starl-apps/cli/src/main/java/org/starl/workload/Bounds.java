@@ -3,13 +3,13 @@ package org.starl.workload;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 
-/** Times within which things come about on a network that loses and delays as the settings say. */
+/** Time bounds for the network's loss and delay in the settings. */
 final class Bounds {
 
-  /** The longest wait between two copies of a message that is repeated until answered. */
+  /** Maximum time between two copies of a message that is repeated until answered. */
   private static final long RESEND_NS = 2_000_000_000;
 
-  /** So improbable that it is not met in any campaign. */
+  /** A probability so small that no campaign meets it. */
   private static final double NEVER = 1e-9;
 
   private static final long NS_PER_MS = 1_000_000;
@@ -17,8 +17,8 @@ final class Bounds {
   private Bounds() {}
 
   /**
-   * The paper's delta, in ns: within it a message that is repeated until answered arrives, and its
-   * answer as well. One copy may have been lost just before the world became well.
+   * The paper's delta, in ns: the time within which a message that is repeated until answered, and its
+   * answer, arrive. One copy may have been lost just before the faults ended.
    */
   static long deltaNs(SimSettings settings) {
     double lossOfOne = settings.get(Setting.MESSAGE_LOSS);
@@ -33,12 +33,12 @@ final class Bounds {
     return settings.messageDelay().longestNs() + copies * RESEND_NS;
   }
 
-  /** Within this time a primitive that takes a few rounds of messages has done what it was asked. */
+  /** Time within which a primitive that needs a few rounds of messages has answered. */
   static long withinNs(SimSettings settings) {
     return 10 * deltaNs(settings);
   }
 
-  /** A deadline, in ms, that passes after {@code withinNs}: what is late is seen, not told before. */
+  /** A deadline, in ms, after {@code withinNs}: a late answer violates the specification first. */
   static long deadlineMs(long withinNs) {
     return 3 * withinNs / (2 * NS_PER_MS);
   }

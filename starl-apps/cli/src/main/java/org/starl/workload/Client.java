@@ -9,33 +9,33 @@ import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.random.Rng;
 
 /**
- * A robot that uses a primitive in rounds. In each it asks for something, which it is given or told
- * that it will not be; then it asks again. A robot that starts anew does all its rounds.
+ * A robot that uses a primitive in rounds. In each round it asks until it is served; a request that
+ * fails is repeated. A restarted robot does all its rounds again.
  */
 abstract class Client extends LogicThread {
 
-  /** {@code source} of what clients trace. */
+  /** {@code source} of the clients' events. */
   static final String SOURCE = "workload";
 
-  /** Action with the round's number: asks now. */
+  /** Action with the round's number: asks. */
   static final String ASK = "ask";
 
-  /** Action with the round's number: has what it asked for. */
+  /** Action with the round's number: was served. */
   static final String SERVED = "served";
 
-  /** Action with the round's number: was told that it will not have it. */
+  /** Action with the round's number: the request failed. */
   static final String TOLD = "told";
 
   private static final long NS_PER_MS = 1_000_000;
 
-  /** What the robot draws for itself; each start of its program differs. */
+  /** The robot's own random numbers; different after each restart. */
   protected final Rng rng;
 
   private final Course course;
   private final long thinkMs;
 
   /**
-   * @param thinkMs a robot waits so long at most before it asks
+   * @param thinkMs maximum time that a robot waits before it asks
    */
   Client(GlobalVarHolder gvh, Course course, long thinkMs) {
     super(gvh);
@@ -69,29 +69,45 @@ abstract class Client extends LogicThread {
     return served;
   }
 
-  /** What a robot needs before it can ask. */
+  /** Prepares a request. */
   protected void prepare() {}
 
   /**
    * Asks, and waits for the answer.
    *
    * @param round from 0
-   * @return whether it was served; else it has been told that it will not be
+   * @return whether it was served; otherwise the request has failed
    */
   protected abstract boolean obtain(int round);
 
-  /** Uses what it was given, and gives it back. */
+  /** Uses what it was served with, and gives it back. */
   protected void use() {}
 
   /** After the last round. */
   protected void leave() {}
 
-  /** One's place in a group to which everybody of the deployment may belong. */
+  /** A registration that all robots of the deployment may join. */
   protected final Registration registration(String xid, RegistrationSettings settings) {
     Registration registration = new Registration(gvh, xid, gvh.id.participants(), settings);
     if (gvh.id.boot() > 1) {
-      registration.standsIn(new TreeSet<>()); // who this robot was before is nowhere
+      registration.standsIn(new TreeSet<>()); // the previous incarnation is in no section
     }
     return registration;
+  }
+
+  /** Returns when {@code registration} admits requests. */
+  protected final void register(Registration registration) {
+    while (!registration.mayRequest()) {
+      registration.do_register();
+      await(() -> registration.mayRequest() || registration.failed().get());
+    }
+  }
+
+  /** Returns when this robot is unregistered. */
+  protected final void unregister(Registration registration) {
+    while (!registration.isUnregistered()) {
+      registration.unregister();
+      await(() -> registration.isUnregistered() || registration.failed().get());
+    }
   }
 }

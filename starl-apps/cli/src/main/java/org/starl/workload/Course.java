@@ -1,8 +1,8 @@
 package org.starl.workload;
 
 /**
- * When rounds begin. All but the last ones are spread over the time in which things may go wrong, the
- * last ones begin after it.
+ * When rounds begin. All but the last three are spread over the time in which faults may happen; the
+ * last three begin after it.
  *
  * @param rounds of each robot, above 0
  * @param busyMs faults are over by then
@@ -12,7 +12,7 @@ record Course(int rounds, long busyMs) {
   /** Rounds that begin after the faults. */
   private static final int LAST = 3;
 
-  /** A robot's clock may still be that much ahead when faults are over. */
+  /** Maximum time by which a robot's clock is still ahead when the faults are over. */
   private static final long CLOCK_ERROR_MS = 2_000;
 
   Course {

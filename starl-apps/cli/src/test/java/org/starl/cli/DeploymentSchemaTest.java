@@ -24,9 +24,9 @@ import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demos;
 import org.starl.input.BadInput;
-import org.starl.launch.DeploymentFile;
 import org.starl.input.Field;
 import org.starl.input.Form;
+import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.Grammar;
 

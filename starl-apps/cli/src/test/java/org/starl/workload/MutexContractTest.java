@@ -14,7 +14,7 @@ class MutexContractTest {
     }
   }
 
-  /** In which a robot that has restarted is nobody: it bears no crash. */
+  /** A restarted robot is no member: this one tolerates no crash. */
   @Nested
   class InAFixedGroup extends PrimitiveContract {
     InAFixedGroup() {

@@ -6,7 +6,7 @@ import org.junit.jupiter.api.Nested;
 /** The contract of {@code DistributedPathPlanning}, over both planners. */
 class PathsContractTest {
 
-  /** Drives take long, to compute as well: few and short runs. */
+  /** Motion takes long to simulate: few and short runs. */
   private abstract static class Over extends PrimitiveContract {
     Over(String planner) {
       super("paths", Map.of("planner", planner, "rounds", "3", "busy", "6s"));

@@ -11,8 +11,8 @@ import org.junit.jupiter.api.Test;
 import org.starl.sim.fault.Envelope;
 
 /**
- * What every implementation of a primitive owes, whichever it is: under all that its envelope holds
- * no specification is violated; then all is well again, and everybody is served in time.
+ * The contract of every implementation of a primitive: under the faults of its envelope no
+ * specification is violated, and after the faults every robot is served in time.
  */
 abstract class PrimitiveContract {
 
@@ -22,14 +22,14 @@ abstract class PrimitiveContract {
   private final SortedMap<String, String> implementation;
 
   /**
-   * @param implementation what to set to have this one
+   * @param implementation parameters that select it
    */
   PrimitiveContract(String primitive, Map<String, String> implementation) {
     this.primitive = primitive;
     this.implementation = new TreeMap<>(implementation);
   }
 
-  /** What it bears. */
+  /** The faults that it tolerates. */
   Envelope envelope() {
     return Runs.demo(primitive).envelope();
   }
@@ -52,7 +52,7 @@ abstract class PrimitiveContract {
   }
 
   @Test
-  void chaosViolatesNothingAndWhenItHasHealedEverybodyIsServedInTime() {
+  void chaosViolatesNothingAndAfterItEveryRobotIsServed() {
     String chaos = envelope().toString();
     for (long seed = 1; seed <= seeds(); seed++) {
       Runs.Ended ended = run(seed, Map.of("chaos", chaos));
@@ -66,7 +66,7 @@ abstract class PrimitiveContract {
   }
 
   @Test
-  void lossAndDelayWithoutEndAreBorneToo() {
+  void permanentLossAndDelayViolateNothing() {
     Map<String, String> foul =
         Map.of("messageLoss", "0.3", "messageDelay", "exponential(50ms)", "busy", "5s");
     Runs.Ended ended = run(1, foul);
@@ -76,7 +76,7 @@ abstract class PrimitiveContract {
   }
 
   @Test
-  void noSpecificationIsSilent() {
+  void everyLemmaIsChecked() {
     List<String> silent = new ArrayList<>();
     Runs.Ended ended = run(1, Map.of("positionNoise", "5mm", "busy", "5s"));
     for (String lemma : ended.result().spec().lemmas()) {

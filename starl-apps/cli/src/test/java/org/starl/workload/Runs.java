@@ -17,7 +17,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 
-/** Runs of workloads, as the command line makes them. */
+/** Runs workloads as the command line does. */
 final class Runs {
 
   private Runs() {}
@@ -48,7 +48,7 @@ final class Runs {
   }
 
   /**
-   * What came of a run.
+   * The result of a run.
    *
    * @param faults how many have begun
    * @param servedAfterHealing how often each robot was served after the last fault

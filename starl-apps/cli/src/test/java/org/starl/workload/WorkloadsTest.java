@@ -18,7 +18,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.check.Determinism;
 
-/** What all primitives' workloads have in common. */
+/** All primitives' workloads. */
 class WorkloadsTest {
 
   static Stream<String> names() {
@@ -27,7 +27,7 @@ class WorkloadsTest {
 
   @ParameterizedTest
   @MethodSource("names")
-  void inAWorldThatBehavesAllIsServedAndEverySpecificationHasItsSay(String name) {
+  void withoutFaultsEveryRobotIsServedAndEveryLemmaIsChecked(String name) {
     Plan plan = Runs.plan(name, 7, Map.of("busy", "5s", "positionNoise", "5mm"));
     SimResult result = plan.simulation().build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
@@ -43,7 +43,7 @@ class WorkloadsTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"agreement", "barrier", "election", "mutex", "registration"})
-  void whereNothingIsHeardAnyMoreTheRunDoesNotFinish(String name) {
+  void aRunThatLosesAllMessagesDoesNotFinish(String name) {
     Plan plan = Runs.plan(name, 7, Map.of("faults", "loss(1,at=5s)"));
     SimResult result = plan.simulation().build().run();
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
@@ -60,7 +60,7 @@ class WorkloadsTest {
   }
 
   @Test
-  void roundsAreSpreadAndTheLastThreeComeAfterTheFaults() {
+  void roundsAreSpreadAndTheLastThreeBeginAfterTheFaults() {
     Course course = new Course(5, 10_000);
     assertThat(List.of(0, 1, 2, 3, 4))
         .extracting(course::beginMs)
@@ -79,7 +79,7 @@ class WorkloadsTest {
   }
 
   @Test
-  void whatCannotBeIsRefused() {
+  void badParametersAreRefused() {
     assertRefused("mutex", "members", "some", "registered or fixed");
     assertRefused("mutex", "sections", "27", "1 to 26");
     assertRefused("election", "strategy", "loud", "random or bully");

@@ -10,7 +10,7 @@ import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.sim.SimResult;
 
-/** How each robot's metre ended. */
+/** How the motion of each robot ended. */
 final class HelloStory implements Story {
 
   private final SortedMap<RobotId, String> ends = new TreeMap<>();

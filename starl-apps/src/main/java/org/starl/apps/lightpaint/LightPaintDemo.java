@@ -41,15 +41,20 @@ public final class LightPaintDemo implements Demo {
   private static final int MAX_PAINTERS = 16;
   private static final int MAX_STROKES = 300;
 
-  /** Beyond positions' noise, in a world without faults: the goal radius, and what is driven in a step. */
+  /** Without faults and position noise: the goal radius, and the distance driven in a period. */
   private static final double TOLERANCE_MM = 25;
 
-  private static final long AFTER_ALL_NS = 600_000_000_000L;
-  private static final long STROKE_NS = 60_000_000_000L;
+  private static final long BOUND_NS = 600_000_000_000L;
+  private static final long BOUND_PER_STROKE_NS = 60_000_000_000L;
+
+  /** Start positions among the original drawings, and the drawing that they belong to. */
+  private static final String ORIGINAL_STARTS = "startpoints_benchmark2.wpt";
+
+  private static final String ORIGINAL_OF_STARTS = "benchmark.svg";
 
   private static final List<String> ORIGINALS =
       List.of(
-          "benchmark.svg",
+          ORIGINAL_OF_STARTS,
           "bike.svg",
           "bike.wpt",
           "box.svg",
@@ -65,17 +70,17 @@ public final class LightPaintDemo implements Demo {
           "triforce.wpt");
 
   private static final Parameter DRAWING =
-      new Parameter("drawing", "", "file NAME.svg or NAME.wpt to paint; a house unless given");
+      new Parameter("drawing", "", "file NAME.svg or NAME.wpt to paint (default: a house)");
   private static final Parameter STARTS =
       new Parameter(
-          "starts", "", "file NAME.wpt of where painters start; beside the drawing unless given");
+          "starts", "", "file NAME.wpt with the painters' starts (default: beside the drawing)");
   private static final Parameter SCALE =
-      new Parameter("scale", "5mm", "millimetres to a unit (a pixel) of an SVG drawing");
+      new Parameter("scale", "5mm", "millimetres per unit (pixel) of an SVG drawing");
   private static final Parameter FLATNESS =
       new Parameter(
-          "flatness", "5mm", "no point of a curve is farther from the lines that take its place");
+          "flatness", "5mm", "maximum distance of a curve from the straight lines that replace it");
   private static final Parameter STROKE =
-      new Parameter("stroke", "1200mm", "no robot paints a longer stroke in one go");
+      new Parameter("stroke", "1200mm", "maximum length of a stroke, which one robot paints");
 
   @Override
   public String name() {
@@ -97,19 +102,18 @@ public final class LightPaintDemo implements Demo {
     Path folder = data.resolve("starl-original/lightpaint");
     List<Input> inputs = new ArrayList<>();
     for (String name : ORIGINALS) {
-      inputs.add(input(name, folder.resolve(name), Map.of()));
+      inputs.add(input(folder, name, Map.of(DRAWING.key(), name)));
     }
-    Path starts = folder.resolve("startpoints_benchmark2.wpt");
-    Path drawing = folder.resolve("benchmark.svg");
-    inputs.add(
-        input("startpoints_benchmark2.wpt", starts, Map.of(DRAWING.key(), drawing.toString())));
+    Map<String, String> startsAndDrawing =
+        Map.of(STARTS.key(), ORIGINAL_STARTS, DRAWING.key(), ORIGINAL_OF_STARTS);
+    inputs.add(input(folder, ORIGINAL_STARTS, startsAndDrawing));
     return inputs;
   }
 
-  private static Input input(String name, Path file, Map<String, String> drawing) {
-    SortedMap<String, String> parameters = new TreeMap<>(drawing);
-    parameters.put(drawing.isEmpty() ? DRAWING.key() : STARTS.key(), file.toString());
-    return new Input(name, file, parameters, "");
+  private static Input input(Path folder, String name, Map<String, String> files) {
+    SortedMap<String, String> parameters = new TreeMap<>(files);
+    parameters.replaceAll((key, file) -> folder.resolve(file).toString());
+    return new Input(name, folder.resolve(name), parameters, "");
   }
 
   @Override
@@ -131,26 +135,22 @@ public final class LightPaintDemo implements Demo {
     MotionParameters body = settings.motionParameters(0);
     List<Stroke> strokes = strokes(request);
     double radiusMm = Painting.radiusMm(body);
-    String starts = request.parameter(STARTS.key());
-    List<Point> given =
-        starts.isEmpty() ? List.of() : StartFile.read(path(STARTS, starts), painters, radiusMm);
-    Room room = Room.around(strokes, given, painters, radiusMm);
+    String file = request.parameter(STARTS.key());
+    List<Point> starts =
+        file.isEmpty() ? List.of() : Room.readStarts(path(STARTS, file), painters, radiusMm);
+    Room room = Room.around(strokes, starts, painters, radiusMm);
     Painting painting = new Painting(strokes, room.floor());
     LightPaintStory story = new LightPaintStory(painting);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
-    List<Point> homes = room.places();
     for (int i = 0; i < painters; i++) {
-      Point home = homes.get(i);
-      Point start = given.isEmpty() ? home : given.get(i);
+      RobotId name = new RobotId(settings.robotName() + i);
+      Point home = room.homes().get(i);
+      Pose start = Pose.of(starts.isEmpty() ? home : starts.get(i), 0);
       simulation.robot(
-          new RobotSpec(
-              new RobotId(settings.robotName() + i),
-              new Pose(start.xMm(), start.yMm(), 0),
-              true,
-              gvh -> new LightPaintApp(gvh, painting, home)));
+          new RobotSpec(name, start, true, gvh -> new LightPaintApp(gvh, painting, home)));
     }
     double toleranceMm = toleranceMm(settings, body);
-    long boundNs = AFTER_ALL_NS + strokes.size() * STROKE_NS;
+    long boundNs = BOUND_NS + strokes.size() * BOUND_PER_STROKE_NS;
     simulation.monitor(() -> new PaintSpec(strokes, toleranceMm, boundNs));
     simulation.monitor(AgreementSpec::new);
     simulation.monitor(() -> new TubesSpec(boundNs));
@@ -164,18 +164,13 @@ public final class LightPaintDemo implements Demo {
     String file = request.parameter(DRAWING.key());
     List<Line> lines =
         file.isEmpty()
-            ? BuiltIn.house(flatnessMm)
+            ? DrawingFiles.house(flatnessMm)
             : DrawingFiles.read(path(DRAWING, file), scaleMm, flatnessMm);
     List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm, longestMm);
     if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
       throw new BadInput(
-          "drawing="
-              + BadInput.quote(file)
-              + ": "
-              + strokes.size()
-              + " strokes: expected 1 to "
-              + MAX_STROKES
-              + "; scale and stroke change that");
+          "drawing=%s: %d strokes: expected 1 to %d; change that with scale or stroke"
+              .formatted(BadInput.quote(file), strokes.size(), MAX_STROKES));
     }
     return strokes;
   }

@@ -17,15 +17,14 @@ import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Painting;
 import org.starl.apps.lightpaint.spec.LightTrail;
 import org.starl.apps.lightpaint.spec.Pass;
-import org.starl.apps.lightpaint.view.PaintedPicture;
-import org.starl.apps.lightpaint.view.PaintedSvg;
-import org.starl.geometry.Point;
+import org.starl.apps.lightpaint.view.PaintedDrawing;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
-/** Who painted how much, and when the drawing was done. */
+/** How much each robot painted, and when the drawing was done. */
 final class LightPaintStory implements Story {
 
   private static final double NS_PER_S = 1e9;
@@ -42,7 +41,9 @@ final class LightPaintStory implements Story {
     private int retreats;
     private int crashes;
     private long endNs = -1;
-    private String result = "";
+
+    /** How many strokes were unassigned when it ended. */
+    private int left = -1;
   }
 
   LightPaintStory(Painting painting) {
@@ -53,19 +54,11 @@ final class LightPaintStory implements Story {
   public void observed(TraceEvent event) {
     trail.observe(event);
     switch (event) {
-      case TraceEvent.Joined joined -> painters.putIfAbsent(joined.robot(), new Painter());
-      case TraceEvent.Fault fault -> {
-        if (fault.name().equals(TraceEvent.Fault.CRASH)) {
-          painter(fault.robot()).crashes++;
-        }
-      }
-      case Variable variable -> {
-        if (variable.source().equals(PaintTrace.SOURCE)) {
-          changed(variable);
-        }
-      }
+      case TraceEvent.Joined joined -> painter(joined.robot());
+      case Fault fault when fault.name().equals(Fault.CRASH) -> painter(fault.robot()).crashes++;
+      case Variable variable when variable.source().equals(PaintTrace.SOURCE) -> changed(variable);
       default -> {
-        // No part of the story.
+        // Not part of the story.
       }
     }
   }
@@ -88,40 +81,36 @@ final class LightPaintStory implements Story {
     for (Pass pass : trail.passes()) {
       Painter painter = painter(pass.robot());
       painter.strokes.add(pass.stroke());
-      for (int i = 1; i < pass.points().size(); i++) {
-        Point from = pass.points().get(i - 1);
-        painter.paintedMm += from.distanceMm(pass.points().get(i));
-      }
+      painter.paintedMm += pass.lengthMm();
     }
-    result.results().forEach((robot, said) -> painter(robot).result = String.valueOf(said.get(1)));
+    result.results().forEach((robot, ended) -> painter(robot).left = (Integer) ended.get(1));
   }
 
   @Override
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    double sumMm = 0;
+    double paintedMm = 0;
     for (Map.Entry<RobotId, Painter> entry : painters.entrySet()) {
-      lines.add(line(entry.getKey(), entry.getValue()));
-      sumMm += entry.getValue().paintedMm;
+      lines.add(entry.getKey() + " " + line(entry.getValue()));
+      paintedMm += entry.getValue().paintedMm;
     }
     double drawingMm =
         painting.strokes().stream().mapToDouble(stroke -> stroke.path().lengthMm()).sum();
     lines.add(
-        String.format(
-            Locale.ROOT,
-            "painted %.2f m of a drawing of %.2f m in %d strokes; the last light went off at %s",
-            sumMm / MM_PER_M,
-            drawingMm / MM_PER_M,
-            painting.strokes().size(),
-            seconds(lastLightNs)));
+        "painted %s of a drawing of %s in %d strokes; the last light went off at %s"
+            .formatted(
+                metres(paintedMm),
+                metres(drawingMm),
+                painting.strokes().size(),
+                seconds(lastLightNs)));
     return lines;
   }
 
-  private static String line(RobotId robot, Painter painter) {
-    StringBuilder line = new StringBuilder(robot + " painted ");
-    int count = painter.strokes.size();
-    line.append(count == 1 ? "1 stroke" : count + " strokes");
-    line.append(String.format(Locale.ROOT, ", %.2f m", painter.paintedMm / MM_PER_M));
+  private static String line(Painter painter) {
+    int strokes = painter.strokes.size();
+    StringBuilder line = new StringBuilder("painted ");
+    line.append(strokes == 1 ? "1 stroke" : strokes + " strokes");
+    line.append(", ").append(metres(painter.paintedMm));
     if (painter.retreats > 0) {
       line.append(", gave way ").append(times(painter.retreats));
     }
@@ -129,8 +118,8 @@ final class LightPaintStory implements Story {
       line.append(", crashed ").append(times(painter.crashes));
     }
     line.append(painter.endNs < 0 ? ", has not ended" : ", ended at " + seconds(painter.endNs));
-    if (!painter.result.isEmpty() && !painter.result.equals("0")) {
-      line.append(" and gave up with ").append(painter.result).append(" strokes left");
+    if (painter.left > 0) {
+      line.append(" and gave up with ").append(painter.left).append(" strokes left");
     }
     return line.toString();
   }
@@ -138,23 +127,25 @@ final class LightPaintStory implements Story {
   @Override
   public List<Product> products() {
     return List.of(
-        new Product(".svg", out -> PaintedSvg.write(painting.strokes(), trail.passes(), out)),
-        new Product(".png", out -> PaintedPicture.write(painting.strokes(), trail.passes(), out)));
+        new Product(".svg", out -> paintedDrawing().writeSvg(out)),
+        new Product(".png", out -> paintedDrawing().writePng(out)));
+  }
+
+  private PaintedDrawing paintedDrawing() {
+    return new PaintedDrawing(painting.strokes(), trail.passes());
   }
 
   @Override
   public Measures measures() {
-    int done = 0;
-    List<Long> waits = new ArrayList<>();
+    List<Long> endsNs = new ArrayList<>();
     for (Painter painter : painters.values()) {
-      if (painter.endNs >= 0 && painter.result.equals("0")) {
-        done++;
-        waits.add(painter.endNs);
+      if (painter.endNs >= 0 && painter.left == 0) {
+        endsNs.add(painter.endNs);
       }
     }
     SortedMap<String, Double> figures = new TreeMap<>();
     figures.put("painted_at_s", lastLightNs / NS_PER_S);
-    return new Measures(painters.size(), done, waits, figures);
+    return new Measures(painters.size(), endsNs.size(), endsNs, figures);
   }
 
   @Override
@@ -174,6 +165,10 @@ final class LightPaintStory implements Story {
 
   private static String times(int count) {
     return count == 1 ? "once" : count + " times";
+  }
+
+  private static String metres(double mm) {
+    return String.format(Locale.ROOT, "%.2f m", mm / MM_PER_M);
   }
 
   private static String seconds(long ns) {

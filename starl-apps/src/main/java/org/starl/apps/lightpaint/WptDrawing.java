@@ -15,9 +15,9 @@ import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 
 /**
- * Reads the original StarL's drawings: waypoint files in which {@code 7-A_5} and {@code 7-B_5} are
- * the ends of line 7, five units wide. Places are in mm; the angle column is the colour, 24 bits red
- * first.
+ * Reads drawings of the original StarL: waypoint files in which {@code 7-A_5} and {@code 7-B_5} are
+ * the ends of line 7, five units wide. Positions are in mm; the angle column is the colour, 24 bits,
+ * red first.
  */
 final class WptDrawing {
 
@@ -27,98 +27,79 @@ final class WptDrawing {
 
   private final String file;
   private final String text;
-  private final double mmPerUnit;
 
-  private WptDrawing(String file, String text, double mmPerUnit) {
+  private WptDrawing(String file, String text) {
     this.file = file;
     this.text = text;
-    this.mmPerUnit = mmPerUnit;
   }
 
   /**
-   * The lines of a file, in the order of their first ends.
+   * The lines of a file, in the order of their A ends.
    *
-   * @param mmPerUnit of the widths
+   * @param mmPerUnit scale of the widths
    */
   static List<Line> read(String file, String text, double mmPerUnit) {
-    return new WptDrawing(file, text, mmPerUnit).lines();
+    return new WptDrawing(file, text).lines(mmPerUnit);
   }
 
-  private List<Line> lines() {
+  private List<Line> lines(double mmPerUnit) {
     Map<String, Waypoint> ends = new LinkedHashMap<>();
     for (Waypoint end : WaypointFiles.parse(file, text).waypoints()) {
-      if (!NAME.matcher(end.name()).matches()) {
-        throw bad(end, "is no end of a line");
-      }
-      if (ends.put(end.name(), end) != null) {
-        throw bad(end, "is there twice");
-      }
+      check(NAME.matcher(end.name()).matches(), end, "is no end of a line");
+      check(ends.put(end.name(), end) == null, end, "is there twice");
     }
     List<Line> lines = new ArrayList<>();
     for (Waypoint end : ends.values()) {
       Matcher name = NAME.matcher(end.name());
-      if (name.matches()) {
-        boolean isFirst = name.group(2).equals("A");
-        String otherName = name.group(1) + (isFirst ? "-B_" : "-A_") + name.group(3);
-        Waypoint other = ends.get(otherName);
-        if (other == null) {
-          throw bad(end, "has no " + otherName);
-        }
-        if (isFirst) {
-          add(end, other, Integer.parseInt(name.group(3)), lines);
+      check(name.matches(), end, "is no end of a line");
+      boolean isA = name.group(2).equals("A");
+      String otherName = name.group(1) + (isA ? "-B_" : "-A_") + name.group(3);
+      Waypoint other = ends.get(otherName);
+      if (other == null) {
+        throw bad(end, "has no " + otherName);
+      }
+      Point from = Polyline.rounded(new Point(end.xMm(), end.yMm()));
+      Point to = Polyline.rounded(new Point(other.xMm(), other.yMm()));
+      if (isA) {
+        Ink ink = ink(end, other, Integer.parseInt(name.group(3)) * mmPerUnit);
+        if (!from.equals(to)) {
+          lines.add(new Line(new Polyline(List.of(from, to)), ink));
         }
       }
     }
     return lines;
   }
 
-  private void add(Waypoint a, Waypoint b, int widthUnits, List<Line> lines) {
+  private Ink ink(Waypoint a, Waypoint b, double widthMm) {
     double rgb = a.angle();
-    if (rgb != StrictMath.rint(rgb) || rgb < 0 || rgb > Ink.MAX_RGB) {
-      throw bad(a, "has a third column that is no colour, 0 to 16777215");
-    }
-    if (b.angle() != rgb) {
-      throw bad(b, "has another colour than " + a.name());
-    }
-    if (widthUnits == 0) {
-      throw bad(a, "has no width");
-    }
-    Point from = whole(a);
-    Point to = whole(b);
-    if (!from.equals(to)) {
-      Ink ink = new Ink((int) rgb, StrictMath.max(1, StrictMath.rint(widthUnits * mmPerUnit)));
-      lines.add(new Line(new Polyline(List.of(from, to)), ink));
+    boolean isColour = rgb == StrictMath.rint(rgb) && rgb >= 0 && rgb <= Ink.MAX_RGB;
+    check(isColour, a, "has a third column that is no colour, 0 to 16777215");
+    check(b.angle() == rgb, b, "has another colour than " + a.name());
+    check(widthMm > 0, a, "has no width");
+    return new Ink((int) rgb, Math.max(1, StrictMath.rint(widthMm)));
+  }
+
+  private void check(boolean isGood, Waypoint end, String problem) {
+    if (!isGood) {
+      throw bad(end, problem);
     }
   }
 
-  private static Point whole(Waypoint end) {
-    return new Point(StrictMath.rint(end.xMm()), StrictMath.rint(end.yMm()));
-  }
-
-  private BadInput bad(Waypoint end, String why) {
+  private BadInput bad(Waypoint end, String problem) {
     return new BadInput(
-        file
-            + ":"
-            + lineOf(end.name())
-            + ": '"
-            + end.name()
-            + "' "
-            + why
-            + ": expected "
-            + EXPECTED);
+        "%s:%d: '%s' %s: expected %s"
+            .formatted(file, lineOf(end.name()), end.name(), problem, EXPECTED));
   }
 
-  /** The last line of the file that has this name. */
+  /** The number of the last line that has this name. */
   private int lineOf(String name) {
-    int line = 0;
-    int found = 1;
-    for (String each : text.split("\r\n|\r|\n", -1)) {
-      line++;
-      String[] fields = each.split(",", -1);
+    List<String> all = text.lines().toList();
+    for (int i = all.size() - 1; i > 0; i--) {
+      String[] fields = all.get(i).split(",", -1);
       if (fields.length > 4 && fields[4].strip().equals(name)) {
-        found = line;
+        return i + 1;
       }
     }
-    return found;
+    return 1;
   }
 }

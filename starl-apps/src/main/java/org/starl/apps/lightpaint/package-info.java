@@ -1,6 +1,6 @@
 /**
  * Light painting (paper, section 5.4): several robots paint a drawing with their lights, as a
- * simulation; and what reads drawings.
+ * simulation; readers of drawings.
  *
  * <p>May import: core, primitives, sim, {@code org.starl.apps}, {@code logic}, {@code spec} and
  * {@code view} beside it.

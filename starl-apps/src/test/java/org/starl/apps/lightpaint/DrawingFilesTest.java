@@ -20,7 +20,7 @@ import org.starl.input.BadInput;
 class DrawingFilesTest {
 
   @Test
-  void allDrawingsOfTheOriginalLoadAndAreStrokes() {
+  void allOriginalDrawingsAreCutIntoStrokes() {
     List<String> found = new ArrayList<>();
     for (String name : OriginalDrawings.NAMES) {
       List<Line> lines = DrawingFiles.read(OriginalDrawings.folder().resolve(name), 5, 5);
@@ -43,7 +43,7 @@ class DrawingFilesTest {
   }
 
   @Test
-  void whatIsNoDrawingIsToldInOneLine(@TempDir Path folder) throws IOException {
+  void filesThatAreNoDrawingsAreRefused(@TempDir Path folder) throws IOException {
     Path missing = folder.resolve("missing.svg");
     assertThatThrownBy(() -> DrawingFiles.read(missing, 5, 5))
         .isInstanceOf(BadInput.class)
@@ -54,6 +54,6 @@ class DrawingFilesTest {
     Path empty = Files.writeString(folder.resolve("empty.wpt"), "// nothing\n");
     assertThatThrownBy(() -> DrawingFiles.read(empty, 5, 5))
         .isInstanceOf(BadInput.class)
-        .hasMessageContaining("has no line with a stroke");
+        .hasMessageContaining("no line has a stroke");
   }
 }

@@ -68,7 +68,7 @@ class LightPaintTest {
     return Map.of("drawing", file.toString());
   }
 
-  /** All robots say that no stroke is left, and all strokes together were painted once. */
+  /** All robots report that no stroke is left, and together they painted each stroke once. */
   private static void assertAllPainted(SimResult result, int strokes) {
     int painted = 0;
     for (List<Object> said : result.results().values()) {
@@ -79,7 +79,7 @@ class LightPaintTest {
   }
 
   @Test
-  void theHouseIsPaintedAndCanBeReadAgain() throws IOException {
+  void theHouseIsPaintedAndItsSvgCanBeRead() throws IOException {
     Plan plan = plan(1, 4, Map.of(), Map.of());
     SimResult result = plan.simulation().build().run();
     assertThat(result.spec().violations()).isEmpty();
@@ -102,21 +102,22 @@ class LightPaintTest {
 
   @ParameterizedTest
   @CsvSource({"1, 0", "2, 0.2", "3, 0.2", "6, 0.1"})
-  void anyNumberOfPaintersFinishesAlsoWithLoss(int robots, String loss, @TempDir Path folder)
+  void anyNumberOfPaintersFinishesEvenWithLoss(int robots, String loss, @TempDir Path folder)
       throws IOException {
     assertAllPainted(run(robots, robots, small(folder), Map.of("messageLoss", loss)), STROKES);
   }
 
   @ParameterizedTest
   @ValueSource(strings = {"moving", "spatial"})
-  void chaosHarmsNothingAndAllIsPainted(String envelope, @TempDir Path folder) throws IOException {
+  void everythingIsPaintedUnderChaos(String envelope, @TempDir Path folder) throws IOException {
     for (long seed = 1; seed <= 3; seed++) {
       assertAllPainted(run(seed, 4, small(folder), Map.of("chaos", envelope)), STROKES);
     }
   }
 
   @Test
-  void aPainterThatCrashesInMidStrokeGoesOnWhereItStopped(@TempDir Path folder) throws IOException {
+  void aPainterThatCrashesDuringAStrokeContinuesWhereItStopped(@TempDir Path folder)
+      throws IOException {
     for (int atMs = 6_000; atMs <= 11_000; atMs += 2_500) {
       String crash = "crash(bot0,at=" + atMs + "ms,restart=7s)";
       SimResult result = run(atMs, 2, small(folder), Map.of("faults", crash));
@@ -125,7 +126,7 @@ class LightPaintTest {
   }
 
   @Test
-  void whereAPainterDiesTheOthersPaintWhatItIsNotInTheWayOf() {
+  void ifAPainterNeverRestartsTheOthersPaintWhatItDoesNotBlock() {
     SimResult result = run(1, 4, Map.of(), Map.of("faults", "crash(bot1,at=20s)"));
     int painted = 0;
     for (List<Object> said : result.results().values()) {
@@ -135,16 +136,17 @@ class LightPaintTest {
     assertThat(painted).isBetween(10, 20);
   }
 
-  /** Who gives way is at its place before its storage has it that it needs its way no more. */
+  /** A painter that gave way is at home before its storage has flushed that it gives its tube back. */
   @Test
-  void slowStorageKeepsNobodyFromComingBack(@TempDir Path folder) throws IOException {
+  void paintersComeBackAlsoWithSlowStorage(@TempDir Path folder) throws IOException {
     for (long seed = 1; seed <= 3; seed++) {
       assertAllPainted(run(seed, 4, small(folder), Map.of("stableDelay", "150ms")), STROKES);
     }
   }
 
   @Test
-  void noisyPositionsAndStartsOnTheDrawingAreFine(@TempDir Path folder) throws IOException {
+  void everythingIsPaintedWithNoisyPositionsAndStartsOnTheDrawing(@TempDir Path folder)
+      throws IOException {
     Path starts =
         Files.writeString(
             folder.resolve("starts.wpt"), "WAY,450,450,0,bot0\nWAY,1500,100,90,bot1\n");
@@ -173,14 +175,14 @@ class LightPaintTest {
         "drawing; none.svg; none.svg: no such file; expected a drawing",
         "starts; none.wpt; none.wpt: no such file"
       })
-  void aBadParameterIsToldInOneLine(String key, String value, String expected) {
+  void theErrorNamesTheBadParameter(String key, String value, String expected) {
     assertThatThrownBy(() -> plan(1, 4, Map.of(key, value), Map.of()))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining(expected);
   }
 
   @Test
-  void startsThatAreTooFewOrTooNearAreTold(@TempDir Path folder) throws IOException {
+  void tooFewOrTooNearStartsAreRefused(@TempDir Path folder) throws IOException {
     Path starts = Files.writeString(folder.resolve("starts.wpt"), "WAY,0,0,0,a\nWAY,100,0,0,b\n");
     Map<String, String> parameters = Map.of("starts", starts.toString());
     assertThatThrownBy(() -> plan(1, 2, parameters, Map.of()))
@@ -192,7 +194,7 @@ class LightPaintTest {
   }
 
   @Test
-  void everyPainterHasAPlaceOfItsOwn() {
+  void sixteenPaintersHaveHomes() {
     Plan crowded = plan(1, 16, Map.of(), Map.of());
     assertThat(crowded.layer().corners()).allMatch(Point::isFinite);
   }

@@ -13,11 +13,11 @@ import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 
-/** The original's drawings: ends of lines in pairs. */
+/** Drawings of the original StarL: the ends of lines, in pairs. */
 class WptDrawingTest {
 
   @Test
-  void twoEndsAreALineInTheColourOfTheAngleColumn() {
+  void twoEndsMakeALineInTheColourOfTheAngleColumn() {
     String text =
         "WAY,10,20,16744192,1-B_5\n// a comment\nWAY,0,0,255,0-A_2\nWAY,30,40,16744192,1-A_5\n";
     List<Line> lines = WptDrawing.read("a.wpt", text + "WAY,9,9,255,0-B_2\n", 4);
@@ -41,7 +41,7 @@ class WptDrawingTest {
         "WAY,1,1,0,0-A_0|WAY,9,1,0,0-B_0|; a.wpt:1: '0-A_0' has no width",
         "WAY,1|; a.wpt:1: 'WAY,1': expected WAY,x,y,angle,name"
       })
-  void aBadLineIsToldWithItsNumber(String lines, String expected) {
+  void theErrorNamesTheLine(String lines, String expected) {
     assertThatThrownBy(() -> WptDrawing.read("a.wpt", lines.replace('|', '\n'), 5))
         .isInstanceOf(BadInput.class)
         .hasMessageStartingWith(expected.strip());

@@ -5,7 +5,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.geometry.ItemPosition;
 
-/** Drives to a point one metre right of where the robot started, and says how that ended. */
+/** Drives to a point one metre right of where the robot started, and returns how that ended. */
 public final class Hello extends LogicThread {
 
   public Hello(GlobalVarHolder gvh) {

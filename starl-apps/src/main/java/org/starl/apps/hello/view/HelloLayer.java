@@ -16,7 +16,7 @@ import org.starl.sim.record.Scene;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** Draws each robot's goal as a ring of the goal radius, and dotted the way to it. */
+/** Draws each robot's goal as a ring with the goal radius, and a dotted line to it. */
 public final class HelloLayer implements Layer {
 
   private static final String GOALS = "goals";
@@ -45,7 +45,7 @@ public final class HelloLayer implements Layer {
     return List.of(GOALS);
   }
 
-  /** Of {@code name@x,y}. */
+  /** Parses {@code name@x,y}. */
   private static Point place(String target) {
     String[] xy = target.substring(target.lastIndexOf('@') + 1).split(",", -1);
     return new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1]));
@@ -80,12 +80,12 @@ public final class HelloLayer implements Layer {
     return switch (MotionFlag.valueOf(flag)) {
       case IDLE -> "waits for its position";
       case MOVING -> "drives one metre to the right";
-      case DONE -> "is there: DONE";
+      case DONE -> "has arrived: DONE";
       case FAIL -> "was stopped: FAIL";
     };
   }
 
-  /** Most is to be seen while some are there and some on their way. */
+  /** Highest while some robots have arrived and others are moving. */
   @Override
   public double interest(Scene scene) {
     long done =

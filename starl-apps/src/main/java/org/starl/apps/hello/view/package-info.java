@@ -1,5 +1,5 @@
 /**
- * How the smallest app is drawn: goals, ways to them, and how they ended.
+ * How the smallest app is drawn: goals, lines to them, and how the motions ended.
  *
  * <p>May import: core, sim, {@code java.awt}.
  */

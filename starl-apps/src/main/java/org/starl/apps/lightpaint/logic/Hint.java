@@ -6,16 +6,16 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 
 /**
- * What a painter is about, told to the others so that they go elsewhere. Nothing rests on it: hints
- * may be lost, late and wrong.
+ * What a painter works on, broadcast so that others choose other strokes. Correctness does not depend
+ * on hints: they may be lost, late or wrong.
  *
- * @param stroke its number; {@link #NONE} for none
- * @param paints whether the stroke is its own already
- * @param finished how many strokes it has painted
+ * @param stroke its number, or {@link CurrentWork#NONE}
+ * @param paints whether the stroke has been assigned to the sender
+ * @param finished how many strokes the sender has painted
  */
 record Hint(int stroke, boolean paints, int finished) {
 
-  static final int NONE = -1;
+  static final Hint INITIAL = new Hint(CurrentWork.NONE, false, 0);
 
   static final class HintCodec implements Codec<Hint> {
     @Override
@@ -27,13 +27,11 @@ record Hint(int stroke, boolean paints, int finished) {
 
     @Override
     public Hint read(WireReader in) {
-      int stroke = in.i32();
-      boolean paints = in.bool();
-      int finished = in.i32();
-      if (stroke < NONE || finished < 0) {
-        throw new WireFormatException("stroke " + stroke + ", " + finished + " finished");
+      Hint hint = new Hint(in.i32(), in.bool(), in.i32());
+      if (hint.stroke() < CurrentWork.NONE || hint.finished() < 0) {
+        throw new WireFormatException("hint " + hint);
       }
-      return new Hint(stroke, paints, finished);
+      return hint;
     }
   }
 }

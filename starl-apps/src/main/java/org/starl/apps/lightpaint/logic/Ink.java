@@ -3,7 +3,7 @@ package org.starl.apps.lightpaint.logic;
 import java.util.Locale;
 
 /**
- * What a line is drawn with.
+ * Colour and width of a line.
  *
  * @param rgb 24 bits, red first
  * @param widthMm above 0

@@ -3,7 +3,7 @@ package org.starl.apps.lightpaint.logic;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a painter's light shows.
+ * State of a painter's light.
  *
  * @param stroke the number of the stroke that it paints; negative while it is off
  * @param ink while it is on
@@ -27,9 +27,9 @@ public record Light(int stroke, @Nullable Ink ink) {
   }
 
   /**
-   * Reads what {@link #toString} wrote.
+   * Parses the format of {@link #toString}.
    *
-   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   * @throws IllegalArgumentException on any other text
    */
   public static Light parse(String text) {
     if (text.equals("off")) {

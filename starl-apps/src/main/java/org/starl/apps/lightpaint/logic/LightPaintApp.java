@@ -9,14 +9,14 @@ import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.TubeFlag;
 
 /**
- * One painter (paper, section 5.4). It goes to the stroke that is nearest and free, is given it once
- * it stands at an end of it, claims a tube along it, and paints it with its light on. Whoever finds
- * no stroke, no way or gets no tube gives way: it waits in its own place beside the drawing.
+ * One painter (paper, section 5.4). It drives to the nearest free stroke, asks for it at an end of it,
+ * claims a tube along it, and paints it with its light on. A painter that finds no stroke or no path,
+ * or gets no tube, gives way: it waits at its home beside the drawing.
  *
- * <p>A stroke is given to one painter for ever. What a painter has in hand, and how far it is, stands
- * in its note, written before it asks for the stroke: one that starts anew finds by its place and its
- * note where it stopped, and goes on from there. Where a painter is gone for good in mid-stroke, the
- * rest of that stroke is not painted: its body and its tube are in the way.
+ * <p>A stroke is assigned to one painter for ever. Before it asks for a stroke, a painter writes a
+ * note on stable storage, and later how far it has painted: after a restart it continues where it
+ * stopped, as its note and its position tell. If a painter never restarts, the rest of its stroke
+ * stays unpainted: its body and its tube are in the way.
  */
 public final class LightPaintApp extends LogicThread {
 
@@ -24,113 +24,111 @@ public final class LightPaintApp extends LogicThread {
   private static final long PAUSE_MS = 1_000;
 
   private final DistributedPathPlanning paths;
-  private final Trips trips;
-  private final Board board;
-  private final Brush brush;
-  private final InHand inHand;
+  private final PainterMotion motion;
+  private final Assignment assignment;
+  private final CurrentWork work;
   private final GvhCell<Location> location;
 
   /**
-   * @param home a place beside the drawing, this robot's own
+   * @param home a place beside the drawing, of this robot alone
    */
   public LightPaintApp(GlobalVarHolder gvh, Painting painting, Point home) {
     super(gvh);
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
     paths = painting.paths(gvh);
-    trips = new Trips(gvh, paths, home);
-    board = new Board(gvh, painting.strokes(), 2.0 * paths.radiusMm());
+    assignment = new Assignment(gvh, painting.strokes(), 2.0 * paths.radiusMm());
     location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
-    brush = new Brush(gvh, paths);
-    inHand = new InHand(gvh, painting.strokes());
+    motion = new PainterMotion(gvh, paths, home);
+    work = new CurrentWork(gvh, painting.strokes());
   }
 
-  /** Returns how many strokes it has painted, and how many nobody had taken as far as it knows. */
+  /** Returns how many strokes it has painted, and how many it knows to be unassigned. */
   @Override
   public List<Object> callStarL() {
     while (location.get() != Location.DONE) {
       switch (location.get()) {
         case RESUME -> {
           if (gvh.gps.hasFix() && paths.isPlaced()) {
-            inHand.resume(gvh.gps.pose().at());
-            location.set(inHand.isNothing() ? Location.PICK : Location.GO);
+            work.resume(gvh.gps.pose().at());
+            location.set(work.isNone() ? Location.PICK : Location.GO);
           }
         }
         case PICK -> pick();
-        case GO -> go(inHand.work());
+        case GO -> go(work.get());
         case NOTE -> {
-          if (inHand.isNoted()) {
-            board.ask(inHand.stroke());
+          if (work.isNoted()) {
+            assignment.request(work.stroke());
             location.set(Location.ASK);
           }
         }
         case ASK -> {
-          if (board.isMine(inHand.stroke())) {
-            begin(inHand.work());
-          } else if (board.isOthers(inHand.stroke())) {
+          if (assignment.isOwn(work.stroke())) {
+            begin(work.get());
+          } else if (assignment.isOfAnother(work.stroke())) {
             drop();
-          } else if (board.hasGivenUp(inHand.stroke())) {
-            board.ask(inHand.stroke());
+          } else if (assignment.hasFailed(work.stroke())) {
+            assignment.request(work.stroke());
           }
         }
         case PAINT -> paint();
         case LEAVE -> {
-          if (inHand.isNoted()) {
-            leave(inHand.work().isDone());
+          if (work.isNoted()) {
+            leave(work.get().isDone());
           }
         }
         case RETREAT -> {
-          if (trips.isBack()) {
+          if (motion.goHome()) {
             sleep(PAUSE_MS);
             comeBack();
           }
         }
         case PARK -> {
-          if (trips.isBack() || board.isLongHopeless()) {
+          if (motion.goHome() || assignment.isHopelessForLong()) {
             location.set(Location.DONE);
           }
         }
         case DONE -> throw new IllegalStateException("the loop has ended");
       }
-      inHand.tell();
-      board.tell(inHand.number());
-      rest();
+      work.traceNumber();
+      assignment.sendHint(work.number());
+      pause();
     }
-    return List.of(board.finished(inHand.number()), board.left());
+    return List.of(assignment.finished(work.number()), assignment.unassigned());
   }
 
   private void pick() {
     Point here = gvh.gps.pose().at();
-    Stroke free = board.nearestFree(here);
-    if (board.left() == 0 || board.isHopeless()) {
+    Stroke free = assignment.nearestFree(here);
+    if (assignment.unassigned() == 0 || assignment.isHopeless()) {
       location.set(Location.PARK);
     } else if (free == null) {
       location.set(Location.RETREAT);
     } else {
-      inHand.take(Work.from(free, here));
+      work.set(Work.from(free, here));
       setOut();
     }
   }
 
-  private void go(Work work) {
-    if (board.isContested(work.stroke())) {
+  private void go(Work current) {
+    if (assignment.isContested(current.stroke())) {
       paths.stop();
       drop();
-    } else if (trips.isThere(work)) {
-      inHand.note(true);
+    } else if (motion.isAt(current)) {
+      work.note(true);
       location.set(Location.NOTE);
     } else if (paths.failed()) {
-      board.later(work.stroke());
-      leave(!board.isMine(work.stroke()));
+      assignment.postpone(current.stroke());
+      leave(!assignment.isOwn(current.stroke()));
     } else if (!paths.isUnderWay()) {
       setOut();
     }
   }
 
-  private void begin(Work work) {
-    if (work.isDone()) {
+  private void begin(Work current) {
+    if (current.isDone()) {
       location.set(Location.LEAVE);
-    } else if (trips.mayBegin(work)) {
-      brush.along(work);
+    } else if (motion.mayPaint(current)) {
+      motion.paint(current);
       location.set(Location.PAINT);
     } else {
       location.set(Location.GO);
@@ -138,46 +136,49 @@ public final class LightPaintApp extends LogicThread {
   }
 
   private void paint() {
-    switch (brush.look(inHand)) {
-      case UNDER_WAY -> inHand.noteProgress();
-      case HELD_UP -> setOut();
+    switch (motion.keepPainting(work)) {
+      case PAINTING -> work.noteProgress();
+      case STOPPED -> setOut();
       case PAINTED, NO_TUBE -> {
-        inHand.note(false);
+        work.note(false);
         location.set(Location.LEAVE);
       }
     }
   }
 
-  /** Gives way, and keeps the stroke in hand; or lets go of it, and picks another. */
+  /** Leaves the stroke and picks another; or, not for good, gives way and keeps the stroke. */
   private void leave(boolean isForGood) {
     if (isForGood) {
-      inHand.letGo();
+      work.clear();
     }
     location.set(isForGood ? Location.PICK : Location.RETREAT);
   }
 
   private void drop() {
-    inHand.drop();
+    work.drop();
     location.set(Location.PICK);
   }
 
   private void setOut() {
-    trips.to(inHand.work());
+    motion.goTo(work.get());
     location.set(Location.GO);
   }
 
   private void comeBack() {
-    if (board.isHopeless()) {
+    if (assignment.isHopeless()) {
       location.set(Location.PARK);
-    } else if (inHand.isNothing() && board.isWorthALook(gvh.gps.pose().at())) {
+    } else if (!work.isNone()) {
+      if (!assignment.mustWait(work.stroke())) {
+        setOut();
+      }
+    } else if (assignment.unassigned() == 0
+        || assignment.nearestFree(gvh.gps.pose().at()) != null) {
       location.set(Location.PICK);
-    } else if (!inHand.isNothing() && !board.mustWait(inHand.stroke())) {
-      setOut();
     }
   }
 
-  /** While it paints it must not be late: the light goes on and off as the wheels do. */
-  private void rest() {
+  /** Waits for the next period; while painting also for the tube: the light follows the wheels. */
+  private void pause() {
     TubeFlag before = paths.tubeflag().get();
     await(() -> location.get() == Location.PAINT && paths.tubeflag().get() != before, PERIOD_MS);
   }

@@ -1,23 +1,23 @@
 package org.starl.apps.lightpaint.logic;
 
-/** Where a painter is in its work. */
+/** The states of a painter. */
 public enum Location {
-  /** Waits until the others know where it stands; then goes on with what its note says. */
+  /** Waits until the others know its position; then continues with its note. */
   RESUME,
-  /** Has nothing in hand, and chooses. */
+  /** Chooses a stroke. */
   PICK,
-  /** Drives to where its work goes on. */
+  /** Drives to where its work continues. */
   GO,
-  /** Writes down what it is about, before it says so. */
+  /** Waits until its note of the stroke is on stable storage. */
   NOTE,
-  /** Asks for the stroke. */
+  /** Waits until the stroke is assigned. */
   ASK,
   PAINT,
-  /** Writes down how far it came. */
+  /** Waits until its note of its progress is on stable storage. */
   LEAVE,
-  /** Gives way: goes to its own place beside the drawing, and comes back. */
+  /** Gives way: goes to its home beside the drawing, and comes back. */
   RETREAT,
-  /** Goes to its own place for good. */
+  /** Goes home for good. */
   PARK,
   DONE
 }

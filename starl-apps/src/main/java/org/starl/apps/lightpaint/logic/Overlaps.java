@@ -1,23 +1,24 @@
 package org.starl.apps.lightpaint.logic;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
 /**
- * Leaves each place of a drawing to one line: where lines run along each other, the one that is
- * drawn last keeps the place. Lines that cross or meet at a corner keep theirs.
+ * Gives each place of a drawing to one line: where lines run along each other, the line drawn last
+ * keeps the place. Lines that cross, or meet at a corner, keep theirs.
  */
 final class Overlaps {
 
-  /** What two lines have in common by crossing, or at a corner of 15 degrees or more, is shorter. */
-  private static final double LEAST_WIDTHS = 4;
+  /** Two lines that cross, or meet at 15 degrees or more, share less than this many widths. */
+  private static final double MIN_SHARED_WIDTHS = 4;
 
-  /** Rests that stick out no farther than this are not worth a stroke of their own. */
+  /** A remainder that sticks out no farther than this gets no stroke of its own. */
   private static final double STUB_MM = 2;
+
+  /** Legs are sampled at least this densely. */
+  private static final double SAMPLE_MM = 0.5;
 
   private final double sameMm;
   private final List<Segment> kept = new ArrayList<>();
@@ -26,152 +27,101 @@ final class Overlaps {
     this.sameMm = sameMm;
   }
 
+  /** The parts of {@code lines} that no later line covers, in drawing order. */
   static List<Line> cut(List<Line> lines, double sameMm) {
     Overlaps overlaps = new Overlaps(sameMm);
-    List<List<Line>> backwards = new ArrayList<>();
+    List<Line> parts = new ArrayList<>();
     for (int i = lines.size() - 1; i >= 0; i--) {
-      backwards.add(overlaps.rest(lines.get(i)));
+      parts.addAll(0, overlaps.uncovered(lines.get(i)));
     }
-    Collections.reverse(backwards);
-    List<Line> all = new ArrayList<>();
-    backwards.forEach(all::addAll);
-    return all;
+    return parts;
   }
 
-  /** What is left of a line, in pieces. */
-  private List<Line> rest(Line line) {
-    List<Line> pieces = new ArrayList<>();
-    List<Point> piece = new ArrayList<>();
+  private List<Line> uncovered(Line line) {
+    List<Line> parts = new ArrayList<>();
+    List<Point> part = new ArrayList<>();
     for (int i = 0; i < line.path().legs(); i++) {
       Segment leg = line.path().leg(i);
-      double lengthMm = leg.from().distanceMm(leg.to());
-      double atMm = 0;
-      for (Span taken : taken(leg, lengthMm)) {
-        extend(piece, leg, lengthMm, atMm, taken.fromMm());
-        finish(piece, line.ink(), pieces);
-        atMm = taken.toMm();
+      double from = 0;
+      for (Span span : covered(leg)) {
+        extend(part, leg, from, span.from());
+        finish(part, line.ink(), parts);
+        from = span.to();
       }
-      extend(piece, leg, lengthMm, atMm, lengthMm);
+      extend(part, leg, from, 1);
     }
-    finish(piece, line.ink(), pieces);
-    return pieces;
+    finish(part, line.ink(), parts);
+    return parts;
   }
 
-  private void extend(List<Point> piece, Segment leg, double lengthMm, double fromMm, double toMm) {
-    Segment part = new Segment(whole(at(leg, lengthMm, fromMm)), whole(at(leg, lengthMm, toMm)));
-    boolean isWhole = fromMm == 0 && toMm == lengthMm;
-    if (part.from().equals(part.to()) || (!isWhole && isShown(part))) {
+  /** Adds the leg from one fraction of its length to another. */
+  private void extend(List<Point> part, Segment leg, double from, double to) {
+    Segment piece = new Segment(Polyline.rounded(at(leg, from)), Polyline.rounded(at(leg, to)));
+    boolean isWholeLeg = from == 0 && to == 1;
+    if (piece.from().equals(piece.to()) || (!isWholeLeg && isStub(piece))) {
       return;
     }
-    if (piece.isEmpty()) {
-      piece.add(part.from());
+    if (part.isEmpty()) {
+      part.add(piece.from());
     }
-    piece.add(part.to());
-    // Not the whole leg: what is left out here is no reason to leave it out elsewhere.
-    kept.add(part);
+    part.add(piece.to());
+    // Only the piece, not its leg: what this line leaves out must not remove parts of other lines.
+    kept.add(piece);
   }
 
-  private static Point whole(Point point) {
-    return new Point(StrictMath.rint(point.xMm()), StrictMath.rint(point.yMm()));
+  /** Whether the piece is no longer than a line is wide, and beside lines that are kept. */
+  private boolean isStub(Segment piece) {
+    Point middle = at(piece, 0.5);
+    return piece.from().distanceMm(piece.to()) <= sameMm
+        && isBesideKept(piece.from(), middle)
+        && isBesideKept(middle, piece.to());
   }
 
-  /** Whether it is hardly longer than lines are wide, and beside lines that are kept. */
-  private boolean isShown(Segment part) {
-    Point middle = part.from().plus(part.to()).times(0.5);
-    return part.from().distanceMm(part.to()) <= sameMm
-        && isBesideOne(part.from(), middle)
-        && isBesideOne(middle, part.to());
-  }
-
-  /** As distance from a segment is convex, all that lies between the two is no farther. */
-  private boolean isBesideOne(Point from, Point to) {
+  /** Distance from a segment is convex, so all points between the two are no farther from it. */
+  private boolean isBesideKept(Point from, Point to) {
     double nearMm = sameMm + STUB_MM;
     return kept.stream()
         .anyMatch(other -> other.distanceMm(from) <= nearMm && other.distanceMm(to) <= nearMm);
   }
 
-  private static void finish(List<Point> piece, Ink ink, List<Line> pieces) {
-    if (piece.size() > 1) {
-      pieces.add(new Line(new Polyline(piece), ink));
+  private static void finish(List<Point> part, Ink ink, List<Line> parts) {
+    if (part.size() > 1) {
+      parts.add(new Line(new Polyline(part), ink));
     }
-    piece.clear();
+    part.clear();
   }
 
-  /** From one place of a leg to another, in mm from its start. */
-  private record Span(double fromMm, double toMm) {}
+  /** Part of a leg, from one fraction of its length to another. */
+  private record Span(double from, double to) {}
 
-  /** Where other lines run along {@code leg}: in order, none meeting the next. */
-  private List<Span> taken(Segment leg, double lengthMm) {
-    List<Span> near = new ArrayList<>();
-    for (Segment other : kept) {
-      Span span = near(leg, lengthMm, other);
-      if (span != null) {
-        near.add(span);
+  /** The spans of {@code leg} along which kept lines run, in order. */
+  private List<Span> covered(Segment leg) {
+    List<Segment> near = new ArrayList<>(kept);
+    near.removeIf(other -> other.distanceMm(leg) > sameMm);
+    List<Span> spans = new ArrayList<>();
+    double lengthMm = leg.from().distanceMm(leg.to());
+    double minShared = Math.min(1, MIN_SHARED_WIDTHS * sameMm / lengthMm);
+    int samples = near.isEmpty() ? 0 : (int) StrictMath.ceil(lengthMm / SAMPLE_MM);
+    int first = -1;
+    for (int i = 0; i <= samples; i++) {
+      Point place = at(leg, i / (double) samples);
+      boolean isCovered = near.stream().anyMatch(other -> other.distanceMm(place) <= sameMm);
+      if (isCovered && first < 0) {
+        first = i;
+      }
+      int last = isCovered ? i : i - 1;
+      if (first >= 0 && (!isCovered || i == samples)) {
+        Span span = new Span(first / (double) samples, last / (double) samples);
+        if (span.to() - span.from() >= minShared) {
+          spans.add(span);
+        }
+        first = -1;
       }
     }
-    near.sort((a, b) -> Double.compare(a.fromMm(), b.fromMm()));
-    List<Span> merged = new ArrayList<>();
-    for (Span span : near) {
-      Span last = merged.isEmpty() ? null : merged.get(merged.size() - 1);
-      if (last != null && span.fromMm() <= last.toMm()) {
-        merged.set(merged.size() - 1, new Span(last.fromMm(), Math.max(last.toMm(), span.toMm())));
-      } else {
-        merged.add(span);
-      }
-    }
-    double leastMm = Math.min(lengthMm, LEAST_WIDTHS * sameMm);
-    merged.removeIf(span -> span.toMm() - span.fromMm() < leastMm);
-    return merged;
+    return spans;
   }
 
-  /**
-   * Where {@code leg} runs within the distance of {@code other}. Distance from a segment is a convex
-   * function, so this is one span; its ends are found by halving.
-   */
-  private @Nullable Span near(Segment leg, double lengthMm, Segment other) {
-    if (leg.distanceMm(other) > sameMm) {
-      return null;
-    }
-    double insideMm = nearestMm(leg, lengthMm, other);
-    double fromMm = border(leg, lengthMm, other, insideMm, 0);
-    double toMm = border(leg, lengthMm, other, insideMm, lengthMm);
-    return new Span(fromMm, toMm);
-  }
-
-  private static double nearestMm(Segment leg, double lengthMm, Segment other) {
-    double low = 0;
-    double high = lengthMm;
-    for (int i = 0; i < 60; i++) {
-      double a = low + (high - low) / 3;
-      double b = high - (high - low) / 3;
-      if (other.distanceMm(at(leg, lengthMm, a)) <= other.distanceMm(at(leg, lengthMm, b))) {
-        high = b;
-      } else {
-        low = a;
-      }
-    }
-    return low;
-  }
-
-  private double border(
-      Segment leg, double lengthMm, Segment other, double insideMm, double endMm) {
-    if (other.distanceMm(at(leg, lengthMm, endMm)) <= sameMm) {
-      return endMm;
-    }
-    double in = insideMm;
-    double out = endMm;
-    for (int i = 0; i < 40; i++) {
-      double middle = (in + out) / 2;
-      if (other.distanceMm(at(leg, lengthMm, middle)) <= sameMm) {
-        in = middle;
-      } else {
-        out = middle;
-      }
-    }
-    return in;
-  }
-
-  private static Point at(Segment leg, double lengthMm, double mm) {
-    return leg.from().plus(leg.to().minus(leg.from()).times(mm / lengthMm));
+  private static Point at(Segment leg, double fraction) {
+    return leg.from().plus(leg.to().minus(leg.from()).times(fraction));
   }
 }

@@ -10,14 +10,14 @@ import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.TubeSettings;
 
 /**
- * What all painters know beforehand.
+ * What all painters know from the start.
  *
- * @param strokes of the drawing, each at its number
+ * @param strokes the drawing, each stroke at the index that is its number
  * @param floor all bodies stay inside
  */
 public record Painting(List<Stroke> strokes, Rectangle floor) {
 
-  /** Painters drive slowly and know where they are: their tubes are narrow, and claims short. */
+  /** Painters drive slowly and know their positions well: narrow tubes, short deadlines. */
   public static final TubeSettings TUBES =
       new TubeSettings(40, 1_000, 10_000, 200, 2_000, 200, 2_000);
 
@@ -32,13 +32,13 @@ public record Painting(List<Stroke> strokes, Rectangle floor) {
     }
   }
 
-  /** For one painter's tubes. */
+  /** Path planning of one painter. */
   DistributedPathPlanning paths(GlobalVarHolder gvh) {
     return new DistributedPathPlanning(
         gvh, "lightpaint", gvh.id.participants(), new OptimalPlanner(), floor, TUBES);
   }
 
-  /** How painters move whose bodies are like that: exactly, at the price of some time. */
+  /** Motion parameters of a painter with this body: exact, but slower. */
   public static MotionParameters motion(MotionParameters body) {
     return body.toBuilder()
         .goalRadiusMm(GOAL_RADIUS_MM)
@@ -55,7 +55,7 @@ public record Painting(List<Stroke> strokes, Rectangle floor) {
     return DistributedPathPlanning.radiusMm(motion(body), TUBES);
   }
 
-  /** A body in its tube is nowhere farther from the line that it follows than this. */
+  /** Maximum distance of a body in its tube from the line that it follows. */
   public static double trackMm(MotionParameters body) {
     return radiusMm(body) - body.robotRadiusMm();
   }

@@ -1,7 +1,12 @@
 package org.starl.apps.lightpaint.logic;
 
+import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.BitSet;
+import java.util.Collections;
+import java.util.Deque;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
@@ -20,7 +25,8 @@ public record Polyline(List<Point> points) {
     }
     for (int i = 1; i < points.size(); i++) {
       if (points.get(i).equals(points.get(i - 1)) || !points.get(i).isFinite()) {
-        throw new IllegalArgumentException("polyline with " + points.get(i) + " twice in a row");
+        throw new IllegalArgumentException(
+            "polyline with " + points.get(i) + ": expected numbers, none twice in a row");
       }
     }
   }
@@ -49,7 +55,7 @@ public record Polyline(List<Point> points) {
     return sum;
   }
 
-  /** The place {@code alongMm} from the start; an end for less than 0 or more than the length. */
+  /** The place {@code alongMm} from the start; beyond an end, that end. */
   public Point at(double alongMm) {
     double rest = alongMm;
     for (int i = 0; i < legs(); i++) {
@@ -63,7 +69,7 @@ public record Polyline(List<Point> points) {
     return end();
   }
 
-  /** What lies between two places, each measured from the start; {@code fromMm} is before {@code toMm}. */
+  /** The part between two places, each measured from the start; {@code fromMm < toMm}. */
   public Polyline between(double fromMm, double toMm) {
     List<Point> part = new ArrayList<>();
     part.add(at(fromMm));
@@ -71,22 +77,16 @@ public record Polyline(List<Point> points) {
     for (int i = 0; i < legs(); i++) {
       sum += legMm(i);
       if (sum > fromMm && sum < toMm) {
-        append(part, points.get(i + 1));
+        part.add(points.get(i + 1));
       }
     }
-    append(part, at(toMm));
-    return new Polyline(part);
-  }
-
-  private static void append(List<Point> part, Point point) {
-    if (!part.get(part.size() - 1).equals(point)) {
-      part.add(point);
-    }
+    part.add(at(toMm));
+    return new Polyline(withoutRepeats(part));
   }
 
   /**
-   * How far along the place is that is nearest to {@code point}, of those from {@code fromMm} to {@code
-   * toMm}; the first of several.
+   * The distance from the start, between {@code fromMm} and {@code toMm}, of the place nearest to
+   * {@code point}; the first of several.
    */
   public double nearestMm(Point point, double fromMm, double toMm) {
     double best = Double.POSITIVE_INFINITY;
@@ -113,33 +113,81 @@ public record Polyline(List<Point> points) {
   }
 
   public double distanceMm(Point point) {
-    double least = Double.POSITIVE_INFINITY;
+    double leastMm = Double.POSITIVE_INFINITY;
     for (int i = 0; i < legs(); i++) {
-      least = Math.min(least, leg(i).distanceMm(point));
+      leastMm = Math.min(leastMm, leg(i).distanceMm(point));
     }
-    return least;
+    return leastMm;
   }
 
   public double distanceMm(Polyline other) {
-    double least = Double.POSITIVE_INFINITY;
+    double leastMm = Double.POSITIVE_INFINITY;
     for (int i = 0; i < legs(); i++) {
       for (int j = 0; j < other.legs(); j++) {
-        least = Math.min(least, leg(i).distanceMm(other.leg(j)));
+        leastMm = Math.min(leastMm, leg(i).distanceMm(other.leg(j)));
       }
     }
-    return least;
+    return leastMm;
   }
 
-  /** The same from its end to its start. */
+  /** The same line from its end to its start. */
   public Polyline reversed() {
-    List<Point> reversed = new ArrayList<>();
-    for (int i = points.size() - 1; i >= 0; i--) {
-      reversed.add(points.get(i));
-    }
+    List<Point> reversed = new ArrayList<>(points);
+    Collections.reverse(reversed);
     return new Polyline(reversed);
   }
 
   private double legMm(int i) {
     return points.get(i).distanceMm(points.get(i + 1));
+  }
+
+  /** The point on whole millimetres that is nearest. */
+  public static Point rounded(Point point) {
+    return new Point(StrictMath.rint(point.xMm()), StrictMath.rint(point.yMm()));
+  }
+
+  /** The points, none twice in a row. */
+  public static List<Point> withoutRepeats(List<Point> points) {
+    List<Point> kept = new ArrayList<>();
+    for (Point point : points) {
+      if (kept.isEmpty() || !kept.get(kept.size() - 1).equals(point)) {
+        kept.add(point);
+      }
+    }
+    return kept;
+  }
+
+  /**
+   * The points without those that the line does not need to stay within {@code toleranceMm} of all of
+   * them, none twice in a row (Douglas, Peucker, "Algorithms for the reduction of the number of points
+   * required to represent a digitized line or its caricature", Cartographica 10(2), 1973).
+   */
+  public static List<Point> simplified(List<Point> points, double toleranceMm) {
+    BitSet needed = new BitSet(points.size());
+    Deque<int[]> ranges = new ArrayDeque<>();
+    if (!points.isEmpty()) {
+      needed.set(0);
+      needed.set(points.size() - 1);
+      ranges.push(new int[] {0, points.size() - 1});
+    }
+    while (!ranges.isEmpty()) {
+      int[] range = ranges.pop();
+      Segment chord = new Segment(points.get(range[0]), points.get(range[1]));
+      int farthest = -1;
+      double farthestMm = toleranceMm;
+      for (int i = range[0] + 1; i < range[1]; i++) {
+        double distanceMm = chord.distanceMm(points.get(i));
+        if (distanceMm > farthestMm) {
+          farthest = i;
+          farthestMm = distanceMm;
+        }
+      }
+      if (farthest >= 0) {
+        needed.set(farthest);
+        ranges.push(new int[] {range[0], farthest});
+        ranges.push(new int[] {farthest, range[1]});
+      }
+    }
+    return withoutRepeats(needed.stream().mapToObj(points::get).collect(Collectors.toList()));
   }
 }

@@ -1,8 +1,8 @@
 package org.starl.apps.lightpaint.logic;
 
 /**
- * What one robot paints in one go.
+ * A part of the drawing that one robot paints.
  *
- * @param number its place in the list of strokes, the same on every robot
+ * @param number its index in the list of strokes, the same on every robot
  */
 public record Stroke(int number, Polyline path, Ink ink) {}

@@ -5,17 +5,17 @@ import java.util.List;
 import org.starl.geometry.Point;
 
 /**
- * Cuts a drawing into strokes. What two lines have in common belongs to the one that is drawn later,
- * as in a picture; lines of one ink that meet end to end are one chain; a chain is cut so that each
- * piece's tube is short and its ends lie apart.
+ * Cuts a drawing into strokes. A part that two lines share belongs to the later one, as in a picture;
+ * lines of one ink that meet end to end become one chain; a chain is cut so that each stroke's tube is
+ * short and its ends are apart.
  */
 public final class Strokes {
 
-  /** More corners than these would not fit a tube, with some places where long legs are cut. */
+  /** A tube's limit, less some for long legs, which are cut. */
   private static final int MAX_LEGS = 24;
 
-  /** What is shorter nobody can see, nor paint. */
-  private static final double LEAST_MM = 2;
+  /** Shorter strokes can be neither seen nor painted. */
+  private static final double MIN_MM = 2;
 
   private final double sameMm;
   private final double longestMm;
@@ -26,15 +26,15 @@ public final class Strokes {
   }
 
   /**
-   * The strokes of a drawing, in order; equal drawings have equal strokes. No place of the drawing
-   * is farther from them than {@code sameMm} and 3 mm, nor are they farther from it.
+   * The strokes of a drawing, in order; equal drawings have equal strokes. Drawing and strokes are
+   * nowhere farther from each other than {@code sameMm} + 3 mm.
    *
    * @param lines in the order in which they are drawn
-   * @param sameMm lines that run nearer to each other than this are one line there
-   * @param longestMm no stroke is longer, above 0
+   * @param sameMm lines that run nearer to each other than this share that part
+   * @param longestMm maximum length of a stroke
    */
   public static List<Stroke> of(List<Line> lines, double sameMm, double longestMm) {
-    if (!(sameMm > 0) || !(longestMm > LEAST_MM)) {
+    if (!(sameMm > 0) || !(longestMm > MIN_MM)) {
       throw new IllegalArgumentException("strokes: " + sameMm + " mm, " + longestMm + " mm");
     }
     Strokes cutter = new Strokes(sameMm, longestMm);
@@ -54,7 +54,7 @@ public final class Strokes {
       pieces = Math.max(pieces, isClosed ? 2 : 1);
       for (int i = 0; i < pieces; i++) {
         Polyline piece = part.between(lengthMm * i / pieces, lengthMm * (i + 1) / pieces);
-        if (piece.lengthMm() >= LEAST_MM) {
+        if (piece.lengthMm() >= MIN_MM) {
           strokes.add(new Stroke(strokes.size(), piece, chain.ink()));
         }
       }

@@ -1,5 +1,5 @@
 /**
- * What a painter runs: strokes, who paints which, and the app.
+ * What a painter runs: the app, strokes, and their assignment.
  *
  * <p>May import: core and primitives only.
  */

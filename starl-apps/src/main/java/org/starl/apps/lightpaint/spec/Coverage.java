@@ -8,14 +8,14 @@ import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.geometry.Point;
 
-/** Which parts of the strokes are painted, each by which pass, measured along them. */
+/** Which parts of the strokes are painted, by which pass, measured along the strokes. */
 final class Coverage {
 
   private final List<Stroke> strokes;
   private final double toleranceMm;
   private final SortedMap<Integer, List<Part>> parts = new TreeMap<>();
 
-  /** What a pass has painted of its stroke, in mm from the stroke's start. */
+  /** The part of its stroke that a pass has painted, in mm from the stroke's start. */
   static final class Part {
     private final Pass pass;
     private double fromMm;
@@ -35,7 +35,7 @@ final class Coverage {
     this.toleranceMm = toleranceMm;
   }
 
-  /** The latest point of {@code pass} is painted. */
+  /** Adds the latest point of {@code pass}. */
   void add(Pass pass) {
     Polyline path = strokes.get(pass.stroke()).path();
     Point point = pass.points().get(pass.points().size() - 1);
@@ -51,7 +51,7 @@ final class Coverage {
     part.toMm = Math.max(part.toMm, part.atMm);
   }
 
-  /** How much of what {@code pass} has painted was painted already, by it or before it, in mm. */
+  /** The longest part, in mm, that {@code pass} painted although it, or an earlier pass, had already. */
   double twiceMm(Pass pass) {
     List<Part> all = parts.getOrDefault(pass.stroke(), List.of());
     Part last = all.get(all.size() - 1);
@@ -65,7 +65,7 @@ final class Coverage {
     return twiceMm;
   }
 
-  /** The longest part of a stroke that is not painted, in mm; less than the tolerance is nothing. */
+  /** The longest unpainted part of a stroke, in mm. */
   double longestGapMm(int stroke) {
     List<Part> sorted = new ArrayList<>(parts.getOrDefault(stroke, List.of()));
     sorted.sort((a, b) -> Double.compare(a.fromMm, b.fromMm));
@@ -78,18 +78,12 @@ final class Coverage {
     return Math.max(gapMm, strokes.get(stroke).path().lengthMm() - toMm);
   }
 
-  boolean isPainted(int stroke) {
+  private boolean isPainted(int stroke) {
     return parts.containsKey(stroke) && longestGapMm(stroke) <= toleranceMm;
   }
 
-  /** The numbers of the strokes that are not painted, in order. */
+  /** The numbers of the strokes with a gap longer than the tolerance, in order. */
   List<Integer> missing() {
-    List<Integer> missing = new ArrayList<>();
-    for (Stroke stroke : strokes) {
-      if (!isPainted(stroke.number())) {
-        missing.add(stroke.number());
-      }
-    }
-    return missing;
+    return strokes.stream().map(Stroke::number).filter(number -> !isPainted(number)).toList();
   }
 }

@@ -15,8 +15,8 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What was truly painted: where bodies were while their lights were on. A light goes out when the
- * program crashes that keeps it on.
+ * What was painted: the true positions of bodies while their lights were on. A light goes out when the
+ * program crashes that switched it on.
  */
 public final class LightTrail {
 
@@ -33,7 +33,7 @@ public final class LightTrail {
   }
 
   /**
-   * @param listener is told of a pass whenever it has one more point
+   * @param listener called with a pass after each point that is added to it
    */
   LightTrail(Consumer<Pass> listener) {
     this(listener, new Bodies());
@@ -44,7 +44,7 @@ public final class LightTrail {
     this.bodies = bodies;
   }
 
-  /** The same at this moment, from now on apart and without a listener. Passes that are over, are shared. */
+  /** An independent copy of the present state, without a listener; finished passes are shared. */
   public LightTrail copy() {
     LightTrail copy = new LightTrail(pass -> {}, bodies.copy());
     for (Pass pass : passes) {
@@ -59,65 +59,58 @@ public final class LightTrail {
     return copy;
   }
 
-  /** All passes, in the order in which they began; the last ones may not be over. */
+  /** All passes, in the order in which they began; some may be unfinished. */
   public List<Pass> passes() {
     return Collections.unmodifiableList(passes);
   }
 
-  /** Sees the next event. */
+  /** Takes the next event. */
   public void observe(TraceEvent event) {
     advance(event.timeNs());
     switch (event) {
-      case Variable variable -> {
-        if (variable.source().equals(PaintTrace.SOURCE)
-            && variable.name().equals(PaintTrace.LIGHT)) {
-          close(variable.robot(), variable.timeNs());
-          shine(variable.robot(), Light.parse(variable.value()), variable.timeNs());
-        }
+      case Variable variable when PaintTrace.is(variable, PaintTrace.LIGHT) -> {
+        end(variable.robot(), variable.timeNs());
+        begin(variable.robot(), Light.parse(variable.value()), variable.timeNs());
       }
-      case Fault fault -> {
-        if (fault.name().equals(Fault.CRASH)) {
-          close(fault.robot(), fault.timeNs());
-        }
-      }
-      case TraceEvent.Left left -> close(left.robot(), left.timeNs());
-      case TraceEvent.Moved moved -> look(moved.robot(), moved.timeNs());
+      case Fault fault when fault.name().equals(Fault.CRASH) -> end(fault.robot(), fault.timeNs());
+      case TraceEvent.Left left -> end(left.robot(), left.timeNs());
+      case TraceEvent.Moved moved -> addPoint(moved.robot(), moved.timeNs());
       default -> {
-        // Neither moves nor shines.
+        // Changes no light and no movement.
       }
     }
     bodies.observe(event);
   }
 
-  /** Time goes on to {@code timeNs}. */
+  /** Advances time to {@code timeNs}. */
   public void advance(long timeNs) {
     while (nextNs <= timeNs) {
-      boolean isAnybodyMoving = false;
+      boolean isMoving = false;
       for (RobotId robot : open.keySet()) {
         if (bodies.isMoving(robot)) {
-          isAnybodyMoving = true;
-          look(robot, nextNs);
+          isMoving = true;
+          addPoint(robot, nextNs);
         }
       }
-      nextNs = isAnybodyMoving ? nextNs + STEP_NS : Math.max(nextNs, timeNs) + 1;
+      nextNs = isMoving ? nextNs + STEP_NS : Math.max(nextNs, timeNs) + 1;
     }
   }
 
-  private void shine(RobotId robot, Light light, long timeNs) {
+  private void begin(RobotId robot, Light light, long timeNs) {
     if (light.ink() != null && bodies.isOnFloor(robot)) {
       Pass pass = new Pass(robot, light.stroke(), light.ink());
       open.put(robot, pass);
       passes.add(pass);
-      look(robot, timeNs);
+      addPoint(robot, timeNs);
     }
   }
 
-  private void close(RobotId robot, long timeNs) {
-    look(robot, timeNs);
+  private void end(RobotId robot, long timeNs) {
+    addPoint(robot, timeNs);
     open.remove(robot);
   }
 
-  private void look(RobotId robot, long timeNs) {
+  private void addPoint(RobotId robot, long timeNs) {
     Pass pass = open.get(robot);
     if (pass != null && bodies.isOnFloor(robot)) {
       pass.add(bodies.poseAt(robot, timeNs).at());

@@ -7,9 +7,11 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.lightpaint.logic.Location;
 import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
@@ -20,15 +22,15 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What painters owe. Positions are true ones, every 10 ms; the tolerance is the caller's.
+ * The specification of light painting, from true positions, every 10 ms.
  *
  * <ul>
- *   <li>{@code OnTheDrawing}: wherever a light is on, it is on the stroke that it says, in that
+ *   <li>{@code OnTheDrawing}: wherever a light is on, it is on the stroke that it names, in that
  *       stroke's ink.
  *   <li>{@code Once}: no place of a stroke is painted twice.
- *   <li>{@code Complete}: when all painters have ended and none of them is down, all is painted.
- *   <li>{@code Painted}: all is painted and all have ended within the bound, counted anew after
- *       faults and while nobody is down.
+ *   <li>{@code Complete}: when all painters have ended and none is down, all is painted.
+ *   <li>{@code Painted}: all is painted and all have ended within the bound. It is suspended during
+ *       faults and while a robot is down, and then starts anew.
  * </ul>
  */
 public final class PaintSpec implements Monitor {
@@ -39,7 +41,7 @@ public final class PaintSpec implements Monitor {
   static final String PAINTED = "Painted";
 
   private static final String ALL = "all";
-  private static final int MOST_NAMED = 8;
+  private static final int MAX_NAMED = 8;
 
   private final List<Stroke> strokes;
   private final double toleranceMm;
@@ -47,15 +49,18 @@ public final class PaintSpec implements Monitor {
   private final Circumstances circumstances = new Circumstances();
   private final Within<String> progress;
   private final SortedMap<RobotId, Boolean> ended = new TreeMap<>();
-  private final SortedSet<String> told = new TreeSet<>();
+
+  /** The lemmas violated so far, with robot and stroke: each is reported once. */
+  private final SortedSet<String> reported = new TreeSet<>();
+
   private final LightTrail trail;
   private @Nullable Report report;
   private long nowNs;
 
   /**
-   * @param toleranceMm how far a light may be off its stroke, and by how much what two passes of a
-   *     stroke have painted may overlap or be apart
-   * @param boundNs for all of the drawing
+   * @param toleranceMm maximum distance of a light from its stroke, and maximum overlap of, or gap
+   *     between, two passes along a stroke
+   * @param boundNs time for the whole drawing
    */
   public PaintSpec(List<Stroke> strokes, double toleranceMm, long boundNs) {
     this.strokes = List.copyOf(strokes);
@@ -97,18 +102,15 @@ public final class PaintSpec implements Monitor {
         ended.putIfAbsent(joined.robot(), false);
         progress.owe(ALL, nowNs);
       }
-      case Variable variable -> {
-        if (variable.source().equals(PaintTrace.SOURCE)
-            && variable.name().equals(PaintTrace.LOCATION)) {
-          boolean isDone = variable.value().equals(Location.DONE.name());
-          ended.put(variable.robot(), isDone);
-          if (isDone && areAllDone()) {
-            allHaveEnded(to);
-          }
+      case Variable variable when PaintTrace.is(variable, PaintTrace.LOCATION) -> {
+        boolean isDone = variable.value().equals(Location.DONE.name());
+        ended.put(variable.robot(), isDone);
+        if (isDone && !ended.containsValue(false)) {
+          allHaveEnded(to);
         }
       }
       default -> {
-        // Paints nothing and ends nothing.
+        // No other event concerns the painters' ends.
       }
     }
   }
@@ -123,10 +125,6 @@ public final class PaintSpec implements Monitor {
 
   private boolean areAllUp() {
     return ended.keySet().stream().allMatch(circumstances::isUp);
-  }
-
-  private boolean areAllDone() {
-    return !ended.containsValue(false);
   }
 
   private void allHaveEnded(Report to) {
@@ -146,37 +144,34 @@ public final class PaintSpec implements Monitor {
         (key, sinceNs, deadlineNs) -> {
           List<RobotId> late = new ArrayList<>(ended.keySet());
           late.removeIf(robot -> Boolean.TRUE.equals(ended.get(robot)));
+          String detail =
+              "not done since %d ms; not painted: %s"
+                  .formatted(sinceNs / 1_000_000, names(coverage.missing()));
           to.checked(PAINTED);
-          to.violated(
-              PAINTED,
-              deadlineNs,
-              late,
-              "since "
-                  + sinceNs / 1_000_000
-                  + " ms not all is done; not painted: "
-                  + names(coverage.missing()));
+          to.violated(PAINTED, deadlineNs, late, detail);
         });
   }
 
+  /** The pass has one more point. */
   private void painted(Pass pass) {
     Report to = report;
     if (to == null) {
       return;
     }
-    Point at = pass.points().get(pass.points().size() - 1);
-    if (pass.points().size() == 1) {
+    List<Point> points = pass.points();
+    if (points.size() == 1) {
       to.checked(ON_THE_DRAWING);
       to.checked(ONCE);
     }
-    String who = pass.robot() + " " + pass.stroke();
     boolean isStroke = pass.stroke() >= 0 && pass.stroke() < strokes.size();
     if (!isStroke || !strokes.get(pass.stroke()).ink().equals(pass.ink())) {
       violated(ON_THE_DRAWING, pass, "paints " + pass.ink() + ": no such stroke", to);
       return;
     }
-    double offMm = strokes.get(pass.stroke()).path().distanceMm(at);
+    Polyline path = strokes.get(pass.stroke()).path();
+    double offMm = path.distanceMm(points.get(points.size() - 1));
     if (offMm > toleranceMm) {
-      violated(ON_THE_DRAWING, pass, "its light is on " + text(offMm) + " off " + who, to);
+      violated(ON_THE_DRAWING, pass, "its light is on " + text(offMm) + " off the stroke", to);
     }
     coverage.add(pass);
     double twiceMm = coverage.twiceMm(pass);
@@ -185,9 +180,9 @@ public final class PaintSpec implements Monitor {
     }
   }
 
-  private void violated(String lemma, Pass pass, String what, Report to) {
-    if (told.add(lemma + " " + pass.robot() + " " + pass.stroke())) {
-      to.violated(lemma, nowNs, List.of(pass.robot()), "stroke " + pass.stroke() + ": " + what);
+  private void violated(String lemma, Pass pass, String problem, Report to) {
+    if (reported.add(lemma + " " + pass.robot() + " " + pass.stroke())) {
+      to.violated(lemma, nowNs, List.of(pass.robot()), "stroke " + pass.stroke() + ": " + problem);
     }
   }
 
@@ -196,17 +191,12 @@ public final class PaintSpec implements Monitor {
   }
 
   private String names(List<Integer> missing) {
-    StringBuilder text = new StringBuilder();
-    for (int number : missing.subList(0, Math.min(MOST_NAMED, missing.size()))) {
-      text.append("stroke ")
-          .append(number)
-          .append(" (")
-          .append(text(coverage.longestGapMm(number)))
-          .append(") ");
-    }
-    int more = missing.size() - MOST_NAMED;
-    return more > 0
-        ? text.append("and ").append(more).append(" more").toString()
-        : text.toString().strip();
+    String names =
+        missing.stream()
+            .limit(MAX_NAMED)
+            .map(number -> "stroke " + number + " (" + text(coverage.longestGapMm(number)) + ")")
+            .collect(Collectors.joining(" "));
+    int more = missing.size() - MAX_NAMED;
+    return more > 0 ? names + " and " + more + " more" : names;
   }
 }

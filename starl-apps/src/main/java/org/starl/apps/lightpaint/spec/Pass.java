@@ -7,7 +7,7 @@ import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 
-/** What one light has painted from when it went on until it went off. */
+/** What a light painted from when it went on until it went off. */
 public final class Pass {
 
   private final RobotId robot;
@@ -25,7 +25,7 @@ public final class Pass {
     return robot;
   }
 
-  /** The number of the stroke that the painter says it paints. */
+  /** The number of the stroke that the light names. */
   public int stroke() {
     return stroke;
   }
@@ -34,9 +34,17 @@ public final class Pass {
     return ink;
   }
 
-  /** Where the light truly was, every 10 ms of movement. */
+  /** True positions of the light, one every 10 ms while it moves. */
   public List<Point> points() {
     return Collections.unmodifiableList(points);
+  }
+
+  public double lengthMm() {
+    double sum = 0;
+    for (int i = 1; i < points.size(); i++) {
+      sum += points.get(i - 1).distanceMm(points.get(i));
+    }
+    return sum;
   }
 
   Pass copy() {

@@ -24,10 +24,11 @@ import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 
-/** Draws what is to be painted dotted, what is painted in its colour, and tubes. */
+/** Draws what is still to be painted dotted, what is painted in its colour, and the tubes. */
 public final class LightPaintLayer implements Layer {
 
   private static final String TUBES = "tubes/lightpaint";
+  private static final double MIN_WIDTH_MM = 24;
   private static final int TUBE_ALPHA = 40;
   private static final int GLOW_ALPHA = 110;
   private static final String DRAWING = "drawing";
@@ -89,8 +90,7 @@ public final class LightPaintLayer implements Layer {
     }
     for (Pass pass : look.shows(PAINTED) ? trail.passes() : List.<Pass>of()) {
       floor.setColor(look.theme().visible(new Color(pass.ink().rgb())));
-      float widthMm = (float) Math.max(24, pass.ink().widthMm());
-      floor.setStroke(new BasicStroke(widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
+      floor.setStroke(roundPen(Math.max(MIN_WIDTH_MM, pass.ink().widthMm())));
       floor.draw(line(pass.points()));
     }
     for (RobotId robot : scene.robots()) {
@@ -107,24 +107,25 @@ public final class LightPaintLayer implements Layer {
     floor.setColor(Theme.faded(colour, TUBE_ALPHA));
     if (tube.points().size() == 1) {
       floor.fill(disc(tube.end(), tube.radiusMm()));
-      return;
+    } else {
+      floor.setStroke(roundPen(2 * tube.radiusMm()));
+      floor.draw(line(tube.points()));
     }
-    floor.setStroke(
-        new BasicStroke(2f * tube.radiusMm(), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-    floor.draw(line(tube.points()));
   }
 
-  private static Ellipse2D disc(Point at, double radiusMm) {
-    return new Ellipse2D.Double(
-        at.xMm() - radiusMm, at.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
+  private static BasicStroke roundPen(double widthMm) {
+    return new BasicStroke((float) widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
+  }
+
+  private static Ellipse2D disc(Point center, double radiusMm) {
+    double left = center.xMm() - radiusMm;
+    return new Ellipse2D.Double(left, center.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
   }
 
   private static Path2D line(List<Point> points) {
     Path2D path = new Path2D.Double();
     path.moveTo(points.get(0).xMm(), points.get(0).yMm());
-    for (Point point : points) {
-      path.lineTo(point.xMm(), point.yMm());
-    }
+    points.forEach(point -> path.lineTo(point.xMm(), point.yMm()));
     return path;
   }
 
@@ -146,26 +147,22 @@ public final class LightPaintLayer implements Layer {
                   : "paints stroke " + stroke + " in " + light.ink().colour();
           case "GO" -> "goes to stroke " + stroke;
           case "NOTE", "ASK" -> "asks for stroke " + stroke;
-          case "RETREAT" -> "gives way, in its own place";
+          case "RETREAT" -> "gives way, at its home";
           case "PARK", "DONE" -> "is done";
           default -> "looks for a stroke";
         };
-    double paintedMm = 0;
-    for (Pass pass : trail.passes()) {
-      for (int i = 1; pass.robot().equals(robot) && i < pass.points().size(); i++) {
-        paintedMm += pass.points().get(i - 1).distanceMm(pass.points().get(i));
-      }
-    }
+    double paintedMm =
+        trail.passes().stream()
+            .filter(pass -> pass.robot().equals(robot))
+            .mapToDouble(Pass::lengthMm)
+            .sum();
     return doing + String.format(Locale.ROOT, "%nhas painted %.2f m", paintedMm / MM_PER_M);
   }
 
-  /** Most is to be seen when many lights are on, and some of the drawing is there. */
+  /** Highest when many lights are on and part of the drawing is painted. */
   @Override
   public double interest(Scene scene) {
-    int lit = 0;
-    for (RobotId robot : scene.robots()) {
-      lit += light(robot, scene).isOn() ? 1 : 0;
-    }
+    long lit = scene.robots().stream().filter(robot -> light(robot, scene).isOn()).count();
     double done = trail.passes().size() / (double) Math.max(1, painting.strokes().size());
     return lit + 2 * Math.min(done, 0.6);
   }

@@ -12,20 +12,23 @@ import javax.xml.stream.XMLStreamReader;
 import org.starl.input.BadInput;
 
 /**
- * Tells by file and line what in an SVG file cannot be read. A browser draws a broken path as far as
- * it understands it, and so does JSVG: a robot should not.
+ * Checks that an SVG file can be read, and names file and line if not. A browser draws a broken path
+ * up to the error, and so does JSVG; a robot must not.
  */
 final class SvgCheck {
 
-  private static final String NUMBER = "[+-]?(?:[0-9]+\\.?[0-9]*|\\.[0-9]+)(?:[eE][+-]?[0-9]+)?";
+  // Possessive: a number is never split in two to make a pattern match.
+  private static final String NUMBER =
+      "[+-]?+(?:[0-9]++\\.?+[0-9]*+|\\.[0-9]++)(?:[eE][+-]?+[0-9]++)?+";
+
   private static final Pattern LENGTH =
       Pattern.compile("\\s*" + NUMBER + "(?:px|pt|pc|mm|cm|in|em|ex|rem|%)?\\s*");
-  private static final Pattern POINTS =
-      Pattern.compile("[\\s,]*(?:" + NUMBER + "[\\s,]*" + NUMBER + "[\\s,]*)*");
-  private static final Pattern NEXT = Pattern.compile("[\\s,]*(" + NUMBER + ")");
-  private static final Pattern FLAG = Pattern.compile("[\\s,]*[01]");
 
-  /** How many numbers each command of a path takes, repeated; flags of an arc are f. */
+  private static final Pattern BLANKS = Pattern.compile("[\\s,]*+");
+  private static final Pattern NEXT_NUMBER = Pattern.compile("[\\s,]*+" + NUMBER);
+  private static final Pattern NEXT_FLAG = Pattern.compile("[\\s,]*+[01]");
+
+  /** The arguments of each command of a path, which may be repeated: n for number, f for flag. */
   private static final Map<Character, String> COMMANDS =
       Map.of(
           'M', "nn", 'L', "nn", 'T', "nn", 'H', "n", 'V', "n", 'C', "nnnnnn", 'S', "nnnn", 'Q',
@@ -48,109 +51,108 @@ final class SvgCheck {
     this.xml = xml;
   }
 
+  /**
+   * @throws BadInput if the file is no SVG, or a length, list of points or path cannot be read
+   */
   static void check(String file, byte[] bytes) {
     XMLInputFactory factory = XMLInputFactory.newFactory();
     factory.setProperty(XMLInputFactory.SUPPORT_DTD, false);
     factory.setProperty(XMLInputFactory.IS_SUPPORTING_EXTERNAL_ENTITIES, false);
     try {
       XMLStreamReader xml = factory.createXMLStreamReader(new ByteArrayInputStream(bytes));
-      new SvgCheck(file, xml).all();
+      new SvgCheck(file, xml).elements();
     } catch (XMLStreamException e) {
       int line = e.getLocation() == null ? 1 : Math.max(1, e.getLocation().getLineNumber());
-      List<String> said = String.valueOf(e.getMessage()).lines().toList();
-      String why = said.get(said.size() - 1).replaceFirst("^Message: ", "");
+      List<String> message = String.valueOf(e.getMessage()).lines().toList();
+      String why = message.get(message.size() - 1).replaceFirst("^Message: ", "");
       throw new BadInput(file + ":" + line + ": is no XML (" + why + "): expected an SVG drawing");
     }
   }
 
-  private void all() throws XMLStreamException {
-    boolean isFirst = true;
+  private void elements() throws XMLStreamException {
+    boolean isRoot = true;
     while (xml.hasNext()) {
       if (xml.next() == XMLStreamConstants.START_ELEMENT) {
-        if (isFirst && !xml.getLocalName().equals("svg")) {
-          throw new BadInput(
-              place() + "<" + xml.getLocalName() + ">: expected <svg>, of an SVG drawing");
+        if (isRoot && !xml.getLocalName().equals("svg")) {
+          throw bad("<" + xml.getLocalName() + ">", "<svg>, of an SVG drawing");
         }
-        isFirst = false;
-        element();
+        isRoot = false;
+        element(xml.getLocalName());
       }
     }
   }
 
-  private void element() {
-    String name = xml.getLocalName();
+  private void element(String name) {
     for (String attribute : LENGTHS.getOrDefault(name, List.of())) {
       String value = xml.getAttributeValue(null, attribute);
       if (value != null && !value.equals("auto") && !LENGTH.matcher(value).matches()) {
-        throw bad(attribute, value, "a length, such as 12.5");
+        throw bad(attribute + "=" + BadInput.quote(value), "a length, such as 12.5");
       }
     }
     String points = xml.getAttributeValue(null, "points");
-    if (points != null && !POINTS.matcher(points).matches()) {
-      throw bad("points", points, "numbers in pairs, such as 0,0 10,5");
+    if (points != null) {
+      points(points);
     }
-    String d = name.equals("path") ? xml.getAttributeValue(null, "d") : null;
-    if (d != null) {
-      path(d);
+    String path = xml.getAttributeValue(null, "d");
+    if (path != null && name.equals("path")) {
+      path(path);
     }
   }
 
-  private void path(String d) {
-    String numbers = "";
-    boolean isFirst = true;
-    int at = skipBlanks(d, 0, "\\s*");
-    while (at < d.length()) {
-      char command = Character.toUpperCase(d.charAt(at));
-      String own = COMMANDS.get(command);
-      if (own == null && (numbers.isEmpty() || Character.isLetter(command))) {
-        throw badPath(d, at, "a command: M L H V C S Q T A or Z");
+  private void points(String points) {
+    int at = end(BLANKS, points, 0);
+    while (at < points.length()) {
+      int afterX = end(NEXT_NUMBER, points, at);
+      int afterY = afterX < 0 ? -1 : end(NEXT_NUMBER, points, afterX);
+      if (afterY < 0) {
+        throw bad("points=" + BadInput.quote(points), "numbers in pairs, such as 0,0 10,5");
       }
-      if (isFirst && command != 'M') {
-        throw badPath(d, at, "M first");
-      }
-      isFirst = false;
-      numbers = own == null ? numbers : own;
-      at = numbers(d, own == null ? at : at + 1, numbers);
-      at = skipBlanks(d, at, "[\\s,]*");
+      at = end(BLANKS, points, afterY);
     }
   }
 
-  private int numbers(String d, int from, String numbers) {
-    int at = from;
-    for (int i = 0; i < numbers.length(); i++) {
-      boolean isFlag = numbers.charAt(i) == 'f';
-      Matcher next = (isFlag ? FLAG : NEXT).matcher(d).region(at, d.length());
-      if (!next.lookingAt()) {
-        throw badPath(d, at, isFlag ? "a flag of an arc, 0 or 1" : "a number");
+  private void path(String path) {
+    String arguments = "";
+    int start = end(BLANKS, path, 0);
+    int at = start;
+    while (at < path.length()) {
+      char command = Character.toUpperCase(path.charAt(at));
+      String ofCommand = COMMANDS.get(command);
+      if (ofCommand == null && (arguments.isEmpty() || Character.isLetter(command))) {
+        throw badPath(path, at, "a command: M L H V C S Q T A or Z");
       }
-      at = next.end();
+      if (at == start && command != 'M') {
+        throw badPath(path, at, "M first");
+      }
+      if (ofCommand != null) {
+        arguments = ofCommand;
+        at++;
+      }
+      for (char argument : arguments.toCharArray()) {
+        boolean isFlag = argument == 'f';
+        int next = end(isFlag ? NEXT_FLAG : NEXT_NUMBER, path, at);
+        if (next < 0) {
+          throw badPath(path, at, isFlag ? "a flag of an arc, 0 or 1" : "a number");
+        }
+        at = next;
+      }
+      at = end(BLANKS, path, at);
     }
-    return at;
   }
 
-  private static int skipBlanks(String d, int at, String blanks) {
-    Matcher matcher = Pattern.compile(blanks).matcher(d).region(at, d.length());
-    return matcher.lookingAt() ? matcher.end() : at;
+  /** Where a match of {@code pattern} ends that begins at {@code from}; -1 if there is none. */
+  private static int end(Pattern pattern, String text, int from) {
+    Matcher matcher = pattern.matcher(text).region(from, text.length());
+    return matcher.lookingAt() ? matcher.end() : -1;
   }
 
-  private BadInput badPath(String d, int at, String expected) {
-    String rest = d.substring(Math.min(at, d.length()));
-    return new BadInput(
-        place()
-            + "path, character "
-            + (at + 1)
-            + ", at "
-            + BadInput.quote(rest.length() > 20 ? rest.substring(0, 20) : rest)
-            + ": expected "
-            + expected);
+  private BadInput badPath(String path, int at, String expected) {
+    String rest = path.substring(at, Math.min(at + 20, path.length()));
+    return bad("path, character " + (at + 1) + ", at " + BadInput.quote(rest), expected);
   }
 
-  private BadInput bad(String attribute, String value, String expected) {
-    return new BadInput(
-        place() + attribute + "=" + BadInput.quote(value) + ": expected " + expected);
-  }
-
-  private String place() {
-    return file + ":" + xml.getLocation().getLineNumber() + ": ";
+  private BadInput bad(String problem, String expected) {
+    int line = xml.getLocation().getLineNumber();
+    return new BadInput(file + ":" + line + ": " + problem + ": expected " + expected);
   }
 }

@@ -6,20 +6,23 @@ import com.github.weisj.jsvg.parser.SVGLoader;
 import com.github.weisj.jsvg.parser.resources.ResourcePolicy;
 import com.github.weisj.jsvg.renderer.NullPlatformSupport;
 import com.github.weisj.jsvg.renderer.output.Output;
+import com.github.weisj.jsvg.renderer.output.impl.Graphics2DOutput;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
+import java.awt.Image;
 import java.awt.Paint;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.PathIterator;
 import java.awt.image.BufferedImage;
+import java.awt.image.ImageObserver;
 import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
-import org.starl.apps.lightpaint.logic.Flattened;
 import org.starl.apps.lightpaint.logic.Ink;
 import org.starl.apps.lightpaint.logic.Line;
 import org.starl.apps.lightpaint.logic.Polyline;
@@ -27,37 +30,35 @@ import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 
 /**
- * Reads SVG drawings with JSVG: whatever a browser would draw with a stroke becomes lines, in the
- * order of the file, with groups, transforms, styles and view boxes applied. Fills, pictures,
- * opacity, dashes, clips and masks are not looked at: a line is painted whole or not at all.
+ * Reads SVG drawings with JSVG: all that a browser would draw with a stroke becomes lines, in the
+ * order of the file, with groups, transforms, styles and view boxes applied. Fills, images, opacity,
+ * dashes, clips and masks are ignored: a line is painted whole or not at all.
  */
 public final class SvgDrawing {
 
-  // JSVG tells what it does not like; SvgCheck has told it before, with the line.
+  // JSVG logs what it cannot read; SvgCheck has reported that before, with the line.
   private static final Logger LIBRARY = Logger.getLogger("com.github.weisj.jsvg");
 
   private static final double MAX_MM = 1e6;
 
   private final String file;
-  private final double mmPerUnit;
+  private final AffineTransform unitsToMm;
   private final double flatnessMm;
-  private final double heightUnits;
   private final List<Line> lines = new ArrayList<>();
 
-  private SvgDrawing(String file, double mmPerUnit, double flatnessMm, double heightUnits) {
+  private SvgDrawing(String file, AffineTransform unitsToMm, double flatnessMm) {
     this.file = file;
-    this.mmPerUnit = mmPerUnit;
+    this.unitsToMm = unitsToMm;
     this.flatnessMm = flatnessMm;
-    this.heightUnits = heightUnits;
   }
 
   /**
-   * The lines of a file, its lower left corner in the floor's origin, y upwards.
+   * The lines of a file; its lower left corner is the floor's origin, y upwards.
    *
    * @param file its name, for errors
-   * @param mmPerUnit millimetres to a unit (a pixel) of the drawing
-   * @param flatnessMm no point of a curve is farther from the lines that take its place
-   * @throws BadInput if it is no SVG, or something in it cannot be read; the message names the line
+   * @param mmPerUnit millimetres per unit (pixel) of the drawing
+   * @param flatnessMm maximum distance of a curve from the straight lines that replace it
+   * @throws BadInput if it is no SVG, or part of it cannot be read; the message names the line
    */
   public static List<Line> read(String file, byte[] bytes, double mmPerUnit, double flatnessMm) {
     SvgCheck.check(file, bytes);
@@ -68,24 +69,67 @@ public final class SvgDrawing {
     if (document == null) {
       throw new BadInput(file + ": cannot be drawn: expected an SVG drawing");
     }
-    double height = document.size().getHeight();
-    SvgDrawing drawing = new SvgDrawing(file, mmPerUnit, flatnessMm, height);
-    // Nothing is drawn on it: it keeps transforms, strokes and colours.
-    Graphics2D desk = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
-    Output output = RecordingOutput.over(Output.createForGraphics(desk), drawing::drawn);
-    document.renderWithPlatform(NullPlatformSupport.INSTANCE, output, null);
-    desk.dispose();
+    AffineTransform unitsToMm = AffineTransform.getScaleInstance(mmPerUnit, -mmPerUnit);
+    unitsToMm.translate(0, -document.size().getHeight());
+    SvgDrawing drawing = new SvgDrawing(file, unitsToMm, flatnessMm);
+    Graphics2D unused = new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics();
+    document.renderWithPlatform(NullPlatformSupport.INSTANCE, drawing.new Recorder(unused), null);
+    unused.dispose();
     return List.copyOf(drawing.lines);
   }
 
+  /** Records outlines and draws nothing; keeps transforms, strokes and colours as JSVG sets them. */
+  private final class Recorder extends Graphics2DOutput {
+
+    Recorder(Graphics2D graphics) {
+      super(graphics);
+    }
+
+    @Override
+    public void drawShape(Shape shape) {
+      if (stroke() instanceof BasicStroke stroke) {
+        drawn(shape, transform(), stroke, graphics().getPaint());
+      }
+    }
+
+    @Override
+    public Output createChild() {
+      return new Recorder((Graphics2D) graphics().create());
+    }
+
+    @Override
+    public boolean supportsFilters() {
+      return false;
+    }
+
+    @Override
+    public void fillShape(Shape shape) {}
+
+    @Override
+    public void drawImage(BufferedImage image) {}
+
+    @Override
+    public void drawImage(Image image, ImageObserver observer) {}
+
+    @Override
+    public void drawImage(Image image, AffineTransform transform, ImageObserver observer) {}
+
+    @Override
+    public void applyClip(Shape clip) {}
+
+    @Override
+    public void setClip(Shape clip) {}
+
+    @Override
+    public void debugPaint(Consumer<Graphics2D> painter) {}
+  }
+
   private void drawn(Shape shape, AffineTransform toUnits, BasicStroke stroke, Paint paint) {
-    AffineTransform toMm = new AffineTransform(mmPerUnit, 0, 0, -mmPerUnit, 0, 0);
-    toMm.translate(0, -heightUnits);
+    AffineTransform toMm = new AffineTransform(unitsToMm);
     toMm.concatenate(toUnits);
-    double factor = Math.sqrt(Math.abs(toMm.getDeterminant()));
-    double widthMm = Math.max(1, Math.rint(stroke.getLineWidth() * factor));
+    double scale = Math.sqrt(Math.abs(toMm.getDeterminant()));
     int rgb = paint instanceof Color colour ? colour.getRGB() & Ink.MAX_RGB : 0;
-    Ink ink = new Ink(rgb, widthMm);
+    Ink ink = new Ink(rgb, Math.max(1, Math.rint(stroke.getLineWidth() * scale)));
     List<Point> points = new ArrayList<>();
     double[] at = new double[6];
     PathIterator path = shape.getPathIterator(toMm, flatnessMm / 2);
@@ -94,11 +138,13 @@ public final class SvgDrawing {
       if (kind == PathIterator.SEG_MOVETO) {
         finish(points, ink);
       }
-      points.add(kind == PathIterator.SEG_CLOSE ? points.get(0) : new Point(at[0], at[1]));
       if (kind == PathIterator.SEG_CLOSE) {
         Point start = points.get(0);
+        points.add(start);
         finish(points, ink);
         points.add(start);
+      } else {
+        points.add(new Point(at[0], at[1]));
       }
     }
     finish(points, ink);
@@ -110,9 +156,10 @@ public final class SvgDrawing {
         throw new BadInput(file + ": a line goes to " + point + ": expected within 1 km");
       }
     }
-    List<Point> flat = Flattened.of(points, flatnessMm / 2);
-    if (flat.size() > 1) {
-      lines.add(new Line(new Polyline(flat), ink));
+    List<Point> simple = Polyline.simplified(points, flatnessMm / 2);
+    List<Point> whole = Polyline.withoutRepeats(simple.stream().map(Polyline::rounded).toList());
+    if (whole.size() > 1) {
+      lines.add(new Line(new Polyline(whole), ink));
     }
     points.clear();
   }

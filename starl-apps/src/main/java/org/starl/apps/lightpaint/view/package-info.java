@@ -1,5 +1,5 @@
 /**
- * Light painting as seen: SVG drawings read, painters drawn, the result written.
+ * Reads SVG drawings, draws painters, and writes what was painted.
  *
  * <p>May import: core, primitives, sim, {@code logic} and {@code spec} beside it, JSVG, {@code
  * java.awt}, {@code javax.imageio}, {@code javax.xml.stream}.

@@ -3,9 +3,9 @@ package org.starl.apps.maze.logic;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
-import org.starl.motion.Contact;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.motion.Contact;
 
 /**
  * What one robot knows of the maze: its map, and the marks that contacts have proven. After a bump the

@@ -15,7 +15,7 @@ import org.starl.apps.lightpaint.logic.Line;
 import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 
-/** What an SVG file says, in mm, y upwards, and what is told of a file that says nothing. */
+/** Lines of SVG files, in mm, y upwards, and the errors of files that are no drawings. */
 class SvgDrawingTest {
 
   private static List<Line> read(String inside) {
@@ -36,7 +36,7 @@ class SvgDrawingTest {
   }
 
   @Test
-  void aLineIsThereInMillimetresAndUpright() {
+  void lengthsAreInMillimetresAndTheYAxisPointsUp() {
     List<Line> lines =
         read("<line x1='1' y1='2' x2='30' y2='100' stroke='#ff8000' stroke-width='3'/>");
     assertThat(lines).hasSize(1);
@@ -61,7 +61,7 @@ class SvgDrawingTest {
         "M 0 100 Q 5 95 10 90 T 20 80; 0 0 200 200",
         "m 0 100 q 5 -5 10 -10 t 10 -10; 0 0 200 200"
       })
-  void everyCommandOfAPathIsUnderstood(String d, String expected) {
+  void everyPathCommandIsRead(String d, String expected) {
     StringBuilder found = new StringBuilder();
     for (Point point : points(d)) {
       found.append(' ').append((int) point.xMm()).append(' ').append((int) point.yMm());
@@ -85,7 +85,7 @@ class SvgDrawingTest {
   }
 
   @Test
-  void transformsGroupsStylesAndViewBoxesCount() {
+  void transformsGroupsStylesAndViewBoxesApply() {
     List<Line> lines =
         readFile(
             "<svg xmlns='http://www.w3.org/2000/svg' width='200' height='100' viewBox='0 0 100 50'>"
@@ -100,7 +100,7 @@ class SvgDrawingTest {
   }
 
   @Test
-  void shapesAreTheirOutlinesAndFillsAreNothing() {
+  void shapesGiveTheirOutlinesAndFillsAreIgnored() {
     assertThat(read("<rect x='1' y='1' width='5' height='4' fill='red'/>")).isEmpty();
     List<Line> box = read("<rect x='1' y='1' width='5' height='4' fill='red' stroke='lime'/>");
     assertThat(box).hasSize(1);
@@ -112,7 +112,7 @@ class SvgDrawingTest {
   }
 
   @Test
-  void subpathsAreLinesOfTheirOwn() {
+  void eachSubpathIsALine() {
     assertThat(read("<path stroke='red' d='M 0 0 h 10 z m 0 20 h 10 M 0 50 v 10'/>"))
         .extracting(line -> line.path().start())
         .containsExactly(new Point(0, 1000), new Point(0, 800), new Point(0, 500));
@@ -127,18 +127,25 @@ class SvgDrawingTest {
         "<path d='L 0 0'/> | a.svg:2: path, character 1, at 'L 0 0': expected M first",
         "<path d='M 0 0 A 1 1 0 2 0 5 5'/> | a.svg:2: path, character 14, at ' 2 0 5 5': expected a flag of an arc",
         "<line x1='one' y1='2'/> | a.svg:2: x1='one': expected a length",
+        "<polyline points='1,2 34'/> | a.svg:2: points='1,2 34': expected numbers in pairs",
         "<polyline points='1,2 3'/> | a.svg:2: points='1,2 3': expected numbers in pairs",
         "<g> | a.svg:3: is no XML"
       })
-  void whatCannotBeReadIsToldWithItsLine(String inside, String expected) {
+  void anErrorNamesFileAndLine(String inside, String expected) {
     assertThatThrownBy(() -> read(inside.strip()))
         .isInstanceOf(BadInput.class)
         .hasMessageStartingWith(expected.strip());
   }
 
+  @Test
+  void longListsOfPointsAreRead() {
+    String points = "1,1 2,2 ".repeat(20_000);
+    assertThat(read("<polyline stroke='red' points='" + points + "'/>")).hasSize(1);
+  }
+
   @ParameterizedTest
   @ValueSource(strings = {"", "hello", "<html></html>", "\0\1\2"})
-  void whatIsNoDrawingIsToldSo(String text) {
+  void aFileThatIsNoSvgIsRefused(String text) {
     assertThatThrownBy(() -> readFile(text))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining("a.svg:1: ")

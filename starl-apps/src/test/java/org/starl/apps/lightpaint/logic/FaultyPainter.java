@@ -7,21 +7,21 @@ import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 
-/** A painter that asks nobody for anything, right but for one bug. */
-public final class RudePainter extends LogicThread {
+/** A painter that works alone and is correct except for one bug. */
+public final class FaultyPainter extends LogicThread {
 
-  /** What is wrong. */
+  /** The planted bug. */
   public enum Bug {
     NONE,
-    /** Its light stays on on the way to the next stroke. */
+    /** Its light stays on while it drives to the next stroke. */
     KEEPS_ITS_LIGHT_ON,
     /** It paints in another colour. */
     TAKES_ANOTHER_INK,
-    /** It paints each stroke there and back. */
+    /** It paints each stroke forwards and backwards. */
     PAINTS_TWICE,
     /** It ends before the last stroke. */
     FORGETS_ONE,
-    /** It stands still at the end, and never says that it is done. */
+    /** It stops at the end and never reaches DONE. */
     NEVER_ENDS
   }
 
@@ -30,7 +30,7 @@ public final class RudePainter extends LogicThread {
   private final GvhCell<Light> light;
   private final GvhCell<Location> location;
 
-  public RudePainter(GlobalVarHolder gvh, List<Stroke> strokes, Bug bug) {
+  public FaultyPainter(GlobalVarHolder gvh, List<Stroke> strokes, Bug bug) {
     super(gvh);
     this.strokes = strokes;
     this.bug = bug;

@@ -6,22 +6,22 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.apps.lightpaint.logic.RudePainter;
+import org.starl.apps.lightpaint.logic.FaultyPainter;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.apps.lightpaint.logic.Strokes;
 import org.starl.apps.lightpaint.spec.PaintSpec;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 
-/** Painters that are rude: what is checked of a painting must see them. */
-class RudePaintersTest {
+/** The specification detects each of these planted bugs. */
+class FaultyPaintersTest {
 
-  private static SimResult run(RudePainter.Bug bug) {
-    List<Stroke> strokes = Strokes.of(BuiltIn.house(5), 10, 1200);
+  private static SimResult run(FaultyPainter.Bug bug) {
+    List<Stroke> strokes = Strokes.of(DrawingFiles.house(5), 10, 1200);
     return Simulation.builder()
         .seed(1)
         .endNs(400_000_000_000L)
-        .robots(1, gvh -> new RudePainter(gvh, strokes, bug))
+        .robots(1, gvh -> new FaultyPainter(gvh, strokes, bug))
         .monitor(() -> new PaintSpec(strokes, 25, 350_000_000_000L))
         .build()
         .run();
@@ -35,14 +35,14 @@ class RudePaintersTest {
     "FORGETS_ONE, Complete",
     "NEVER_ENDS, Painted",
   })
-  void aRudePainterIsSeen(RudePainter.Bug bug, String lemma) {
+  void aFaultyPainterIsSeen(FaultyPainter.Bug bug, String lemma) {
     SimResult result = run(bug);
     assertThat(result.spec().violations(lemma)).as("%s", result.spec()).isPositive();
   }
 
   @Test
-  void aPainterWithoutABugIsGood() {
-    SimResult result = run(RudePainter.Bug.NONE);
+  void aPainterWithoutABugViolatesNothing() {
+    SimResult result = run(FaultyPainter.Bug.NONE);
     assertThat(result.spec().violations()).isEmpty();
     for (String lemma : result.spec().lemmas()) {
       assertThat(result.spec().checks(lemma)).as(lemma).isPositive();

@@ -1,0 +1,40 @@
+package org.starl.workload;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.primitives.agreement.AgreementSpec;
+import org.starl.primitives.agreement.SetAgreement;
+import org.starl.primitives.agreement.SynodTiming;
+
+/** In each round all robots propose a value of their own. */
+final class AgreementClient extends Client {
+
+  private static final long THINK_MS = 50;
+
+  // Created at the start: each serves as an acceptor even before this robot proposes.
+  private final List<SetAgreement> agreements = new ArrayList<>();
+
+  private AgreementClient(GlobalVarHolder gvh, Course course, long deadlineMs) {
+    super(gvh, course, THINK_MS);
+    for (int i = 0; i < course.rounds(); i++) {
+      agreements.add(
+          new SetAgreement(
+              gvh, "round" + i, gvh.id.participants(), SynodTiming.DEFAULT, deadlineMs));
+    }
+  }
+
+  static void setUp(Setup setup) {
+    long deadlineMs = Bounds.deadlineMs(setup.withinNs());
+    setup.place(gvh -> new AgreementClient(gvh, setup.course(), deadlineMs));
+    setup.simulation().monitor(() -> new AgreementSpec(setup.withinNs()));
+  }
+
+  @Override
+  protected boolean obtain(int round) {
+    SetAgreement agreement = agreements.get(round);
+    agreement.propose(new byte[] {(byte) rng.nextInt(256), (byte) rng.nextInt(256)});
+    await(() -> agreement.decided().get().isDecided() || agreement.failed().get());
+    return agreement.decided().get().isDecided();
+  }
+}

@@ -1,0 +1,65 @@
+package org.starl.workload;
+
+import java.util.Map;
+import java.util.TreeMap;
+import org.starl.GlobalVarHolder;
+import org.starl.primitives.barrier.Barrier;
+import org.starl.primitives.barrier.BarrierOutcome;
+import org.starl.primitives.barrier.BarrierSettings;
+import org.starl.primitives.barrier.BarrierSpec;
+import org.starl.primitives.registration.Registration;
+import org.starl.primitives.registration.RegistrationSettings;
+import org.starl.primitives.registration.RegistrationSpec;
+
+/**
+ * The registered robots meet, generation after generation, at a barrier for each view. A robot that
+ * restarts or was excluded registers again, which starts another barrier. A robot that has done all
+ * its rounds stays registered, to vote for the others; their barrier excludes it, and they continue
+ * without it.
+ */
+final class BarrierClient extends Client {
+
+  private static final String XID = "yard";
+  private static final long THINK_MS = 500;
+  private static final long DEADLINE_MS = 10_000;
+
+  /** Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second. */
+  private static final long TOLD_NS = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * 1_000_000;
+
+  private final Registration reg;
+  private final Map<Long, Barrier> barriers = new TreeMap<>();
+
+  private BarrierClient(GlobalVarHolder gvh, Course course, RegistrationSettings settings) {
+    super(gvh, course, THINK_MS);
+    reg = registration(XID, settings);
+  }
+
+  static void setUp(Setup setup) {
+    setup.place(gvh -> new BarrierClient(gvh, setup.course(), setup.registration()));
+    setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
+    setup.simulation().monitor(() -> new BarrierSpec(setup.withinNs(), TOLD_NS));
+  }
+
+  @Override
+  protected void prepare() {
+    register(reg);
+  }
+
+  @Override
+  protected boolean obtain(int round) {
+    long view = reg.ts();
+    Barrier barrier = barriers.computeIfAbsent(view, any -> barrier());
+    barrier.arrive();
+    await(() -> barrier.outcome().get().isTold() || reg.ts() > view || !reg.mayRequest());
+    BarrierOutcome outcome = barrier.outcome().get();
+    if (outcome instanceof BarrierOutcome.Excluded) {
+      unregister(reg); // to register again in a new view
+    }
+    return outcome instanceof BarrierOutcome.Passed;
+  }
+
+  private Barrier barrier() {
+    BarrierSettings settings = BarrierSettings.DEFAULT.withDeadlineMs(DEADLINE_MS);
+    return new Barrier(gvh, XID, reg, settings);
+  }
+}

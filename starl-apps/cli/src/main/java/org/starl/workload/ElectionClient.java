@@ -1,0 +1,58 @@
+package org.starl.workload;
+
+import java.util.ArrayList;
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.apps.Parameter;
+import org.starl.input.Form;
+import org.starl.primitives.election.Election;
+import org.starl.primitives.election.ElectionSettings;
+import org.starl.primitives.election.ElectionSpec;
+import org.starl.primitives.election.ElectionStrategy;
+
+/** In each round all robots take part in one more election. */
+final class ElectionClient extends Client {
+
+  private static final List<String> STRATEGIES = List.of("random", "bully");
+
+  static final Parameter STRATEGY =
+      new Parameter(
+          "strategy",
+          STRATEGIES.get(0),
+          "how robots elect: random (ballots) or bully",
+          Form.choice(STRATEGIES));
+
+  private static final long DEADLINE_MS = 10_000;
+  private static final long THINK_MS = 1_000;
+
+  /** Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second. */
+  private static final long TOLD_NS = (DEADLINE_MS + DEADLINE_MS / 5 + 1_000) * 1_000_000;
+
+  // Created at the start: each votes even before this robot takes part.
+  private final List<Election> elections = new ArrayList<>();
+
+  private ElectionClient(GlobalVarHolder gvh, Course course, ElectionSettings settings) {
+    super(gvh, course, THINK_MS);
+    for (int i = 0; i < course.rounds(); i++) {
+      elections.add(new Election(gvh, "round" + i, gvh.id.participants(), settings));
+    }
+  }
+
+  static void setUp(Setup setup) {
+    boolean isBully = setup.choice(STRATEGY.key(), STRATEGIES).equals("bully");
+    ElectionSettings settings =
+        ElectionSettings.DEFAULT
+            .withStrategy(isBully ? ElectionStrategy.BULLY : ElectionStrategy.RANDOM_BALLOT)
+            .withDeadlineMs(DEADLINE_MS);
+    setup.place(gvh -> new ElectionClient(gvh, setup.course(), settings));
+    setup.simulation().monitor(() -> new ElectionSpec(setup.withinNs(), TOLD_NS));
+  }
+
+  @Override
+  protected boolean obtain(int round) {
+    Election election = elections.get(round);
+    election.do_election();
+    await(() -> election.Leader().get().isElected() || election.failed().get());
+    return election.Leader().get().isElected();
+  }
+}

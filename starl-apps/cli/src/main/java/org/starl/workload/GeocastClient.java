@@ -1,0 +1,101 @@
+package org.starl.workload;
+
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.comms.Codec;
+import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
+import org.starl.geometry.Circle;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.geometry.Polygon;
+import org.starl.geometry.Rectangle;
+import org.starl.geometry.Region;
+import org.starl.primitives.geocast.Broadcast;
+import org.starl.primitives.geocast.Geocast;
+import org.starl.primitives.geocast.GeocastReceipt;
+import org.starl.primitives.geocast.GeocastSettings;
+import org.starl.primitives.geocast.GeocastSpec;
+
+/** Robots drive about and send to areas of all shapes and, every other time, to all robots. */
+final class GeocastClient extends Client {
+
+  private static final String XID = "news";
+  private static final long THINK_MS = 500;
+  private static final double REACH_MM = 900;
+  private static final long MIN_D_MS = 100;
+  private static final long MAX_D_MS = 2_000;
+
+  /** With a larger position error a robot owes nothing. */
+  private static final double POSITION_ERROR_MM = 50;
+
+  /** Maximum difference, after two minutes, of clocks that are up to 200 ppm off. */
+  private static final long CLOCK_SKEW_NS = 50_000_000;
+
+  private static final Codec<Integer> CODEC =
+      new Codec<>() {
+        @Override
+        public void write(Integer message, WireWriter out) {
+          out.i32(message);
+        }
+
+        @Override
+        public Integer read(WireReader in) {
+          return in.i32();
+        }
+      };
+
+  private final double sideMm;
+  private final Geocast<Integer> geocast;
+  private final Broadcast<Integer> broadcast;
+
+  private GeocastClient(GlobalVarHolder gvh, Course course, double sideMm) {
+    super(gvh, course, THINK_MS);
+    this.sideMm = sideMm;
+    GeocastSettings d = GeocastSettings.DEFAULT;
+    GeocastSettings settings =
+        new GeocastSettings(d.resendMs(), d.maxResendMs(), CLOCK_SKEW_NS, d.openMembership());
+    geocast = new Geocast<>(gvh, XID, CODEC, (origin, message) -> {}, settings);
+    broadcast = new Broadcast<>(gvh, XID, CODEC, (origin, message) -> {}, settings);
+  }
+
+  static void setUp(Setup setup) {
+    setup.place(gvh -> new GeocastClient(gvh, setup.course(), setup.sideMm()));
+    setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS));
+  }
+
+  @Override
+  protected void prepare() {
+    await(gvh.gps::hasFix);
+    if (!gvh.plat.moat.inMotion()) {
+      double angle = 2 * Math.PI * rng.nextDouble();
+      double xMm = gvh.gps.pose().xMm() + REACH_MM * StrictMath.cos(angle);
+      double yMm = gvh.gps.pose().yMm() + REACH_MM * StrictMath.sin(angle);
+      gvh.plat.moat.doMove(new ItemPosition("somewhere", xMm, yMm));
+    }
+  }
+
+  @Override
+  protected boolean obtain(int round) {
+    long dMs = rng.nextLong(MIN_D_MS, MAX_D_MS);
+    GeocastReceipt receipt =
+        round % 2 == 0 ? geocast.do_geocast(round, area(), dMs) : broadcast.BCast(round, dMs);
+    await(receipt::isComplete);
+    return true;
+  }
+
+  private Region area() {
+    Point at = new Point(sideMm * rng.nextDouble(), sideMm * rng.nextDouble());
+    double sizeMm = Setup.SPACING_MM * (0.3 + rng.nextDouble());
+    return switch (rng.nextInt(3)) {
+      case 0 -> new Circle(at, sizeMm);
+      case 1 -> new Rectangle(at.xMm(), at.yMm(), at.xMm() + sizeMm, at.yMm() + 2 * sizeMm);
+      default ->
+          new Polygon(
+              List.of(
+                  at,
+                  new Point(at.xMm() + 2 * sizeMm, at.yMm()),
+                  new Point(at.xMm(), at.yMm() + sizeMm)));
+    };
+  }
+}

@@ -1,0 +1,60 @@
+package org.starl.workload;
+
+import org.starl.GlobalVarHolder;
+import org.starl.geometry.Circle;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Point;
+import org.starl.motion.MotionFlag;
+import org.starl.primitives.motion.MotionPrim;
+import org.starl.primitives.motion.MotionSpec;
+import org.starl.primitives.motion.Motioncontrol;
+
+/**
+ * Each robot drives to places around its start, outside a region that is sometimes in the way: then
+ * it stops, reports failure, and tries elsewhere.
+ */
+final class MotionClient extends Client {
+
+  private static final long THINK_MS = 500;
+  private static final double REACH_MM = 1_000;
+  private static final double MAX_RADIUS_MM = 300;
+
+  private final MotionPrim motion;
+  private Point home = new Point(0, 0);
+  private boolean hasHome;
+
+  private MotionClient(GlobalVarHolder gvh, Course course) {
+    super(gvh, course, THINK_MS);
+    motion = new Motioncontrol(gvh);
+  }
+
+  static void setUp(Setup setup) {
+    setup.place(gvh -> new MotionClient(gvh, setup.course()));
+    setup.simulation().monitor(() -> new MotionSpec(setup.settings().motionParameters(0)));
+  }
+
+  @Override
+  protected void prepare() {
+    await(gvh.gps::hasFix);
+    if (!hasHome) {
+      home = gvh.gps.pose().at();
+      hasHome = true;
+    }
+  }
+
+  @Override
+  protected boolean obtain(int round) {
+    Point to = around(home, REACH_MM);
+    Circle avoid = new Circle(around(home, REACH_MM), MAX_RADIUS_MM * rng.nextDouble());
+    motion.do_move(new ItemPosition("place" + round, to.xMm(), to.yMm()), avoid);
+    await(() -> motion.motionflag().get() != MotionFlag.MOVING);
+    return motion.motionflag().get() == MotionFlag.DONE;
+  }
+
+  private Point around(Point centre, double maxMm) {
+    double angle = 2 * Math.PI * rng.nextDouble();
+    double mm = maxMm * rng.nextDouble();
+    return new Point(
+        centre.xMm() + mm * StrictMath.cos(angle), centre.yMm() + mm * StrictMath.sin(angle));
+  }
+}

@@ -1,0 +1,96 @@
+package org.starl.workload;
+
+import java.util.List;
+import org.starl.GlobalVarHolder;
+import org.starl.apps.Parameter;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
+import org.starl.input.Form;
+import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.OptimalPlanner;
+import org.starl.primitives.paths.PathPlanner;
+import org.starl.primitives.paths.RrtPlanner;
+import org.starl.primitives.paths.RrtSettings;
+import org.starl.primitives.paths.TubeSettings;
+import org.starl.primitives.paths.TubesSpec;
+import org.starl.random.Rng;
+
+/**
+ * Robots drive to places all over a floor with walls, each in a tube that it has claimed. A robot that
+ * finds no path or gets no tube tries elsewhere.
+ */
+final class PathsClient extends Client {
+
+  private static final List<String> PLANNERS = List.of("optimal", "rrt");
+
+  static final Parameter PLANNER =
+      new Parameter(
+          "planner", PLANNERS.get(0), "how paths are found: optimal or rrt", Form.choice(PLANNERS));
+
+  private static final long THINK_MS = 500;
+  private static final double MARGIN_MM = 500;
+  private static final double WALL_MM = 1_200;
+
+  private static final TubeSettings TUBES =
+      new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
+
+  /** The tubes' deadline, and the longest drive with its stops. */
+  private static final long TOLD_NS = 600_000_000_000L;
+
+  private final double sideMm;
+  private final DistributedPathPlanning paths;
+
+  private PathsClient(GlobalVarHolder gvh, Course course, double sideMm, boolean isOptimal) {
+    super(gvh, course, THINK_MS);
+    this.sideMm = sideMm;
+    Rectangle floor = new Rectangle(0, 0, sideMm, sideMm);
+    paths =
+        new DistributedPathPlanning(
+            gvh, "floor", gvh.id.participants(), planner(rng, isOptimal), floor, TUBES);
+  }
+
+  static void setUp(Setup setup) {
+    boolean isOptimal = setup.choice(PLANNER.key(), PLANNERS).equals("optimal");
+    setup.place(gvh -> new PathsClient(gvh, setup.course(), setup.sideMm(), isOptimal));
+    setup.simulation().obstacles(walls(setup.sideMm()));
+    setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
+  }
+
+  /** A wall on each corner between four robots, alternately horizontal and vertical. */
+  private static Obstacles walls(double sideMm) {
+    Obstacles walls = Obstacles.NONE;
+    int corners = (int) (sideMm / Setup.SPACING_MM) - 1;
+    for (int i = 0; i < corners * corners; i++) {
+      double xMm = (i % corners + 1) * Setup.SPACING_MM;
+      Point at = new Point(xMm, (i / corners + 1) * Setup.SPACING_MM);
+      Point half = i % 2 == 0 ? new Point(WALL_MM / 2, 0) : new Point(0, WALL_MM / 2);
+      walls = walls.plus(Obstacle.wall(at.minus(half), at.plus(half)));
+    }
+    return walls;
+  }
+
+  private static PathPlanner planner(Rng rng, boolean isOptimal) {
+    return isOptimal
+        ? new OptimalPlanner()
+        : new RrtPlanner(new RrtSettings(2_000, 500, 0.1, 50), rng.fork("rrt").nextLong());
+  }
+
+  @Override
+  protected void prepare() {
+    await(gvh.gps::hasFix);
+  }
+
+  @Override
+  protected boolean obtain(int round) {
+    paths.goTo(new ItemPosition("place" + round, somewhere(), somewhere()));
+    await(() -> !paths.isUnderWay());
+    return !paths.failed();
+  }
+
+  private double somewhere() {
+    return MARGIN_MM + (sideMm - 2 * MARGIN_MM) * rng.nextDouble();
+  }
+}

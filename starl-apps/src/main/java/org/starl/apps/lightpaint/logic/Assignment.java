@@ -1,0 +1,213 @@
+package org.starl.apps.lightpaint.logic;
+
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.starl.GlobalVarHolder;
+import org.starl.geometry.Point;
+import org.starl.id.RobotId;
+import org.starl.primitives.agreement.Decision;
+import org.starl.primitives.agreement.SetAgreement;
+import org.starl.primitives.geocast.Broadcast;
+
+/**
+ * Which painter paints which stroke. A {@link SetAgreement} for each stroke assigns it to one painter
+ * for ever: so it is painted once. In addition, painters broadcast {@link Hint}s, so that they rarely
+ * drive to the same stroke. Strand only.
+ */
+final class Assignment {
+
+  private static final String XID = "lightpaint";
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long HINT_PERIOD_MS = 4_000;
+  private static final long HINT_LIFETIME_NS = 15_000 * NS_PER_MS;
+  private static final long POSTPONE_NS = 20_000 * NS_PER_MS;
+
+  /** Without progress for so long, the work is blocked by something that will not move. */
+  private static final long GIVE_UP_NS = 240_000 * NS_PER_MS;
+
+  private final GlobalVarHolder gvh;
+  private final List<Stroke> strokes;
+  private final double apartMm;
+  private final List<SetAgreement> agreements = new ArrayList<>();
+  private final Broadcast<Hint> hints;
+  private final SortedMap<RobotId, Received> received = new TreeMap<>();
+
+  /** Until when strokes that could not be reached are left alone, by their numbers. */
+  private final SortedMap<Integer, Long> postponedToNs = new TreeMap<>();
+
+  private Hint sent = Hint.INITIAL;
+  private long sendAgainNs;
+  private int progress;
+  private long progressNs;
+
+  private record Received(RobotId from, Hint hint, long atNs) {}
+
+  /**
+   * @param apartMm strokes that are nearer to each other cannot be painted at the same time
+   */
+  Assignment(GlobalVarHolder gvh, List<Stroke> strokes, double apartMm) {
+    this.gvh = gvh;
+    this.strokes = strokes;
+    this.apartMm = apartMm;
+    for (Stroke stroke : strokes) {
+      agreements.add(new SetAgreement(gvh, XID + ".stroke" + stroke.number()));
+    }
+    hints = new Broadcast<>(gvh, XID, new Hint.HintCodec(), this::received);
+    progressNs = nowNs();
+  }
+
+  /** Asks that {@code stroke} be assigned to this robot, until it is assigned to some robot. */
+  void request(Stroke stroke) {
+    byte[] name = gvh.id.name().name().getBytes(StandardCharsets.UTF_8);
+    agreements.get(stroke.number()).propose(name);
+  }
+
+  /** Whether the latest request has passed its deadline. */
+  boolean hasFailed(Stroke stroke) {
+    return agreements.get(stroke.number()).failed().get();
+  }
+
+  /** The painter of the stroke; null if none is known to this robot. */
+  private @Nullable RobotId painter(Stroke stroke) {
+    return agreements.get(stroke.number()).decided().get() instanceof Decision.Decided decided
+        ? new RobotId(new String(decided.value().bytes(), StandardCharsets.UTF_8))
+        : null;
+  }
+
+  boolean isOwn(Stroke stroke) {
+    return gvh.id.name().equals(painter(stroke));
+  }
+
+  boolean isOfAnother(Stroke stroke) {
+    return painter(stroke) != null && !isOwn(stroke);
+  }
+
+  /** How many strokes are unassigned, as far as this robot knows. */
+  int unassigned() {
+    return (int) strokes.stream().filter(stroke -> painter(stroke) == null).count();
+  }
+
+  /** The nearest unassigned stroke that no other painter works near to; null if there is none now. */
+  @Nullable Stroke nearestFree(Point here) {
+    Stroke nearest = null;
+    double nearestMm = Double.POSITIVE_INFINITY;
+    for (Stroke stroke : strokes) {
+      if (painter(stroke) == null && !isPostponed(stroke) && conflict(stroke) == null) {
+        Polyline path = stroke.path();
+        double mm = Math.min(path.start().distanceMm(here), path.end().distanceMm(here));
+        if (mm < nearestMm) {
+          nearest = stroke;
+          nearestMm = mm;
+        }
+      }
+    }
+    return nearest;
+  }
+
+  /** Whether this robot, on its way to {@code stroke}, should choose another one. */
+  boolean isContested(Stroke stroke) {
+    if (painter(stroke) != null) {
+      return isOfAnother(stroke);
+    }
+    Received other = conflict(stroke);
+    return other != null && (other.hint().paints() || isBeforeThis(other));
+  }
+
+  /** Whether a robot with a smaller name was assigned a stroke that is too near to {@code stroke}. */
+  boolean mustWait(Stroke stroke) {
+    Received other = conflict(stroke);
+    return other != null && other.hint().paints() && isBeforeThis(other);
+  }
+
+  private boolean isBeforeThis(Received other) {
+    return other.from().compareTo(gvh.id.name()) < 0;
+  }
+
+  /** Leaves {@code stroke} alone for a while: there is no path to it now. */
+  void postpone(Stroke stroke) {
+    postponedToNs.put(stroke.number(), nowNs() + POSTPONE_NS);
+  }
+
+  private boolean isPostponed(Stroke stroke) {
+    return nowNs() < postponedToNs.getOrDefault(stroke.number(), Long.MIN_VALUE);
+  }
+
+  /**
+   * How many strokes this robot has painted.
+   *
+   * @param current number of the stroke that it still works on, or {@link CurrentWork#NONE}
+   */
+  int finished(int current) {
+    long own = strokes.stream().filter(this::isOwn).count();
+    return (int) own - (isOwn(current) ? 1 : 0);
+  }
+
+  /** Broadcasts which stroke this robot works on: when that changes, and periodically. */
+  void sendHint(int current) {
+    Hint hint = new Hint(current, isOwn(current), finished(current));
+    if (!hint.equals(sent) || nowNs() >= sendAgainNs) {
+      sent = hint;
+      sendAgainNs = nowNs() + HINT_PERIOD_MS * NS_PER_MS;
+      hints.BCast(hint, HINT_PERIOD_MS / 2);
+    }
+  }
+
+  /** Whether there was no progress for so long that there will be none. */
+  boolean isHopeless() {
+    return withoutProgressNs() > GIVE_UP_NS;
+  }
+
+  /** Whether it has been hopeless for so long that this robot will get no path home either. */
+  boolean isHopelessForLong() {
+    return withoutProgressNs() > 2 * GIVE_UP_NS;
+  }
+
+  /** For how long no stroke was assigned or finished, as far as this robot knows. */
+  private long withoutProgressNs() {
+    int now = strokes.size() - unassigned() + sent.finished();
+    for (Received other : received.values()) {
+      now += other.hint().finished();
+    }
+    if (now > progress) {
+      progress = now;
+      progressNs = nowNs();
+    }
+    return nowNs() - progressNs;
+  }
+
+  private boolean isOwn(int number) {
+    return number != CurrentWork.NONE && isOwn(strokes.get(number));
+  }
+
+  /**
+   * The hint of the robot that takes precedence among those that work too near to {@code stroke}: one
+   * whose stroke is assigned, else the one with the smallest name.
+   */
+  private @Nullable Received conflict(Stroke stroke) {
+    return received.values().stream()
+        .filter(other -> nowNs() - other.atNs() < HINT_LIFETIME_NS)
+        .filter(other -> other.hint().stroke() != CurrentWork.NONE)
+        .filter(other -> isTooNear(stroke, strokes.get(other.hint().stroke())))
+        .min(Comparator.comparing(other -> !other.hint().paints()))
+        .orElse(null);
+  }
+
+  private boolean isTooNear(Stroke a, Stroke b) {
+    return a.path().distanceMm(b.path()) < apartMm;
+  }
+
+  private void received(RobotId from, Hint hint) {
+    if (hint.stroke() < strokes.size()) {
+      received.put(from, new Received(from, hint, nowNs()));
+    }
+  }
+
+  private long nowNs() {
+    return gvh.plat.clock.nowNs();
+  }
+}
