@@ -8,7 +8,7 @@ import org.starl.gvh.Log;
 import org.starl.gvh.Trace;
 import org.starl.gvh.Variables;
 import org.starl.motion.Gps;
-import org.starl.motion.MotionControl;
+import org.starl.motion.MotionController;
 import org.starl.platform.Platform;
 
 /**
@@ -40,7 +40,7 @@ public final class GlobalVarHolder {
     gps = new Gps(platform, trace, variables);
     plat =
         new Plat(
-            new MotionControl(platform, gps, log, trace, variables),
+            new MotionController(platform, gps, log, trace, variables),
             platform.clock(),
             platform.timers(),
             platform.strand(),
@@ -60,7 +60,7 @@ public final class GlobalVarHolder {
    *
    * @throws IllegalStateException if {@code source} has variables already
    */
-  public void requireFirst(String source) {
+  public void requireFirstInstance(String source) {
     for (GvhVariable<?> variable : variables.all()) {
       if (variable.source().equals(source)) {
         throw new IllegalStateException(source + ": this robot has this instance already");

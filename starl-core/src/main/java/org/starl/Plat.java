@@ -1,11 +1,11 @@
 package org.starl;
 
 import java.util.function.Supplier;
-import org.starl.motion.MotionControl;
+import org.starl.motion.MotionController;
 import org.starl.platform.Background;
 import org.starl.platform.Clock;
 import org.starl.platform.Entropy;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
 
@@ -13,21 +13,21 @@ import org.starl.platform.Timers;
 public final class Plat {
 
   /** Motion control (paper, section 3.2): {@code gvh.plat.moat.doMove(p)}. */
-  public final MotionControl moat;
+  public final MotionController moat;
 
   public final Clock clock;
   public final Timers timers;
   public final Strand strand;
-  public final Stable stable;
+  public final StableStorage stable;
   public final Entropy entropy;
   private final Background background;
 
   Plat(
-      MotionControl moat,
+      MotionController moat,
       Clock clock,
       Timers timers,
       Strand strand,
-      Stable stable,
+      StableStorage stable,
       Entropy entropy,
       Background background) {
     this.moat = moat;

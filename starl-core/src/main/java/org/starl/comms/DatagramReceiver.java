@@ -138,7 +138,7 @@ final class DatagramReceiver implements Radio.Receiver {
       drop(refused, from, "");
       return;
     }
-    lamportClock.witness(header.clock);
+    lamportClock.advanceTo(header.clock);
     if (header.kind == Header.ACK) {
       acknowledged(header, from);
     } else {

@@ -24,7 +24,7 @@ public final class LamportClock {
   }
 
   /** Advances the clock to {@code other} if that is larger. */
-  public void witness(long other) {
+  public void advanceTo(long other) {
     if (other > time) {
       time = other;
     }

@@ -101,7 +101,7 @@ public final class Gps {
   }
 
   /** Sets whether each fix writes {@code currentlocation} to the trace; off at first. */
-  public void traceFixes(boolean on) {
+  public void setTraceFixes(boolean on) {
     tracesFixes = on;
   }
 
@@ -128,7 +128,7 @@ public final class Gps {
   }
 
   /** Whether this robot's centre is certainly in {@code area}. False before the first fix. */
-  public boolean isSurelyIn(Region area) {
+  public boolean isCertainlyIn(Region area) {
     Location.Known known = filter.at(clock.nowNs());
     return known != null && area.depthMm(known.pose().at()) > known.errorMm();
   }
@@ -137,7 +137,7 @@ public final class Gps {
    * Upper bound of the distance from this robot's centre to {@code point}; infinite before the
    * first fix.
    */
-  public double farthestMm(Point point) {
+  public double maxDistanceMm(Point point) {
     Location.Known known = filter.at(clock.nowNs());
     return known == null
         ? Double.POSITIVE_INFINITY
@@ -147,7 +147,7 @@ public final class Gps {
   /**
    * Lower bound of the distance from this robot's centre to {@code point}; 0 before the first fix.
    */
-  public double nearestMm(Point point) {
+  public double minDistanceMm(Point point) {
     Location.Known known = filter.at(clock.nowNs());
     return known == null ? 0 : Math.max(0, known.pose().distanceMm(point) - known.errorMm());
   }

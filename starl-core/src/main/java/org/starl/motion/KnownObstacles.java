@@ -16,7 +16,7 @@ public final class KnownObstacles {
   private static final double SENSOR_RAD = StrictMath.PI / 4;
 
   private Obstacles obstacles;
-  private int learned;
+  private int contacts;
 
   KnownObstacles(Obstacles atStart) {
     this.obstacles = atStart;
@@ -28,12 +28,12 @@ public final class KnownObstacles {
   }
 
   /** Number of contacts added. */
-  public int learned() {
-    return learned;
+  public int contacts() {
+    return contacts;
   }
 
   /** Adds a square of {@code sideMm} around {@code contact}. */
-  public void learn(Point contact, double sideMm) {
+  public void addContact(Point contact, double sideMm) {
     double x = StrictMath.floor(contact.xMm() / sideMm) * sideMm;
     double y = StrictMath.floor(contact.yMm() / sideMm) * sideMm;
     Obstacle mark =
@@ -45,7 +45,7 @@ public final class KnownObstacles {
     List<Obstacle> now = obstacles.all();
     if (!now.contains(mark)) {
       obstacles = obstacles.plus(mark);
-      learned++;
+      contacts++;
     }
   }
 

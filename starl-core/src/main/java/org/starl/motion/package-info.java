@@ -18,7 +18,7 @@
  *
  * <p>All decisions are pure and use no port: {@link org.starl.motion.MotionAutomaton} (two styles),
  * {@code MotionRun} (its safety checks), {@code AvoidGuard}, {@code ProgressWatch}, {@code
- * PositionFilter}. {@link org.starl.motion.MotionControl} and {@link org.starl.motion.Gps} connect
+ * PositionFilter}. {@link org.starl.motion.MotionController} and {@link org.starl.motion.Gps} connect
  * them to the ports.
  *
  * <p>May import: {@code org.starl.body}, {@code org.starl.geometry}, {@code org.starl.gvh}, {@code

@@ -26,7 +26,7 @@ public record Platform(
     Radio radio,
     Positioning positioning,
     Chassis chassis,
-    Stable stable,
+    StableStorage stable,
     Entropy entropy,
     Background background,
     LogSink log,

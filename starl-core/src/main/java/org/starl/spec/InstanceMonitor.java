@@ -40,7 +40,7 @@ public abstract class InstanceMonitor<R> implements Monitor {
   }
 
   @Override
-  public final String says(String lemma) {
+  public final String description(String lemma) {
     return sentences.getOrDefault(lemma, "");
   }
 

@@ -18,8 +18,8 @@ import org.starl.trace.TraceEvent.Left;
  */
 public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
 
-  protected final Circumstances circumstances = new Circumstances();
-  private final List<Dues> progress = new ArrayList<>();
+  protected final FaultState circumstances = new FaultState();
+  private final List<Deadlines> progress = new ArrayList<>();
 
   /**
    * @param isInstance whether a source is an instance of the primitive
@@ -31,12 +31,12 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
   /**
    * Adds a lemma of progress. Without a bound it is not among the {@link #lemmas}. For constructors.
    *
-   * @param boundNs as {@link Dues} has it, or {@link Dues#NO_BOUND}
+   * @param boundNs as {@link Deadlines} has it, or {@link Deadlines#NO_BOUND}
    * @param complaint the violation's text, for a debt since so many ns
    */
-  protected final Dues progress(
+  protected final Deadlines progress(
       String lemma, String sentence, long boundNs, LongFunction<String> complaint) {
-    Dues dues = new Dues(lemma, boundNs, complaint);
+    Deadlines dues = new Deadlines(lemma, boundNs, complaint);
     if (dues.isBounded()) {
       lemma(lemma, sentence);
     }

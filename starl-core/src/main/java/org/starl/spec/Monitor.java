@@ -7,7 +7,7 @@ import org.starl.trace.TraceEvent;
 /**
  * An executable specification that checks one run. It sees every event in order, has no side
  * effect, and needs only the events, so it works on a live run as on a recorded one. Safety is
- * always checked; progress is required only while {@link Circumstances#isFair}.
+ * always checked; progress is required only while {@link FaultState#isFaultFree}.
  */
 public interface Monitor {
 
@@ -17,7 +17,7 @@ public interface Monitor {
   /**
    * The meaning of one of the {@link #lemmas}, as a sentence for people; empty if there is none.
    */
-  default String says(String lemma) {
+  default String description(String lemma) {
     return "";
   }
 
@@ -34,7 +34,7 @@ public interface Monitor {
    * start of its program and without events of bodies, they are violated only if they are violated
    * on the events of all robots. A deployed robot checks them while it runs.
    */
-  default List<String> ownLemmas() {
+  default List<String> perRobotLemmas() {
     return List.of();
   }
 

@@ -44,7 +44,7 @@ public final class Monitors {
   }
 
   /** All monitors. */
-  public List<Monitor> all() {
+  public List<Monitor> monitors() {
     return monitors;
   }
 
@@ -83,7 +83,7 @@ public final class Monitors {
   }
 
   /** The violations found since the last call. */
-  public List<Violation> news() {
+  public List<Violation> newViolations() {
     List<Violation> found = report.violations();
     if (found.size() == told) {
       return List.of();

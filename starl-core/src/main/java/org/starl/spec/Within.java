@@ -44,7 +44,7 @@ public final class Within<K> {
   }
 
   /** Starts a deadline for {@code key}, unless it has one, suspended or not. */
-  public void owe(K key, long nowNs) {
+  public void start(K key, long nowNs) {
     if (!suspended.contains(key)) {
       sinceNs.putIfAbsent(key, nowNs);
     }
@@ -55,7 +55,7 @@ public final class Within<K> {
    *
    * @return whether there was one, suspended or not
    */
-  public boolean settle(K key) {
+  public boolean stop(K key) {
     return sinceNs.remove(key) != null || suspended.remove(key);
   }
 
@@ -81,7 +81,7 @@ public final class Within<K> {
 
   /**
    * Sets whether the assumption of all deadlines, including later ones, holds: that no fault is
-   * active ({@link Circumstances#isFair}). While it does not hold, no deadline expires.
+   * active ({@link FaultState#isFaultFree}). While it does not hold, no deadline expires.
    */
   public void assumeAll(boolean holds, long nowNs) {
     if (holds && allSuspended) {
@@ -91,12 +91,12 @@ public final class Within<K> {
   }
 
   /** Whether {@code key} has a deadline, suspended or not. */
-  public boolean isOwed(K key) {
+  public boolean isPending(K key) {
     return sinceNs.containsKey(key) || suspended.contains(key);
   }
 
   /** Number of deadlines that are not suspended. */
-  public int running() {
+  public int countRunning() {
     return allSuspended ? 0 : sinceNs.size();
   }
 

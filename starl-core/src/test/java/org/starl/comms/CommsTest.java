@@ -296,7 +296,7 @@ class CommsTest {
     List<Long> seen = new ArrayList<>();
     b.open(TALK, (from, message) -> seen.add(b.lamportClock().now()));
     Endpoint<String> talk = open(a, "a");
-    a.lamportClock().witness(41);
+    a.lamportClock().advanceTo(41);
     a.lamportClock().tick();
 
     talk.send(B, "hello");
@@ -314,16 +314,16 @@ class CommsTest {
     world.rule = LOSE_ALL;
     talk.sendReliably(B, "hello");
     world.rule = (from, to, datagram) -> new long[] {1};
-    a.lamportClock().witness(7);
-    b.lamportClock().witness(9);
+    a.lamportClock().advanceTo(7);
+    b.lamportClock().advanceTo(9);
     world.runMs(249);
     assertThat(b.lamportClock().now()).isEqualTo(9);
-    b.lamportClock().witness(5);
-    a.lamportClock().witness(30);
+    b.lamportClock().advanceTo(5);
+    a.lamportClock().advanceTo(30);
     world.runMs(2);
 
     assertThat(b.lamportClock().now()).isEqualTo(30);
-    b.lamportClock().witness(50);
+    b.lamportClock().advanceTo(50);
     talk.sendReliably(B, "again");
     world.runMs(2);
     assertThat(a.lamportClock().now()).isEqualTo(50);

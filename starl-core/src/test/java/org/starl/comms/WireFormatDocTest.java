@@ -59,7 +59,7 @@ class WireFormatDocTest {
     Comms bot2 = new Comms(world.boot("bot2").platform(), 1);
     bot2.open(talk, (from, message) -> {});
     Endpoint<String> endpoint = bot1.open(talk, (from, message) -> {});
-    bot1.lamportClock().witness(42);
+    bot1.lamportClock().advanceTo(42);
     for (int i = 0; i < 7; i++) {
       endpoint.send(new RobotId("bot2"), "hi");
     }

@@ -19,10 +19,10 @@ class KnownObstaclesTest {
     Point right = KnownObstacles.contact(pose, Bumps.RIGHT, 165);
     assertThat(ahead.distanceMm(p(100, 265))).isLessThan(1e-9);
     assertThat(right.xMm()).isGreaterThan(200);
-    known.learn(ahead, 10);
-    known.learn(ahead, 10);
+    known.addContact(ahead, 10);
+    known.addContact(ahead, 10);
     assertThat(known.all().all()).hasSize(2);
-    assertThat(known.learned()).isEqualTo(1);
+    assertThat(known.contacts()).isEqualTo(1);
     assertThat(known.all().distanceMm(ahead)).isZero();
   }
 

@@ -65,13 +65,15 @@ class SpecReportTest {
   @Test
   void newViolationsAreReturnedOnce() {
     Monitors monitors = new Monitors(List.of(new EveryActionIs("go")));
-    assertThat(monitors.news()).isEmpty();
+    assertThat(monitors.newViolations()).isEmpty();
     monitors.observe(new TraceEvent.Action(1, ONE, "app", "stop", List.of()));
     monitors.observe(new TraceEvent.Action(2, ONE, "app", "halt", List.of()));
-    assertThat(monitors.news()).extracting(Violation::detail).containsExactly("stop", "halt");
-    assertThat(monitors.news()).isEmpty();
+    assertThat(monitors.newViolations())
+        .extracting(Violation::detail)
+        .containsExactly("stop", "halt");
+    assertThat(monitors.newViolations()).isEmpty();
     monitors.observe(new TraceEvent.Action(3, ONE, "app", "stay", List.of()));
-    assertThat(monitors.news()).extracting(Violation::detail).containsExactly("stay");
+    assertThat(monitors.newViolations()).extracting(Violation::detail).containsExactly("stay");
     assertThat(monitors.report().violations()).hasSize(3);
   }
 

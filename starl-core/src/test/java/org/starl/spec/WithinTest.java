@@ -19,37 +19,37 @@ class WithinTest {
 
   @Test
   void anEventExactlyAtTheBoundIsInTime() {
-    within.owe("a", 5);
+    within.start("a", 5);
     expireAt(15);
-    assertThat(within.settle("a")).isTrue();
+    assertThat(within.stop("a")).isTrue();
     expireAt(100);
     assertThat(expired).isEmpty();
   }
 
   @Test
   void aMissedDeadlineIsReportedOnce() {
-    within.owe("a", 5);
+    within.start("a", 5);
     expireAt(16);
     expireAt(17);
     assertThat(expired).containsExactly("a 5..15");
-    assertThat(within.settle("a")).isFalse();
+    assertThat(within.stop("a")).isFalse();
   }
 
   @Test
   void startingAgainDoesNotMoveTheDeadline() {
-    within.owe("a", 5);
-    within.owe("a", 14);
+    within.start("a", 5);
+    within.start("a", 14);
     expireAt(16);
     assertThat(expired).containsExactly("a 5..15");
   }
 
   @Test
   void aBrokenAssumptionSuspendsTheDeadlineAndThenGivesTheFullBound() {
-    within.owe("a", 0);
+    within.start("a", 0);
     within.assume("a", false, 9);
-    within.owe("a", 20);
+    within.start("a", 20);
     expireAt(50);
-    assertThat(within.isOwed("a")).isTrue();
+    assertThat(within.isPending("a")).isTrue();
     within.assume("a", true, 50);
     within.assume("a", true, 55);
     expireAt(60);
@@ -62,18 +62,18 @@ class WithinTest {
   void anAssumptionWithoutADeadlineDoesNothing() {
     within.assume("a", true, 0);
     within.assume("a", false, 0);
-    assertThat(within.isOwed("a")).isFalse();
+    assertThat(within.isPending("a")).isFalse();
   }
 
   @Test
   void deadlinesExpireInOrderAfterASuspension() {
-    within.owe("a", 0);
-    within.owe("b", 1);
+    within.start("a", 0);
+    within.start("b", 1);
     within.assume("a", false, 2);
     within.assume("a", true, 3);
     expireAt(12);
     assertThat(expired).containsExactly("b 1..11");
-    assertThat(within.running()).isEqualTo(1);
+    assertThat(within.countRunning()).isEqualTo(1);
     expireAt(14);
     assertThat(expired).containsExactly("b 1..11", "a 3..13");
   }
@@ -87,21 +87,21 @@ class WithinTest {
 
   @Test
   void faultsSuspendAllDeadlinesWhichThenGetTheFullBound() {
-    within.owe("a", 0);
-    within.owe("b", 1);
+    within.start("a", 0);
+    within.start("b", 1);
     within.assume("b", false, 2);
     within.assumeAll(false, 5);
-    within.owe("c", 6);
+    within.start("c", 6);
     within.assumeAll(false, 7);
     expireAt(50);
-    assertThat(within.running()).isZero();
+    assertThat(within.countRunning()).isZero();
     within.assumeAll(true, 50);
     within.assumeAll(true, 55);
-    assertThat(within.running()).isEqualTo(2);
+    assertThat(within.countRunning()).isEqualTo(2);
     expireAt(60);
     assertThat(expired).isEmpty();
     expireAt(61);
     assertThat(expired).containsExactly("a 50..60", "c 50..60");
-    assertThat(within.isOwed("b")).isTrue();
+    assertThat(within.isPending("b")).isTrue();
   }
 }

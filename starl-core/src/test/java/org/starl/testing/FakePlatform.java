@@ -17,7 +17,7 @@ import org.starl.platform.Chassis;
 import org.starl.platform.Platform;
 import org.starl.platform.Positioning;
 import org.starl.platform.Radio;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
@@ -225,7 +225,7 @@ public final class FakePlatform {
     }
   }
 
-  private final class FakeStable implements Stable {
+  private final class FakeStable implements StableStorage {
     @Override
     public byte @Nullable [] get(String key) {
       byte[] value = stored.get(key);

@@ -22,10 +22,10 @@ import org.starl.motion.MotionFlag;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
 import org.starl.sim.fault.FaultRun;
+import org.starl.sim.fault.FaultTarget;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.Impairments;
 import org.starl.sim.fault.RobotClock;
-import org.starl.sim.fault.Ward;
 import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
@@ -37,13 +37,13 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
 
 /** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
-final class Engine implements SimControl, Ward, AutoCloseable {
+final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
-  private final Blueprint plan;
+  private final SimulationPlan plan;
   private final Rng scenarioRng;
   private final Rng behaviourRng;
   private final Kernel kernel;
-  private final Watchers watchers;
+  private final RunObservers watchers;
   private final World world;
   private final SimNetwork network;
   private final Participants deployment;
@@ -61,12 +61,12 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   private int restartsDue;
   private int brought;
 
-  Engine(Blueprint plan) {
+  Engine(SimulationPlan plan) {
     this.plan = plan;
     scenarioRng = new Rng(plan.header().scenarioSeed());
     behaviourRng = new Rng(plan.header().behaviourSeed());
     kernel = new Kernel(plan.carriers());
-    watchers = new Watchers(plan);
+    watchers = new RunObservers(plan);
     SimSettings settings = plan.settings();
     world = new World(kernel, kernel::timer, watchers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, watchers, behaviourRng.fork("network"));
@@ -87,11 +87,12 @@ final class Engine implements SimControl, Ward, AutoCloseable {
       if (director != null) {
         director.direct(this);
       }
-      Bystander bystander = plan.bystander();
+      StepListener bystander = plan.bystander();
       if (bystander == null) {
         kernel.run(plan.endNs(), this::isOver);
       } else {
-        runBeside(bystander, new Hands(this, faultRun, behaviourRng.fork("interventions")));
+        runBeside(
+            bystander, new EngineController(this, faultRun, behaviourRng.fork("interventions")));
       }
     } catch (BadInput e) {
       throw e;
@@ -117,13 +118,13 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     return result;
   }
 
-  private void runBeside(Bystander bystander, Hands hands) {
-    bystander.look(hands);
+  private void runBeside(StepListener bystander, EngineController hands) {
+    bystander.onStep(hands);
     if (!hands.isStopped()) {
       kernel.run(
           plan.endNs(),
           () -> {
-            bystander.look(hands);
+            bystander.onStep(hands);
             return hands.isStopped() || isOver();
           });
     }
@@ -251,7 +252,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     if (robot.isDown()) {
       throw new IllegalStateException(id + " has crashed already");
     }
-    tell(id, Fault.CRASH, "");
+    recordFault(id, Fault.CRASH, "");
     end(robot, isDueBack);
   }
 
@@ -261,7 +262,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     if (!crashed.isDown()) {
       throw new IllegalStateException(id + " is up: only a crashed robot restarts");
     }
-    tell(id, Fault.RESTART, unsynced.name().toLowerCase(Locale.ROOT));
+    recordFault(id, Fault.RESTART, unsynced.name().toLowerCase(Locale.ROOT));
     SimRobot robot = crashed.nextIncarnation(unsynced);
     robots.put(id, robot);
     results.remove(id);
@@ -278,7 +279,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   }
 
   @Override
-  public void tell(RobotId robot, String name, String detail) {
+  public void recordFault(RobotId robot, String name, String detail) {
     if (watchers.isOn()) {
       watchers.record(new Fault(nowNs(), robot, name, detail));
     }
@@ -353,7 +354,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
   private void impairmentsChanged(@Nullable RobotId id) {
     robots.forEach((robotId, robot) -> {
       if ((id == null || id.equals(robotId)) && !robot.isDown()) {
-        robot.suffer(impairments.total(robotId));
+        robot.applyImpairment(impairments.total(robotId));
       }
     });
   }
@@ -414,7 +415,7 @@ final class Engine implements SimControl, Ward, AutoCloseable {
     return plan.settings();
   }
 
-  Watchers watchers() {
+  RunObservers watchers() {
     return watchers;
   }
 

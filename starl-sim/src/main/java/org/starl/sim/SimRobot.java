@@ -100,7 +100,7 @@ final class SimRobot implements TraceSink {
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
     Impairment impairment = engine.impairmentOf(spec.id());
     if (!impairment.equals(Impairment.NONE)) {
-      suffer(impairment);
+      applyImpairment(impairment);
     }
   }
 
@@ -134,7 +134,7 @@ final class SimRobot implements TraceSink {
   }
 
   /** Sets the impairment of its parts. */
-  void suffer(Impairment impairment) {
+  void applyImpairment(Impairment impairment) {
     SimSettings settings = engine.settings();
     chassis.impair(impairment.wheels(), impairment.wheels());
     positioning.setNoise(settings.positionNoise().plus(impairment.noise()));

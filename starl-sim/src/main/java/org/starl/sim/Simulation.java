@@ -41,9 +41,9 @@ import org.starl.trace.TraceHeader;
  */
 public final class Simulation {
 
-  private final Blueprint plan;
+  private final SimulationPlan plan;
 
-  private Simulation(Blueprint plan) {
+  private Simulation(SimulationPlan plan) {
     this.plan = plan;
   }
 
@@ -52,7 +52,7 @@ public final class Simulation {
   }
 
   /** The plan of its run. */
-  public Blueprint blueprint() {
+  public SimulationPlan plan() {
     return plan;
   }
 
@@ -85,7 +85,7 @@ public final class Simulation {
     private CarrierKind carriers = CarrierKind.best();
     private Obstacles obstacles = Obstacles.NONE;
     private @Nullable Director director;
-    private @Nullable Bystander bystander;
+    private @Nullable StepListener bystander;
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
     private final List<RobotSpec> robots = new ArrayList<>();
@@ -163,7 +163,7 @@ public final class Simulation {
     }
 
     /** Sets a bystander, who may make the run wait and intervene. */
-    public Builder bystander(Bystander newBystander) {
+    public Builder bystander(StepListener newBystander) {
       bystander = newBystander;
       return this;
     }
@@ -242,7 +242,7 @@ public final class Simulation {
           start.add(new RobotSpec(id, starts.get(i), true, placedApp));
         }
       }
-      List<RobotId> deployment = Blueprint.deployment(start).asList();
+      List<RobotId> deployment = SimulationPlan.deployment(start).asList();
       if (director == null) {
         // A director lets others join: then names are checked when the fault begins.
         all.get(Setting.FAULTS).requireNamedAmong(deployment);
@@ -251,7 +251,7 @@ public final class Simulation {
           new TraceHeader(
               Version.STARL, name, seed, behaviourSeedOrDerived(), headerSettings(all), deployment);
       return new Simulation(
-          new Blueprint(
+          new SimulationPlan(
               header,
               all,
               carriers,

@@ -151,12 +151,12 @@ final class AppsTable {
   }
 
   private Row row(Demo demo, Input input, boolean isLossy) throws InterruptedException {
-    Chosen.Builder request = new Chosen.Builder(demo);
+    RunRequest.Builder request = new RunRequest.Builder(demo);
     input.parameters().forEach((key, value) -> request.set("", key, value));
     if (isLossy) {
       request.set("", Setting.MESSAGE_LOSS.key(), LOSS);
     }
-    Chosen chosen = request.build();
+    RunRequest chosen = request.build();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
         new Campaign(seeds.first(), seeds.last()).run(seed -> run(chosen, seed), progress::show);
@@ -170,7 +170,7 @@ final class AppsTable {
     return new Row(demo, input, isLossy, result);
   }
 
-  private RunOutcome run(Chosen chosen, long seed) {
+  private RunOutcome run(RunRequest chosen, long seed) {
     return RunOutcome.of(chosen.plan(seed).simulation().carriers(carriers).build().run());
   }
 }

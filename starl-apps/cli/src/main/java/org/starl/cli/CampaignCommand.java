@@ -86,7 +86,7 @@ final class CampaignCommand implements Callable<Integer> {
   @Override
   public Integer call() throws InterruptedException, IOException {
     Seeds.Range range = Seeds.Range.of(seeds);
-    Chosen chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
+    RunRequest chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // A request that cannot be planned for the first seed is bad input, not a failed run.
     chosen.plan(range.first()).simulation().build();
@@ -95,7 +95,8 @@ final class CampaignCommand implements Callable<Integer> {
     }
   }
 
-  private int run(Campaign campaign, Chosen chosen, Seeds.Range range, @Nullable ReportFile page)
+  private int run(
+      Campaign campaign, RunRequest chosen, Seeds.Range range, @Nullable ReportFile page)
       throws InterruptedException, IOException {
     CommandSpec command = Objects.requireNonNull(spec);
     PrintWriter out = command.commandLine().getOut();
@@ -158,7 +159,7 @@ final class CampaignCommand implements Callable<Integer> {
         : (int) Numbers.whole("--threads", threads, 1, MAX_THREADS);
   }
 
-  private static Plan plan(Chosen chosen, long seed, CarrierKind carriers) {
+  private static Plan plan(RunRequest chosen, long seed, CarrierKind carriers) {
     try {
       Plan plan = chosen.plan(seed);
       plan.simulation().carriers(carriers);
@@ -174,7 +175,7 @@ final class CampaignCommand implements Callable<Integer> {
   }
 
   private static RunOutcome run(
-      Chosen chosen,
+      RunRequest chosen,
       long seed,
       CarrierKind carriers,
       BySeed<Measures> measured,
@@ -198,7 +199,7 @@ final class CampaignCommand implements Callable<Integer> {
     return outcome.withFigures(figures);
   }
 
-  private static List<String> table(Chosen chosen, CampaignResult result, Samples samples) {
+  private static List<String> table(RunRequest chosen, CampaignResult result, Samples samples) {
     Table table = new Table();
     table.row(chosen.demo().name(), "");
     table.row("runs", Long.toString(result.runs().size()));
@@ -226,7 +227,7 @@ final class CampaignCommand implements Callable<Integer> {
   }
 
   private static Map<String, Object> summary(
-      Chosen chosen, Seeds.Range range, CampaignResult result, Samples samples) {
+      RunRequest chosen, Seeds.Range range, CampaignResult result, Samples samples) {
     Map<String, Object> summary = new LinkedHashMap<>();
     summary.put("app", chosen.demo().name());
     summary.put("seeds", range.first() + ".." + range.last());

@@ -13,7 +13,7 @@ import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
-import org.starl.sim.Blueprint;
+import org.starl.sim.SimulationPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -54,7 +54,7 @@ final class DeployCheckCommand implements Callable<Integer> {
     CommandSpec command = Objects.requireNonNull(spec);
     Deployment deployment = DeploymentFile.read(file);
     RobotEntry here = entry(deployment, robot);
-    Blueprint blueprint = DeployedApp.of(deployment, Main.demos(command)).blueprint();
+    SimulationPlan blueprint = DeployedApp.of(deployment, Main.demos(command)).blueprint();
     DeploymentFile.key(deployment);
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
     problems.addAll(DeploymentCheck.ofMotion(deployment, blueprint.settings().motionParameters(0)));

@@ -12,8 +12,8 @@ import org.starl.apps.Plan;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.launch.TraceMerge;
-import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -73,7 +73,7 @@ final class DeployMergeCommand implements Callable<Integer> {
     TraceMerge merge =
         TraceMerge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
     Plan plan = TraceFile.open(files.get(0), Main.demos(command)).plan();
-    Blueprint blueprint = plan.simulation().build().blueprint();
+    SimulationPlan blueprint = plan.simulation().build().plan();
     TraceMerge.Result result;
     try (ObserverFile file = ObserverFile.of("--out", out, TraceRecorder::new)) {
       List<SimObserver> observers = new ArrayList<>(blueprint.observers());

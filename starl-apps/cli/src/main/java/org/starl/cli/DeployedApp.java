@@ -6,16 +6,16 @@ import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
-import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.SimulationPlan;
 
 /** The app of a deployment, with its parameters. */
 final class DeployedApp {
 
   private final Deployment deployment;
-  private final Chosen chosen;
+  private final RunRequest chosen;
 
-  private DeployedApp(Deployment deployment, Chosen chosen) {
+  private DeployedApp(Deployment deployment, RunRequest chosen) {
     this.deployment = deployment;
     this.chosen = chosen;
   }
@@ -33,10 +33,10 @@ final class DeployedApp {
    *
    * @throws BadInput if a value cannot be used, or its robots are not those of the deployment
    */
-  Blueprint blueprint() {
-    Blueprint blueprint;
+  SimulationPlan blueprint() {
+    SimulationPlan blueprint;
     try {
-      blueprint = chosen.plan(deployment.seed()).simulation().build().blueprint();
+      blueprint = chosen.plan(deployment.seed()).simulation().build().plan();
     } catch (BadInput e) {
       throw new BadInput(deployment.where("app") + e.getMessage());
     }

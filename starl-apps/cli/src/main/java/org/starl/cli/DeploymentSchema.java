@@ -5,11 +5,11 @@ import java.util.List;
 import java.util.Map;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
-import org.starl.robot.file.Grammar;
+import org.starl.robot.file.DeploymentFormat;
 import org.starl.sim.Setting;
 
 /**
- * The JSON schema of deployment files, for editors, made from the {@link Grammar} that reads them. It
+ * The JSON schema of deployment files, for editors, made from the {@link DeploymentFormat} that reads them. It
  * accepts what {@code deploy check} accepts, except values that are quoted needlessly. It does not
  * know conditions between two values, or on the machine.
  */
@@ -27,10 +27,10 @@ final class DeploymentSchema {
   Map<String, Object> json() {
     Map<String, Object> schema =
         JsonSchema.document("StarL deployment", "What 'starl deploy' runs: an app on real robots.");
-    List<String> settings = Chosen.known().stream().map(Setting::key).toList();
+    List<String> settings = RunRequest.known().stream().map(Setting::key).toList();
     schema.put("definitions", Map.of("setting", Map.of("enum", settings)));
-    schema.putAll(JsonSchema.mapping(Grammar.FILE.fields()));
-    Map<String, Object> properties = JsonSchema.properties(Grammar.FILE.fields());
+    schema.putAll(JsonSchema.mapping(DeploymentFormat.FILE.fields()));
+    Map<String, Object> properties = JsonSchema.properties(DeploymentFormat.FILE.fields());
     properties.put(APP, new ScenarioSchema(demos).apps());
     schema.put(JsonSchema.PROPERTIES, properties);
     schema.put("allOf", demos.all().stream().map(DeploymentSchema::parameters).toList());

@@ -33,7 +33,7 @@ final class DeterminismCommand implements Callable<Integer> {
   @Override
   public Integer call() throws IOException {
     PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    Chosen chosen = options.chosen(Main.demos(spec));
+    RunRequest chosen = options.chosen(Main.demos(spec));
     long seedNumber = seed.value();
     PrintWriter err = spec.commandLine().getErr();
     Determinism check = Determinism.verify(() -> plan(chosen, seedNumber, err));
@@ -58,7 +58,7 @@ final class DeterminismCommand implements Callable<Integer> {
     return check.holds() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  private static Simulation.Builder plan(Chosen chosen, long seed, PrintWriter err) {
+  private static Simulation.Builder plan(RunRequest chosen, long seed, PrintWriter err) {
     Simulation.Builder simulation = chosen.plan(seed).simulation();
     RunProgress.of(simulation, err);
     return simulation;

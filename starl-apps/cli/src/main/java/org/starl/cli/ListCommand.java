@@ -115,7 +115,7 @@ final class ListCommand implements Runnable {
     }
     items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));
     items.add(new Item("bench", "", AppsTable.NAME, "", AppsTable.SUMMARY));
-    for (Setting<?> setting : Chosen.known()) {
+    for (Setting<?> setting : RunRequest.known()) {
       items.add(new Item("setting", "", setting.key(), setting.defaultText(), setting.meaning()));
     }
     for (FaultGrammar.Kind kind : FaultGrammar.kinds()) {

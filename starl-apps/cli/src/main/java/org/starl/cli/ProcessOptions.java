@@ -14,13 +14,13 @@ import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchSettings;
 import org.starl.launch.Launcher;
 import org.starl.random.Rng;
-import org.starl.sim.Blueprint;
 import org.starl.sim.Setting;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.fault.Crash;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.Fault;
+import org.starl.sim.fault.RobotSelector;
 import org.starl.sim.fault.TimeRange;
-import org.starl.sim.fault.Who;
 import picocli.CommandLine.Option;
 
 /** The options of {@code run} for robots as processes. */
@@ -70,7 +70,8 @@ final class ProcessOptions {
   }
 
   /** Runs the robots of {@code blueprint}, which the options {@code words} describe. */
-  LaunchResult run(Blueprint blueprint, List<String> words, PrintWriter err) throws IOException {
+  LaunchResult run(SimulationPlan blueprint, List<String> words, PrintWriter err)
+      throws IOException {
     LaunchSettings settings = settings(blueprint);
     try (Launcher launcher = new Launcher(blueprint, command(words), settings, err::println)) {
       return launcher.run();
@@ -84,7 +85,7 @@ final class ProcessOptions {
     return JavaProcess.command(HEAP_MB, Main.class.getName(), args);
   }
 
-  private LaunchSettings settings(Blueprint blueprint) {
+  private LaunchSettings settings(SimulationPlan blueprint) {
     List<Kill> all = new ArrayList<>();
     List<RobotId> robots = blueprint.header().robots();
     for (String kill : kills) {
@@ -105,14 +106,14 @@ final class ProcessOptions {
     return new LaunchSettings(count, all, limit(blueprint), LaunchSettings.DEFAULT_QUIET);
   }
 
-  private static Duration limit(Blueprint blueprint) {
+  private static Duration limit(SimulationPlan blueprint) {
     Duration duration = blueprint.settings().get(Setting.DURATION);
     return duration.isZero() ? Duration.ofDays(365) : duration;
   }
 
   private static List<Kill> killsOf(Fault fault, List<RobotId> robots, Rng rng) {
-    if (!(fault.harm() instanceof Crash crash)
-        || crash.who().choice() != Who.Choice.NAMED
+    if (!(fault.effect() instanceof Crash crash)
+        || crash.who().choice() != RobotSelector.Choice.NAMED
         || fault.span().isFinite()) {
       throw new BadInput(
           fault + ": with --processes: expected crash(NAME,at=TIME), without restart");

@@ -145,7 +145,7 @@ final class RecordCommand implements Callable<Integer> {
       seed.requireNoneFor(options.what());
       return Recordable.of(TraceFile.open(options.what(), demos));
     }
-    Chosen chosen = options.chosen(demos);
+    RunRequest chosen = options.chosen(demos);
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     plan.simulation().carriers(Carriers.chosen(null, err));

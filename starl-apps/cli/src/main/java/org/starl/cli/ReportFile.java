@@ -106,7 +106,7 @@ final class ReportFile implements Closeable {
   }
 
   /** What is run, for the head of the page. */
-  static Subject subject(Chosen chosen, String command, Seeds.Range range) {
+  static Subject subject(RunRequest chosen, String command, Seeds.Range range) {
     Map<String, String> given = new LinkedHashMap<>();
     for (Parameter parameter : chosen.demo().parameters()) {
       String value = chosen.parameters().get(parameter.key());

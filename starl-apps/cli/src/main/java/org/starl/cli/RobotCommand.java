@@ -42,10 +42,10 @@ final class RobotCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    Chosen chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
+    RunRequest chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
     long seedNumber = seed.value();
     RobotProcess.run(
-        () -> chosen.plan(seedNumber).simulation().build().blueprint(),
+        () -> chosen.plan(seedNumber).simulation().build().plan(),
         new RobotId(robot),
         Path.of(folder),
         rounds,

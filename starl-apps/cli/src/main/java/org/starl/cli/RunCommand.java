@@ -14,8 +14,8 @@ import org.starl.apps.Product;
 import org.starl.input.BadInput;
 import org.starl.launch.LaunchResult;
 import org.starl.proof.RunTheories;
-import org.starl.sim.Blueprint;
 import org.starl.sim.SimResult;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.export.MessageTable;
 import org.starl.sim.export.PositionTable;
@@ -117,7 +117,7 @@ final class RunCommand implements Callable<Integer> {
     if (view) {
       Viewing.demandScreen();
     }
-    Chosen chosen = options.chosen(Main.demos(spec));
+    RunRequest chosen = options.chosen(Main.demos(spec));
     long seedNumber = seed.value();
     Plan plan = chosen.plan(seedNumber);
     String app = chosen.demo().name();
@@ -244,7 +244,7 @@ final class RunCommand implements Callable<Integer> {
           .observer(theories.observer())
           .observer(picture.recorder());
       if (areProcesses) {
-        Blueprint blueprint = plan.simulation().build().blueprint();
+        SimulationPlan blueprint = plan.simulation().build().plan();
         return new Processes(processes.run(blueprint, words, err));
       }
       plan.simulation().carriers(Carriers.chosen(carrier, err));

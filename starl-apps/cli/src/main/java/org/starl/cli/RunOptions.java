@@ -127,10 +127,10 @@ final class RunOptions {
    *
    * @throws BadInput naming the option or the file's line, the value and what was expected
    */
-  Chosen chosen(Demos demos) {
+  RunRequest chosen(Demos demos) {
     boolean isFile = ScenarioFile.isOne(what);
     ScenarioFile file = isFile ? ScenarioFile.read(what) : ScenarioFile.ofApp(what);
-    Chosen.Builder request = file.request(demos);
+    RunRequest.Builder request = file.request(demos);
     faults.forEach(request::fault);
     given.forEach((setting, text) -> request.set(option(setting) + ": ", setting.key(), text));
     sets.forEach((key, text) -> request.set("--set: ", key, text));
@@ -138,6 +138,6 @@ final class RunOptions {
   }
 
   private static String option(Setting<?> setting) {
-    return Objects.requireNonNull(Chosen.OPTIONS.get(setting));
+    return Objects.requireNonNull(RunRequest.OPTIONS.get(setting));
   }
 }

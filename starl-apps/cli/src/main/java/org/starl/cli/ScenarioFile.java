@@ -54,9 +54,9 @@ record ScenarioFile(
    *
    * @throws BadInput naming the file's line, the key, the value and what was expected
    */
-  Chosen.Builder request(Demos demos) {
+  RunRequest.Builder request(Demos demos) {
     String hint = file.isEmpty() ? " (a scenario file's name ends in .yaml)" : "";
-    Chosen.Builder request = Chosen.Builder.of(demos, app, where(APP), hint);
+    RunRequest.Builder request = RunRequest.Builder.of(demos, app, where(APP), hint);
     values.forEach((key, value) -> request.set(where(key), key, value));
     return request;
   }

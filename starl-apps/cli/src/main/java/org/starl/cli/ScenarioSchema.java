@@ -68,7 +68,7 @@ final class ScenarioSchema {
 
   private static Map<String, Object> settings() {
     Map<String, Object> settings = new LinkedHashMap<>();
-    for (Setting<?> setting : Chosen.known()) {
+    for (Setting<?> setting : RunRequest.known()) {
       Map<String, Object> json =
           setting.equals(Setting.CHAOS)
               ? chaos()

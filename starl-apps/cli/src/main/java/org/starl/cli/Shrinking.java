@@ -32,7 +32,7 @@ final class Shrinking {
       Set.of(Setting.ROBOTS, Setting.DURATION, Setting.FAULTS, Setting.CHAOS, Setting.CHAOS_FOR);
 
   private final Demos demos;
-  private final Chosen whole;
+  private final RunRequest whole;
   private final long seed;
   private final CarrierKind carriers;
   private final Trial from;
@@ -73,7 +73,7 @@ final class Shrinking {
     }
   }
 
-  Shrinking(Demos demos, Chosen chosen, long seed, CarrierKind carriers) {
+  Shrinking(Demos demos, RunRequest chosen, long seed, CarrierKind carriers) {
     this.demos = demos;
     this.seed = seed;
     this.carriers = carriers;
@@ -88,7 +88,7 @@ final class Shrinking {
     Simulation simulation = plan.simulation().build();
     from =
         new Trial(
-            simulation.blueprint().robots().size(),
+            simulation.plan().robots().size(),
             kept.given().keySet().stream()
                 .filter(setting -> !OF_TRIAL.contains(setting))
                 .map(Setting::key)
@@ -129,7 +129,7 @@ final class Shrinking {
     }
   }
 
-  private Chosen chosen(Trial trial) {
+  private RunRequest chosen(Trial trial) {
     SimSettings.Builder settings =
         whole.settings().only(setting -> trial.settings().contains(setting.key())).toBuilder();
     settings.duration(Duration.ofNanos(trial.endNs()));

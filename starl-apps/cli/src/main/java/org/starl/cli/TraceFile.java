@@ -36,9 +36,9 @@ final class TraceFile {
 
   private final String name;
   private final TraceHeader header;
-  private final Chosen chosen;
+  private final RunRequest chosen;
 
-  private TraceFile(String name, TraceHeader header, Chosen chosen) {
+  private TraceFile(String name, TraceHeader header, RunRequest chosen) {
     this.name = name;
     this.header = header;
     this.chosen = chosen;
@@ -76,9 +76,9 @@ final class TraceFile {
     }
   }
 
-  private static Chosen chosen(String name, TraceHeader header, Demos demos) {
+  private static RunRequest chosen(String name, TraceHeader header, Demos demos) {
     String where = name + ":1: ";
-    Chosen.Builder request = Chosen.Builder.of(demos, header.scenario(), where, "");
+    RunRequest.Builder request = RunRequest.Builder.of(demos, header.scenario(), where, "");
     header.settings().forEach((key, value) -> request.set(where, key, value));
     return request.build();
   }
@@ -113,7 +113,7 @@ final class TraceFile {
   }
 
   private List<Monitor> monitors() {
-    return Monitors.of(plan().simulation().build().blueprint().monitors()).all();
+    return Monitors.of(plan().simulation().build().plan().monitors()).monitors();
   }
 
   /** Ready to be read for somebody who watches, and checked by the monitors of its app meanwhile. */

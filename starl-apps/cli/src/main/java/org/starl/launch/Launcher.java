@@ -23,10 +23,10 @@ import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.launch.LaunchResult.Death;
 import org.starl.robot.realtime.RealClock;
-import org.starl.robot.trace.Word;
-import org.starl.sim.Blueprint;
+import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimResult;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.net.NetStatistics;
 import org.starl.spec.Bodies;
 import org.starl.trace.TraceEvent;
@@ -48,7 +48,7 @@ public final class Launcher implements AutoCloseable {
   private static final Duration START_LIMIT = Duration.ofMinutes(2);
   private static final Duration END_LIMIT = Duration.ofSeconds(10);
 
-  private final Blueprint blueprint;
+  private final SimulationPlan blueprint;
   private final LaunchSettings settings;
   private final Consumer<String> console;
   private final Path folder;
@@ -77,7 +77,10 @@ public final class Launcher implements AutoCloseable {
    * @throws IOException if a process cannot be started, or a folder cannot be made
    */
   public Launcher(
-      Blueprint blueprint, List<String> command, LaunchSettings settings, Consumer<String> console)
+      SimulationPlan blueprint,
+      List<String> command,
+      LaunchSettings settings,
+      Consumer<String> console)
       throws IOException {
     this.blueprint = blueprint;
     this.settings = settings;
@@ -291,7 +294,7 @@ public final class Launcher implements AutoCloseable {
 
     @Override
     public void traced(TraceEvent event, long seenNs) {
-      if (Word.isOne(event)) {
+      if (ProcessWord.isProcessEvent(event)) {
         told((Action) event, seenNs);
         return;
       }
@@ -327,7 +330,7 @@ public final class Launcher implements AutoCloseable {
 
     private void told(Action action, long seenNs) {
       List<String> args = action.args();
-      switch (Word.valueOf(action.name())) {
+      switch (ProcessWord.valueOf(action.name())) {
         case HELLO -> {
           isUp = true;
           begin();

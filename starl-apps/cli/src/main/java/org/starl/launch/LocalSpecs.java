@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.starl.id.RobotId;
-import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
+import org.starl.sim.SimulationPlan;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport.Violation;
@@ -17,7 +17,7 @@ import org.starl.trace.TraceEvent.Moved;
 
 /**
  * Checks the app's specifications over the events of one robot, as they happen: only the lemmas that
- * this robot can violate alone ({@link Monitor#ownLemmas}). The monitors do not see where its body was
+ * this robot can violate alone ({@link Monitor#perRobotLemmas}). The monitors do not see where its body was
  * measured: a measurement's error must not stop a robot. Strand only.
  */
 public final class LocalSpecs implements SimObserver {
@@ -31,13 +31,13 @@ public final class LocalSpecs implements SimObserver {
    * @param startNs the trace's time 0, on the clock of the events
    * @param onViolation takes violations, with times of the trace
    */
-  public LocalSpecs(Blueprint blueprint, long startNs, Consumer<Violation> onViolation) {
+  public LocalSpecs(SimulationPlan blueprint, long startNs, Consumer<Violation> onViolation) {
     this.startNs = startNs;
     this.onViolation = onViolation;
-    for (Monitor monitor : Monitors.of(blueprint.monitors()).all()) {
-      if (!monitor.ownLemmas().isEmpty()) {
+    for (Monitor monitor : Monitors.of(blueprint.monitors()).monitors()) {
+      if (!monitor.perRobotLemmas().isEmpty()) {
         monitors.add(monitor);
-        lemmas.addAll(monitor.ownLemmas());
+        lemmas.addAll(monitor.perRobotLemmas());
       }
     }
     // In real time no progress is owed.
@@ -58,7 +58,7 @@ public final class LocalSpecs implements SimObserver {
 
   private void show(TraceEvent event) {
     for (Monitor monitor : monitors) {
-      monitor.observe(event, new Own(monitor.ownLemmas()));
+      monitor.observe(event, new Own(monitor.perRobotLemmas()));
     }
   }
 

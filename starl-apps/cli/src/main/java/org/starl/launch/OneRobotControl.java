@@ -12,10 +12,10 @@ import org.starl.motion.MotionFlag;
 import org.starl.platform.Clock;
 import org.starl.random.Rng;
 import org.starl.robot.realtime.RealStrand;
-import org.starl.sim.Blueprint;
 import org.starl.sim.Director;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimControl;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Unsynced;
 
@@ -46,7 +46,7 @@ final class OneRobotControl implements SimControl {
     Pose pose();
   }
 
-  private final Blueprint blueprint;
+  private final SimulationPlan blueprint;
   private final RobotSpec spec;
   private final Body body;
   private final RealStrand strand;
@@ -60,7 +60,7 @@ final class OneRobotControl implements SimControl {
    * @param isFinished whether its app has come to its end
    */
   OneRobotControl(
-      Blueprint blueprint,
+      SimulationPlan blueprint,
       RobotSpec spec,
       Body body,
       RealStrand strand,

@@ -10,7 +10,7 @@ import java.util.List;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.Word;
+import org.starl.robot.trace.ProcessWord;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -26,7 +26,7 @@ import org.starl.trace.TraceReader;
  * @param machine the machine whose monotonic clock its times are on; unique if unknown
  * @param machineNs what that clock showed at the trace's time 0
  * @param dateNs the date at the trace's time 0, in ns since 2020, by that machine
- * @param events without the process's own actions ({@link Word})
+ * @param events without the process's own actions ({@link ProcessWord})
  * @param lastNs the time of the last sign of life
  * @param isComplete whether the process ended in order; else it was killed
  * @param hasTrueBodies whether its bodies are where they truly were; else where they were measured
@@ -71,9 +71,10 @@ record ProcessTrace(
     boolean isComplete = false;
     try {
       for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
-        if (!Word.isOne(event)) {
+        if (!ProcessWord.isProcessEvent(event)) {
           events.add(event);
-        } else if (event instanceof Action action && action.name().equals(Word.CLOCK.name())) {
+        } else if (event instanceof Action action
+            && action.name().equals(ProcessWord.CLOCK.name())) {
           clock = action;
         }
       }

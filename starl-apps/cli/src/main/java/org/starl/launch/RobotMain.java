@@ -5,8 +5,8 @@ import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Supplier;
 import org.starl.id.RobotId;
-import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.SimulationPlan;
 
 /**
  * The main loop of one robot in real time. Its app runs for several rounds, each another incarnation:
@@ -21,7 +21,7 @@ abstract class RobotMain {
     void run() throws IOException;
   }
 
-  private final Supplier<Blueprint> blueprints;
+  private final Supplier<SimulationPlan> blueprints;
   private final int rounds;
   private final BlockingQueue<Task> tasks = new LinkedBlockingQueue<>();
   private volatile boolean isStopped;
@@ -35,14 +35,14 @@ abstract class RobotMain {
    * @param blueprints makes equal ones, one for each round: a director serves one run
    * @param rounds how many times the app runs, from 1
    */
-  RobotMain(RobotId id, Supplier<Blueprint> blueprints, int rounds) {
+  RobotMain(RobotId id, Supplier<SimulationPlan> blueprints, int rounds) {
     this.id = id;
     this.blueprints = blueprints;
     this.rounds = rounds;
   }
 
   /** Starts an incarnation; {@code number} counts from 1. On the loop's thread. */
-  abstract void bringUp(Blueprint blueprint, RobotSpec spec, int number) throws IOException;
+  abstract void bringUp(SimulationPlan blueprint, RobotSpec spec, int number) throws IOException;
 
   /**
    * Ends the incarnation, if there is one. On the loop's thread.
@@ -52,7 +52,7 @@ abstract class RobotMain {
   abstract void bringDown(boolean isLifted) throws IOException;
 
   /** The robot of that name. */
-  static RobotSpec spec(Blueprint blueprint, RobotId id) {
+  static RobotSpec spec(SimulationPlan blueprint, RobotId id) {
     return blueprint.robots().stream()
         .filter(spec -> spec.id().equals(id))
         .findFirst()
@@ -95,7 +95,7 @@ abstract class RobotMain {
   final void startRound() throws IOException {
     if (!isStopped) {
       round++;
-      Blueprint blueprint = blueprints.get();
+      SimulationPlan blueprint = blueprints.get();
       bringUp(blueprint, spec(blueprint, id), round);
     }
   }

@@ -13,10 +13,10 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.robot.realtime.RealClock;
-import org.starl.robot.trace.Outbox;
-import org.starl.robot.trace.Word;
-import org.starl.sim.Blueprint;
+import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.SimulationPlan;
 
 /**
  * The process of one robot that a {@link Launcher} started: runs as its parent commands, until its
@@ -25,7 +25,7 @@ import org.starl.sim.RobotSpec;
 public final class RobotProcess extends RobotMain implements SimulatedRobot.Host {
 
   private final Path folder;
-  private final Outbox outbox;
+  private final ProcessTrace outbox;
   private volatile RealClock clock = new RealClock();
 
   // The loop's thread only.
@@ -34,10 +34,14 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
   private int port;
 
   private RobotProcess(
-      Supplier<Blueprint> blueprints, RobotId self, Path folder, int rounds, OutputStream out) {
+      Supplier<SimulationPlan> blueprints,
+      RobotId self,
+      Path folder,
+      int rounds,
+      OutputStream out) {
     super(self, blueprints, rounds);
     this.folder = folder;
-    outbox = new Outbox(self, blueprints.get().header(), out);
+    outbox = new ProcessTrace(self, blueprints.get().header(), out);
   }
 
   /**
@@ -51,7 +55,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
    * @throws IOException if radio or storage cannot be opened
    */
   public static void run(
-      Supplier<Blueprint> blueprints,
+      Supplier<SimulationPlan> blueprints,
       RobotId self,
       Path folder,
       int rounds,
@@ -62,7 +66,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
     Thread reader = new Thread(() -> process.read(in), self + " commands");
     reader.setDaemon(true);
     reader.start();
-    process.outbox.say(process.clock, Word.HELLO, ProcessHandle.current().pid());
+    process.outbox.report(process.clock, ProcessWord.HELLO, ProcessHandle.current().pid());
     process.loop();
     process.bringDown(false);
     process.outbox.end(process.clock.nowNs());
@@ -76,7 +80,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
         post(() -> obey(command));
       }
     } catch (IOException e) {
-      outbox.say(clock, Word.LOG, "WARN", "commands", e);
+      outbox.report(clock, ProcessWord.LOG, "WARN", "commands", e);
     } finally {
       endLoop(() -> {});
     }
@@ -87,7 +91,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
       case ParentCommand.Begin begin -> {
         clock = new RealClock(begin.originNs());
         startRound();
-        outbox.say(clock, Word.PORT, port);
+        outbox.report(clock, ProcessWord.PORT, port);
       }
       case ParentCommand.Go go -> {
         ports = go.ports();
@@ -114,7 +118,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
   }
 
   @Override
-  void bringUp(Blueprint blueprint, RobotSpec spec, int number) throws IOException {
+  void bringUp(SimulationPlan blueprint, RobotSpec spec, int number) throws IOException {
     robot = new SimulatedRobot(blueprint, spec, number, clock, folder, port, outbox, this);
     port = robot.port();
     if (number > 1) {
@@ -139,7 +143,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
 
   @Override
   public void failed(Throwable error) {
-    outbox.say(clock, Word.ERROR, StackTraces.of(error));
+    outbox.report(clock, ProcessWord.ERROR, StackTraces.of(error));
     // The strand may be stuck in the error itself: nothing can be closed in order.
     Runtime.getRuntime().halt(1);
   }

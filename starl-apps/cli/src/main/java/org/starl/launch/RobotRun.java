@@ -23,12 +23,12 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.Outbox;
-import org.starl.robot.trace.Word;
+import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.UdpStatistics;
-import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
+import org.starl.sim.SimulationPlan;
 import org.starl.spec.SpecReport.Violation;
 
 /** One robot of a deployment in this process, in real time, until it is stopped. */
@@ -46,7 +46,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
       Deployment deployment,
       RobotEntry entry,
       @Nullable DeploymentKey key,
-      Supplier<Blueprint> blueprints,
+      Supplier<SimulationPlan> blueprints,
       Wheelbase.Source wheels,
       Path storage,
       int rounds) {}
@@ -58,7 +58,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
   private final Settings settings;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final Outbox outbox;
+  private final ProcessTrace outbox;
   private final Consumer<String> console;
   private final CountDownLatch over = new CountDownLatch(1);
   private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
@@ -80,7 +80,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
     super(settings.entry().id(), settings.blueprints(), settings.rounds());
     this.settings = settings;
     this.console = line -> console.accept(id + ": " + line);
-    outbox = new Outbox(id, settings.blueprints().get().header(), trace);
+    outbox = new ProcessTrace(id, settings.blueprints().get().header(), trace);
   }
 
   /**
@@ -151,7 +151,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
   }
 
   @Override
-  void bringUp(Blueprint blueprint, RobotSpec spec, int number) throws IOException {
+  void bringUp(SimulationPlan blueprint, RobotSpec spec, int number) throws IOException {
     DeployedRobot.Program program =
         new DeployedRobot.Program(
             spec.app(),
@@ -235,7 +235,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
 
   private void log(long timeNs, Level level, String tag, String line) {
     if (level.compareTo(Level.INFO) >= 0) {
-      outbox.say(() -> Math.max(0, timeNs - startNs), Word.LOG, level, tag, line);
+      outbox.report(() -> Math.max(0, timeNs - startNs), ProcessWord.LOG, level, tag, line);
       console.accept(tag + ": " + line);
     }
   }

@@ -17,15 +17,15 @@ import org.starl.random.Rng;
 import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
-import org.starl.robot.trace.Outbox;
-import org.starl.robot.trace.Word;
+import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
 import org.starl.robot.udp.UdpRadio;
-import org.starl.sim.Blueprint;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.World;
@@ -49,7 +49,7 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
     void failed(Throwable error);
   }
 
-  private final Outbox outbox;
+  private final ProcessTrace outbox;
   private final Host host;
   private final RealStrand strand;
   private final BodyClock clock;
@@ -75,13 +75,13 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
    * @param port to listen at on the loopback interface; 0 for any free one
    */
   SimulatedRobot(
-      Blueprint blueprint,
+      SimulationPlan blueprint,
       RobotSpec spec,
       int number,
       RealClock real,
       Path folder,
       int port,
-      Outbox outbox,
+      ProcessTrace outbox,
       Host host)
       throws IOException {
     this.outbox = outbox;
@@ -206,19 +206,19 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
   }
 
   private void tellAlive() {
-    outbox.say(clock, Word.ALIVE, radio.copies(), radio.lost(), clock.longestPauseNs());
+    outbox.report(clock, ProcessWord.ALIVE, radio.copies(), radio.lost(), clock.longestPauseNs());
     alive.set(clock.nowNs() + ALIVE_EVERY_NS);
   }
 
   private void appEnded() {
     List<Object> results = runner.results();
-    outbox.say(clock, Word.FINISHED, results == null ? new Object[0] : results.toArray());
+    outbox.report(clock, ProcessWord.FINISHED, results == null ? new Object[0] : results.toArray());
     host.finished();
   }
 
   private void log(long timeNs, Level level, String tag, String line) {
     if (level.compareTo(Level.INFO) >= 0) {
-      outbox.say(clock, Word.LOG, level, tag, line);
+      outbox.report(clock, ProcessWord.LOG, level, tag, line);
     }
   }
 
@@ -228,7 +228,7 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
   public boolean place() {
     if (!isPlaceWanted) {
       isPlaceWanted = true;
-      outbox.say(clock, Word.WANTS_PLACE);
+      outbox.report(clock, ProcessWord.WANTS_PLACE);
     }
     clock.nowNs();
     if (!mayBePlaced || !body.place(0)) {

@@ -12,9 +12,9 @@ import java.util.stream.Collectors;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.launch.MeasuredBodies.Deviation;
-import org.starl.sim.Blueprint;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.net.NetStatistics;
 import org.starl.sim.world.Collisions;
 import org.starl.spec.Monitors;
@@ -121,13 +121,13 @@ public final class TraceMerge {
    * @param blueprint of the same run
    * @param observers see the middle order as they would see a simulated run
    */
-  public Result judge(Blueprint blueprint, List<SimObserver> observers) {
+  public Result judge(SimulationPlan blueprint, List<SimObserver> observers) {
     return judge(blueprint, observers, run -> run);
   }
 
   /** The same; {@code complete} adds what the traces do not tell of the run. */
   Result judge(
-      Blueprint blueprint, List<SimObserver> observers, UnaryOperator<SimResult> complete) {
+      SimulationPlan blueprint, List<SimObserver> observers, UnaryOperator<SimResult> complete) {
     List<long[]> clocks = bounds.candidates(traces);
     Case middle = order(clocks.get(0), Deviation.NONE);
     List<SpecReport> reports = new ArrayList<>();
@@ -172,7 +172,7 @@ public final class TraceMerge {
     return new Case(events, Math.max(endNs, events.get(events.size() - 1).timeNs()));
   }
 
-  private SpecReport show(Case shown, Blueprint blueprint, List<SimObserver> observers) {
+  private SpecReport show(Case shown, SimulationPlan blueprint, List<SimObserver> observers) {
     Monitors monitors = Monitors.of(blueprint.monitors());
     observers.forEach(observer -> observer.started(blueprint.header()));
     for (TraceEvent event : shown.events()) {

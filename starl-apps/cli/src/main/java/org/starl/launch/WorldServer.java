@@ -38,8 +38,8 @@ import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.serial.PseudoTerminal;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.Outbox;
-import org.starl.sim.Blueprint;
+import org.starl.robot.trace.ProcessTrace;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
 import org.starl.trace.TraceEvent.Fault;
@@ -61,7 +61,7 @@ public final class WorldServer implements AutoCloseable {
   private final Consumer<Throwable> onFailure;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final Outbox trace;
+  private final ProcessTrace trace;
   private final RealStrand strand;
   private final double apartMm;
   private final Map<RobotId, WorldBody> bodies = new TreeMap<>();
@@ -85,7 +85,7 @@ public final class WorldServer implements AutoCloseable {
    */
   public WorldServer(
       Deployment deployment,
-      Blueprint blueprint,
+      SimulationPlan blueprint,
       OutputStream out,
       Consumer<String> console,
       Consumer<Throwable> onFailure)
@@ -93,7 +93,7 @@ public final class WorldServer implements AutoCloseable {
     this.deployment = deployment;
     this.console = console;
     this.onFailure = onFailure;
-    trace = new Outbox(Fault.WORLD, blueprint.header(), out);
+    trace = new ProcessTrace(Fault.WORLD, blueprint.header(), out);
     MachineClock.tell(trace, clock, startNs);
     strand = new RealStrand("world", clock, onFailure);
     parts.push(strand);
@@ -124,7 +124,7 @@ public final class WorldServer implements AutoCloseable {
     strand.post(this::update);
   }
 
-  private WorldBody body(RobotEntry entry, Blueprint blueprint, World world) {
+  private WorldBody body(RobotEntry entry, SimulationPlan blueprint, World world) {
     CreateModel model =
         entry.wheels() instanceof Create create
             ? CreateWheelbase.model(create)

@@ -9,7 +9,7 @@
  *       {@link org.starl.launch.WorldServer} simulates the bodies of such robots.
  * </ul>
  *
- * <p>Both run a {@link org.starl.sim.Blueprint}, which all processes make alike from the same options and
+ * <p>Both run a {@link org.starl.sim.SimulationPlan}, which all processes make alike from the same options and
  * seed: only names, ports and times have to be told. Both run {@code RobotMain}'s rounds of incarnations,
  * let {@code OneRobotControl} direct one robot, and leave traces that {@link
  * org.starl.launch.TraceMerge} merges by time and cause and shows to the app's monitors. Safety is judged

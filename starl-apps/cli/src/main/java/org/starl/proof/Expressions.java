@@ -61,13 +61,13 @@ final class Expressions {
 
   private String fun(Fun<?, ?> fun, Type[] types) {
     String domain = type(types[0]);
-    if (Boolean.FALSE.equals(fun.elsewhere())) {
+    if (Boolean.FALSE.equals(fun.defaultValue())) {
       List<Object> members = new ArrayList<>();
       fun.forEach((argument, isIn) -> members.add(argument));
       return set(domain, members);
     }
     StringBuilder text = new StringBuilder("LAMBDA (i: ").append(domain).append("):");
-    String elsewhere = of(fun.elsewhere(), types[1]);
+    String elsewhere = of(fun.defaultValue(), types[1]);
     List<String> cases = new ArrayList<>();
     fun.forEach(
         (argument, value) -> cases.add("IF i = " + of(argument) + " THEN " + of(value, types[1])));

@@ -24,7 +24,7 @@ import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.automaton.Action;
 import org.starl.spec.automaton.Automaton;
-import org.starl.spec.automaton.Steps;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
@@ -55,16 +55,16 @@ public final class RunTheories implements SimObserver, Closeable {
     monitors = new Monitors(maps);
   }
 
-  private <S extends Record, A extends Action> Steps<S, A> steps(
+  private <S extends Record, A extends Action> AutomatonListener<S, A> steps(
       Automaton<S, A> automaton, Formal... formals) {
-    return new Steps<>() {
+    return new AutomatonListener<>() {
       @Override
-      public void stepped(String instance, TraceEvent event, A action, S after) {
+      public void onStep(String instance, TraceEvent event, A action, S after) {
         theory(instance).stepped(event, action, after);
       }
 
       @Override
-      public void resulted(String instance, String function, Object argument, Object value) {
+      public void onResult(String instance, String function, Object argument, Object value) {
         theory(instance).resulted(function, argument, value);
       }
 

@@ -5,9 +5,9 @@ import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.motion.MotionFlag;
+import org.starl.primitives.motion.MotionControl;
 import org.starl.primitives.motion.MotionPrim;
 import org.starl.primitives.motion.MotionSpec;
-import org.starl.primitives.motion.Motioncontrol;
 
 /**
  * Each robot drives to places around its start, outside a region that is sometimes in the way: then
@@ -25,7 +25,7 @@ final class MotionClient extends Client {
 
   private MotionClient(GlobalVarHolder gvh, Course course) {
     super(gvh, course, THINK_MS);
-    motion = new Motioncontrol(gvh);
+    motion = new MotionControl(gvh);
   }
 
   static void setUp(Setup setup) {

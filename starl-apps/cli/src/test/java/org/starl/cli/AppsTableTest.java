@@ -51,7 +51,7 @@ class AppsTableTest {
       for (Input input : inputs) {
         assertThat(input.path()).as(demo.name() + " on " + input.name()).exists();
         assertThat(demo.defaults().keySet()).containsAll(input.parameters().keySet());
-        Chosen.Builder request = new Chosen.Builder(demo);
+        RunRequest.Builder request = new RunRequest.Builder(demo);
         input.parameters().forEach((key, value) -> request.set("", key, value));
         assertThat(request.build().plan(1).simulation().build()).isNotNull();
       }

@@ -28,7 +28,7 @@ import org.starl.input.Field;
 import org.starl.input.Form;
 import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
-import org.starl.robot.file.Grammar;
+import org.starl.robot.file.DeploymentFormat;
 
 /** What an editor takes in a deployment file is what {@code deploy check} takes. */
 class DeploymentSchemaTest {
@@ -87,7 +87,7 @@ class DeploymentSchemaTest {
 
   static List<Place> places() {
     List<Place> places = new ArrayList<>();
-    add(places, List.of(), Grammar.FILE);
+    add(places, List.of(), DeploymentFormat.FILE);
     return places;
   }
 

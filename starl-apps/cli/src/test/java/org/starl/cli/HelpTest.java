@@ -66,7 +66,7 @@ class HelpTest {
     }
     Workloads.all()
         .forEach(load -> assertThat(cli.out()).anyMatch(l -> l.startsWith("bench " + load.name())));
-    for (Setting<?> setting : Chosen.known()) {
+    for (Setting<?> setting : RunRequest.known()) {
       assertThat(cli.out())
           .anyMatch(line -> line.startsWith("  " + setting.key() + "=" + setting.defaultText()));
     }

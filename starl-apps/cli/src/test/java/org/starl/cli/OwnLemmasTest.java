@@ -30,7 +30,7 @@ class OwnLemmasTest {
   }
 
   private static LocalSpecs watch(Demo demo, List<Violation> violations) {
-    return new LocalSpecs(plan(demo).simulation().build().blueprint(), 0, violations::add);
+    return new LocalSpecs(plan(demo).simulation().build().plan(), 0, violations::add);
   }
 
   private static Plan plan(Demo demo) {

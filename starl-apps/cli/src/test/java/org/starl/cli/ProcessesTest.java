@@ -21,7 +21,7 @@ import org.starl.launch.Kill;
 import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchSettings;
 import org.starl.launch.Launcher;
-import org.starl.sim.Blueprint;
+import org.starl.sim.SimulationPlan;
 
 /** {@code starl run --processes}: robots that are processes of this machine, in real time. */
 @Tag("realtime")
@@ -81,7 +81,7 @@ class ProcessesTest {
         List.of(
             "intersection", "--seed", "1", "--robots", "2", "--loss", "0.2", "--set", "debris=0");
     Plan plan = plan();
-    Blueprint blueprint = plan.simulation().build().blueprint();
+    SimulationPlan blueprint = plan.simulation().build().plan();
     LaunchSettings settings =
         new LaunchSettings(
             1,
@@ -110,7 +110,7 @@ class ProcessesTest {
   /** The same as the options of the test above. */
   private static Plan plan() {
     Demo demo = Main.APPS.byName("intersection").orElseThrow();
-    return new Chosen.Builder(demo)
+    return new RunRequest.Builder(demo)
         .set("", "robots", "2")
         .set("", "debris", "0")
         .set("", "messageLoss", "0.2")

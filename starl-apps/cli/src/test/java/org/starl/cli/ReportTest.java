@@ -115,7 +115,7 @@ class ReportTest {
     }
 
     @Override
-    public String says(String lemma) {
+    public String description(String lemma) {
       return "nobody drives " + HOSTILE;
     }
 
@@ -267,14 +267,14 @@ class ReportTest {
   @Test
   void everyLemmaOfEveryAppSaysInWordsWhatItIs() {
     for (Demo demo : Main.ALL.all()) {
-      Plan plan = new Chosen.Builder(demo).build().plan(1);
-      for (Monitor monitor : Monitors.of(plan.simulation().build().blueprint().monitors()).all()) {
+      Plan plan = new RunRequest.Builder(demo).build().plan(1);
+      for (Monitor monitor : Monitors.of(plan.simulation().build().plan().monitors()).monitors()) {
         for (String lemma : monitor.lemmas()) {
-          assertThat(monitor.says(lemma))
+          assertThat(monitor.description(lemma))
               .as("%s of %s", lemma, monitor.getClass())
               .matches("[A-Z\"].{15,110}[.]");
         }
-        assertThat(monitor.says("no lemma of it")).isNotNull();
+        assertThat(monitor.description("no lemma of it")).isNotNull();
       }
     }
   }

@@ -17,7 +17,7 @@ final class RunRequestTest {
 
   @TempDir private Path folder;
 
-  private static Chosen request(List<String> words) {
+  private static RunRequest request(List<String> words) {
     RunOptions options = new RunOptions();
     CommandLine line = new CommandLine(options);
     line.addMixin("seed", new SeedOption());
@@ -37,8 +37,8 @@ final class RunRequestTest {
         "race --set faults=slow(bot0,0.5);partition(bot0|bot1,at=1s,for=2s) --set robots=2"
       })
   void itsCommandLineMakesTheSameRequest(String words) {
-    Chosen request = request(List.of(words.split(" ")));
-    Chosen again = request(request.words(7));
+    RunRequest request = request(List.of(words.split(" ")));
+    RunRequest again = request(request.words(7));
     assertThat(again).isEqualTo(request);
     assertThat(again.settings().given()).isEqualTo(request.settings().given());
     assertThat(again.words(7)).isEqualTo(request.words(7));
@@ -49,7 +49,7 @@ final class RunRequestTest {
     Path file = folder.resolve("my.yaml");
     Files.writeString(
         file, "app: race\nmessageLoss: 0.3\nchaos: yes\nfaults: [crash(bot1,at=2s)]\n");
-    Chosen ofFile = request(List.of(file.toString(), "--fault", "crash(bot2,at=3s)"));
+    RunRequest ofFile = request(List.of(file.toString(), "--fault", "crash(bot2,at=3s)"));
     assertThat(ofFile)
         .isEqualTo(
             request(
@@ -64,8 +64,8 @@ final class RunRequestTest {
 
   @Test
   void settingsOfTheWindowReachTheTracesHeader() {
-    Chosen request = request(List.of("hello", "--set", "drawTrails=yes"));
-    var header = request.plan(1).simulation().build().blueprint().header();
+    RunRequest request = request(List.of("hello", "--set", "drawTrails=yes"));
+    var header = request.plan(1).simulation().build().plan().header();
     assertThat(header.settings())
         .containsEntry("drawTrails", "true")
         .containsEntry("messageLoss", "0")

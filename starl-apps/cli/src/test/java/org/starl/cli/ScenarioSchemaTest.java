@@ -56,7 +56,7 @@ class ScenarioSchemaTest {
     return SCHEMA.validate(YAML.readTree(yaml));
   }
 
-  private static Chosen chosen(Path file) {
+  private static RunRequest chosen(Path file) {
     RunOptions options = new RunOptions();
     new CommandLine(options).parseArgs(file.toString());
     return options.chosen(Main.ALL);
@@ -69,7 +69,7 @@ class ScenarioSchemaTest {
   }
 
   static Stream<Setting<?>> settings() {
-    return Chosen.known().stream();
+    return RunRequest.known().stream();
   }
 
   static Stream<Demo> demos() {
@@ -88,7 +88,7 @@ class ScenarioSchemaTest {
         .isEmpty();
     // An app of another module is planned there.
     if (Main.ALL.byName(ScenarioFile.read(file.toString()).app()).isPresent()) {
-      assertThat(chosen(file).plan(1).simulation().build().blueprint().monitors()).isNotEmpty();
+      assertThat(chosen(file).plan(1).simulation().build().plan().monitors()).isNotEmpty();
     }
   }
 

@@ -12,11 +12,11 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.sim.Bystander;
-import org.starl.sim.Intervening;
+import org.starl.sim.RunController;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.StepListener;
 import org.starl.sim.record.Scene;
 import org.starl.trace.TraceEvent;
 
@@ -41,11 +41,11 @@ class ViewerDocTest {
   }
 
   /** Points once, as soon as the robot knows where it is. */
-  private static final class Person implements Bystander {
+  private static final class Person implements StepListener {
     private boolean hasPointed;
 
     @Override
-    public void look(Intervening hands) {
+    public void onStep(RunController hands) {
       if (!hasPointed && hands.nowNs() >= 1_000_000_000) {
         hasPointed = true;
         hands.point(BOT, (int) SENT.xMm(), (int) SENT.yMm());

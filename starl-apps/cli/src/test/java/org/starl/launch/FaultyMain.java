@@ -8,8 +8,8 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.id.RobotId;
-import org.starl.sim.Blueprint;
 import org.starl.sim.Simulation;
+import org.starl.sim.SimulationPlan;
 
 /** One of two robots as a process, of which the second has a bug; arguments as the launcher appends them. */
 final class FaultyMain {
@@ -26,8 +26,8 @@ final class FaultyMain {
         new FileOutputStream(FileDescriptor.out));
   }
 
-  static Blueprint blueprint() {
-    return Simulation.builder().robots(2, Faulty::new).seed(1).build().blueprint();
+  static SimulationPlan blueprint() {
+    return Simulation.builder().robots(2, Faulty::new).seed(1).build().plan();
   }
 
   private static final class Faulty extends LogicThread {

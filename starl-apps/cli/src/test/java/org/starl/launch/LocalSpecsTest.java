@@ -31,9 +31,9 @@ import org.starl.robot.file.Network;
 import org.starl.robot.file.Positions;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
-import org.starl.sim.Blueprint;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.SimulationPlan;
 import org.starl.spec.Monitor;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.trace.TraceEvent;
@@ -59,7 +59,7 @@ class LocalSpecsTest {
     }
 
     @Override
-    public List<String> ownLemmas() {
+    public List<String> perRobotLemmas() {
       return List.of("Once");
     }
 
@@ -95,14 +95,14 @@ class LocalSpecsTest {
     }
   }
 
-  private static Blueprint blueprint() {
+  private static SimulationPlan blueprint() {
     return Simulation.builder()
         .name("doors")
         .settings(SimSettings.defaults())
         .robots(1, Rude::new)
         .monitor(Entrances::new)
         .build()
-        .blueprint();
+        .plan();
   }
 
   /** Wheels that count how often they were stopped. */

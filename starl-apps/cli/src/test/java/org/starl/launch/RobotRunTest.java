@@ -82,7 +82,7 @@ class RobotRunTest {
             deployment,
             deployment.robot("bot0"),
             null,
-            () -> Simulation.builder().robots(1, Brief::new).seed(1).build().blueprint(),
+            () -> Simulation.builder().robots(1, Brief::new).seed(1).build().plan(),
             wheels,
             folder.resolve("storage"),
             rounds);

@@ -17,12 +17,12 @@ import org.junit.jupiter.api.io.TempDir;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.robot.trace.Outbox;
-import org.starl.robot.trace.Word;
-import org.starl.sim.Blueprint;
+import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.SimulationPlan;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
@@ -95,14 +95,14 @@ class TraceMergeTest {
     }
   }
 
-  private static Blueprint blueprint() {
+  private static SimulationPlan blueprint() {
     return Simulation.builder()
         .name("section")
         .settings(SimSettings.defaults())
         .monitor(Exclusion::new)
         .monitor(Apart::new)
         .build()
-        .blueprint();
+        .plan();
   }
 
   private static Action action(long atMs, RobotId robot, String name) {
@@ -134,8 +134,8 @@ class TraceMergeTest {
       throws IOException {
     Path file = folder.resolve(name);
     try (OutputStream out = Files.newOutputStream(file)) {
-      Outbox outbox = new Outbox(robot, HEADER, out);
-      outbox.say(() -> 0, Word.CLOCK, machine, machineNs, dateNs);
+      ProcessTrace outbox = new ProcessTrace(robot, HEADER, out);
+      outbox.report(() -> 0, ProcessWord.CLOCK, machine, machineNs, dateNs);
       Arrays.asList(events).forEach(outbox::record);
       if (isWhole) {
         outbox.end(events.length == 0 ? 0 : events[events.length - 1].timeNs());
@@ -350,8 +350,8 @@ class TraceMergeTest {
     Path file = folder.resolve(name + ".trace");
     try (OutputStream out = Files.newOutputStream(file)) {
       TraceHeader header = new TraceHeader("test", "section", 1, 1, settings, List.of(A, B));
-      Outbox outbox = new Outbox(A, header, out);
-      outbox.say(() -> 0, Word.CLOCK, "m", 0, 0);
+      ProcessTrace outbox = new ProcessTrace(A, header, out);
+      outbox.report(() -> 0, ProcessWord.CLOCK, "m", 0, 0);
       outbox.end(0);
     }
     return file.toString();
@@ -361,7 +361,7 @@ class TraceMergeTest {
   void aFileThatIsNotADeploymentTraceIsRefused() throws IOException {
     Path file = folder.resolve("other.trace");
     try (OutputStream out = Files.newOutputStream(file)) {
-      new Outbox(A, HEADER, out).end(0);
+      new ProcessTrace(A, HEADER, out).end(0);
     }
 
     assertThatThrownBy(() -> judge(SECOND, file.toString()))

@@ -156,7 +156,7 @@ class SearchCrashTest {
   private static Killer killed(long seed, long downNs, Predicate<Variable> isIt) {
     Map<String, String> empty = Map.of("rooms", "4", "object", "none");
     Plan plan = Searches.plan(seed, 3, empty, Map.of("messageLoss", "0.1"));
-    Director sensors = plan.simulation().build().blueprint().director();
+    Director sensors = plan.simulation().build().plan().director();
     Killer killer = new Killer(sensors == null ? control -> {} : sensors, downNs, isIt);
     plan.simulation().director(killer).observer(killer);
     String answer = Searches.answer(plan);

@@ -11,10 +11,10 @@ public final class Enabled {
   /** For an action that is always enabled. */
   public static final Enabled TRUE = new Enabled("");
 
-  private final String obstacle;
+  private final String falseConjunct;
 
   private Enabled(String obstacle) {
-    this.obstacle = obstacle;
+    this.falseConjunct = obstacle;
   }
 
   /**
@@ -33,17 +33,17 @@ public final class Enabled {
   }
 
   public boolean isTrue() {
-    return obstacle.isEmpty();
+    return falseConjunct.isEmpty();
   }
 
   /** {@code empty?(req_set(i, s)) is false: req_set(bot1) = [A]}; empty if it is true. */
-  public String obstacle() {
-    return obstacle;
+  public String falseConjunct() {
+    return falseConjunct;
   }
 
-  /** {@code true}, or the {@link #obstacle}. */
+  /** {@code true}, or the {@link #falseConjunct}. */
   @Override
   public String toString() {
-    return isTrue() ? "true" : obstacle;
+    return isTrue() ? "true" : falseConjunct;
   }
 }

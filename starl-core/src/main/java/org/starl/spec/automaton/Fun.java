@@ -14,13 +14,13 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Fun<K extends Comparable<? super K>, V> {
 
-  private final V elsewhere;
+  private final V defaultValue;
   // Parallel arrays: arguments ascend, and no value equals the default.
   private final Object[] arguments;
   private final Object[] values;
 
   private Fun(V elsewhere, Object[] arguments, Object[] values) {
-    this.elsewhere = elsewhere;
+    this.defaultValue = elsewhere;
     this.arguments = arguments;
     this.values = values;
   }
@@ -33,27 +33,27 @@ public final class Fun<K extends Comparable<? super K>, V> {
   /** Its value at {@code argument}. */
   public V at(K argument) {
     int place = place(argument);
-    return place < 0 ? elsewhere : value(place);
+    return place < 0 ? defaultValue : value(place);
   }
 
   /** {@code f WITH [(argument) := value]}. */
   public Fun<K, V> with(K argument, V value) {
     int place = place(argument);
-    if (value.equals(elsewhere)) {
-      return place < 0 ? this : new Fun<>(elsewhere, cut(arguments, place), cut(values, place));
+    if (value.equals(defaultValue)) {
+      return place < 0 ? this : new Fun<>(defaultValue, cut(arguments, place), cut(values, place));
     }
     if (place >= 0) {
       Object[] changed = values.clone();
       changed[place] = value;
-      return new Fun<>(elsewhere, arguments, changed);
+      return new Fun<>(defaultValue, arguments, changed);
     }
     int before = -place - 1;
-    return new Fun<>(elsewhere, put(arguments, before, argument), put(values, before, value));
+    return new Fun<>(defaultValue, put(arguments, before, argument), put(values, before, value));
   }
 
   /** The default value. */
-  public V elsewhere() {
-    return elsewhere;
+  public V defaultValue() {
+    return defaultValue;
   }
 
   /** The number of exceptions. */
@@ -129,7 +129,7 @@ public final class Fun<K extends Comparable<? super K>, V> {
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof Fun<?, ?> that
-        && elsewhere.equals(that.elsewhere)
+        && defaultValue.equals(that.defaultValue)
         && Arrays.equals(arguments, that.arguments)
         && Arrays.equals(values, that.values);
   }

@@ -14,15 +14,15 @@ public final class Replay<S, A extends Action> {
 
   private final Automaton<S, A> automaton;
   private final String instance;
-  private final Steps<S, A> steps;
+  private final AutomatonListener<S, A> steps;
   private S state;
-  private boolean isOver;
+  private boolean hasDeviated;
 
   /**
    * @param instance for violations: {@code mutex/crossing}
    * @param steps receives every step
    */
-  public Replay(Automaton<S, A> automaton, String instance, Steps<S, A> steps) {
+  public Replay(Automaton<S, A> automaton, String instance, AutomatonListener<S, A> steps) {
     this.automaton = automaton;
     this.instance = instance;
     this.steps = steps;
@@ -35,21 +35,21 @@ public final class Replay<S, A extends Action> {
   }
 
   /** Whether the run has deviated. */
-  public boolean isOver() {
-    return isOver;
+  public boolean hasDeviated() {
+    return hasDeviated;
   }
 
   /** Takes {@code action}, as told by {@code event}; it deviates if it is not enabled. */
   public void step(TraceEvent event, A action, Report report) {
-    if (isOver) {
+    if (hasDeviated) {
       return;
     }
     report.checked(automaton.theory());
     Enabled enabled = automaton.enabled(action, state);
     state = automaton.trans(action, state);
-    steps.stepped(instance, event, action, state);
+    steps.onStep(instance, event, action, state);
     if (!enabled.isTrue()) {
-      deviate(event, action.text() + " is not enabled: " + enabled.obstacle(), report);
+      deviate(event, action.text() + " is not enabled: " + enabled.falseConjunct(), report);
     }
   }
 
@@ -62,11 +62,11 @@ public final class Replay<S, A extends Action> {
    */
   public <V> void result(
       TraceEvent event, String function, Object argument, V recorded, V expected, Report report) {
-    if (isOver) {
+    if (hasDeviated) {
       return;
     }
     report.checked(automaton.theory());
-    steps.resulted(instance, function, argument, recorded);
+    steps.onResult(instance, function, argument, recorded);
     if (!recorded.equals(expected)) {
       String of = function + "(" + argument + ")";
       deviate(event, of + " is " + expected + ", but the trace has " + recorded, report);
@@ -74,12 +74,12 @@ public final class Replay<S, A extends Action> {
   }
 
   /** Drops from the state what no later step or result reads; for long runs. */
-  public void forget(UnaryOperator<S> reduce) {
+  public void reduce(UnaryOperator<S> reduce) {
     state = reduce.apply(state);
   }
 
   private void deviate(TraceEvent event, String how, Report report) {
-    isOver = true;
+    hasDeviated = true;
     report.violated(
         automaton.theory(), event.timeNs(), List.of(event.robot()), instance + ": " + how);
   }

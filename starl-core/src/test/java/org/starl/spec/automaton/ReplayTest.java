@@ -62,14 +62,14 @@ class ReplayTest {
       new Replay<>(
           new Lamp(),
           "lamp/x",
-          new Steps<>() {
+          new AutomatonListener<>() {
             @Override
-            public void stepped(String instance, TraceEvent event, Switch action, Boolean after) {
+            public void onStep(String instance, TraceEvent event, Switch action, Boolean after) {
               steps.add(instance + " " + action.text() + " " + after);
             }
 
             @Override
-            public void resulted(String instance, String component, Object argument, Object value) {
+            public void onResult(String instance, String component, Object argument, Object value) {
               steps.add(instance + " " + component + "(" + argument + ") = " + value);
             }
           });
@@ -92,7 +92,7 @@ class ReplayTest {
     replay.step(EVENT, new Switch.switch_on(1), report);
     replay.step(EVENT, new Switch.switch_on(0), report);
     replay.result(EVENT, "on", 1, false, replay.state(), report);
-    assertThat(replay.isOver()).isTrue();
+    assertThat(replay.hasDeviated()).isTrue();
     assertThat(report.violations())
         .extracting(SpecReport.Violation::toString)
         .containsExactly(

@@ -2,10 +2,10 @@ package org.starl.primitives.agreement;
 
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.AgreementAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -26,16 +26,16 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class AgreementConformance extends Conformance<Replay<States, AgreementAction>> {
 
-  private final Steps<States, AgreementAction> steps;
+  private final AutomatonListener<States, AgreementAction> steps;
 
   public AgreementConformance() {
-    this(Steps.ignored());
+    this(AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step of every instance
    */
-  public AgreementConformance(Steps<States, AgreementAction> steps) {
+  public AgreementConformance(AutomatonListener<States, AgreementAction> steps) {
     super(AgreementAutomaton.SET_AGREEMENT_DECLS, "every agreement", SetAgreement::isAgreement);
     this.steps = steps;
   }

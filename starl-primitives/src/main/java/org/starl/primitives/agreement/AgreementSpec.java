@@ -6,8 +6,8 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
-import org.starl.spec.Dues;
-import org.starl.spec.Dues.Seat;
+import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent.Action;
@@ -23,11 +23,11 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
   static final String VALIDITY = "Validity";
   static final String DECIDED = "Decided";
 
-  private final Dues progress;
+  private final Deadlines progress;
 
   /** Safety only. */
   public AgreementSpec() {
-    this(Dues.NO_BOUND);
+    this(Deadlines.NO_BOUND);
   }
 
   /**
@@ -66,7 +66,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
   }
 
   @Override
-  public List<String> ownLemmas() {
+  public List<String> perRobotLemmas() {
     return List.of(AGREEMENT);
   }
 
@@ -88,7 +88,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
       case SetAgreement.PROPOSE -> {
         instance.proposals.add(action.args().get(0));
         if (!instance.knowing.contains(action.robot())) {
-          progress.owe(new Seat(action.source(), action.robot()), action.timeNs());
+          progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
         }
       }
       default -> {
@@ -111,7 +111,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
       instance.knowing.add(variable.robot());
     }
     if (isDecision || isFailure) {
-      progress.meet(new Seat(variable.source(), variable.robot()), report);
+      progress.meet(new ProcessKey(variable.source(), variable.robot()), report);
     }
   }
 
@@ -144,13 +144,14 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
     instances()
         .forEach((source, instance) -> {
           instance.knowing.remove(robot);
-          progress.settle(new Seat(source, robot));
+          progress.stop(new ProcessKey(source, robot));
         });
   }
 
   @Override
   protected void review(long nowNs, Report report) {
     progress.assumeEach(
-        seat -> circumstances.isFair() && hasMajorityUp(instance(seat.source()).acceptors), nowNs);
+        seat -> circumstances.isFaultFree() && hasMajorityUp(instance(seat.source()).acceptors),
+        nowNs);
   }
 }

@@ -74,7 +74,7 @@ public final class Barrier implements BarrierPrim {
     BarrierCodec codec = new BarrierCodec(first);
     Channel<BarrierMessage> channel = new Channel<>(BarrierTrace.PRIMITIVE, instance, codec);
     source = channel.name();
-    gvh.requireFirst(source);
+    gvh.requireFirstInstance(source);
     outcome = gvh.variable(source, BarrierTrace.OUTCOME, BarrierOutcome.NONE_YET);
     wire = new SynodWire(gvh, new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(codec)));
     protocol =

@@ -6,8 +6,8 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -40,16 +40,16 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class BarrierConformance extends Conformance<BarrierRun> {
 
-  private final Steps<States, BarrierAction> steps;
+  private final AutomatonListener<States, BarrierAction> steps;
 
   public BarrierConformance() {
-    this(Steps.ignored());
+    this(AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step of every instance
    */
-  BarrierConformance(Steps<States, BarrierAction> steps) {
+  BarrierConformance(AutomatonListener<States, BarrierAction> steps) {
     super(BarrierAutomaton.BARRIER_DECLS, "every barrier", BarrierTrace::isBarrier);
     this.steps = steps;
   }

@@ -107,7 +107,7 @@ class BarrierProtocol extends SynodProtocol {
     }
     arrivals(generation).add(me);
     for (ProcessId absent : absent()) {
-      suspicion.expects(absent, now);
+      suspicion.expect(absent, now);
     }
     say();
     check();
@@ -184,7 +184,7 @@ class BarrierProtocol extends SynodProtocol {
     if (itsGeneration > decided) {
       arrivals(itsGeneration).add(who);
       if (itsGeneration == generation) {
-        suspicion.releases(who);
+        suspicion.release(who);
       }
     }
   }
@@ -286,7 +286,7 @@ class BarrierProtocol extends SynodProtocol {
     sayAtNs = NEVER;
     proposeAtNs = NEVER;
     synod.stop();
-    suspicion.expected().forEach(suspicion::releases);
+    suspicion.expected().forEach(suspicion::release);
   }
 
   /** Sends this robot's arrival to all members that have not arrived or have not acknowledged it. */

@@ -14,8 +14,8 @@ import org.starl.primitives.barrier.BarrierAutomaton.Outcome;
 import org.starl.primitives.barrier.BarrierAutomaton.States;
 import org.starl.primitives.barrier.BarrierAutomaton.Told;
 import org.starl.spec.Monitor.Report;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -39,12 +39,12 @@ final class BarrierRun {
   }
 
   private final String source;
-  private final Steps<States, BarrierAction> steps;
+  private final AutomatonListener<States, BarrierAction> steps;
   private final Map<RobotId, ProcessId> ids = new TreeMap<>();
   private final SortedMap<Long, List<Early>> excluded = new TreeMap<>();
   private @Nullable Begun begun;
 
-  BarrierRun(String source, Steps<States, BarrierAction> steps) {
+  BarrierRun(String source, AutomatonListener<States, BarrierAction> steps) {
     this.source = source;
     this.steps = steps;
   }
@@ -115,7 +115,7 @@ final class BarrierRun {
   private void decide(
       Begun run, TraceEvent event, long generation, Outcome outcome, Report report) {
     run.step(event, new BarrierAction.decide(generation, outcome), report);
-    run.replay.forget(s -> s.withoutArrivals(generation));
+    run.replay.reduce(s -> s.withoutArrivals(generation));
     List<Early> waiting = excluded.remove(generation);
     if (waiting != null) {
       waiting.forEach(early -> tell(run, early.event, early.i, generation, report));

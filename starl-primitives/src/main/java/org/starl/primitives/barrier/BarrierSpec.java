@@ -4,8 +4,8 @@ import java.util.List;
 import java.util.stream.Collectors;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.spec.Dues;
-import org.starl.spec.Dues.Seat;
+import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent.Action;
@@ -15,7 +15,7 @@ import org.starl.trace.TraceEvent.Variable;
  * The specification of barriers, after the package's contract: {@code NoEarly}, {@code Uniform}, and,
  * where bounds are given, {@code NotHung}.
  */
-public final class BarrierSpec extends InstanceSpec<Generations> {
+public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   static final String NO_EARLY = "NoEarly";
   static final String UNIFORM = "Uniform";
@@ -24,12 +24,12 @@ public final class BarrierSpec extends InstanceSpec<Generations> {
   private static final String NOT_HUNG_SAYS =
       "A robot that waits at a barrier is told an outcome within the bound.";
 
-  private final Dues released;
-  private final Dues told;
+  private final Deadlines released;
+  private final Deadlines told;
 
   /** Safety only. */
   public BarrierSpec() {
-    this(Dues.NO_BOUND, Dues.NO_BOUND);
+    this(Deadlines.NO_BOUND, Deadlines.NO_BOUND);
   }
 
   /**
@@ -57,12 +57,12 @@ public final class BarrierSpec extends InstanceSpec<Generations> {
   }
 
   @Override
-  protected Generations begin(String source) {
-    return new Generations(source, circumstances);
+  protected BarrierRecord begin(String source) {
+    return new BarrierRecord(source, circumstances);
   }
 
   @Override
-  public List<String> ownLemmas() {
+  public List<String> perRobotLemmas() {
     return List.of(UNIFORM);
   }
 
@@ -73,7 +73,7 @@ public final class BarrierSpec extends InstanceSpec<Generations> {
 
   @Override
   protected void acted(Action action, Report report) {
-    Generations generations = instance(action.source());
+    BarrierRecord generations = instance(action.source());
     List<String> args = action.args();
     if (action.name().equals(BarrierTrace.BARRIER)) {
       List<ProcessId> ids = args.stream().map(ProcessId::parse).collect(Collectors.toList());
@@ -99,16 +99,16 @@ public final class BarrierSpec extends InstanceSpec<Generations> {
   protected void review(long nowNs, Report report) {
     instances()
         .forEach((source, generations) -> {
-          boolean isFair = circumstances.isFair() && generations.hasMajorityUp();
+          boolean isFair = circumstances.isFaultFree() && generations.hasMajorityUp();
           for (RobotId robot : generations.robots()) {
-            Seat seat = new Seat(source, robot);
+            ProcessKey seat = new ProcessKey(source, robot);
             if (generations.isWaiting(robot)) {
-              told.owe(seat, nowNs);
-              released.owe(seat, nowNs);
+              told.start(seat, nowNs);
+              released.start(seat, nowNs);
               released.assume(seat, isFair && generations.isNoneToCome(robot), nowNs);
             } else {
-              released.settle(seat);
-              if (told.settle(seat) && generations.isUp(robot)) {
+              released.stop(seat);
+              if (told.stop(seat) && generations.isUp(robot)) {
                 report.checked(NOT_HUNG);
               }
             }

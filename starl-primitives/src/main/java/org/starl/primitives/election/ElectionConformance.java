@@ -8,10 +8,10 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.election.ElectionAutomaton.Known;
 import org.starl.primitives.election.ElectionAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Lift;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -37,19 +37,19 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class ElectionConformance extends Conformance<ElectionConformance.Run> {
 
-  private final Steps<States, ElectionAction> steps;
+  private final AutomatonListener<States, ElectionAction> steps;
 
   /** One instance: its replay, and each robot's present id. */
   record Run(Replay<States, ElectionAction> replay, Map<RobotId, ProcessId> ids) {}
 
   public ElectionConformance() {
-    this(Steps.ignored());
+    this(AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step of every instance
    */
-  public ElectionConformance(Steps<States, ElectionAction> steps) {
+  public ElectionConformance(AutomatonListener<States, ElectionAction> steps) {
     super(ElectionAutomaton.ELECTION_DECLS, "every election", ElectionTrace::isElection);
     this.steps = steps;
   }

@@ -37,7 +37,7 @@ class ElectionProtocol extends SynodProtocol {
   private Leader leader = Leader.NONE;
 
   // The candidates of the present term; null if this robot is none.
-  private @Nullable Poll poll;
+  private @Nullable Candidates poll;
   private long draw;
 
   private long planAtNs = NEVER;
@@ -147,7 +147,7 @@ class ElectionProtocol extends SynodProtocol {
   /** {@code Election_agreement.candidate}: stands in {@code next}, with no leader yet. */
   private void start(long next) {
     if (leader instanceof Leader.Name name) {
-      suspicion.releases(name.id());
+      suspicion.release(name.id());
     }
     term = next;
     draw = rng.nextLong();
@@ -159,7 +159,7 @@ class ElectionProtocol extends SynodProtocol {
   private void stand() {
     leader = Leader.NONE;
     synod.stop();
-    poll = new Poll(me, draw, nowNs, settings.deltaMs() * NS_PER_MS);
+    poll = new Candidates(me, draw, nowNs, settings.deltaMs() * NS_PER_MS);
     if (deadlineNs == NEVER) {
       // For the app, successive terms without a leader are one wait.
       deadlineNs = nowNs + settings.deadlineMs() * NS_PER_MS;
@@ -172,7 +172,7 @@ class ElectionProtocol extends SynodProtocol {
     if (m.term() > term && takesPart) {
       start(m.term());
     }
-    Poll open = poll;
+    Candidates open = poll;
     if (m.term() != term || leader.isElected()) {
       answer(m);
     } else if (open != null && open.heard(m.from(), m.draw(), nowNs)) {
@@ -203,7 +203,7 @@ class ElectionProtocol extends SynodProtocol {
   /** Asks the strategy, until it proposes a candidate. */
   private void plan() {
     planAtNs = NEVER;
-    Poll open = poll;
+    Candidates open = poll;
     if (open != null && leader instanceof Leader.None && !synod.isProposing()) {
       switch (settings.strategy().plan(open, nowNs)) {
         case ElectionStrategy.Propose plan -> propose(plan.candidate());
@@ -224,7 +224,7 @@ class ElectionProtocol extends SynodProtocol {
       return;
     }
     if (leader instanceof Leader.Name name) {
-      suspicion.releases(name.id());
+      suspicion.release(name.id());
     }
     term = itsTerm;
     leader = new Leader.Name(itsLeader, itsTerm);
@@ -251,7 +251,7 @@ class ElectionProtocol extends SynodProtocol {
 
   private void watch(ProcessId itsLeader) {
     if (!itsLeader.equals(me)) {
-      suspicion.expects(itsLeader, nowNs);
+      suspicion.expect(itsLeader, nowNs);
       if (isSuspected(itsLeader)) {
         start(term + 1);
       }

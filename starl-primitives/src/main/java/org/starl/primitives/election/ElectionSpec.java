@@ -3,8 +3,8 @@ package org.starl.primitives.election;
 import java.util.List;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.spec.Dues;
-import org.starl.spec.Dues.Seat;
+import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent.Action;
@@ -14,19 +14,19 @@ import org.starl.trace.TraceEvent.Variable;
  * The specification of elections, after the package's contract: {@code Agreement}, {@code Soundness},
  * and, where bounds are given, {@code Elected} and {@code Told}.
  */
-public final class ElectionSpec extends InstanceSpec<Ballots> {
+public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   static final String AGREEMENT = "Agreement";
   static final String SOUNDNESS = "Soundness";
   static final String ELECTED = "Elected";
   static final String TOLD = "Told";
 
-  private final Dues elected;
-  private final Dues told;
+  private final Deadlines elected;
+  private final Deadlines told;
 
   /** Safety only. */
   public ElectionSpec() {
-    this(Dues.NO_BOUND, Dues.NO_BOUND);
+    this(Deadlines.NO_BOUND, Deadlines.NO_BOUND);
   }
 
   /**
@@ -57,12 +57,12 @@ public final class ElectionSpec extends InstanceSpec<Ballots> {
   }
 
   @Override
-  protected Ballots begin(String source) {
-    return new Ballots(source, circumstances);
+  protected ElectionRecord begin(String source) {
+    return new ElectionRecord(source, circumstances);
   }
 
   @Override
-  public List<String> ownLemmas() {
+  public List<String> perRobotLemmas() {
     return List.of(AGREEMENT);
   }
 
@@ -73,7 +73,7 @@ public final class ElectionSpec extends InstanceSpec<Ballots> {
 
   @Override
   protected void acted(Action action, Report report) {
-    Ballots ballots = instance(action.source());
+    ElectionRecord ballots = instance(action.source());
     List<String> args = action.args();
     switch (action.name()) {
       case ElectionTrace.ELECTION ->
@@ -103,22 +103,23 @@ public final class ElectionSpec extends InstanceSpec<Ballots> {
   protected void review(long nowNs, Report report) {
     instances()
         .forEach((source, ballots) -> {
-          boolean assumed = circumstances.isFair() && ballots.hasMajorityUp();
+          boolean assumed = circumstances.isFaultFree() && ballots.hasMajorityUp();
           for (RobotId robot : ballots.robots()) {
-            review(new Seat(source, robot), ballots.standing(robot), nowNs, report);
-            elected.assume(new Seat(source, robot), assumed, nowNs);
+            review(new ProcessKey(source, robot), ballots.standing(robot), nowNs, report);
+            elected.assume(new ProcessKey(source, robot), assumed, nowNs);
           }
         });
   }
 
-  private void review(Seat seat, Ballots.Standing standing, long nowNs, Report report) {
+  private void review(
+      ProcessKey seat, ElectionRecord.Standing standing, long nowNs, Report report) {
     switch (standing) {
       case NO_CANDIDATE -> {
-        elected.settle(seat);
-        told.settle(seat);
+        elected.stop(seat);
+        told.stop(seat);
       }
       case FAILED -> {
-        elected.settle(seat);
+        elected.stop(seat);
         told.meet(seat, report);
       }
       case KNOWS_LEADER -> {
@@ -126,12 +127,12 @@ public final class ElectionSpec extends InstanceSpec<Ballots> {
         told.meet(seat, report);
       }
       case KNOWS_OLD_LEADER -> {
-        elected.owe(seat, nowNs);
+        elected.start(seat, nowNs);
         told.meet(seat, report);
       }
       case WAITING -> {
-        elected.owe(seat, nowNs);
-        told.owe(seat, nowNs);
+        elected.start(seat, nowNs);
+        told.start(seat, nowNs);
       }
     }
   }

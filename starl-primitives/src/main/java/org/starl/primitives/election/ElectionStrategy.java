@@ -15,7 +15,7 @@ public enum ElectionStrategy {
    */
   RANDOM_BALLOT {
     @Override
-    Plan plan(Poll poll, long nowNs) {
+    Plan plan(Candidates poll, long nowNs) {
       long firstNs = poll.beganNs() + poll.delaysNs(LISTEN);
       if (nowNs < firstNs) {
         return new Wait(firstNs);
@@ -35,7 +35,7 @@ public enum ElectionStrategy {
    */
   BULLY {
     @Override
-    Plan plan(Poll poll, long nowNs) {
+    Plan plan(Candidates poll, long nowNs) {
       long roundNs = poll.delaysNs(LISTEN + DECIDE);
       long roundBeganNs = nowNs - (nowNs - poll.beganNs()) % roundNs;
       long listenedNs = roundBeganNs + poll.delaysNs(LISTEN);
@@ -55,7 +55,7 @@ public enum ElectionStrategy {
   private static final int DECIDE = 6;
 
   /** The plan now. It is asked again at the end of a {@link Wait}. */
-  abstract Plan plan(Poll poll, long nowNs);
+  abstract Plan plan(Candidates poll, long nowNs);
 
   sealed interface Plan {}
 

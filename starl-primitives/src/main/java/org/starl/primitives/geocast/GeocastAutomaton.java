@@ -72,9 +72,9 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
           now,
           places,
           sent.with(m, false),
-          t0.with(m, t0.elsewhere()),
-          d.with(m, d.elsewhere()),
-          area.with(m, area.elsewhere()),
+          t0.with(m, t0.defaultValue()),
+          d.with(m, d.defaultValue()),
+          area.with(m, area.defaultValue()),
           got.with(m, EMPTYSET),
           was_in.with(m, EMPTYSET),
           was_out.with(m, EMPTYSET));

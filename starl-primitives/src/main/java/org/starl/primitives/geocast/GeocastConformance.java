@@ -3,10 +3,10 @@ package org.starl.primitives.geocast;
 import java.util.SortedSet;
 import org.starl.id.RobotId;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Sets;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -39,16 +39,16 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
   // The depth inside the area decides nothing here.
   private final Casts casts = new Casts(Double.POSITIVE_INFINITY);
-  private final Steps<States, GeocastAction> steps;
+  private final AutomatonListener<States, GeocastAction> steps;
 
   public GeocastConformance() {
-    this(Steps.ignored());
+    this(AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step of every instance
    */
-  GeocastConformance(Steps<States, GeocastAction> steps) {
+  GeocastConformance(AutomatonListener<States, GeocastAction> steps) {
     super(GeocastAutomaton.GEOCAST_DECLS, "every geocast", GeocastTrace::isGeocast);
     this.steps = steps;
   }
@@ -73,7 +73,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
           @Override
           public void over(CastRecord cast) {
-            instance(cast.source).forget(s -> s.without(cast.id));
+            instance(cast.source).reduce(s -> s.without(cast.id));
           }
         });
     super.observe(event, report);

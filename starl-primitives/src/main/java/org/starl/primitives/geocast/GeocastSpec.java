@@ -60,7 +60,7 @@ public final class GeocastSpec implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case EXCLUSION ->
           "A robot outside the area during the whole interval does not get the message.";

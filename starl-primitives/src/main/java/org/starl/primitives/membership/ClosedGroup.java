@@ -46,7 +46,7 @@ record ClosedGroup(ProcessId me, View view) implements Membership {
   }
 
   @Override
-  public void isIdleForEver(ProcessId id) {
+  public void markIdle(ProcessId id) {
     // It stays in the list.
   }
 

@@ -40,7 +40,7 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
   }
 
   /** Whether all fencers are free in {@code view}. */
-  public boolean isVouchedForIn(View view) {
+  public boolean hasFencersIn(View view) {
     return view.admitted().keySet().containsAll(fencers);
   }
 

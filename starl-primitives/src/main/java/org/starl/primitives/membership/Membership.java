@@ -59,7 +59,7 @@ public interface Membership {
    * {@code id} of this robot holds nothing and will never request anything again: it may be removed.
    * If it is {@link #me}, this robot is no longer registered.
    */
-  void isIdleForEver(ProcessId id);
+  void markIdle(ProcessId id);
 
   /**
    * Declares that this robot's participants of earlier program starts are dead, and that its body is in
@@ -76,7 +76,7 @@ public interface Membership {
      *
      * @throws IllegalStateException if it holds something, which other robots would no longer know
      */
-    void leaves();
+    void prepareToLeave();
   }
 
   /** A closed group: always {@code view}. */

@@ -6,10 +6,10 @@ import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
 import org.starl.spec.automaton.Sets;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -45,19 +45,20 @@ import org.starl.trace.TraceEvent.Variable;
 public final class MotionConformance extends Conformance<Replay<States, MotionControlAction>> {
 
   private final MotionBodies bodies;
-  private final Steps<States, MotionControlAction> steps;
+  private final AutomatonListener<States, MotionControlAction> steps;
 
   /**
    * @param parameters how the robots move, as for {@link MotionSpec}
    */
   public MotionConformance(MotionParameters parameters) {
-    this(parameters, Steps.ignored());
+    this(parameters, AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step
    */
-  MotionConformance(MotionParameters parameters, Steps<States, MotionControlAction> steps) {
+  MotionConformance(
+      MotionParameters parameters, AutomatonListener<States, MotionControlAction> steps) {
     super(MotionControlAutomaton.MOTION_CONTROL_DECLS, "all motions", MotionTrace.SOURCE::equals);
     bodies = new MotionBodies(parameters);
     this.steps = steps;
@@ -75,7 +76,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    if (!replay().isOver()) {
+    if (!replay().hasDeviated()) {
       bodies.observe(event, (motion, moved) -> followed(motion, moved, report));
       super.observe(event, report);
     }

@@ -20,7 +20,7 @@ import org.starl.trace.TraceEvent.Variable;
 /**
  * The specification of motion (paper, section 4.1), after the package's contract: {@code avoids}, {@code
  * arrives} and {@code told}. It uses the true bodies. It watches {@code gvh.plat.moat}, and so both {@link
- * Motioncontrol} and apps that use the motion automaton directly.
+ * MotionControl} and apps that use the motion automaton directly.
  */
 public final class MotionSpec implements Monitor {
 
@@ -71,7 +71,7 @@ public final class MotionSpec implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case AVOIDS -> "No part of a robot enters the area that its move must avoid.";
       case ARRIVES -> "A move without an obstacle succeeds.";

@@ -89,7 +89,7 @@ public final class M_Mutex implements MutexPrim {
     this.times = times;
     Channel<MutexMessage> channel = new Channel<>(MutexTrace.PRIMITIVE, xid, new MutexCodec());
     source = channel.name();
-    gvh.requireFirst(source);
+    gvh.requireFirstInstance(source);
     crit = gvh.variable(source, "crit", false);
     failed = gvh.variable(source, "failed", false);
     failure = gvh.variable(source, "failure", MutexFailure.NONE);
@@ -287,7 +287,7 @@ public final class M_Mutex implements MutexPrim {
   private void answerAsRetired(MutexMessage.Req req) {
     Set<ProcessId> vows = retired.get(req.to());
     if (vows != null && !vows.contains(req.from())) {
-      gvh.comms.lamportClock().witness(req.ts());
+      gvh.comms.lamportClock().advanceTo(req.ts());
       endpoint.send(req.from().robot(), new MutexMessage.Ok(req.to(), req.from(), req.num()));
     }
   }
@@ -410,8 +410,8 @@ public final class M_Mutex implements MutexPrim {
     }
 
     @Override
-    public void idleForEver() {
-      wishes.add(() -> membership.isIdleForEver(me));
+    public void markIdle() {
+      wishes.add(() -> membership.markIdle(me));
     }
 
     private void trace(MutexEvent event) {

@@ -4,9 +4,9 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
@@ -34,17 +34,17 @@ import org.starl.trace.TraceEvent.Fault;
  */
 public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 
-  private final Steps<States, MutexAction> steps;
+  private final AutomatonListener<States, MutexAction> steps;
   private final Set<RobotId> gone = new TreeSet<>();
 
   public MutexConformance() {
-    this(Steps.ignored());
+    this(AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step of every instance
    */
-  public MutexConformance(Steps<States, MutexAction> steps) {
+  public MutexConformance(AutomatonListener<States, MutexAction> steps) {
     super(MutexAutomaton.MUTEX_DECLS, "every mutex", MutexTrace::isMutex);
     this.steps = steps;
   }

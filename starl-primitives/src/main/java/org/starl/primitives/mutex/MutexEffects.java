@@ -38,5 +38,5 @@ interface MutexEffects {
   void refresh();
 
   /** Others have given this participant up, and it holds nothing any more. */
-  void idleForEver();
+  void markIdle();
 }

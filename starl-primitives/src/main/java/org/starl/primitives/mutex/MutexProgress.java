@@ -27,7 +27,7 @@ final class MutexProgress {
     boolean isImpeded(Request request);
 
     /** Whether nothing is owed to it: it is dead, or a view is without it. */
-    boolean isOut(Request request);
+    boolean isOwedNothing(Request request);
   }
 
   private final Requests requests;
@@ -92,8 +92,8 @@ final class MutexProgress {
       }
     }
     ahead.put(request, before);
-    served.owe(request, nowNs);
-    undisturbed.owe(request, nowNs);
+    served.start(request, nowNs);
+    undisturbed.start(request, nowNs);
     assumeAnew(request, nowNs);
     look(nowNs);
   }
@@ -101,14 +101,14 @@ final class MutexProgress {
   /** Views, faults or needs have changed: brings all assumptions up to date. */
   void look(long nowNs) {
     for (Request request : new ArrayList<>(ahead.keySet())) {
-      if (assumptions.isOut(request)) {
+      if (assumptions.isOwedNothing(request)) {
         ahead.remove(request);
         settle(request);
       }
     }
-    ahead.values().forEach(before -> before.removeIf(assumptions::isOut));
-    overdue.removeIf(assumptions::isOut);
-    requests.active().stream().filter(assumptions::isOut).forEach(holding::settle);
+    ahead.values().forEach(before -> before.removeIf(assumptions::isOwedNothing));
+    overdue.removeIf(assumptions::isOwedNothing);
+    requests.active().stream().filter(assumptions::isOwedNothing).forEach(holding::stop);
     impeded.clear();
     for (Request request : ahead.keySet()) {
       if (assumptions.isImpeded(request)) {
@@ -133,7 +133,7 @@ final class MutexProgress {
     }
     settle(request);
     unimpede(request, nowNs);
-    holding.owe(request, nowNs);
+    holding.start(request, nowNs);
     for (Request other : contenders(request, request.want)) {
       standsBefore(request, other, nowNs);
     }
@@ -150,7 +150,7 @@ final class MutexProgress {
     if (!request.isActive()) {
       ahead.remove(request);
       settle(request);
-      holding.settle(request);
+      holding.stop(request);
       unimpede(request, nowNs);
       if (overdue.remove(request)) {
         assumeAll(nowNs);
@@ -187,8 +187,8 @@ final class MutexProgress {
   }
 
   private void settle(Request request) {
-    served.settle(request);
-    undisturbed.settle(request);
+    served.stop(request);
+    undisturbed.stop(request);
   }
 
   private Set<Request> contenders(Request request, Collection<String> sections) {
@@ -197,7 +197,7 @@ final class MutexProgress {
       all.addAll(requests.contendersFor(section));
     }
     all.remove(request);
-    all.removeIf(assumptions::isOut);
+    all.removeIf(assumptions::isOwedNothing);
     return all;
   }
 }

@@ -180,7 +180,7 @@ class MutexProtocol implements Fences.Owner {
     tellRest();
     answerPending();
     if (over && phase == Phase.IDLE) {
-      effects.idleForEver();
+      effects.markIdle();
     }
   }
 
@@ -323,7 +323,7 @@ class MutexProtocol implements Fences.Owner {
       fences.end();
       withdraw(MutexFailure.FENCED);
       if (phase == Phase.IDLE) {
-        effects.idleForEver();
+        effects.markIdle();
       }
     }
   }
@@ -354,7 +354,7 @@ class MutexProtocol implements Fences.Owner {
 
   /** Logical clocks: whoever hears of a request requests later than it. */
   void witness(long otherTs) {
-    clock.witness(otherTs);
+    clock.advanceTo(otherTs);
   }
 
   /** Whether {@code ok} counts for the current request. */
@@ -383,7 +383,7 @@ class MutexProtocol implements Fences.Owner {
     fences.end();
     withdraw(MutexFailure.REMOVED);
     if (isNew && phase == Phase.IDLE) {
-      effects.idleForEver();
+      effects.markIdle();
     }
   }
 

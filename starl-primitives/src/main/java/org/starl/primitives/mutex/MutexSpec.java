@@ -9,7 +9,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.primitives.membership.Lives;
+import org.starl.primitives.membership.Liveness;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.spec.Monitor;
@@ -56,7 +56,7 @@ public final class MutexSpec implements Monitor {
       new ArrayList<>(List.of(EXCLUSIVE, PROMISE, CONNECTED, KEPT, COMPLETE));
   private final @Nullable MutexProgress progress;
   private final Requests requests = new Requests();
-  private final Lives lives = new Lives();
+  private final Liveness lives = new Liveness();
 
   // The latest view that any robot has learned, and the ids of all views.
   private View last = View.NONE;
@@ -84,7 +84,7 @@ public final class MutexSpec implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case EXCLUSIVE -> "No two robots hold a section in common.";
       case PROMISE ->
@@ -101,7 +101,7 @@ public final class MutexSpec implements Monitor {
   }
 
   @Override
-  public List<String> ownLemmas() {
+  public List<String> perRobotLemmas() {
     return List.of(KEPT, COMPLETE);
   }
 
@@ -319,7 +319,7 @@ public final class MutexSpec implements Monitor {
     }
 
     @Override
-    public boolean isOut(Requests.Request request) {
+    public boolean isOwedNothing(Requests.Request request) {
       return (listed.contains(request.who) && !last.contains(request.who))
           || (lives.isDead(request.who) && !request.critical);
     }

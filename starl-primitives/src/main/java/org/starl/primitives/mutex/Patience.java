@@ -66,7 +66,7 @@ final class Patience {
 
   /** Which of {@code missing}, who are needed from now on at the latest, have been silent too long. */
   List<ProcessId> silent(SortedSet<ProcessId> missing, long nowNs) {
-    missing.forEach(peer -> suspicion.expects(peer, nowNs));
+    missing.forEach(peer -> suspicion.expect(peer, nowNs));
     return suspicion.suspects(nowNs);
   }
 
@@ -78,7 +78,7 @@ final class Patience {
   void needsOnly(SortedSet<ProcessId> missing) {
     for (ProcessId peer : suspicion.expected()) {
       if (!missing.contains(peer)) {
-        suspicion.releases(peer);
+        suspicion.release(peer);
       }
     }
   }

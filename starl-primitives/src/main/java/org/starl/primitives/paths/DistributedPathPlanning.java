@@ -119,7 +119,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
    * @throws IllegalArgumentException if it does not begin where the robot stands
    */
   public void goAlong(Path path) {
-    double offMm = gvh.gps.farthestMm(path.start());
+    double offMm = gvh.gps.maxDistanceMm(path.start());
     if (offMm > settings.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm()) {
       throw new IllegalArgumentException(
           "path from " + path.start() + ": expected to begin where the robot is, within its error");

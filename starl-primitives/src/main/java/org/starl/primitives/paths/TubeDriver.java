@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.ItemPosition;
-import org.starl.motion.MotionControl;
+import org.starl.motion.MotionController;
 import org.starl.motion.MotionFlag;
 import org.starl.platform.Timer;
 
@@ -67,7 +67,7 @@ final class TubeDriver {
 
   private void driveAlongPart() {
     Capsule now = tube().part(part);
-    MotionControl moat = gvh.plat.moat;
+    MotionController moat = gvh.plat.moat;
     MotionParameters usual = moat.parameters();
     moat.setParameters(Tracking.straight(usual));
     ItemPosition end =

@@ -2,15 +2,15 @@ package org.starl.primitives.paths;
 
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 
 /** What one robot must remember of an instance over a restart, in stable storage. */
 final class TubeStore {
 
-  private final Stable stable;
+  private final StableStorage stable;
   private final String prefix;
 
-  TubeStore(Stable stable, String source) {
+  TubeStore(StableStorage stable, String source) {
     this.stable = stable;
     this.prefix = source + ".";
   }

@@ -9,8 +9,8 @@ import java.util.TreeSet;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
-import org.starl.spec.Dues;
-import org.starl.spec.Dues.Seat;
+import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -43,7 +43,7 @@ public final class TubesSpec implements Monitor {
   private final SortedMap<String, SortedMap<RobotId, List<Tube>>> held = new TreeMap<>();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> outside = new TreeSet<>();
-  private final Dues tasks;
+  private final Deadlines tasks;
   private long nextLookNs;
 
   /**
@@ -51,7 +51,8 @@ public final class TubesSpec implements Monitor {
    */
   public TubesSpec(long boundNs) {
     tasks =
-        new Dues(TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
+        new Deadlines(
+            TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
   }
 
   @Override
@@ -60,7 +61,7 @@ public final class TubesSpec implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case TUBES -> "No two robots hold tubes that meet.";
       case INSIDE -> "A robot's body lies wholly within what it holds.";
@@ -82,12 +83,12 @@ public final class TubesSpec implements Monitor {
       }
       case Action action -> {
         if (TubeTrace.isTubes(action.source()) && action.name().equals(TubeTrace.GO_TO)) {
-          tasks.owe(new Seat(action.source(), action.robot()), action.timeNs());
+          tasks.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
         }
       }
       case Fault fault -> {
         if (fault.name().equals(Fault.CRASH)) {
-          held.keySet().forEach(source -> tasks.settle(new Seat(source, fault.robot())));
+          held.keySet().forEach(source -> tasks.stop(new ProcessKey(source, fault.robot())));
         }
       }
       case TraceEvent.Moved moved -> lookAt(moved.timeNs(), report);
@@ -113,7 +114,7 @@ public final class TubesSpec implements Monitor {
       checkTubes(variable, all, report);
       lookAt(variable.timeNs(), report);
     } else if (variable.name().equals(TubeTrace.FLAG) && isEnd(variable.value())) {
-      tasks.meet(new Seat(variable.source(), robot), report);
+      tasks.meet(new ProcessKey(variable.source(), robot), report);
     }
   }
 

@@ -70,7 +70,7 @@ final class PendingChanges {
     }
     leaving.removeIf(id -> !view.mentions(id));
     // A change that is made stays made, and a fencer that has gone never comes back.
-    confinements.values().removeIf(each -> !each.changes(view) || !each.isVouchedForIn(view));
+    confinements.values().removeIf(each -> !each.changes(view) || !each.hasFencersIn(view));
     List<Confinement> confine = new ArrayList<>(ofEarlierStarts(view));
     confine.addAll(confinements.values());
     confine.forEach(this::announce);

@@ -48,8 +48,8 @@ final class Proposal {
     boolean counts =
         confinement.changes(next)
             && !vouching.contains(confinement.who())
-            && confinement.isVouchedForIn(decided)
-            && confinement.isVouchedForIn(next);
+            && confinement.hasFencersIn(decided)
+            && confinement.hasFencersIn(next);
     if (counts && take(confinement.applyTo(next))) {
       vouching.addAll(confinement.fencers());
     }

@@ -84,7 +84,7 @@ public final class Registration implements RegPrim, Membership {
     protocol.requireMayUnregister();
     Member told = member;
     if (told != null) {
-      told.leaves();
+      told.prepareToLeave();
     }
     wire.call(protocol::unregister);
   }
@@ -154,7 +154,7 @@ public final class Registration implements RegPrim, Membership {
   }
 
   @Override
-  public void isIdleForEver(ProcessId id) {
+  public void markIdle(ProcessId id) {
     wire.call(nowNs -> protocol.markIdle(id, nowNs));
   }
 

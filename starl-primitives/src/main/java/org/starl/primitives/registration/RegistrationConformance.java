@@ -4,9 +4,9 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.registration.RegistrationAutomaton.States;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
 import org.starl.spec.automaton.Replay;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -42,16 +42,16 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class RegistrationConformance extends Conformance<RegistrationRun> {
 
-  private final Steps<States, RegistrationAction> steps;
+  private final AutomatonListener<States, RegistrationAction> steps;
 
   public RegistrationConformance() {
-    this(Steps.ignored());
+    this(AutomatonListener.none());
   }
 
   /**
    * @param steps receives every step of every instance
    */
-  public RegistrationConformance(Steps<States, RegistrationAction> steps) {
+  public RegistrationConformance(AutomatonListener<States, RegistrationAction> steps) {
     super(
         RegistrationAutomaton.REGISTRATION_DECLS,
         "every registration",

@@ -107,7 +107,7 @@ final class RegistrationRun {
     program.knows = view.number();
     SortedSet<ProcessId> list =
         Collections.unmodifiableSortedSet(new TreeSet<>(view.admitted().keySet()));
-    if (view.number() > replay.state().number() && !replay.isOver()) {
+    if (view.number() > replay.state().number() && !replay.hasDeviated()) {
       early.computeIfAbsent(view.number(), number -> new Early(event, list));
       decide(report);
       if (early.size() > KEPT_VIEWS) {
@@ -136,7 +136,7 @@ final class RegistrationRun {
 
   /** At the end of the run: no view waits any longer for numbers that no robot has shown. */
   void finish(Report report) {
-    while (!early.isEmpty() && !replay.isOver()) {
+    while (!early.isEmpty() && !replay.hasDeviated()) {
       fillOne(report);
     }
   }
@@ -183,7 +183,7 @@ final class RegistrationRun {
   /** Below the first list that is waiting, each missing number is taken to repeat the list before. */
   private void fillOne(Report report) {
     TraceEvent event = early.firstEntry().getValue().event;
-    while (replay.state().number() + 1 < early.firstKey() && !replay.isOver()) {
+    while (replay.state().number() + 1 < early.firstKey() && !replay.hasDeviated()) {
       step(event, new RegistrationAction.decide(replay.state().latest()), report);
     }
     decide(report);
@@ -194,8 +194,8 @@ final class RegistrationRun {
       Early next = early.pollFirstEntry().getValue();
       step(next.event, new RegistrationAction.decide(next.list), report);
       next.waiting.forEach(check -> check.accept(report));
-      replay.forget(s -> s.withoutList(s.number() - KEPT_VIEWS));
-      if (replay.isOver()) {
+      replay.reduce(s -> s.withoutList(s.number() - KEPT_VIEWS));
+      if (replay.hasDeviated()) {
         early.clear();
       }
     }

@@ -5,8 +5,8 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
-import org.starl.spec.Dues;
-import org.starl.spec.Dues.Seat;
+import org.starl.spec.Deadlines;
+import org.starl.spec.Deadlines.ProcessKey;
 import org.starl.spec.InstanceSpec;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent.Action;
@@ -24,11 +24,11 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   static final String SOUNDNESS = "Soundness";
   static final String REGISTERED = "Registered";
 
-  private final Dues progress;
+  private final Deadlines progress;
 
   /** Safety only. */
   public RegistrationSpec() {
-    this(Dues.NO_BOUND);
+    this(Deadlines.NO_BOUND);
   }
 
   /**
@@ -59,7 +59,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   }
 
   @Override
-  public List<String> ownLemmas() {
+  public List<String> perRobotLemmas() {
     return List.of(AGREEMENT, FRESH);
   }
 
@@ -74,7 +74,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     switch (action.name()) {
       case RegistrationTrace.DO_REGISTER -> {
         history.asked(action.robot(), id(action));
-        progress.owe(new Seat(action.source(), action.robot()), action.timeNs());
+        progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
       }
       case RegistrationTrace.ACCEPTORS -> history.vote(action.args());
       case RegistrationTrace.FIRST_VIEW -> history.given(View.parse(action.args().get(0)));
@@ -91,7 +91,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   @Override
   protected void changed(Variable variable, Report report) {
     ViewHistory history = instance(variable.source());
-    Seat seat = new Seat(variable.source(), variable.robot());
+    ProcessKey seat = new ProcessKey(variable.source(), variable.robot());
     switch (variable.name()) {
       case RegistrationTrace.VIEW -> {
         View view = View.parse(variable.value());
@@ -99,7 +99,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         ProcessId asked = history.latestAsked(variable.robot());
         if (view.number() == 0) {
           // The program has started: what its predecessor was owed is void.
-          progress.settle(seat);
+          progress.stop(seat);
         } else if (asked != null && view.contains(asked)) {
           progress.meet(seat, report);
         }
@@ -107,7 +107,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
       case RegistrationTrace.R_LIST -> history.shown(variable, report);
       case RegistrationTrace.FAILED -> {
         if (variable.value().equals("true")) {
-          progress.settle(seat);
+          progress.stop(seat);
         }
       }
       default -> {
@@ -118,7 +118,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
 
   @Override
   protected void ended(RobotId robot) {
-    instances().keySet().forEach(source -> progress.settle(new Seat(source, robot)));
+    instances().keySet().forEach(source -> progress.stop(new ProcessKey(source, robot)));
   }
 
   @Override
@@ -126,7 +126,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
     progress.assumeEach(
         seat -> {
           List<RobotId> voters = instance(seat.source()).acceptors();
-          return circumstances.isFair() && (voters.isEmpty() || hasMajorityUp(voters));
+          return circumstances.isFaultFree() && (voters.isEmpty() || hasMajorityUp(voters));
         },
         nowNs);
   }

@@ -168,7 +168,7 @@ final class ViewHistory {
     boolean isVouchedFor = after.number() > before.number() + 1;
     for (Confinement each : confined.getOrDefault(id, List.of())) {
       vouched = vouched == null ? each.sections() : Sections.common(vouched, each.sections());
-      isVouchedFor |= each.isVouchedForIn(before) && each.isVouchedForIn(after);
+      isVouchedFor |= each.hasFencersIn(before) && each.hasFencersIn(after);
     }
     if (vouched == null) {
       return id + " is missing";

@@ -30,7 +30,7 @@ public final class Suspicion {
   }
 
   /** {@code peer} is needed: its silence counts from now, if it does not count already. */
-  public void expects(ProcessId peer, long nowNs) {
+  public void expect(ProcessId peer, long nowNs) {
     silentSinceNs.putIfAbsent(peer, nowNs);
   }
 
@@ -43,7 +43,7 @@ public final class Suspicion {
   }
 
   /** {@code peer} is no longer needed: it is not suspected until it is needed again. */
-  public void releases(ProcessId peer) {
+  public void release(ProcessId peer) {
     silentSinceNs.remove(peer);
   }
 

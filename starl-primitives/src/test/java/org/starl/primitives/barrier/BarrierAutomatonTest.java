@@ -135,7 +135,7 @@ class BarrierAutomatonTest {
   }
 
   private String obstacle(States s, BarrierAction action) {
-    return automaton.enabled(action, s).obstacle();
+    return automaton.enabled(action, s).falseConjunct();
   }
 
   private States after(States s, BarrierAction action) {

@@ -8,8 +8,8 @@ import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.spec.SpecReport.Violation;
 import org.starl.spec.automaton.Action;
+import org.starl.spec.automaton.AutomatonListener;
 import org.starl.spec.automaton.Conformance;
-import org.starl.spec.automaton.Steps;
 import org.starl.trace.TraceEvent;
 
 /** A run that a {@link Conformance} is shown event by event, and what it takes the events for. */
@@ -23,19 +23,19 @@ public final class ShownRun<S, A extends Action> {
   /**
    * @param conformance made with what takes its steps
    */
-  public ShownRun(Function<Steps<S, A>, ? extends Conformance<?>> conformance) {
+  public ShownRun(Function<AutomatonListener<S, A>, ? extends Conformance<?>> conformance) {
     Monitor monitor =
         conformance.apply(
-            new Steps<S, A>() {
+            new AutomatonListener<S, A>() {
               @Override
-              public void stepped(String instance, TraceEvent event, A action, S after) {
+              public void onStep(String instance, TraceEvent event, A action, S after) {
                 steps.add(action.text());
                 instances.add(instance);
                 states.add(after);
               }
 
               @Override
-              public void resulted(
+              public void onResult(
                   String instance, String function, Object argument, Object value) {
                 steps.add(function + "(" + argument + ") = " + value);
               }

@@ -92,6 +92,6 @@ class ElectionAutomatonTest {
   }
 
   private String obstacle(States s, ElectionAction action) {
-    return automaton.enabled(action, s).obstacle();
+    return automaton.enabled(action, s).falseConjunct();
   }
 }

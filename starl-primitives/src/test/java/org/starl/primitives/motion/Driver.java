@@ -26,7 +26,7 @@ final class Driver extends LogicThread {
   Driver(GlobalVarHolder gvh) {
     super(gvh);
     rng = gvh.plat.entropy.fork("driver");
-    mc = new Motioncontrol(gvh);
+    mc = new MotionControl(gvh);
   }
 
   @Override

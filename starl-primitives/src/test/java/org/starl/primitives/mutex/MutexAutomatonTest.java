@@ -121,7 +121,7 @@ class MutexAutomatonTest {
   }
 
   private String obstacle(States s, MutexAction action) {
-    return automaton.enabled(action, s).obstacle();
+    return automaton.enabled(action, s).falseConjunct();
   }
 
   private States after(States s, MutexAction action) {

@@ -166,7 +166,7 @@ final class MutexExplorer {
         }
       }
       for (Confinement each : node.proposed) {
-        if (each.changes(lastView()) && each.isVouchedForIn(lastView())) {
+        if (each.changes(lastView()) && each.hasFencersIn(lastView())) {
           all.add(step(each.toString(), () -> views.add(each.applyTo(lastView().next()))));
         }
       }

@@ -129,7 +129,7 @@ final class MutexNode implements MutexEffects {
   }
 
   @Override
-  public void idleForEver() {
+  public void markIdle() {
     isDone = true;
   }
 }

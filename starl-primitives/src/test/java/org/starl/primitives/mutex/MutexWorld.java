@@ -362,7 +362,7 @@ final class MutexWorld {
 
   /** The rule of confinement: whoever vouches is free, before and after. */
   private boolean confine(Confinement confinement) {
-    boolean counts = confinement.isVouchedForIn(last()) || shape.fault() == ViewFault.FENCER_GONE;
+    boolean counts = confinement.hasFencersIn(last()) || shape.fault() == ViewFault.FENCER_GONE;
     if (!counts || !confinement.changes(last())) {
       return false;
     }

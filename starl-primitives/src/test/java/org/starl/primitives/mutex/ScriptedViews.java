@@ -68,7 +68,7 @@ final class ScriptedViews implements Membership {
   }
 
   @Override
-  public void isIdleForEver(ProcessId id) {
+  public void markIdle(ProcessId id) {
     // It stays in the view.
   }
 

@@ -32,15 +32,15 @@ class SuspicionTest {
 
   @Test
   void silenceCountsFromTheFirstNeed() {
-    suspicion.expects(A, 50);
-    suspicion.expects(A, 120);
+    suspicion.expect(A, 50);
+    suspicion.expect(A, 120);
     assertThat(suspicion.suspects(A, 149)).isFalse();
     assertThat(suspicion.suspects(A, 150)).isTrue();
   }
 
   @Test
   void anyMessageRestartsTheSilenceAndEndsASuspicion() {
-    suspicion.expects(A, 0);
+    suspicion.expect(A, 0);
     assertThat(suspicion.suspects(A, 130)).isTrue();
     suspicion.heard(A, 130);
     assertThat(suspicion.suspects(A, 130)).isFalse();
@@ -50,17 +50,17 @@ class SuspicionTest {
 
   @Test
   void aReleasedParticipantIsSuspectedOnlyWhenNeededAgain() {
-    suspicion.expects(A, 0);
-    suspicion.releases(A);
+    suspicion.expect(A, 0);
+    suspicion.release(A);
     assertThat(suspicion.suspects(A, 500)).isFalse();
-    suspicion.expects(A, 500);
+    suspicion.expect(A, 500);
     assertThat(suspicion.suspects(A, 599)).isFalse();
     assertThat(suspicion.suspects(A, 600)).isTrue();
   }
 
   @Test
   void aRestartedRobotIsAnotherParticipant() {
-    suspicion.expects(A, 0);
+    suspicion.expect(A, 0);
     suspicion.heard(A_AGAIN, 90);
     assertThat(suspicion.suspects(A, 100)).isTrue();
     assertThat(suspicion.suspects(A_AGAIN, 100)).isFalse();
@@ -68,9 +68,9 @@ class SuspicionTest {
 
   @Test
   void suspectsComeInTheOrderOfTheirNames() {
-    suspicion.expects(B, 0);
-    suspicion.expects(A_AGAIN, 1);
-    suspicion.expects(A, 2);
+    suspicion.expect(B, 0);
+    suspicion.expect(A_AGAIN, 1);
+    suspicion.expect(A, 2);
     assertThat(suspicion.suspects(101)).containsExactly(A_AGAIN, B);
     assertThat(suspicion.suspects(102)).containsExactly(A, A_AGAIN, B);
     assertThat(suspicion.expected()).containsExactly(A, A_AGAIN, B);
@@ -78,8 +78,8 @@ class SuspicionTest {
 
   @Test
   void theWakeTimeIsTheNextSuspicion() {
-    suspicion.expects(A, 0);
-    suspicion.expects(B, 30);
+    suspicion.expect(A, 0);
+    suspicion.expect(B, 30);
     assertThat(suspicion.wakeAtNs(0)).isEqualTo(100);
     assertThat(suspicion.wakeAtNs(99)).isEqualTo(100);
     assertThat(suspicion.wakeAtNs(100)).isEqualTo(130);
@@ -105,9 +105,9 @@ class SuspicionTest {
       nowNs += step / 4;
       history.add(step % 4 + "@" + nowNs);
       switch (step % 4) {
-        case 0 -> tried.expects(A, nowNs);
+        case 0 -> tried.expect(A, nowNs);
         case 1 -> tried.heard(A, nowNs);
-        case 2 -> tried.releases(A);
+        case 2 -> tried.release(A);
         default -> tried.heard(B, nowNs);
       }
       long sinceNs = silentSinceNs(history);

@@ -165,12 +165,13 @@ public final class Shrink {
       long halfNs = wholeMs(lasting.mostNs() / 2);
       return halfNs < SHORTEST_FAULT_NS
           ? fault
-          : new Fault(fault.harm(), new Span(span.at(), TimeRange.exactly(halfNs), Span.NEVER));
+          : new Fault(fault.effect(), new Span(span.at(), TimeRange.exactly(halfNs), Span.NEVER));
     }
     long halfNs = (span.untilNs() - span.at().mostNs()) / 2;
     return !span.isFinite() || halfNs < SHORTEST_FAULT_NS
         ? fault
-        : new Fault(fault.harm(), new Span(span.at(), null, wholeMs(span.at().mostNs() + halfNs)));
+        : new Fault(
+            fault.effect(), new Span(span.at(), null, wholeMs(span.at().mostNs() + halfNs)));
   }
 
   private static long wholeMs(long ns) {

@@ -2,18 +2,18 @@ package org.starl.sim.fault;
 
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
-import org.starl.sim.net.Tap;
+import org.starl.sim.net.NetworkTap;
 
-/** An {@link AttackHarm} in progress. */
+/** An {@link AttackFault} in progress. */
 final class Attack {
 
-  private final AttackHarm harm;
-  private final Ward ward;
+  private final AttackFault harm;
+  private final FaultTarget ward;
   private final Eavesdropper heard;
-  private final Tap.Handle tap;
+  private final NetworkTap.Handle tap;
   private boolean isOver;
 
-  Attack(AttackHarm harm, Onset onset) {
+  Attack(AttackFault harm, FaultContext onset) {
     this.harm = harm;
     ward = onset.ward();
     heard = new Eavesdropper(onset.rng().fork("bytes"));

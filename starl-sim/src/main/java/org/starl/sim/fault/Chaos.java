@@ -32,11 +32,11 @@ final class Chaos {
 
   static FaultPlan draw(Envelope envelope, int robots, long untilNs, Rng rng) {
     Chaos chaos = new Chaos(rng, untilNs / MS);
-    List<Function<Chaos, Harm>> kinds = kinds(envelope);
+    List<Function<Chaos, FaultEffect>> kinds = kinds(envelope);
     if (kinds.isEmpty() || chaos.untilMs <= LEAST_LASTING_MS) {
       return FaultPlan.NONE;
     }
-    List<Function<Chaos, Harm>> some = new ArrayList<>(kinds);
+    List<Function<Chaos, FaultEffect>> some = new ArrayList<>(kinds);
     some.removeIf(kind -> !rng.nextBoolean(0.6));
     chaos.comeAndGo(some.isEmpty() ? kinds : some);
     if (envelope == Envelope.MORTAL && rng.nextBoolean(0.7)) {
@@ -45,7 +45,7 @@ final class Chaos {
     return new FaultPlan(chaos.faults);
   }
 
-  private void comeAndGo(List<Function<Chaos, Harm>> kinds) {
+  private void comeAndGo(List<Function<Chaos, FaultEffect>> kinds) {
     // Some runs have a fault for their whole length, most have faults that come and go.
     if (rng.nextBoolean(0.3)) {
       add(network().get(rng.nextInt(network().size())).apply(this), 0, untilMs);
@@ -53,8 +53,8 @@ final class Chaos {
     long atMs = Math.round(MEAN_GAP_MS / 2 * rng.nextExponential());
     while (atMs < untilMs - LEAST_LASTING_MS) {
       long lastingMs = LEAST_LASTING_MS + Math.round(MEAN_LASTING_MS * rng.nextExponential());
-      Harm harm = kinds.get(rng.nextInt(kinds.size())).apply(this);
-      if (harm instanceof RobotHarm.Dropout) {
+      FaultEffect harm = kinds.get(rng.nextInt(kinds.size())).apply(this);
+      if (harm instanceof RobotFault.Dropout) {
         lastingMs = Math.min(lastingMs, MOST_DROPOUT_MS);
       }
       add(harm, atMs, Math.min(untilMs, atMs + lastingMs));
@@ -66,62 +66,68 @@ final class Chaos {
     int deaths = most < 1 ? 0 : 1 + rng.nextInt(most);
     for (int i = 0; i < deaths; i++) {
       TimeRange at = TimeRange.exactly(MS * rng.nextLong(0, untilMs));
-      faults.add(new Fault(new Crash(Who.ANY, Unsynced.LOST), new Span(at, null, Span.NEVER)));
+      faults.add(
+          new Fault(new Crash(RobotSelector.ANY, Unsynced.LOST), new Span(at, null, Span.NEVER)));
     }
   }
 
-  private void add(Harm harm, long fromMs, long toMs) {
+  private void add(FaultEffect harm, long fromMs, long toMs) {
     faults.add(new Fault(harm, Span.between(fromMs * MS, toMs * MS)));
   }
 
-  private static List<Function<Chaos, Harm>> kinds(Envelope envelope) {
-    List<Function<Chaos, Harm>> kinds = new ArrayList<>();
+  private static List<Function<Chaos, FaultEffect>> kinds(Envelope envelope) {
+    List<Function<Chaos, FaultEffect>> kinds = new ArrayList<>();
     if (envelope == Envelope.NONE) {
       return kinds;
     }
     kinds.addAll(network());
     if (envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL) {
       // Crashes matter most for these envelopes: they are drawn more often than other faults.
-      kinds.add(c -> new Crash(Who.ANY, c.unsynced()));
-      kinds.add(c -> new Crash(c.one(0.5) ? Who.ANY : Who.HALF, c.unsynced()));
-      kinds.add(c -> new RobotHarm.Disk(c.anyOrAll(), c.ms(1, 100)));
+      kinds.add(c -> new Crash(RobotSelector.ANY, c.unsynced()));
+      kinds.add(c -> new Crash(c.one(0.5) ? RobotSelector.ANY : RobotSelector.HALF, c.unsynced()));
+      kinds.add(c -> new RobotFault.Disk(c.anyOrAll(), c.ms(1, 100)));
     }
     if (envelope == Envelope.HOSTILE) {
-      kinds.add(c -> new AttackHarm.Forge(c.anyOrAll(), c.ms(10, 500)));
-      kinds.add(c -> new AttackHarm.Replay(c.anyOrAll(), c.ms(10, 500)));
-      kinds.add(c -> new AttackHarm.Flood(c.anyOrAll(), c.ms(5, 100)));
+      kinds.add(c -> new AttackFault.Forge(c.anyOrAll(), c.ms(10, 500)));
+      kinds.add(c -> new AttackFault.Replay(c.anyOrAll(), c.ms(10, 500)));
+      kinds.add(c -> new AttackFault.Flood(c.anyOrAll(), c.ms(5, 100)));
     }
     if (envelope == Envelope.LOGICAL
         || envelope == Envelope.MORTAL
         || envelope == Envelope.HOSTILE) {
-      kinds.add(c -> new RobotHarm.Compute(c.anyOrAll(), c.ms(1, 20)));
-      kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-100_000, 100_000)));
-      kinds.add(c -> new RobotHarm.Skew(Who.ANY, c.ms(-1000, 1000)));
+      kinds.add(c -> new RobotFault.Compute(c.anyOrAll(), c.ms(1, 20)));
+      kinds.add(c -> new RobotFault.Drift(RobotSelector.ANY, c.rng.nextLong(-100_000, 100_000)));
+      kinds.add(c -> new RobotFault.Skew(RobotSelector.ANY, c.ms(-1000, 1000)));
     }
     if (envelope == Envelope.SPATIAL || envelope == Envelope.MOVING) {
-      kinds.add(c -> new RobotHarm.Drift(Who.ANY, c.rng.nextLong(-200, 200)));
+      kinds.add(c -> new RobotFault.Drift(RobotSelector.ANY, c.rng.nextLong(-200, 200)));
     }
     if (envelope == Envelope.SPATIAL) {
       kinds.add(c ->
-          new RobotHarm.Noise(
+          new RobotFault.Noise(
               c.anyOrAll(),
               new PositionNoise(c.rng.nextLong(1, 20), c.rng.nextLong(0, 20) / 1000.0)));
-      kinds.add(c -> new RobotHarm.Dropout(Who.ANY));
-      kinds.add(c -> new RobotHarm.Slow(Who.ANY, c.percent(50, 100)));
-      kinds.add(c -> new RobotHarm.Stuck(Who.ANY));
+      kinds.add(c -> new RobotFault.Dropout(RobotSelector.ANY));
+      kinds.add(c -> new RobotFault.Slow(RobotSelector.ANY, c.percent(50, 100)));
+      kinds.add(c -> new RobotFault.Stuck(RobotSelector.ANY));
     }
     return kinds;
   }
 
-  private static List<Function<Chaos, Harm>> network() {
+  private static List<Function<Chaos, FaultEffect>> network() {
     return List.of(
-        c -> new AirHarm.Loss(c.percent(5, 100), c.link()),
-        c -> new AirHarm.Burst(c.ms(200, 2000), c.ms(50, 1000), c.percent(50, 100), c.link()),
-        c -> new AirHarm.Delay(c.latency(), c.link()),
-        c -> new AirHarm.Duplicate(c.percent(5, 80), c.ms(1, 1000), c.link()),
-        c -> new AirHarm.Reorder(c.percent(5, 80), c.ms(1, 500), c.link()),
-        c -> new Cut.Groups(List.of(c.one(0.5) ? Who.ANY : Who.HALF)),
-        c -> new Cut.OneWay(c.one(0.5) ? Who.ANY : Who.HALF, c.one(0.5) ? Who.ALL : Who.HALF));
+        c -> new NetworkFault.Loss(c.percent(5, 100), c.link()),
+        c -> new NetworkFault.Burst(c.ms(200, 2000), c.ms(50, 1000), c.percent(50, 100), c.link()),
+        c -> new NetworkFault.Delay(c.latency(), c.link()),
+        c -> new NetworkFault.Duplicate(c.percent(5, 80), c.ms(1, 1000), c.link()),
+        c -> new NetworkFault.Reorder(c.percent(5, 80), c.ms(1, 500), c.link()),
+        c ->
+            new ConnectivityFault.Groups(
+                List.of(c.one(0.5) ? RobotSelector.ANY : RobotSelector.HALF)),
+        c ->
+            new ConnectivityFault.OneWay(
+                c.one(0.5) ? RobotSelector.ANY : RobotSelector.HALF,
+                c.one(0.5) ? RobotSelector.ALL : RobotSelector.HALF));
   }
 
   private Latency latency() {
@@ -129,11 +135,15 @@ final class Chaos {
   }
 
   private Link link() {
-    return one(0.6) ? Link.ALL : one(0.5) ? new Link(Who.ANY, Who.ALL) : new Link(Who.ALL, Who.ANY);
+    return one(0.6)
+        ? Link.ALL
+        : one(0.5)
+            ? new Link(RobotSelector.ANY, RobotSelector.ALL)
+            : new Link(RobotSelector.ALL, RobotSelector.ANY);
   }
 
-  private Who anyOrAll() {
-    return one(0.5) ? Who.ANY : Who.ALL;
+  private RobotSelector anyOrAll() {
+    return one(0.5) ? RobotSelector.ANY : RobotSelector.ALL;
   }
 
   private Unsynced unsynced() {

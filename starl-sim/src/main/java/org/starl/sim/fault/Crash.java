@@ -10,7 +10,7 @@ import org.starl.sim.world.Unsynced;
  *
  * @param unsynced what becomes of writes to stable storage that were not flushed
  */
-public record Crash(Who who, Unsynced unsynced) implements Harm {
+public record Crash(RobotSelector who, Unsynced unsynced) implements FaultEffect {
 
   @Override
   public String name() {
@@ -30,7 +30,7 @@ public record Crash(Who who, Unsynced unsynced) implements Harm {
   }
 
   @Override
-  public Runnable begin(Onset onset) {
+  public Runnable begin(FaultContext onset) {
     for (RobotId robot : onset.whom()) {
       if (!onset.ward().isUp(robot)) {
         continue;

@@ -4,13 +4,13 @@ import java.util.Arrays;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
 import org.starl.random.Rng;
-import org.starl.sim.net.Tap;
+import org.starl.sim.net.NetworkTap;
 
 /**
  * Records datagrams and makes plausible forgeries of them. Of the wire format it knows only that
  * names and numbers have fixed places.
  */
-final class Eavesdropper implements Tap {
+final class Eavesdropper implements NetworkTap {
 
   private static final int RECORDINGS = 256;
   private static final byte[] NOTHING = new byte[0];

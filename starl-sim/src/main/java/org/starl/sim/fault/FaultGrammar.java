@@ -28,7 +28,7 @@ public final class FaultGrammar {
    */
   public record Kind(String name, String usage, String meaning) {}
 
-  private record Row(Kind kind, Function<Call, Harm> reader) {}
+  private record Row(Kind kind, Function<FaultArguments, FaultEffect> reader) {}
 
   private static final List<Row> ROWS =
       List.of(
@@ -41,12 +41,12 @@ public final class FaultGrammar {
           row(
               "loss(0.3,from=WHO,to=WHO)",
               "each copy of a datagram is lost with this probability",
-              call -> new AirHarm.Loss(probability(call), Link.read(call))),
+              call -> new NetworkFault.Loss(probability(call), Link.read(call))),
           row(
               "burst(2s,200ms,0.9,from=WHO,to=WHO)",
               "each link is good, then bad, for these mean times; loses copies while bad",
               call ->
-                  new AirHarm.Burst(
+                  new NetworkFault.Burst(
                       call.next("the mean good time", FaultGrammar::positiveNs),
                       call.next("the mean bad time", FaultGrammar::positiveNs),
                       call.nextOr("the loss while bad", Quantities::probability, 1.0),
@@ -54,21 +54,24 @@ public final class FaultGrammar {
           row(
               "delay(uniform(10ms,200ms),from=WHO,to=WHO)",
               "each copy gets this additional delay",
-              call -> new AirHarm.Delay(call.next("a delay", Latency::parse), Link.read(call))),
+              call ->
+                  new NetworkFault.Delay(call.next("a delay", Latency::parse), Link.read(call))),
           row(
               "duplicate(0.1,50ms,from=WHO,to=WHO)",
               "a copy arrives twice with this probability, the second up to this much later",
               call ->
-                  new AirHarm.Duplicate(
+                  new NetworkFault.Duplicate(
                       probability(call),
                       call.nextOr(
-                          "how much later", Quantities::durationNs, AirHarm.Duplicate.USUAL_NS),
+                          "how much later",
+                          Quantities::durationNs,
+                          NetworkFault.Duplicate.USUAL_NS),
                       Link.read(call))),
           row(
               "reorder(0.2,100ms,from=WHO,to=WHO)",
               "a copy is delayed with this probability, by up to this time",
               call ->
-                  new AirHarm.Reorder(
+                  new NetworkFault.Reorder(
                       probability(call),
                       call.next("how long it is held back", Quantities::durationNs),
                       Link.read(call))),
@@ -80,72 +83,72 @@ public final class FaultGrammar {
           row(
               "range(3m)",
               "the radio range, between centres",
-              call -> new Cut.Range(call.next("a distance", Quantities::distanceMm))),
+              call -> new ConnectivityFault.Range(call.next("a distance", Quantities::distanceMm))),
           row(
               "sight",
               "datagrams need a line of sight, free of walls and bodies",
-              call -> new Cut.Sight()),
-          row("stuck(WHO)", "the wheels do not turn", call -> new RobotHarm.Stuck(who(call))),
+              call -> new ConnectivityFault.Sight()),
+          row("stuck(WHO)", "the wheels do not turn", call -> new RobotFault.Stuck(who(call))),
           row(
               "slow(WHO,0.5)",
               "the wheels turn at this fraction of the commanded speed",
               call ->
-                  new RobotHarm.Slow(who(call), call.next("a fraction", Quantities::probability))),
+                  new RobotFault.Slow(who(call), call.next("a fraction", Quantities::probability))),
           row(
               "noise(WHO,30mm,3deg)",
               "fixes have this additional error, and report it in their bound",
-              call -> new RobotHarm.Noise(who(call), noise(call))),
-          row("dropout(WHO)", "no fixes come", call -> new RobotHarm.Dropout(who(call))),
+              call -> new RobotFault.Noise(who(call), noise(call))),
+          row("dropout(WHO)", "no fixes come", call -> new RobotFault.Dropout(who(call))),
           row(
               "jump(WHO,300mm)",
               "fixes are shifted this far, and do not report it",
-              call -> new RobotHarm.Jump(who(call), call.next("how far", Quantities::distanceMm))),
+              call -> new RobotFault.Jump(who(call), call.next("how far", Quantities::distanceMm))),
           row(
               "compute(WHO,20ms)",
               "each action takes this time, and the next one waits",
               call ->
-                  new RobotHarm.Compute(
+                  new RobotFault.Compute(
                       who(call), call.next("the time of an action", Quantities::durationNs))),
           row(
               "drift(WHO,200ppm)",
               "the clock is too fast by this rate, or too slow: -200ppm",
-              call -> new RobotHarm.Drift(who(call), call.next("a drift", FaultGrammar::ppm))),
+              call -> new RobotFault.Drift(who(call), call.next("a drift", FaultGrammar::ppm))),
           row(
               "skew(WHO,50ms)",
               "the clock is ahead by this time, or behind: -50ms",
-              call -> new RobotHarm.Skew(who(call), call.next("a skew", FaultGrammar::signedNs))),
+              call -> new RobotFault.Skew(who(call), call.next("a skew", FaultGrammar::signedNs))),
           row(
               "disk(WHO,50ms)",
               "writes to stable storage survive a crash only after this additional time",
               call ->
-                  new RobotHarm.Disk(
+                  new RobotFault.Disk(
                       who(call), call.next("the time of a write", Quantities::durationNs))),
           row(
               "ram(WHO,300mm/s)",
               "a foreign body drives into the robot again and again",
               call ->
-                  new IntruderHarm.Ram(
+                  new IntruderFault.Ram(
                       who(call),
                       call.nextOr(
                           "a speed",
                           FaultGrammar::positiveSpeed,
-                          IntruderHarm.Ram.USUAL_MM_PER_S))),
+                          IntruderFault.Ram.USUAL_MM_PER_S))),
           row(
               "block(WHO)",
               "a foreign body parks in front of the robot",
-              call -> new IntruderHarm.Block(who(call))),
+              call -> new IntruderFault.Block(who(call))),
           row(
               "forge(WHO,100ms)",
               "an attacker without the key sends changed recordings, at this mean interval",
-              call -> new AttackHarm.Forge(who(call), meanTime(call))),
+              call -> new AttackFault.Forge(who(call), meanTime(call))),
           row(
               "replay(WHO,100ms)",
               "an attacker without the key sends old recordings, at this mean interval",
-              call -> new AttackHarm.Replay(who(call), meanTime(call))),
+              call -> new AttackFault.Replay(who(call), meanTime(call))),
           row(
               "flood(WHO,1ms)",
               "an attacker without the key sends random bytes, at this mean interval",
-              call -> new AttackHarm.Flood(who(call), meanTime(call))));
+              call -> new AttackFault.Flood(who(call), meanTime(call))));
 
   private FaultGrammar() {}
 
@@ -160,16 +163,16 @@ public final class FaultGrammar {
    * @throws BadInput if it is not a fault; the message names text, argument and what was expected
    */
   public static Fault parse(String text) {
-    Call call = Call.parse(text);
+    FaultArguments call = FaultArguments.parse(text);
     Row row = rowOf(call);
     call.usage(row.kind.usage());
-    Harm harm = row.reader.apply(call);
+    FaultEffect harm = row.reader.apply(call);
     Span span = Span.read(call, harm.lastingKey());
     call.end();
     return new Fault(harm, span);
   }
 
-  private static Row rowOf(Call call) {
+  private static Row rowOf(FaultArguments call) {
     List<String> names = new ArrayList<>();
     for (Row row : ROWS) {
       if (row.kind.name().equals(call.name())) {
@@ -181,25 +184,26 @@ public final class FaultGrammar {
         "no fault is called " + BadInput.quote(call.name()) + NearMatches.hint(call.name(), names));
   }
 
-  private static Row row(String usage, String meaning, Function<Call, Harm> reader) {
+  private static Row row(
+      String usage, String meaning, Function<FaultArguments, FaultEffect> reader) {
     int open = usage.indexOf('(');
     String name = open < 0 ? usage : usage.substring(0, open);
     return new Row(new Kind(name, usage, meaning), reader);
   }
 
-  private static Who who(Call call) {
-    return call.next(Who.EXPECTED, Who::parse);
+  private static RobotSelector who(FaultArguments call) {
+    return call.next(RobotSelector.EXPECTED, RobotSelector::parse);
   }
 
-  private static long meanTime(Call call) {
+  private static long meanTime(FaultArguments call) {
     return call.next("the mean interval", FaultGrammar::positiveNs);
   }
 
-  private static double probability(Call call) {
+  private static double probability(FaultArguments call) {
     return call.next("a probability", Quantities::probability);
   }
 
-  private static PositionNoise noise(Call call) {
+  private static PositionNoise noise(FaultArguments call) {
     double mm = call.next("how far", Quantities::distanceMm);
     double rad = call.nextOr("an angle", Quantities::angleRad, 0.0);
     if (rad > StrictMath.PI) {
@@ -208,25 +212,26 @@ public final class FaultGrammar {
     return new PositionNoise(mm, rad);
   }
 
-  private static Harm partition(Call call) {
+  private static FaultEffect partition(FaultArguments call) {
     String area = call.keyed("area");
     if (area != null) {
-      return new Cut.Area(call.value("area", area, AreaText::parse));
+      return new ConnectivityFault.Area(call.value("area", area, AreaText::parse));
     }
     String groups = call.next("groups of robots", text -> text);
     List<String> sides = call.split(groups, '>');
     if (sides.size() == 2) {
-      return new Cut.OneWay(
-          call.value("from", sides.get(0), Who::parse), call.value("to", sides.get(1), Who::parse));
+      return new ConnectivityFault.OneWay(
+          call.value("from", sides.get(0), RobotSelector::parse),
+          call.value("to", sides.get(1), RobotSelector::parse));
     }
     if (sides.size() > 2) {
       throw call.bad("expected one '>' at most");
     }
-    List<Who> parts = new ArrayList<>();
+    List<RobotSelector> parts = new ArrayList<>();
     for (String part : call.split(groups, '|')) {
-      parts.add(call.value("group", part, Who::parse));
+      parts.add(call.value("group", part, RobotSelector::parse));
     }
-    return new Cut.Groups(parts);
+    return new ConnectivityFault.Groups(parts);
   }
 
   private static Unsynced unsynced(String text) {
@@ -241,7 +246,7 @@ public final class FaultGrammar {
   private static long ppm(String text) {
     String number = text.endsWith("ppm") ? text.substring(0, text.length() - 3) : "";
     try {
-      return Quantities.whole(number, -RobotHarm.Drift.MOST_PPM, RobotHarm.Drift.MOST_PPM);
+      return Quantities.whole(number, -RobotFault.Drift.MOST_PPM, RobotFault.Drift.MOST_PPM);
     } catch (BadInput wrong) {
       throw new BadInput(
           BadInput.quote(text) + ": expected -500000ppm to 500000ppm, such as 200ppm");

@@ -68,11 +68,13 @@ public record FaultPlan(List<Fault> faults) {
    */
   public void requireNamedAmong(Collection<RobotId> robots) {
     for (Fault fault : faults) {
-      for (Who who : fault.harm().named()) {
+      for (RobotSelector who : fault.effect().named()) {
         for (RobotId robot : who.named()) {
           if (!robots.contains(robot)) {
             throw new BadInput(
-                BadInput.quote(fault.toString()) + ": " + Who.isUnknown(robot, robots));
+                BadInput.quote(fault.toString())
+                    + ": "
+                    + RobotSelector.unknownRobotMessage(robot, robots));
           }
         }
       }
@@ -82,7 +84,7 @@ public record FaultPlan(List<Fault> faults) {
   /** Whether it changes some robot's time, so that robots need clocks of their own. */
   public boolean touchesTime() {
     return faults.stream()
-        .anyMatch(fault -> fault.harm() instanceof RobotHarm harm && harm.touchesTime());
+        .anyMatch(fault -> fault.effect() instanceof RobotFault harm && harm.touchesTime());
   }
 
   /**
@@ -91,7 +93,7 @@ public record FaultPlan(List<Fault> faults) {
    * @param rng of the run's seed, forked for faults
    * @return for adding more faults
    */
-  public FaultRun install(Ward ward, Rng rng) {
+  public FaultRun install(FaultTarget ward, Rng rng) {
     FaultRun run = new FaultRun(ward);
     run.add(this, rng);
     return run;

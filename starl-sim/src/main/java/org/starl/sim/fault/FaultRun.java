@@ -12,11 +12,11 @@ import org.starl.trace.TraceEvent;
 /** The faults of one run: begins them, ends them and records both in the trace. */
 public final class FaultRun {
 
-  private final Ward ward;
+  private final FaultTarget ward;
   private int faults;
   private int toEnd;
 
-  FaultRun(Ward ward) {
+  FaultRun(FaultTarget ward) {
     this.ward = ward;
   }
 
@@ -47,14 +47,14 @@ public final class FaultRun {
   }
 
   private void begin(Fault fault, int number, Rng rng) {
-    Harm harm = fault.harm();
+    FaultEffect harm = fault.effect();
     Runnable cure;
     List<RobotId> whom;
     long lastingNs = fault.span().drawLastingNs(ward.nowNs(), rng.fork("for"));
     try {
       whom = harm.who().pick(ward, rng.fork("who"));
       tell(fault, whom, TraceEvent.Fault.BEGIN);
-      cure = harm.begin(new Onset(ward, number, whom, lastingNs, rng));
+      cure = harm.begin(new FaultContext(ward, number, whom, lastingNs, rng));
     } catch (BadInput wrong) {
       throw Quantities.in(BadInput.quote(fault.toString()), wrong);
     }
@@ -70,12 +70,12 @@ public final class FaultRun {
     tell(fault, whom, TraceEvent.Fault.END);
     toEnd--;
     if (toEnd == 0) {
-      ward.tell(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "");
+      ward.recordFault(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "");
     }
   }
 
   private void tell(Fault fault, List<RobotId> whom, String name) {
-    boolean isOne = !fault.harm().who().isAll() && whom.size() == 1;
-    ward.tell(isOne ? whom.get(0) : TraceEvent.Fault.WORLD, name, fault.toString());
+    boolean isOne = !fault.effect().who().isAll() && whom.size() == 1;
+    ward.recordFault(isOne ? whom.get(0) : TraceEvent.Fault.WORLD, name, fault.toString());
   }
 }

@@ -19,13 +19,13 @@ final class Intruder {
   private static final double ALIGNED_RAD = 0.3;
   private static final double TURN_RAD_PER_S = 2;
 
-  private final Ward ward;
+  private final FaultTarget ward;
   private final RobotId target;
   private final double speedMmPerS;
   private final @Nullable Body body;
   private boolean hasLeft;
 
-  Intruder(RobotId name, RobotId target, double speedMmPerS, Onset onset) {
+  Intruder(RobotId name, RobotId target, double speedMmPerS, FaultContext onset) {
     this.ward = onset.ward();
     this.target = target;
     this.speedMmPerS = speedMmPerS;

@@ -10,13 +10,14 @@ import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Verdict;
 
 /** The links that a fault affects: from some robots to some robots. */
-public record Link(Who from, Who to) {
+public record Link(RobotSelector from, RobotSelector to) {
 
-  public static final Link ALL = new Link(Who.ALL, Who.ALL);
+  public static final Link ALL = new Link(RobotSelector.ALL, RobotSelector.ALL);
 
-  static Link read(Call call) {
+  static Link read(FaultArguments call) {
     return new Link(
-        call.optional("from", Who::parse, Who.ALL), call.optional("to", Who::parse, Who.ALL));
+        call.optional("from", RobotSelector::parse, RobotSelector.ALL),
+        call.optional("to", RobotSelector::parse, RobotSelector.ALL));
   }
 
   List<String> arguments() {
@@ -31,7 +32,7 @@ public record Link(Who from, Who to) {
   }
 
   /** {@code rule} for copies on these links alone. */
-  LinkRule limit(LinkRule rule, Ward ward, Rng rng) {
+  LinkRule limit(LinkRule rule, FaultTarget ward, Rng rng) {
     if (equals(ALL)) {
       return rule;
     }

@@ -49,7 +49,7 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
   }
 
   /** Reads the times in {@code call}. */
-  static Span read(Call call, String lastingKey) {
+  static Span read(FaultArguments call, String lastingKey) {
     TimeRange at = call.optional("at", TimeRange::parse, TimeRange.ZERO);
     String lasting = call.keyed(lastingKey);
     try {

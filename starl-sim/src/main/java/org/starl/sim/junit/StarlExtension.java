@@ -39,7 +39,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
             .filter(method -> method.equals(parameter.getDeclaringExecutable()))
             .isPresent();
     return isOfTest
-        && (type == Simulation.Builder.class || type == Afterwards.class || type == long.class);
+        && (type == Simulation.Builder.class || type == RunChecks.class || type == long.class);
   }
 
   @Override
@@ -48,8 +48,8 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     if (type == long.class) {
       return 0L;
     }
-    Afterwards nobody = assertion -> {};
-    return type == Afterwards.class ? nobody : Simulation.builder();
+    RunChecks nobody = assertion -> {};
+    return type == RunChecks.class ? nobody : Simulation.builder();
   }
 
   @Override
@@ -90,11 +90,11 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
       List<Consumer<SimResult>> checks) {
     Class<?>[] types = test.getExecutable().getParameterTypes();
     List<Object> arguments = new ArrayList<>(test.getArguments());
-    Afterwards afterwards = checks::add;
+    RunChecks afterwards = checks::add;
     for (int i = 0; i < types.length; i++) {
       if (types[i] == Simulation.Builder.class) {
         arguments.set(i, simulation);
-      } else if (types[i] == Afterwards.class) {
+      } else if (types[i] == RunChecks.class) {
         arguments.set(i, afterwards);
       } else if (types[i] == long.class) {
         arguments.set(i, seed);

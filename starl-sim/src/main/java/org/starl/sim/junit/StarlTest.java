@@ -20,7 +20,7 @@ import org.starl.sim.fault.Envelope;
  * }
  * }</pre>
  *
- * <p>The method fills the builder, which has its seed already; it may also take {@link Afterwards}, a
+ * <p>The method fills the builder, which has its seed already; it may also take {@link RunChecks}, a
  * {@code long}, which is the seed, and whatever other extensions give. It is called anew for each
  * seed; {@code @BeforeEach} methods are not. The test fails if in some run a specification is
  * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails. The failure

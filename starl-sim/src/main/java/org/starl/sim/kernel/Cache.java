@@ -11,7 +11,7 @@ public final class Cache {
 
   private Cache() {}
 
-  public static int touch(@Nullable Object object) {
+  public static int prefetch(@Nullable Object object) {
     // The class is in an object's header.
     return object != null && object.getClass() == Nothing.class ? 1 : 0;
   }

@@ -9,7 +9,7 @@ interface Carrier {
   /**
    * Called by the kernel: starts or resumes the app, and returns when it suspends itself or ends.
    *
-   * @throws ForeignWait if it does neither, because it waits for something that is not the kernel,
+   * @throws NonKernelWait if it does neither, because it waits for something that is not the kernel,
    *     for longer than the limit
    */
   void resume();
@@ -21,10 +21,10 @@ interface Carrier {
   void suspend();
 
   /**
-   * Called by the kernel after a {@link ForeignWait}: interrupts the app, and returns when it suspends
+   * Called by the kernel after a {@link NonKernelWait}: interrupts the app, and returns when it suspends
    * itself or ends.
    *
-   * @throws ForeignWait as {@link #resume} does
+   * @throws NonKernelWait as {@link #resume} does
    */
   void recover();
 }

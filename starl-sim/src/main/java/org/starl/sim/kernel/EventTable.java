@@ -63,7 +63,7 @@ final class EventTable {
 
   /** Prefetches strand and piece ({@link Cache}). */
   int touch(int slot) {
-    return Cache.touch(work[2 * slot]) + Cache.touch(work[2 * slot + 1]);
+    return Cache.prefetch(work[2 * slot]) + Cache.prefetch(work[2 * slot + 1]);
   }
 
   void release(int slot) {

@@ -52,12 +52,12 @@ final class PlatformCarrier implements Carrier {
   }
 
   private void awaitBaton() {
-    PatientWait wait = new PatientWait(foreignWaitLimit);
+    BoundedWait wait = new BoundedWait(foreignWaitLimit);
     try {
       while (appHasBaton) {
         if (!wait.park(this)) {
           if (isWaiting()) {
-            throw ForeignWait.tooLong(thread, foreignWaitLimit);
+            throw NonKernelWait.tooLong(thread, foreignWaitLimit);
           }
           wait.restart();
         }

@@ -131,9 +131,9 @@ public final class SimStrand implements Strand, Timers {
   int touch(Runnable piece) {
     int read = 0;
     for (Object part : parts) {
-      read += Cache.touch(part);
+      read += Cache.prefetch(part);
     }
-    return piece instanceof Touchable touchable ? read + touchable.touch() : read;
+    return piece instanceof Prefetchable touchable ? read + touchable.prefetch() : read;
   }
 
   /** Makes the app of this strand, which is closed, end. */

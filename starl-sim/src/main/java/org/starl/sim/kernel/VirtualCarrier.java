@@ -55,7 +55,7 @@ final class VirtualCarrier implements Carrier, Executor {
   @Override
   public int touch() {
     // The thread's state lies far behind its first word.
-    return Cache.touch(continuation) + thread.getState().ordinal();
+    return Cache.prefetch(continuation) + thread.getState().ordinal();
   }
 
   @Override
@@ -97,7 +97,7 @@ final class VirtualCarrier implements Carrier, Executor {
       wasInterrupted |= Thread.interrupted();
       if (pinnedWaitFails) {
         isSuspended = false;
-        throw new ForeignWait(
+        throw new NonKernelWait(
             "sleep and await do not work inside a static initialiser or a native method",
             thread.getStackTrace());
       }
@@ -149,12 +149,12 @@ final class VirtualCarrier implements Carrier, Executor {
   }
 
   private Runnable awaitReadyFromOutside() {
-    PatientWait wait = new PatientWait(foreignWaitLimit);
+    BoundedWait wait = new BoundedWait(foreignWaitLimit);
     try {
       Runnable ready = readyFromOutside;
       while (ready == null) {
         if (!wait.park(this)) {
-          throw ForeignWait.tooLong(thread, foreignWaitLimit);
+          throw NonKernelWait.tooLong(thread, foreignWaitLimit);
         }
         ready = readyFromOutside;
       }

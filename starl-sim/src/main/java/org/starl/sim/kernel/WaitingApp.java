@@ -8,7 +8,7 @@ import org.starl.platform.StrandClosed;
  * A strand's app: runs on its carrier from one wait to the next, as one piece of the strand. Itself
  * it is the event that wakes the app: at its start, at the end of a sleep, at an await's deadline.
  */
-final class WaitingApp implements Touchable {
+final class WaitingApp implements Prefetchable {
 
   /** So often an app that was told of its end may wait again before it is given up. */
   private static final int MAX_REFUSALS = 1000;
@@ -39,7 +39,7 @@ final class WaitingApp implements Touchable {
   }
 
   @Override
-  public int touch() {
+  public int prefetch() {
     Carrier waiting = carrier;
     return waiting == null ? 0 : waiting.touch();
   }
@@ -134,7 +134,7 @@ final class WaitingApp implements Touchable {
     }
     try {
       mine.suspend();
-    } catch (ForeignWait e) {
+    } catch (NonKernelWait e) {
       forgetWait();
       throw e;
     }
@@ -169,7 +169,7 @@ final class WaitingApp implements Touchable {
       } else {
         mine.resume();
       }
-    } catch (ForeignWait e) {
+    } catch (NonKernelWait e) {
       isLost = true;
       throw e;
     } finally {

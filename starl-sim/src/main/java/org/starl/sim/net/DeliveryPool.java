@@ -3,7 +3,7 @@ package org.starl.sim.net;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.kernel.Cache;
-import org.starl.sim.kernel.Touchable;
+import org.starl.sim.kernel.Prefetchable;
 
 /**
  * A pool of deliveries and packets. A delivery that a closed strand never ran is not returned to the
@@ -51,7 +51,7 @@ final class DeliveryPool {
   }
 
   /** One copy on its way. */
-  private final class Delivery implements Touchable {
+  private final class Delivery implements Prefetchable {
     private RobotId from = NOBODY;
     private @Nullable SimRadio to;
     private Packet packet;
@@ -66,14 +66,14 @@ final class DeliveryPool {
     }
 
     @Override
-    public int touch() {
-      return Cache.touch(data) + Cache.touch(packet);
+    public int prefetch() {
+      return Cache.prefetch(data) + Cache.prefetch(packet);
     }
 
     @Override
     public void run() {
       SimRadio radio = radio();
-      Gate gate = radio.gate();
+      ArrivalGate gate = radio.gate();
       if (gate == null) {
         handOver(radio);
       } else {

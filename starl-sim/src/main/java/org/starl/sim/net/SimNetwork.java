@@ -27,13 +27,13 @@ public final class SimNetwork {
   private final StationTable stations = new StationTable();
   private final List<SimRadio> attached = new ArrayList<>();
   private final List<Installed> rules = new ArrayList<>();
-  private final List<Tap> taps = new ArrayList<>();
+  private final List<NetworkTap> taps = new ArrayList<>();
   private final DeliveryPool pool = new DeliveryPool();
   private Latency latency = new Latency.Constant(0);
   private Loss loss = Loss.NONE;
   private LinkChoice choice = LinkChoice.seeded();
   private boolean seeded = true;
-  private @Nullable Audience audience;
+  private @Nullable BroadcastReach audience;
   private long sent;
   private long sentBytes;
   private long delivered;
@@ -62,7 +62,7 @@ public final class SimNetwork {
   }
 
   /** Sets which robots may receive a broadcast; by default all. */
-  public void audience(Audience newAudience) {
+  public void audience(BroadcastReach newAudience) {
     audience = newAudience;
   }
 
@@ -81,7 +81,7 @@ public final class SimNetwork {
    *
    * @throws IllegalStateException if it has one already
    */
-  public Radio attach(RobotId id, SimStrand strand, @Nullable Gate gate) {
+  public Radio attach(RobotId id, SimStrand strand, @Nullable ArrivalGate gate) {
     int known = stations.slot(id);
     int slot = known == StationTable.NONE ? stations.add(id, newKey(id)) : known;
     if (stations.radio(slot) != null) {
@@ -113,9 +113,9 @@ public final class SimNetwork {
   }
 
   /** Adds a listener to all datagrams sent from now on. */
-  public Tap.Handle listen(Tap tap) {
+  public NetworkTap.Handle listen(NetworkTap tap) {
     // So that one tap that listens twice can stop once.
-    Tap own = (from, buffer, length) -> tap.sent(from, buffer, length);
+    NetworkTap own = (from, buffer, length) -> tap.sent(from, buffer, length);
     taps.add(own);
     return () -> taps.remove(own);
   }

@@ -12,7 +12,7 @@ final class SimRadio implements Radio {
   private final RobotId id;
   private final long key;
   private final SimStrand strand;
-  private final @Nullable Gate gate;
+  private final @Nullable ArrivalGate gate;
   private long datagrams;
   private @Nullable Receiver receiver;
   private boolean closed;
@@ -29,7 +29,7 @@ final class SimRadio implements Radio {
       long key,
       long datagrams,
       SimStrand strand,
-      @Nullable Gate gate) {
+      @Nullable ArrivalGate gate) {
     this.network = network;
     this.id = id;
     this.key = key;
@@ -86,7 +86,7 @@ final class SimRadio implements Radio {
     return strand;
   }
 
-  @Nullable Gate gate() {
+  @Nullable ArrivalGate gate() {
     return gate;
   }
 

@@ -6,7 +6,7 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
@@ -14,7 +14,7 @@ import org.starl.platform.Timers;
  * A robot's stable storage in memory. It outlives the robot's program: {@link #restart} hands it to
  * the next incarnation with what had been flushed, and nothing else.
  */
-public final class SimStable implements Stable {
+public final class SimStable implements StableStorage {
 
   private final Clock clock;
   private final Map<String, byte[]> flushed = new TreeMap<>();

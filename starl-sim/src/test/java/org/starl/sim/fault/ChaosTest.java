@@ -42,7 +42,7 @@ class ChaosTest {
       if (fault.span().isFinite()) {
         assertThat(fault.span().untilNs()).isLessThanOrEqualTo(seconds * S);
       } else {
-        assertThat(fault.harm()).isInstanceOf(Crash.class);
+        assertThat(fault.effect()).isInstanceOf(Crash.class);
         deaths++;
       }
     }
@@ -69,7 +69,7 @@ class ChaosTest {
     Set<String> kinds = new TreeSet<>();
     for (long seed = 1; seed <= 100; seed++) {
       FaultPlan plan = FaultPlan.chaos(envelope, 4, 30 * S, new Rng(seed));
-      plan.faults().forEach(fault -> kinds.add(fault.harm().name()));
+      plan.faults().forEach(fault -> kinds.add(fault.effect().name()));
     }
     return kinds;
   }

@@ -167,59 +167,61 @@ class FaultGrammarTest {
     return Arbitraries.longs().between(0, 1_000_000_000_000_000L);
   }
 
-  private static Arbitrary<Who> whos() {
+  private static Arbitrary<RobotSelector> whos() {
     return Arbitraries.of(
-        Who.ALL,
-        Who.ANY,
-        Who.HALF,
-        Who.of(new RobotId("bot0")),
-        Who.of(new RobotId("a-b.c_D9"), new RobotId("bot10")));
+        RobotSelector.ALL,
+        RobotSelector.ANY,
+        RobotSelector.HALF,
+        RobotSelector.of(new RobotId("bot0")),
+        RobotSelector.of(new RobotId("a-b.c_D9"), new RobotId("bot10")));
   }
 
-  private static Arbitrary<Harm> harms() {
+  private static Arbitrary<FaultEffect> harms() {
     Arbitrary<Double> p = Arbitraries.doubles().between(0, 1).ofScale(6);
     Arbitrary<Double> mm = Arbitraries.doubles().between(0, 100_000).ofScale(3);
     Arbitrary<Link> links = Combinators.combine(whos(), whos()).as(Link::new);
     Arbitrary<Long> t = times();
     return Arbitraries.oneOf(
         Combinators.combine(whos(), Arbitraries.of(Unsynced.class)).as(Crash::new),
-        Combinators.combine(p, links).as(AirHarm.Loss::new),
+        Combinators.combine(p, links).as(NetworkFault.Loss::new),
         Combinators.combine(t, t, p, links)
-            .as((good, bad, loss, link) -> new AirHarm.Burst(good + 1, bad + 1, loss, link)),
-        Combinators.combine(latencies(), links).as(AirHarm.Delay::new),
-        Combinators.combine(p, t, links).as(AirHarm.Duplicate::new),
-        Combinators.combine(p, t, links).as(AirHarm.Reorder::new),
-        whos().list().ofMinSize(1).ofMaxSize(3).map(Cut.Groups::new),
+            .as((good, bad, loss, link) -> new NetworkFault.Burst(good + 1, bad + 1, loss, link)),
+        Combinators.combine(latencies(), links).as(NetworkFault.Delay::new),
+        Combinators.combine(p, t, links).as(NetworkFault.Duplicate::new),
+        Combinators.combine(p, t, links).as(NetworkFault.Reorder::new),
+        whos().list().ofMinSize(1).ofMaxSize(3).map(ConnectivityFault.Groups::new),
         Combinators.combine(
-                Combinators.combine(whos(), whos()).as(Cut.OneWay::new),
+                Combinators.combine(whos(), whos()).as(ConnectivityFault.OneWay::new),
                 Combinators.combine(mm, mm, mm)
-                    .as((x, y, r) -> new Cut.Area(new Circle(new Point(0.0 - x, y), r))),
+                    .as((x, y, r) ->
+                        new ConnectivityFault.Area(new Circle(new Point(0.0 - x, y), r))),
                 Combinators.combine(mm, mm)
-                    .as((x, y) -> new Cut.Area(new Rectangle(0.0 - x, 0.0 - y, x, y + x))),
+                    .as((x, y) ->
+                        new ConnectivityFault.Area(new Rectangle(0.0 - x, 0.0 - y, x, y + x))),
                 Arbitraries.integers().between(0, 2))
             .as((a, b, c, which) -> which == 0 ? a : which == 1 ? b : c),
-        mm.map(Cut.Range::new),
-        Arbitraries.just(new Cut.Sight()),
+        mm.map(ConnectivityFault.Range::new),
+        Arbitraries.just(new ConnectivityFault.Sight()),
         robotHarms(p, mm));
   }
 
-  private static Arbitrary<Harm> robotHarms(Arbitrary<Double> p, Arbitrary<Double> mm) {
+  private static Arbitrary<FaultEffect> robotHarms(Arbitrary<Double> p, Arbitrary<Double> mm) {
     Arbitrary<Double> rad = Arbitraries.doubles().between(0, 3.14).ofScale(4);
     Arbitrary<Long> ppm = Arbitraries.longs().between(-500_000, 500_000);
     return Arbitraries.oneOf(
-        whos().map(RobotHarm.Stuck::new),
-        Combinators.combine(whos(), p).as(RobotHarm.Slow::new),
+        whos().map(RobotFault.Stuck::new),
+        Combinators.combine(whos(), p).as(RobotFault.Slow::new),
         Combinators.combine(whos(), mm, rad)
-            .as((who, far, angle) -> new RobotHarm.Noise(who, new PositionNoise(far, angle))),
-        whos().map(RobotHarm.Dropout::new),
-        Combinators.combine(whos(), mm).as(RobotHarm.Jump::new),
-        Combinators.combine(whos(), times()).as(RobotHarm.Compute::new),
-        Combinators.combine(whos(), ppm).as(RobotHarm.Drift::new),
+            .as((who, far, angle) -> new RobotFault.Noise(who, new PositionNoise(far, angle))),
+        whos().map(RobotFault.Dropout::new),
+        Combinators.combine(whos(), mm).as(RobotFault.Jump::new),
+        Combinators.combine(whos(), times()).as(RobotFault.Compute::new),
+        Combinators.combine(whos(), ppm).as(RobotFault.Drift::new),
         Combinators.combine(whos(), times(), Arbitraries.of(1, -1))
-            .as((who, ns, sign) -> new RobotHarm.Skew(who, sign * ns)),
-        Combinators.combine(whos(), times()).as(RobotHarm.Disk::new),
-        Combinators.combine(whos(), mm).as((who, v) -> new IntruderHarm.Ram(who, v + 1)),
-        whos().map(IntruderHarm.Block::new));
+            .as((who, ns, sign) -> new RobotFault.Skew(who, sign * ns)),
+        Combinators.combine(whos(), times()).as(RobotFault.Disk::new),
+        Combinators.combine(whos(), mm).as((who, v) -> new IntruderFault.Ram(who, v + 1)),
+        whos().map(IntruderFault.Block::new));
   }
 
   private static Arbitrary<Latency> latencies() {
@@ -279,7 +281,7 @@ class FaultGrammarTest {
   @MethodSource("kinds")
   void theUsageOfEachKindIsAFault(FaultGrammar.Kind kind) {
     Fault fault = FaultGrammar.parse(kind.usage().replace("WHO", "any"));
-    assertThat(fault.harm().name()).isEqualTo(kind.name());
+    assertThat(fault.effect().name()).isEqualTo(kind.name());
   }
 
   @Test

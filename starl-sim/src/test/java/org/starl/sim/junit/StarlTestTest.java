@@ -81,7 +81,7 @@ class StarlTestTest {
     private final List<Long> seeds = new ArrayList<>();
 
     @StarlTest(seeds = 20)
-    void good(Simulation.Builder simulation, TestInfo info, Afterwards afterwards, long seed) {
+    void good(Simulation.Builder simulation, TestInfo info, RunChecks afterwards, long seed) {
       assertThat(info.getTestMethod()).isPresent();
       simulation.robots(3, gvh -> new Counter(gvh, false)).monitor(CountsToThree::new);
       afterwards.check(result -> {
@@ -121,19 +121,19 @@ class StarlTestTest {
     }
 
     @StarlTest(seeds = 10)
-    void wrongResult(Simulation.Builder simulation, Afterwards afterwards) {
+    void wrongResult(Simulation.Builder simulation, RunChecks afterwards) {
       simulation.robots(2, gvh -> new Counter(gvh, false));
       afterwards.check(result -> assertThat(result.seed()).isLessThan(3));
     }
 
     @StarlTest(seeds = 4, faults = "crash(bot1,at=150ms)")
-    void crashed(Simulation.Builder simulation, Afterwards afterwards) {
+    void crashed(Simulation.Builder simulation, RunChecks afterwards) {
       simulation.robots(2, gvh -> new Counter(gvh, false));
       afterwards.check(result -> assertThat(result.results()).hasSize(2));
     }
 
     @StarlTest(seeds = 20, chaos = Envelope.NETWORK)
-    void chaotic(Simulation.Builder simulation, Afterwards afterwards) {
+    void chaotic(Simulation.Builder simulation, RunChecks afterwards) {
       simulation.robots(2, gvh -> new Counter(gvh, false));
       afterwards.check(result -> assertThat(result.seed()).isLessThan(20));
     }
@@ -160,11 +160,11 @@ class StarlTestTest {
         switch (method) {
           case "good" ->
               new Class<?>[] {
-                Simulation.Builder.class, TestInfo.class, Afterwards.class, long.class
+                Simulation.Builder.class, TestInfo.class, RunChecks.class, long.class
               };
           case "planted", "badScenario" -> new Class<?>[] {Simulation.Builder.class, long.class};
           case "wrongResult", "crashed", "chaotic" ->
-              new Class<?>[] {Simulation.Builder.class, Afterwards.class};
+              new Class<?>[] {Simulation.Builder.class, RunChecks.class};
           default -> new Class<?>[] {Simulation.Builder.class};
         };
     return EngineTestKit.engine("junit-jupiter")

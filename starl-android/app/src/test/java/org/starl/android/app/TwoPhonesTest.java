@@ -51,9 +51,9 @@ import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.Outbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.udp.KeyFile;
-import org.starl.sim.Blueprint;
+import org.starl.sim.SimulationPlan;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceHeader;
@@ -84,12 +84,12 @@ public final class TwoPhonesTest {
   private final long startNs = clock.nowNs();
   private final Application application = RuntimeEnvironment.getApplication();
   private final Plan plan = figure7();
-  private final Blueprint crossing = plan.simulation().build().blueprint();
+  private final SimulationPlan crossing = plan.simulation().build().plan();
   private final SortedMap<String, SimulatedCar> cars = new TreeMap<>();
   private final List<ServiceController<RobotService>> phones = new ArrayList<>();
   private NatNetServer cameras;
   private Path worldsTrace;
-  private Outbox world;
+  private ProcessTrace world;
 
   private static Plan figure7() {
     IntersectionDemo demo = new IntersectionDemo();
@@ -126,7 +126,7 @@ public final class TwoPhonesTest {
             new HashSet<>(
                 NAMES.stream().map(name -> adapter.getRemoteDevice(adapterOf(name))).toList()));
     worldsTrace = folder.getRoot().toPath().resolve("world.trace");
-    world = new Outbox(Fault.WORLD, header(), Files.newOutputStream(worldsTrace));
+    world = new ProcessTrace(Fault.WORLD, header(), Files.newOutputStream(worldsTrace));
     MachineClock.tell(world, clock, startNs);
     LateTrace truth = new LateTrace(world, startNs, event -> {});
     for (int i = 0; i < NAMES.size(); i++) {

@@ -16,7 +16,7 @@ import org.starl.robot.file.Wheels.Create;
 public final class DeploymentReader {
 
   /** What a file contains, for messages. */
-  public static final String EXPECTED = "expected " + Grammar.FILE.expected();
+  public static final String EXPECTED = "expected " + DeploymentFormat.FILE.expected();
 
   static final int COMMAND_PORT = 1510;
   private static final int CREATE1_BAUD = 57_600;
@@ -45,17 +45,22 @@ public final class DeploymentReader {
   private Deployment deployment() {
     Map<String, Integer> lines = new LinkedHashMap<>();
     for (Field<?> field :
-        List.of(Grammar.APP, Grammar.KEY, Grammar.POSITIONS, Grammar.WORLD, Grammar.LIMITS)) {
+        List.of(
+            DeploymentFormat.APP,
+            DeploymentFormat.KEY,
+            DeploymentFormat.POSITIONS,
+            DeploymentFormat.WORLD,
+            DeploymentFormat.LIMITS)) {
       lines.put(field.key(), top.line(field.key()));
     }
-    String app = top.get(Grammar.APP);
-    String key = top.getOrNull(Grammar.KEY);
-    long seed = top.get(Grammar.SEED);
+    String app = top.get(DeploymentFormat.APP);
+    String key = top.getOrNull(DeploymentFormat.KEY);
+    long seed = top.get(DeploymentFormat.SEED);
     Map<String, String> parameters = parameters(lines);
     Network network = network();
     Positions positions = positions();
     Limits limits = limits();
-    HostPort world = top.getOrNull(Grammar.WORLD);
+    HostPort world = top.getOrNull(DeploymentFormat.WORLD);
     SortedMap<RobotId, RobotEntry> robots = robots(network);
     top.end();
     Deployment deployment =
@@ -67,7 +72,7 @@ public final class DeploymentReader {
 
   private Map<String, String> parameters(Map<String, Integer> lines) {
     Map<String, String> parameters = new LinkedHashMap<>();
-    Section given = top.section(Grammar.PARAMETERS);
+    Section given = top.section(DeploymentFormat.PARAMETERS);
     for (String name : given.keys()) {
       parameters.put(name, given.get(Field.text(name, "one value", "").needed()));
       lines.put(name, given.line(name));
@@ -76,18 +81,18 @@ public final class DeploymentReader {
   }
 
   private Network network() {
-    Section given = top.section(Grammar.NETWORK);
+    Section given = top.section(DeploymentFormat.NETWORK);
     Network network =
         new Network(
-            given.get(Grammar.RADIO_PORT),
-            given.get(Grammar.BROADCASTS),
-            given.get(Grammar.BEACON_EVERY_MS),
-            given.get(Grammar.SUSPECT_AFTER_MS),
-            given.get(Grammar.LOSS));
+            given.get(DeploymentFormat.RADIO_PORT),
+            given.get(DeploymentFormat.BROADCASTS),
+            given.get(DeploymentFormat.BEACON_EVERY_MS),
+            given.get(DeploymentFormat.SUSPECT_AFTER_MS),
+            given.get(DeploymentFormat.LOSS));
     given.end();
     if (network.suspectAfterMs() < 2 * network.beaconEveryMs()) {
       throw given.wrong(
-          Grammar.SUSPECT_AFTER_MS.key(),
+          DeploymentFormat.SUSPECT_AFTER_MS.key(),
           Integer.toString(network.suspectAfterMs()),
           "at least twice beaconEveryMs, which is " + network.beaconEveryMs());
     }
@@ -95,50 +100,50 @@ public final class DeploymentReader {
   }
 
   private Positions positions() {
-    Section given = top.section(Grammar.POSITIONS);
+    Section given = top.section(DeploymentFormat.POSITIONS);
     Positions positions =
-        given.get(Grammar.SOURCE).equals(Grammar.NATNET)
+        given.get(DeploymentFormat.SOURCE).equals(DeploymentFormat.NATNET)
             ? new Positions.NatNet(
-                given.get(Grammar.SERVER),
-                given.get(Grammar.DATA_PORT),
-                given.getOrNull(Grammar.MULTICAST),
-                given.get(Grammar.VERSION),
-                given.get(Grammar.UP).equals("y"),
-                given.get(Grammar.ERROR_MM),
-                given.get(Grammar.ERROR_RAD))
+                given.get(DeploymentFormat.SERVER),
+                given.get(DeploymentFormat.DATA_PORT),
+                given.getOrNull(DeploymentFormat.MULTICAST),
+                given.get(DeploymentFormat.VERSION),
+                given.get(DeploymentFormat.UP).equals("y"),
+                given.get(DeploymentFormat.ERROR_MM),
+                given.get(DeploymentFormat.ERROR_RAD))
             : new Positions.JsonFeed(
-                given.get(Grammar.JSON_PORT),
-                given.getOrNull(Grammar.SENDER),
-                given.get(Grammar.ERROR_MM),
-                given.get(Grammar.ERROR_RAD));
+                given.get(DeploymentFormat.JSON_PORT),
+                given.getOrNull(DeploymentFormat.SENDER),
+                given.get(DeploymentFormat.ERROR_MM),
+                given.get(DeploymentFormat.ERROR_RAD));
     given.end();
     return positions;
   }
 
   private Limits limits() {
-    Section given = top.section(Grammar.LIMITS);
+    Section given = top.section(DeploymentFormat.LIMITS);
     Limits limits =
         new Limits(
-            given.get(Grammar.SPEED_MM_PER_S),
-            given.get(Grammar.WATCHDOG_MS),
-            given.get(Grammar.POSITION_MS),
-            given.get(Grammar.SPEED_ERROR),
-            given.get(Grammar.REACTION_MS));
+            given.get(DeploymentFormat.SPEED_MM_PER_S),
+            given.get(DeploymentFormat.WATCHDOG_MS),
+            given.get(DeploymentFormat.POSITION_MS),
+            given.get(DeploymentFormat.SPEED_ERROR),
+            given.get(DeploymentFormat.REACTION_MS));
     given.end();
     return limits;
   }
 
   private SortedMap<RobotId, RobotEntry> robots(Network network) {
-    Section given = top.section(Grammar.ROBOTS);
+    Section given = top.section(DeploymentFormat.ROBOTS);
     SortedMap<RobotId, RobotEntry> robots = new TreeMap<>();
     for (String name : given.keys()) {
       if (!RobotId.isValid(name)) {
         throw given.wrong(name, name, "a name: a letter, then up to 31 of A-Z a-z 0-9 _ - .");
       }
-      Section robot = given.section(Field.mapping(name, Grammar.ROBOT, ""));
+      Section robot = given.section(Field.mapping(name, DeploymentFormat.ROBOT, ""));
       RobotId id = new RobotId(name);
-      String address = robot.getOrNull(Grammar.ADDRESS);
-      String rigidBody = robot.getOrNull(Grammar.RIGID_BODY);
+      String address = robot.getOrNull(DeploymentFormat.ADDRESS);
+      String rigidBody = robot.getOrNull(DeploymentFormat.RIGID_BODY);
       robots.put(
           id,
           new RobotEntry(
@@ -150,28 +155,28 @@ public final class DeploymentReader {
       robot.end();
     }
     if (robots.isEmpty()) {
-      throw top.wrong(Grammar.ROBOTS.key(), "", "at least one robot");
+      throw top.wrong(DeploymentFormat.ROBOTS.key(), "", "at least one robot");
     }
     return robots;
   }
 
   private static Wheels wheels(Section robot) {
-    Section given = robot.section(Grammar.CHASSIS);
-    boolean isSimulated = given.get(Grammar.KIND).equals(Grammar.SIMULATED);
+    Section given = robot.section(DeploymentFormat.CHASSIS);
+    boolean isSimulated = given.get(DeploymentFormat.KIND).equals(DeploymentFormat.SIMULATED);
     Wheels wheels = isSimulated ? new Wheels.Simulated() : create(given);
     given.end();
     return wheels;
   }
 
   private static Wheels create(Section given) {
-    String model = given.get(Grammar.MODEL);
-    Integer baud = given.getOrNull(Grammar.BAUD);
+    String model = given.get(DeploymentFormat.MODEL);
+    Integer baud = given.getOrNull(DeploymentFormat.BAUD);
     int usualBaud = model.equals("create1") ? CREATE1_BAUD : CREATE2_BAUD;
     return new Create(
         model,
-        given.get(Grammar.PORT),
+        given.get(DeploymentFormat.PORT),
         baud == null ? usualBaud : baud,
-        given.getOrNull(Grammar.SIMULATED_AT));
+        given.getOrNull(DeploymentFormat.SIMULATED_AT));
   }
 
   private void refuseContradictions(Deployment deployment) {
@@ -197,7 +202,7 @@ public final class DeploymentReader {
     }
     if (deployment.key() == null && deployment.network().broadcasts()) {
       throw top.missing(
-          Grammar.KEY.key(),
+          DeploymentFormat.KEY.key(),
           "the path of a key, or network.broadcasts: no: without a key, unknown robots could join");
     }
   }

@@ -2,7 +2,7 @@
  * The content of a deployment file: the robots, their addresses and drives, the system that measures
  * their positions, the app that they run and the key. {@link org.starl.robot.file.DeploymentReader}
  * makes a {@link org.starl.robot.file.Deployment} of a text, on a computer and on a phone, by the
- * description in {@link org.starl.robot.file.Grammar}, from which the JSON schema is made too. An
+ * description in {@link org.starl.robot.file.DeploymentFormat}, from which the JSON schema is made too. An
  * error is one line: file, line, key, value, what was expected.
  *
  * <p>No file but the document is opened and no host looked up here: only names, numbers and

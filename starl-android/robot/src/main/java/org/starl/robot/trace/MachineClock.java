@@ -19,9 +19,9 @@ public final class MachineClock {
   private MachineClock() {}
 
   /** Records the machine's time at the trace's time 0, when {@code clock} shows {@code startNs}. */
-  public static void tell(Outbox trace, RealClock clock, long startNs) {
+  public static void tell(ProcessTrace trace, RealClock clock, long startNs) {
     long machineNs = clock.originNs() + startNs;
-    trace.say(() -> 0, Word.CLOCK, machine(), machineNs, startNs);
+    trace.report(() -> 0, ProcessWord.CLOCK, machine(), machineNs, startNs);
   }
 
   private static String machine() {

@@ -16,7 +16,7 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.robot.realtime.Daemons;
 
@@ -28,7 +28,7 @@ import org.starl.robot.realtime.Daemons;
  * <p>A failure of the disk is reported once; after it nothing is flushed and no {@code flushed} is
  * called. So the order of writes is kept, and code that waits for a write does not act.
  */
-public final class FileStable implements Stable, AutoCloseable {
+public final class FileStable implements StableStorage, AutoCloseable {
 
   private static final String FRESH = "fresh.tmp";
   private static final Duration CLOSE_LIMIT = Duration.ofSeconds(10);

@@ -1,7 +1,7 @@
 package org.starl.robot.udp;
 
 import java.nio.ByteBuffer;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 
 /**
  * Numbers the starts of one robot's program, for its beacons. Each number is larger than all before,
@@ -21,7 +21,7 @@ public final class StartNumber {
    * @param dateNs this machine's date; used if it is larger than all numbers before, or if the robot's
    *     storage was lost
    */
-  public static long next(Stable stable, long dateNs) {
+  public static long next(StableStorage stable, long dateNs) {
     byte[] last = stable.get(KEY);
     long number =
         last == null || last.length != Long.BYTES

@@ -12,10 +12,10 @@ public enum UdpDrop {
   OLD_BEACON("a beacon that is not newer than the last one"),
   OWN_BEACON("this robot's own beacon");
 
-  private final String what;
+  private final String description;
 
   UdpDrop(String what) {
-    this.what = what;
+    this.description = what;
   }
 
   /** Whether it never occurs in a network of correct robots. */
@@ -24,7 +24,7 @@ public enum UdpDrop {
   }
 
   /** For people. */
-  String what() {
-    return what;
+  String description() {
+    return description;
   }
 }

@@ -202,7 +202,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
           "dropped a datagram from "
               + source
               + ": "
-              + reason.what()
+              + reason.description()
               + "; more of these are only counted");
     }
   }

@@ -11,7 +11,7 @@ import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.ImpairedStrand;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.RobotClock;
-import org.starl.sim.fault.RobotHarm;
+import org.starl.sim.fault.RobotFault;
 import org.starl.sim.kernel.CarrierKind;
 
 /** A simulated strand whose clock is wrong and on which computing takes time. */
@@ -28,7 +28,7 @@ final class ImpairedGround implements Ground {
     Impairment all = Impairment.NONE;
     for (String text : faults) {
       Fault fault = FaultGrammar.parse(text);
-      all = all.plus(((RobotHarm) fault.harm()).impairment(new Rng(1)));
+      all = all.plus(((RobotFault) fault.effect()).impairment(new Rng(1)));
     }
     strand.apply(all);
   }

@@ -1,6 +1,6 @@
 package org.starl.robot.contract;
 
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.SimStable;
 
@@ -14,13 +14,13 @@ class SimStableTest extends StableContract {
   }
 
   @Override
-  protected Stable open(Ground ground) {
+  protected StableStorage open(Ground ground) {
     stable = new SimStable(ground.clock(), 5_000_000);
     return crashAndReopen(ground);
   }
 
   @Override
-  protected Stable crashAndReopen(Ground ground) {
+  protected StableStorage crashAndReopen(Ground ground) {
     stable.restart(ground.timers());
     return stable;
   }

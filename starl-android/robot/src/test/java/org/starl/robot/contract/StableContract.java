@@ -10,22 +10,22 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 
-/** What every {@link Stable} does. */
+/** What every {@link StableStorage} does. */
 public abstract class StableContract {
 
   private final List<String> log = new CopyOnWriteArrayList<>();
   private Ground ground;
-  private Stable stable;
+  private StableStorage stable;
 
   protected abstract Ground newGround();
 
   /** The storage, empty, on the strand of {@code ground}. */
-  protected abstract Stable open(Ground ground);
+  protected abstract StableStorage open(Ground ground);
 
   /** The same storage after a crash of the robot's program, for its next incarnation. */
-  protected abstract Stable crashAndReopen(Ground ground);
+  protected abstract StableStorage crashAndReopen(Ground ground);
 
   @BeforeEach
   void begin() {

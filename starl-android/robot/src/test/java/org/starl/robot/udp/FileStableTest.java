@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.robot.contract.Ground;
 import org.starl.robot.contract.RealGround;
 import org.starl.robot.contract.StableContract;
@@ -38,13 +38,13 @@ class FileStableTest extends StableContract {
   }
 
   @Override
-  protected Stable open(Ground ground) {
+  protected StableStorage open(Ground ground) {
     return open(ground, ground.errors()::add);
   }
 
   // A thread cannot be killed as a crash would: this crash comes right after the last flush.
   @Override
-  protected Stable crashAndReopen(Ground ground) {
+  protected StableStorage crashAndReopen(Ground ground) {
     stables.get(stables.size() - 1).close();
     return open(ground);
   }

@@ -24,7 +24,7 @@ import org.starl.platform.Chassis;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.Platform;
 import org.starl.platform.Radio;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
@@ -194,7 +194,7 @@ final class LoneRobot {
     public void onBump(Runnable receiver) {}
   }
 
-  private static final class NoStable implements Stable {
+  private static final class NoStable implements StableStorage {
     @Override
     public byte @Nullable [] get(String key) {
       return null;

@@ -6,14 +6,14 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 
 class StartNumberTest {
 
   private final Map<String, byte[]> written = new TreeMap<>();
 
-  private final Stable stable =
-      new Stable() {
+  private final StableStorage stable =
+      new StableStorage() {
         @Override
         public byte @Nullable [] get(String key) {
           return written.get(key);

@@ -26,10 +26,10 @@ public final class Claims {
   /** Those of the monitors of {@code plan}, which is used up. */
   public static Claims of(Plan plan) {
     Claims claims = new Claims();
-    for (Monitor monitor : Monitors.of(plan.simulation().build().blueprint().monitors()).all()) {
+    for (Monitor monitor : Monitors.of(plan.simulation().build().plan().monitors()).monitors()) {
       for (String lemma : monitor.lemmas()) {
         List<Claim> known = claims.byLemma.computeIfAbsent(lemma, any -> new ArrayList<>());
-        Claim claim = new Claim(monitor.getClass().getSimpleName(), monitor.says(lemma));
+        Claim claim = new Claim(monitor.getClass().getSimpleName(), monitor.description(lemma));
         if (!known.contains(claim)) {
           known.add(claim);
         }

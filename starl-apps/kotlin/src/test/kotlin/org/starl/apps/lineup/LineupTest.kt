@@ -8,7 +8,7 @@ import org.starl.geometry.Pose
 import org.starl.kotlin.scenario
 import org.starl.sim.Simulation
 import org.starl.sim.fault.Envelope
-import org.starl.sim.junit.Afterwards
+import org.starl.sim.junit.RunChecks
 import org.starl.sim.junit.StarlTest
 import org.starl.spec.Monitor
 import org.starl.trace.TraceEvent
@@ -30,7 +30,7 @@ class LineupTest {
   @StarlTest(seeds = 20, faults = ["loss(0.2)", "crash(any,at=1s..9s,restart=2s)"])
   fun everyRobotEndsOnTheSameLine(
     simulation: Simulation.Builder,
-    afterwards: Afterwards,
+    afterwards: RunChecks,
     seed: Long,
   ) {
     simulation.scenario { lanes(5, simulation.settings(), seed) }

@@ -50,12 +50,12 @@ final class ListCrit implements Monitor {
   }
 
   @Override
-  public List<String> ownLemmas() {
+  public List<String> perRobotLemmas() {
     return List.of(LEMMA);
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return "A car holds the zones ahead of it while it moves, and has requested them while it waits.";
   }
 

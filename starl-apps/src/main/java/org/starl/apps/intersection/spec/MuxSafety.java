@@ -23,7 +23,7 @@ final class MuxSafety implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return "No two cars hold the same zone.";
   }
 

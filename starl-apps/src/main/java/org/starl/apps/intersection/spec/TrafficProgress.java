@@ -6,7 +6,7 @@ import java.util.TreeSet;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -25,7 +25,7 @@ final class TrafficProgress implements Monitor {
   private static final String LEMMA = "traffic_progress";
 
   private final Within<RobotId> departures;
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
   private final Set<RobotId> dead = new TreeSet<>();
   // Robots with a trip; a car that comes onto the floor may write its trip before or after that.
   private final Set<RobotId> cars = new TreeSet<>();
@@ -41,7 +41,7 @@ final class TrafficProgress implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return "Every car that has come onto the floor leaves it within the bound.";
   }
 
@@ -62,15 +62,15 @@ final class TrafficProgress implements Monitor {
       onFloor.remove(robot);
     }
     if (isChanged) {
-      departures.assumeAll(circumstances.isFair() && dead.isEmpty(), event.timeNs());
+      departures.assumeAll(circumstances.isFaultFree() && dead.isEmpty(), event.timeNs());
     }
     boolean hasTrip = CrossingTrace.trip(event).filter(trip -> !trip.zones().isEmpty()).isPresent();
     boolean isNew = (hasTrip && cars.add(robot)) || (event instanceof Joined && onFloor.add(robot));
     if (isNew && cars.contains(robot) && onFloor.contains(robot)) {
-      departures.owe(robot, event.timeNs());
+      departures.start(robot, event.timeNs());
     }
     boolean isDone = CrossingTrace.location(event).filter(Location.DONE::equals).isPresent();
-    if ((isDone || event instanceof Left) && departures.settle(robot)) {
+    if ((isDone || event instanceof Left) && departures.stop(robot)) {
       report.checked(LEMMA);
     }
   }

@@ -48,7 +48,7 @@ final class TrafficSafety implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return lemma.equals(SAFETY)
         ? "No two cars are in one zone at the same time, with any part of their bodies."
         : "A car that is in a zone, with any part of its body, holds that zone.";

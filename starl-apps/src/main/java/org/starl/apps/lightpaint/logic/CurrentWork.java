@@ -7,7 +7,7 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
-import org.starl.platform.Stable;
+import org.starl.platform.StableStorage;
 
 /**
  * The stroke that a painter works on, if any, and the note of it on stable storage: after a restart
@@ -23,7 +23,7 @@ final class CurrentWork {
   private static final double NOTE_EVERY_MM = 10;
 
   private final List<Stroke> strokes;
-  private final Stable stable;
+  private final StableStorage stable;
   private final GvhCell<Integer> tracedNumber;
   private @Nullable Work work;
   private double notedMm = -NOTE_EVERY_MM;

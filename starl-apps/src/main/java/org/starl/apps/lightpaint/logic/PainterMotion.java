@@ -55,7 +55,7 @@ final class PainterMotion {
   /** Whether the painter is certainly near enough for {@link #paint}. */
   boolean mayPaint(Work work) {
     double offMm = Painting.TUBES.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm();
-    return gvh.gps.farthestMm(work.next()) <= offMm;
+    return gvh.gps.maxDistanceMm(work.next()) <= offMm;
   }
 
   /** Starts to paint the rest of {@code work}; the painter stands where it continues. */
@@ -91,7 +91,7 @@ final class PainterMotion {
     if (paths.isUnderWay()) {
       return false;
     }
-    boolean isHome = gvh.gps.nearestMm(home.at()) <= HOME_MM;
+    boolean isHome = gvh.gps.minDistanceMm(home.at()) <= HOME_MM;
     // A painter that was stopped on its way still holds the rest of its tube.
     if (isHome && paths.held().stream().allMatch(tube -> tube.points().size() == 1)) {
       return true;

@@ -15,7 +15,7 @@ import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -46,7 +46,7 @@ public final class PaintSpec implements Monitor {
   private final List<Stroke> strokes;
   private final double toleranceMm;
   private final Coverage coverage;
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
   private final Within<String> progress;
   private final SortedMap<RobotId, Boolean> ended = new TreeMap<>();
 
@@ -76,7 +76,7 @@ public final class PaintSpec implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case ON_THE_DRAWING ->
           "Wherever a light is on, it is on the stroke that it names, in its ink.";
@@ -95,12 +95,12 @@ public final class PaintSpec implements Monitor {
     expire(to);
     trail.observe(event);
     if (circumstances.observe(event)) {
-      progress.assumeAll(circumstances.isFair() && areAllUp(), nowNs);
+      progress.assumeAll(circumstances.isFaultFree() && areAllUp(), nowNs);
     }
     switch (event) {
       case TraceEvent.Joined joined -> {
         ended.putIfAbsent(joined.robot(), false);
-        progress.owe(ALL, nowNs);
+        progress.start(ALL, nowNs);
       }
       case Variable variable when PaintTrace.is(variable, PaintTrace.LOCATION) -> {
         boolean isDone = variable.value().equals(Location.DONE.name());
@@ -133,7 +133,7 @@ public final class PaintSpec implements Monitor {
     if (!missing.isEmpty() && areAllUp()) {
       to.violated(COMPLETE, nowNs, List.copyOf(ended.keySet()), "not painted: " + names(missing));
     }
-    if (missing.isEmpty() && progress.settle(ALL)) {
+    if (missing.isEmpty() && progress.stop(ALL)) {
       to.checked(PAINTED);
     }
   }

@@ -14,7 +14,7 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -52,7 +52,7 @@ public final class MazeSpec implements Monitor {
 
   private final MazeTruth truth;
   private final Within<Task> answers;
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> touching = new TreeSet<>();
   private long nextCheckNs;
@@ -73,7 +73,7 @@ public final class MazeSpec implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case REACHED -> "A robot that answers that it is at its goal is there.";
       case NO_WAY ->
@@ -91,11 +91,11 @@ public final class MazeSpec implements Monitor {
     checkApartUntil(event.timeNs(), report);
     bodies.observe(event);
     if (circumstances.observe(event)) {
-      answers.assumeAll(circumstances.isFair(), event.timeNs());
+      answers.assumeAll(circumstances.isFaultFree(), event.timeNs());
     }
     if (event instanceof Joined joined) {
       for (Goal goal : truth.goals(joined.robot())) {
-        answers.owe(new Task(joined.robot(), goal.name()), joined.timeNs());
+        answers.start(new Task(joined.robot(), goal.name()), joined.timeNs());
       }
     } else if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
       switch (action.name()) {
@@ -129,7 +129,7 @@ public final class MazeSpec implements Monitor {
   private void checkAnswer(Action action, Report report) {
     RobotId robot = action.robot();
     String name = action.args().get(0);
-    if (answers.settle(new Task(robot, name))) {
+    if (answers.stop(new Task(robot, name))) {
       report.checked(ANSWERED);
     }
     Optional<Goal> goal =

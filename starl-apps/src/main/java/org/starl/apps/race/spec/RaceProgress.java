@@ -6,7 +6,7 @@ import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -30,7 +30,7 @@ final class RaceProgress implements Monitor {
 
   private final List<RacePoint> points;
   private final Records records = new Records();
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
   private final Within<Hearing> told;
   private final Within<Integer> taken;
   private long fairSinceNs;
@@ -54,7 +54,7 @@ final class RaceProgress implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case TOLD ->
           "Once a robot knows the winner of a point, all robots that are up know one in time.";
@@ -69,7 +69,7 @@ final class RaceProgress implements Monitor {
     long nowNs = event.timeNs();
     expire(nowNs, report);
     if (circumstances.observe(event)) {
-      boolean isFair = circumstances.isFair();
+      boolean isFair = circumstances.isFaultFree();
       told.assumeAll(isFair, nowNs);
       taken.assumeAll(isFair, nowNs);
       fairSinceNs = isFair ? nowNs : Long.MAX_VALUE;
@@ -89,7 +89,7 @@ final class RaceProgress implements Monitor {
   @Override
   public void finish(long endNs, Report report) {
     expire(endNs, report);
-    if (circumstances.isFair() && endNs - fairSinceNs > told.boundNs()) {
+    if (circumstances.isFaultFree() && endNs - fairSinceNs > told.boundNs()) {
       for (int point = 0; point < points.size(); point++) {
         agree(point, endNs, report);
       }
@@ -101,17 +101,17 @@ final class RaceProgress implements Monitor {
     for (RobotId robot : records.robots()) {
       Hearing hearing = new Hearing(robot, point);
       if (isKnown && records.claim(robot, point) == null) {
-        told.owe(hearing, nowNs);
-      } else if (told.settle(hearing)) {
+        told.start(hearing, nowNs);
+      } else if (told.stop(hearing)) {
         report.checked(TOLD);
       }
     }
-    if (isKnown && taken.settle(point)) {
+    if (isKnown && taken.stop(point)) {
       report.checked(TAKEN);
     }
     for (int next = 0; next < points.size(); next++) {
       if (!records.isKnown(next)) {
-        taken.owe(next, nowNs);
+        taken.start(next, nowNs);
         return;
       }
     }

@@ -55,7 +55,7 @@ final class RaceSafety implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case AT_THE_POINT -> "A robot that arrives at a point is there, by its true body.";
       case TRULY_WON ->

@@ -57,8 +57,8 @@ final class Assigner {
     this.term = term;
     for (RobotId robot : participants) {
       if (!robot.equals(me)) {
-        suspicion.expects(anyLife(robot), nowNs);
-        death.expects(anyLife(robot), nowNs);
+        suspicion.expect(anyLife(robot), nowNs);
+        death.expect(anyLife(robot), nowNs);
       }
     }
     heard.add(me);

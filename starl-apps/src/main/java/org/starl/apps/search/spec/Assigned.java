@@ -8,7 +8,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.search.logic.SearchTrace;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -24,7 +24,7 @@ final class Assigned implements Monitor {
   private static final String ASSIGNED = "assigned";
 
   private final Within<RobotId> within;
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
 
   /** What each leader has told last: its term, then {@code robot=room} for each assignment. */
   private final SortedMap<RobotId, List<String>> duties = new TreeMap<>();
@@ -42,7 +42,7 @@ final class Assigned implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return "A leader takes its room from a robot that is down, within the bound.";
   }
 
@@ -51,7 +51,7 @@ final class Assigned implements Monitor {
     finish(event.timeNs(), report);
     boolean isChanged = circumstances.observe(event);
     if (isChanged) {
-      within.assumeAll(circumstances.isFair(), event.timeNs());
+      within.assumeAll(circumstances.isFaultFree(), event.timeNs());
     }
     if (event instanceof Variable variable && SearchTrace.is(variable, SearchTrace.DUTY)) {
       if (variable.value().isEmpty()) {
@@ -92,10 +92,10 @@ final class Assigned implements Monitor {
       }
     }
     owed.removeAll(downWithRoom);
-    owed.forEach(within::settle);
+    owed.forEach(within::stop);
     owed.clear();
     owed.addAll(downWithRoom);
-    owed.forEach(robot -> within.owe(robot, nowNs));
+    owed.forEach(robot -> within.start(robot, nowNs));
   }
 
   /** What the leader of the latest term has told, if it is up. */

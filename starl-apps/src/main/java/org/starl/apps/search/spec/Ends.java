@@ -7,7 +7,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.apps.search.logic.SearchTrace;
 import org.starl.id.RobotId;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
@@ -22,7 +22,7 @@ final class Ends implements Monitor {
   private static final String ENDED = "ended";
 
   private final Within<RobotId> within;
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
   private final SortedMap<RobotId, String> answers = new TreeMap<>();
   private final Set<RobotId> robots = new TreeSet<>();
 
@@ -36,7 +36,7 @@ final class Ends implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case AGREED -> "All robots that end have one answer.";
       case ENDED -> "Every robot that is up ends with an answer, within the bound.";
@@ -51,18 +51,18 @@ final class Ends implements Monitor {
     RobotId robot = event.robot();
     if (event instanceof Joined) {
       robots.add(robot);
-      within.owe(robot, event.timeNs());
+      within.start(robot, event.timeNs());
     } else if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
-      within.settle(robot);
+      within.stop(robot);
     } else if (event instanceof Fault fault
         && fault.name().equals(Fault.RESTART)
         && !answers.containsKey(robot)) {
-      within.owe(robot, event.timeNs());
+      within.start(robot, event.timeNs());
     } else if (event instanceof Action action && SearchTrace.is(action, SearchTrace.ANSWER)) {
       ended(action, report);
     }
     if (isChanged) {
-      within.assumeAll(circumstances.isFair() && isMajorityUp(), event.timeNs());
+      within.assumeAll(circumstances.isFaultFree() && isMajorityUp(), event.timeNs());
     }
   }
 
@@ -82,7 +82,7 @@ final class Ends implements Monitor {
   }
 
   private void ended(Action action, Report report) {
-    if (within.settle(action.robot())) {
+    if (within.stop(action.robot())) {
       report.checked(ENDED);
     }
     report.checked(AGREED);

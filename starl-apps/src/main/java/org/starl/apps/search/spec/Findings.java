@@ -41,7 +41,7 @@ final class Findings implements Monitor {
   }
 
   @Override
-  public String says(String lemma) {
+  public String description(String lemma) {
     return switch (lemma) {
       case FOUND ->
           "A robot that announces a thing has it in range and sight, and tells its true place.";

@@ -9,7 +9,7 @@ import org.starl.apps.search.logic.Room;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.primitives.paths.Tube;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
@@ -30,7 +30,7 @@ final class Reach {
   private static final String HELD = "held";
 
   private final House house;
-  private final Circumstances circumstances = new Circumstances();
+  private final FaultState circumstances = new FaultState();
   private final SortedMap<RobotId, List<Tube>> held = new TreeMap<>();
   private final SortedMap<RobotId, List<Tube>> heldWhenDown = new TreeMap<>();
   private final SortedMap<RobotId, Long> backNs = new TreeMap<>();

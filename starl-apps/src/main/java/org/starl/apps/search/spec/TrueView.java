@@ -11,7 +11,7 @@ import org.starl.apps.search.logic.Sight;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
-import org.starl.spec.Circumstances;
+import org.starl.spec.FaultState;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -25,17 +25,17 @@ public final class TrueView {
 
   private final House house;
   private final Bodies bodies;
-  private final Circumstances circumstances;
+  private final FaultState circumstances;
   private final SortedMap<RobotId, Point> lookedFrom = new TreeMap<>();
   private final BitSet unseen = new BitSet();
   private long nextNs;
 
   public TrueView(House house) {
-    this(house, new Bodies(), new Circumstances());
+    this(house, new Bodies(), new FaultState());
     house.rooms().forEach(room -> unseen.or(room.cells()));
   }
 
-  private TrueView(House house, Bodies bodies, Circumstances circumstances) {
+  private TrueView(House house, Bodies bodies, FaultState circumstances) {
     this.house = house;
     this.bodies = bodies;
     this.circumstances = circumstances;

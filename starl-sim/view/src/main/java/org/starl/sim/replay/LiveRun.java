@@ -7,10 +7,10 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.sim.Bystander;
-import org.starl.sim.Intervening;
+import org.starl.sim.RunController;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
+import org.starl.sim.StepListener;
 import org.starl.sim.fault.FaultGrammar;
 
 /**
@@ -36,7 +36,7 @@ public final class LiveRun implements AutoCloseable {
   private volatile @Nullable RuntimeException failure;
 
   /** Something to be done to the run, and who waits for it. */
-  private record Wish(Consumer<Intervening> what, CompletableFuture<Long> whenDone) {}
+  private record Wish(Consumer<RunController> what, CompletableFuture<Long> whenDone) {}
 
   /**
    * The run stands at its beginning until {@link #start}.
@@ -127,7 +127,7 @@ public final class LiveRun implements AutoCloseable {
     }
   }
 
-  private CompletableFuture<Long> wish(Consumer<Intervening> what) {
+  private CompletableFuture<Long> wish(Consumer<RunController> what) {
     Wish wish = new Wish(what, new CompletableFuture<>());
     enqueue(wish);
     return wish.whenDone();
@@ -166,9 +166,9 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /** Holds the run back, and does what is wished. */
-  private final class Pace implements Bystander {
+  private final class Pace implements StepListener {
     @Override
-    public void look(Intervening hands) {
+    public void onStep(RunController hands) {
       long nowNs = hands.nowNs();
       recording.reached(nowNs);
       while (!isStopped && (nowNs >= limitNs || !wishes.isEmpty())) {
@@ -181,7 +181,7 @@ public final class LiveRun implements AutoCloseable {
       }
     }
 
-    private void fulfil(Wish wish, Intervening hands) {
+    private void fulfil(Wish wish, RunController hands) {
       try {
         wish.what().accept(hands);
         wish.whenDone().complete(hands.nowNs());

@@ -2,14 +2,14 @@ package org.starl.sim.replay;
 
 import java.util.List;
 import org.starl.input.BadInput;
-import org.starl.sim.Bystander;
-import org.starl.sim.Intervening;
+import org.starl.sim.RunController;
+import org.starl.sim.StepListener;
 import org.starl.trace.TraceEvent.Intervention;
 
 /**
  * Does to a run what a person did to an equal one, each thing after the same step. Good for one run.
  */
-public final class SameInterventions implements Bystander {
+public final class SameInterventions implements StepListener {
 
   private final List<Intervention> todo;
   private int done;
@@ -22,7 +22,7 @@ public final class SameInterventions implements Bystander {
   }
 
   @Override
-  public void look(Intervening hands) {
+  public void onStep(RunController hands) {
     while (done < todo.size() && todo.get(done).step() == hands.steps()) {
       Intervention next = todo.get(done);
       done++;
@@ -30,7 +30,7 @@ public final class SameInterventions implements Bystander {
     }
   }
 
-  private static void intervene(Intervention what, Intervening hands) {
+  private static void intervene(Intervention what, RunController hands) {
     switch (what.name()) {
       case Intervention.FAULT -> hands.fault(what.detail());
       case Intervention.POINT -> {

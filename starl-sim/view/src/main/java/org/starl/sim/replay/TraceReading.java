@@ -121,13 +121,13 @@ public final class TraceReading implements AutoCloseable {
       stopIfClosed();
       int at = index;
       checks.observe(recording.event(index));
-      checks.news().forEach(violation -> recording.violated(at, violation));
+      checks.newViolations().forEach(violation -> recording.violated(at, violation));
       recording.checked(index + 1);
     }
     if (failure == null) {
       // Of a run that is cut off nobody knows what it still owes.
       checks.finish(recording.endNs());
-      checks.news().forEach(recording::violated);
+      checks.newViolations().forEach(recording::violated);
     }
     recording.allChecked();
   }

@@ -126,7 +126,7 @@ public final class TraceShow {
   }
 
   private void tellViolations() {
-    for (SpecReport.Violation violation : monitors.news()) {
+    for (SpecReport.Violation violation : monitors.newViolations()) {
       observers.forEach(observer -> observer.violated(violation));
     }
   }

@@ -1,0 +1,218 @@
+package org.starl.cli;
+
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.OptionalInt;
+import java.util.SortedMap;
+import java.util.stream.Stream;
+import org.starl.apps.Demo;
+import org.starl.apps.Demos;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.input.BadInput;
+import org.starl.input.NearMatches;
+import org.starl.input.Quantities;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.FaultGrammar;
+import org.starl.sim.fault.FaultPlan;
+import org.starl.sim.view.ViewSettings;
+
+/**
+ * A request to run an app: what options, a scenario file, a deployment file or a trace's header say,
+ * parsed. Immutable; it renders the command line that makes the same request.
+ *
+ * @param parameters of the app, every one of them
+ * @param settings that were given, over the app's defaults
+ */
+record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings settings) {
+
+  /** Time limit where neither the user nor the app sets one. */
+  private static final Duration LONGEST = Duration.ofMinutes(20);
+
+  /** The options that set a setting, in the order to show them. */
+  static final Map<Setting<?>, String> OPTIONS = new LinkedHashMap<>();
+
+  static {
+    OPTIONS.put(Setting.ROBOTS, "--robots");
+    OPTIONS.put(Setting.DURATION, "--for");
+    OPTIONS.put(Setting.MESSAGE_LOSS, "--loss");
+    OPTIONS.put(Setting.MESSAGE_DELAY, "--delay");
+    OPTIONS.put(Setting.POSITION_NOISE, "--gps-noise");
+    OPTIONS.put(Setting.IDEAL_MOTION, "--ideal");
+    OPTIONS.put(Setting.FAULTS, "--fault");
+    OPTIONS.put(Setting.CHAOS, "--chaos");
+  }
+
+  /** The settings that a user may give: the simulator's and the window's. */
+  static List<Setting<?>> known() {
+    return Stream.concat(Setting.all().stream(), ViewSettings.all().stream()).toList();
+  }
+
+  /** The number of robots, where the user gave one. */
+  OptionalInt robots() {
+    return settings.has(Setting.ROBOTS) ? OptionalInt.of(settings.robots()) : OptionalInt.empty();
+  }
+
+  /** The same request with other settings. */
+  RunRequest withSettings(SimSettings newSettings) {
+    return new RunRequest(demo, parameters, newSettings);
+  }
+
+  /**
+   * The simulation of one seed, a fresh one at each call.
+   *
+   * @throws BadInput if a value cannot be used
+   */
+  Plan plan(long seed) {
+    Request request = new Request(seed, robots(), parameters);
+    SimSettings defaults = demo.defaultSettings(request).build();
+    if (defaults.get(Setting.DURATION).isZero()) {
+      defaults = defaults.with(Setting.DURATION, LONGEST);
+    }
+    Plan plan = demo.plan(request, settings.over(defaults));
+    plan.simulation().name(demo.name()).seed(seed);
+    parameters.forEach(plan.simulation()::parameter);
+    if (robots().isEmpty()) {
+      plan.simulation().countedByScenario();
+    }
+    return plan;
+  }
+
+  /** The command line that runs one seed of it. */
+  String replay(long seed) {
+    List<String> words = new ArrayList<>(List.of("run"));
+    words.addAll(words(seed));
+    return Shell.starl(words);
+  }
+
+  /** The words of that command line after {@code run}. */
+  List<String> words(long seed) {
+    List<String> words = new ArrayList<>(List.of(demo.name(), "--seed", Long.toString(seed)));
+    Map<Setting<?>, String> given = settings.given();
+    OPTIONS.keySet().stream()
+        .filter(given::containsKey)
+        .forEach(setting -> words.addAll(optionWords(setting, given.get(setting))));
+    for (Parameter parameter : demo.parameters()) {
+      String value = parameters.get(parameter.key());
+      if (!parameter.defaultValue().equals(value)) {
+        words.addAll(List.of("--set", parameter.key() + "=" + value));
+      }
+    }
+    given.keySet().removeAll(OPTIONS.keySet());
+    given.forEach((setting, value) -> words.addAll(List.of("--set", setting.key() + "=" + value)));
+    return words;
+  }
+
+  private List<String> optionWords(Setting<?> setting, String value) {
+    String option = Objects.requireNonNull(OPTIONS.get(setting));
+    if (setting == Setting.FAULTS) {
+      return settings.get(Setting.FAULTS).faults().stream()
+          .flatMap(fault -> Stream.of(option, fault.toString()))
+          .toList();
+    }
+    boolean isFlag = setting == Setting.IDEAL_MOTION || setting == Setting.CHAOS;
+    if (!isFlag) {
+      return List.of(option, value);
+    }
+    boolean isOn =
+        setting == Setting.CHAOS
+            ? settings.get(Setting.CHAOS) == demo.envelope()
+            : settings.get(Setting.IDEAL_MOTION);
+    return isOn ? List.of(option) : List.of("--set", setting.key() + "=" + value);
+  }
+
+  /** Collects what a user gives; later values replace earlier ones. */
+  static final class Builder {
+
+    private final Demo demo;
+    private final SortedMap<String, String> parameters;
+    private final SimSettings.Builder settings = SimSettings.builder();
+
+    Builder(Demo demo) {
+      this.demo = demo;
+      parameters = demo.defaults();
+    }
+
+    /**
+     * A request for the app of that name.
+     *
+     * @param where it stands, for errors: {@code my.yaml:1: }, or empty
+     * @param hint for errors, behind the names that look like it
+     * @throws BadInput if no app has that name
+     */
+    static Builder of(Demos demos, String name, String where, String hint) {
+      return new Builder(
+          demos
+              .byName(name)
+              .orElseThrow(() ->
+                  new BadInput(
+                      where
+                          + "no app is called "
+                          + BadInput.quote(name)
+                          + NearMatches.hint(name, demos.names())
+                          + hint)));
+    }
+
+    /**
+     * A setting or a parameter by its key.
+     *
+     * @param where the value stands, for errors: {@code --set: }, {@code my.yaml:3: }
+     * @throws BadInput naming {@code where}, the key, the value and what was expected
+     */
+    Builder set(String where, String key, String value) {
+      if (parameters.containsKey(key)) {
+        parameters.put(key, value);
+        return this;
+      }
+      try {
+        settings.read(setting(key), key.equals(Setting.CHAOS.key()) ? envelope(value) : value);
+      } catch (BadInput error) {
+        throw new BadInput(where + error.getMessage());
+      }
+      return this;
+    }
+
+    /** One more fault, besides those so far. */
+    Builder fault(String text) {
+      try {
+        FaultPlan one = new FaultPlan(List.of(FaultGrammar.parse(text)));
+        settings.set(Setting.FAULTS, settings.build().get(Setting.FAULTS).plus(one));
+      } catch (BadInput error) {
+        throw Quantities.in("--fault", error);
+      }
+      return this;
+    }
+
+    RunRequest build() {
+      return new RunRequest(demo, parameters, settings.build());
+    }
+
+    /** {@code chaos: true} means the envelope of the app. */
+    private String envelope(String value) {
+      return switch (value.strip()) {
+        case "true", "yes", "on" -> demo.envelope().toString();
+        case "false", "no", "off" -> Envelope.NONE.toString();
+        default -> value;
+      };
+    }
+
+    private Setting<?> setting(String key) {
+      for (Setting<?> setting : known()) {
+        if (setting.key().equals(key)) {
+          return setting;
+        }
+      }
+      List<String> keys = new ArrayList<>(parameters.keySet());
+      known().forEach(setting -> keys.add(setting.key()));
+      throw new BadInput(
+          "no setting or parameter is called " + BadInput.quote(key) + NearMatches.hint(key, keys));
+    }
+  }
+}

@@ -1,0 +1,236 @@
+package org.starl.motion;
+
+import static org.starl.time.Time.NS_PER_MS;
+
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.starl.body.Bumps;
+import org.starl.body.CollisionPolicy;
+import org.starl.body.MotionParameters;
+import org.starl.body.WheelCommand;
+import org.starl.geometry.ItemPosition;
+import org.starl.geometry.Nowhere;
+import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
+import org.starl.geometry.Region;
+import org.starl.geometry.RegionText;
+import org.starl.gvh.GvhCell;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Log;
+import org.starl.gvh.Trace;
+import org.starl.gvh.Variables;
+import org.starl.platform.Chassis;
+import org.starl.platform.Clock;
+import org.starl.platform.Platform;
+import org.starl.platform.Timer;
+import org.starl.random.Rng;
+
+/**
+ * {@code gvh.plat.moat}: drives the robot to a target (paper, section 4.1). Strand only.
+ *
+ * <p>Safety: the body, a disc, stays outside the region to avoid, within the bounds of {@link Gps}.
+ * Progress: DONE means that the estimated position is within the goal radius of the target, so the
+ * true one is within goal radius plus error bound; FAIL, with a {@link #failure}, means that the
+ * wheels are stopped and the target was not reached. During a motion a timer steps the automaton
+ * once per period, and a bump steps it at once; an idle robot needs no computation.
+ */
+public final class MotionController {
+
+  private static final String SOURCE = "motion";
+
+  private final Gps gps;
+  private final Clock clock;
+  private final Chassis chassis;
+  private final Log log;
+  private final Trace trace;
+  private final Timer timer;
+  private final Rng rng;
+  private final GvhCell<MotionTask> task;
+  private final GvhCell<MotionFlag> motionflag;
+
+  private MotionParameters parameters;
+  private MotionParameters inUse;
+  private WheelCommand commanded = WheelCommand.STOP;
+  private boolean bumped;
+  private Consumer<Contact> contactListener = contact -> {};
+  private long dueNs;
+  private @Nullable MotionRun run;
+
+  public MotionController(Platform platform, Gps gps, Log log, Trace trace, Variables variables) {
+    this.gps = gps;
+    parameters = platform.motionParameters();
+    inUse = parameters;
+    clock = platform.clock();
+    chassis = platform.chassis();
+    this.log = log;
+    this.trace = trace;
+    timer = platform.timers().timer(this::tick);
+    rng = platform.entropy().fork(SOURCE);
+    task = variables.variable(SOURCE, "(target, avoid)", new MotionTask.None());
+    motionflag = variables.variable(SOURCE, "motionflag", MotionFlag.IDLE);
+    chassis.onBump(this::bumpsChanged);
+    // A restarted program must not continue with the speed of the one before.
+    chassis.drive(WheelCommand.STOP);
+  }
+
+  /** Goes to {@code target}, replacing any earlier command. */
+  public void doMove(ItemPosition target) {
+    doMove(target, new Nowhere());
+  }
+
+  /**
+   * Goes to {@code target} with the whole body outside {@code avoid}, or stops with FAIL; replaces
+   * any earlier command. The target's heading is ignored.
+   */
+  public void doMove(ItemPosition target, Region avoid) {
+    if (trace.isOn()) {
+      trace.action(SOURCE, "doMove", MotionTask.text(target), RegionText.format(avoid));
+    }
+    begin(
+        new MotionTask.GoTo(target, avoid),
+        MotionRun.goTo(target.at(), avoid, parameters, rng, clock.nowNs()));
+  }
+
+  /** Turns on the spot until the robot faces {@code target}, replacing any earlier command. */
+  public void turnTo(ItemPosition target) {
+    trace.action(SOURCE, "turnTo", MotionTask.text(target));
+    begin(
+        new MotionTask.TurnTo(target),
+        MotionRun.turnTo(target.at(), new Nowhere(), parameters, rng, clock.nowNs()));
+  }
+
+  /** Stops the wheels and cancels the motion. */
+  public void motion_stop() {
+    trace.action(SOURCE, "motion_stop");
+    run = null;
+    timer.cancel();
+    drive(WheelCommand.STOP);
+    task.set(new MotionTask.None());
+    motionflag.set(MotionFlag.IDLE);
+  }
+
+  /** Whether the last motion is still going on: not done, failed or stopped. */
+  public boolean inMotion() {
+    return motionflag.get() == MotionFlag.MOVING;
+  }
+
+  /** The paper's {@code mc.failed}: whether the last motion failed. */
+  public boolean failed() {
+    return motionflag.get() == MotionFlag.FAIL;
+  }
+
+  /** Why the last motion failed, in words for people; empty if it did not. */
+  public String failure() {
+    return run == null ? "" : run.failure();
+  }
+
+  public GvhVariable<MotionFlag> motionflag() {
+    return motionflag;
+  }
+
+  /** The pair {@code (target, avoid)} of the last command. */
+  public GvhVariable<MotionTask> target() {
+    return task;
+  }
+
+  /** Sets the parameters of the next motion; the current one keeps its own. */
+  public void setParameters(MotionParameters newParameters) {
+    parameters = newParameters;
+  }
+
+  public MotionParameters parameters() {
+    return parameters;
+  }
+
+  /**
+   * Sets the one listener for contacts. It is called on the strand, before the wheels react,
+   * whenever a bump sensor changes during a motion and at least one is closed, under any collision
+   * policy.
+   */
+  public void onContact(Consumer<Contact> listener) {
+    contactListener = listener;
+  }
+
+  private void begin(MotionTask newTask, MotionRun newRun) {
+    run = newRun;
+    inUse = parameters;
+    gps.assume(inUse);
+    task.set(newTask);
+    motionflag.set(MotionFlag.MOVING);
+    dueNs = clock.nowNs();
+    tick();
+  }
+
+  private void tick() {
+    long nowNs = clock.nowNs();
+    step(nowNs);
+    if (run == null || !run.needsSteps()) {
+      timer.cancel();
+      return;
+    }
+    long periodNs = inUse.automatonPeriodMs() * NS_PER_MS;
+    while (dueNs <= nowNs) {
+      dueNs += periodNs;
+    }
+    timer.set(dueNs);
+  }
+
+  private void step(long nowNs) {
+    if (run == null) {
+      return;
+    }
+    drive(run.step(gps.location(), chassis.bumps(), gps.lingering(), nowNs));
+    if (motionflag.get() == MotionFlag.MOVING && run.status() != MotionFlag.MOVING) {
+      reportEnd(run);
+    }
+    motionflag.set(run.status());
+  }
+
+  private void reportEnd(MotionRun ended) {
+    if (ended.status() == MotionFlag.FAIL) {
+      log.i(SOURCE, "failed: " + ended.failure());
+      trace.action(SOURCE, "failed", ended.failure());
+    } else if (trace.isOn()) {
+      Pose at = gps.pose();
+      trace.action(SOURCE, "arrived", at.xMm(), at.yMm(), gps.errorMm());
+    }
+  }
+
+  private void drive(WheelCommand command) {
+    if (!command.equals(commanded)) {
+      commanded = command;
+      gps.commanded(command, bumped);
+    }
+    // Repeated at each step: it also shows the chassis that the program is alive.
+    chassis.drive(command);
+  }
+
+  private void bumpsChanged() {
+    Bumps bumps = chassis.bumps();
+    bumped = bumps.any();
+    gps.commanded(commanded, bumped);
+    if (run != null && run.needsSteps()) {
+      if (bumped && gps.location() instanceof Location.Known known) {
+        handleContact(new Contact(known, bumps));
+      }
+      step(clock.nowNs());
+      if (run != null && !run.needsSteps()) {
+        timer.cancel();
+      }
+    }
+  }
+
+  private boolean marksContacts() {
+    return inUse.collisionPolicy() == CollisionPolicy.STOP_ON_COLLISION
+        || inUse.collisionPolicy() == CollisionPolicy.USE_COLBACK;
+  }
+
+  private void handleContact(Contact contact) {
+    if (marksContacts()) {
+      Pose pose = contact.at().pose();
+      Point guess = KnownObstacles.contact(pose, contact.bumps(), inUse.robotRadiusMm());
+      gps.knownObstacles().addContact(guess, inUse.contactMarkMm());
+    }
+    contactListener.accept(contact);
+  }
+}

@@ -1,0 +1,70 @@
+package org.starl.spec;
+
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Set;
+import java.util.TreeSet;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
+
+/**
+ * The state of a run's faults, as far as specifications need it: which robots' programs run, and
+ * whether a fault is active. Progress is required only without faults. Pass it every event.
+ */
+public final class FaultState {
+
+  private final Set<RobotId> down = new TreeSet<>();
+  // Active faults, each as affected robot and text. A fault may be in the list twice.
+  private final List<String> underWay = new ArrayList<>();
+
+  /** An independent copy of the current state. */
+  public FaultState copy() {
+    FaultState copy = new FaultState();
+    copy.down.addAll(down);
+    copy.underWay.addAll(underWay);
+    return copy;
+  }
+
+  /**
+   * Processes the next event.
+   *
+   * @return whether the answer of any method here may have changed
+   */
+  public boolean observe(TraceEvent event) {
+    return switch (event) {
+      case Fault fault -> fault(fault);
+      case Joined joined -> down.remove(joined.robot());
+      case Left left -> down.add(left.robot());
+      default -> false;
+    };
+  }
+
+  /** Whether the robot runs: it has neither crashed without restart nor left. */
+  public boolean isUp(RobotId robot) {
+    return !down.contains(robot);
+  }
+
+  /** Whether no fault except crashes is active. */
+  public boolean isFaultFree() {
+    return underWay.isEmpty();
+  }
+
+  private boolean fault(Fault fault) {
+    String which = fault.robot() + " " + fault.detail();
+    return switch (fault.name()) {
+      case Fault.CRASH -> down.add(fault.robot());
+      case Fault.RESTART -> down.remove(fault.robot());
+      case Fault.BEGIN -> underWay.add(which);
+      case Fault.END -> underWay.remove(which);
+      case Fault.HEALED -> {
+        boolean wasFoul = !underWay.isEmpty();
+        underWay.clear();
+        yield wasFoul;
+      }
+      default -> false;
+    };
+  }
+}

@@ -1,0 +1,166 @@
+package org.starl.primitives.barrier;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.spec.FaultState;
+import org.starl.spec.Monitor.Report;
+import org.starl.trace.TraceEvent.Variable;
+
+/** One barrier, as {@link BarrierSpec} sees it in the trace. */
+final class BarrierRecord {
+
+  private final String source;
+  private final FaultState circumstances;
+  private final SortedSet<ProcessId> first = new TreeSet<>();
+  private final Set<RobotId> seen = new TreeSet<>();
+
+  // For each robot that is up: its id, and the generation in which it waits.
+  private final Map<RobotId, ProcessId> ids = new TreeMap<>();
+  private final Map<RobotId, Long> waiting = new TreeMap<>();
+
+  private final Map<Long, Set<ProcessId>> arrived = new TreeMap<>();
+  private final Map<Long, First> outcomes = new TreeMap<>();
+  private final Map<Long, Set<ProcessId>> excluded = new TreeMap<>();
+  private Outcomes missing = Outcomes.ALL_PASSED;
+
+  /** The first robot to be told the outcome of a generation, and the outcome: passed or failed. */
+  private record First(RobotId robot, BarrierOutcome outcome) {}
+
+  BarrierRecord(String source, FaultState circumstances) {
+    this.source = source;
+    this.circumstances = circumstances;
+  }
+
+  void created(ProcessId id, List<ProcessId> members) {
+    seen.add(id.robot());
+    ids.put(id.robot(), id);
+    first.addAll(members);
+  }
+
+  void arrived(long generation, ProcessId id) {
+    arrived.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
+    boolean isExcluded = excluded.values().stream().anyMatch(ids -> ids.contains(id));
+    if (first.contains(id) && !isExcluded) {
+      waiting.put(id.robot(), generation);
+    }
+  }
+
+  void ended(RobotId robot) {
+    ids.remove(robot);
+    waiting.remove(robot);
+  }
+
+  void told(Variable variable, Report report) {
+    BarrierOutcome outcome = BarrierOutcome.parse(variable.value());
+    if (!outcome.isTold()) {
+      return;
+    }
+    waiting.remove(variable.robot());
+    switch (outcome) {
+      case BarrierOutcome.Passed all -> {
+        passed(all.generation(), variable, report);
+        decided(all.generation(), outcome, variable, report);
+      }
+      case BarrierOutcome.Failed some -> decided(some.generation(), outcome, variable, report);
+      case BarrierOutcome.Excluded out -> excluded(out.generation(), variable, report);
+      case BarrierOutcome.NoneYet none -> {
+        // No claim to check.
+      }
+      case BarrierOutcome.Unknown open -> {
+        // No claim to check.
+      }
+    }
+  }
+
+  private void excluded(long generation, Variable variable, Report report) {
+    ProcessId id = ids.get(variable.robot());
+    if (generation > 0 && id != null) {
+      excluded.computeIfAbsent(generation, g -> new TreeSet<>()).add(id);
+      uniform(generation, variable, report);
+    }
+  }
+
+  private void passed(long generation, Variable variable, Report report) {
+    report.checked(BarrierSpec.NO_EARLY);
+    SortedSet<ProcessId> late = missing.members(first, generation);
+    late.removeAll(arrived.getOrDefault(generation, Set.of()));
+    if (!late.isEmpty()) {
+      report.violated(
+          BarrierSpec.NO_EARLY,
+          variable.timeNs(),
+          List.of(variable.robot()),
+          source + ": passed in " + generation + " without " + late);
+    }
+  }
+
+  private void decided(long generation, BarrierOutcome outcome, Variable variable, Report report) {
+    if (outcomes.putIfAbsent(generation, new First(variable.robot(), outcome)) == null
+        && outcome instanceof BarrierOutcome.Failed some) {
+      missing = missing.withBroken(generation, some.missing());
+    }
+    First told = outcomes.get(generation);
+    if (told != null && !told.outcome().equals(outcome)) {
+      report.checked(BarrierSpec.UNIFORM);
+      report.violated(
+          BarrierSpec.UNIFORM,
+          variable.timeNs(),
+          List.of(told.robot(), variable.robot()),
+          source + ": " + told.outcome() + " and " + outcome);
+    } else {
+      uniform(generation, variable, report);
+    }
+  }
+
+  /** An excluded robot must be missing in the outcome, if the outcome is known. */
+  private void uniform(long generation, Variable variable, Report report) {
+    report.checked(BarrierSpec.UNIFORM);
+    First told = outcomes.get(generation);
+    Set<ProcessId> out = excluded.getOrDefault(generation, Set.of());
+    if (told == null || out.isEmpty()) {
+      return;
+    }
+    if (!missing.isBroken(generation) || !missing.missing(generation).containsAll(out)) {
+      report.violated(
+          BarrierSpec.UNIFORM,
+          variable.timeNs(),
+          List.of(told.robot(), variable.robot()),
+          source + ": " + told.outcome() + ", excluded " + out);
+    }
+  }
+
+  /** Every robot seen so far, in order. */
+  Set<RobotId> robots() {
+    return seen;
+  }
+
+  boolean isUp(RobotId robot) {
+    return ids.containsKey(robot) && circumstances.isUp(robot);
+  }
+
+  boolean isWaiting(RobotId robot) {
+    return isUp(robot) && waiting.containsKey(robot);
+  }
+
+  /** Whether each member of the generation in which {@code robot} waits has arrived or is dead. */
+  boolean isNoneToCome(RobotId robot) {
+    Long generation = waiting.get(robot);
+    if (generation == null) {
+      return false;
+    }
+    Set<ProcessId> here = arrived.getOrDefault(generation, Set.of());
+    return missing.members(first, generation).stream()
+        .filter(member -> isUp(member.robot()) && member.equals(ids.get(member.robot())))
+        .allMatch(here::contains);
+  }
+
+  boolean hasMajorityUp() {
+    long up = first.stream().filter(member -> isUp(member.robot())).count();
+    return 2 * up > first.size();
+  }
+}

@@ -1,0 +1,134 @@
+package org.starl.primitives.election;
+
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
+import org.starl.spec.FaultState;
+import org.starl.spec.Monitor.Report;
+import org.starl.trace.TraceEvent.Variable;
+
+/** One election, as {@link ElectionSpec} sees it in the trace. */
+final class ElectionRecord {
+
+  /** What a robot is and knows. */
+  enum Standing {
+    /** It has not called {@code do_election}, or is down. */
+    NO_CANDIDATE,
+    /** It shows fail. */
+    FAILED,
+    /** It shows the live leader of the latest term. */
+    KNOWS_LEADER,
+    /** It shows another leader. */
+    KNOWS_OLD_LEADER,
+    /** It shows null. */
+    WAITING
+  }
+
+  private final String source;
+  private final FaultState circumstances;
+  private int size;
+  private long latestTerm;
+
+  // The id of each robot's present program.
+  private final Map<RobotId, ProcessId> ids = new TreeMap<>();
+  private final Set<RobotId> seen = new TreeSet<>();
+  private final Set<RobotId> callers = new TreeSet<>();
+  private final Map<RobotId, String> shown = new TreeMap<>();
+  private final Map<Long, Set<ProcessId>> candidates = new TreeMap<>();
+  private final Map<Long, First> leaders = new TreeMap<>();
+
+  /** The first robot to know the leader of a term, and the leader. */
+  private record First(RobotId robot, ProcessId leader) {}
+
+  ElectionRecord(String source, FaultState circumstances) {
+    this.source = source;
+    this.circumstances = circumstances;
+  }
+
+  void created(int participants, ProcessId id) {
+    size = participants;
+    seen.add(id.robot());
+    ids.put(id.robot(), id);
+  }
+
+  void called(RobotId robot) {
+    seen.add(robot);
+    callers.add(robot);
+  }
+
+  void stood(long term, ProcessId id) {
+    // A robot that stands without a call of do_election is no valid candidate.
+    if (callers.contains(id.robot())) {
+      candidates.computeIfAbsent(term, t -> new TreeSet<>()).add(id);
+    }
+  }
+
+  void ended(RobotId robot) {
+    ids.remove(robot);
+    callers.remove(robot);
+    shown.remove(robot);
+  }
+
+  void shown(Variable variable, Report report) {
+    shown.put(variable.robot(), variable.value());
+    if (!(Leader.parse(variable.value()) instanceof Leader.Name name)) {
+      return;
+    }
+    long term = name.term();
+    ProcessId leader = name.id();
+    latestTerm = Math.max(latestTerm, term);
+    report.checked(ElectionSpec.AGREEMENT);
+    First first = leaders.computeIfAbsent(term, t -> new First(variable.robot(), leader));
+    if (!first.leader().equals(leader)) {
+      report.violated(
+          ElectionSpec.AGREEMENT,
+          variable.timeNs(),
+          List.of(first.robot(), variable.robot()),
+          source + ", term " + term + ": " + first.leader() + " and " + leader);
+    }
+    report.checked(ElectionSpec.SOUNDNESS);
+    if (!candidates.getOrDefault(term, Set.of()).contains(leader)) {
+      report.violated(
+          ElectionSpec.SOUNDNESS,
+          variable.timeNs(),
+          List.of(variable.robot()),
+          source + ", term " + term + ": " + leader + " did not stand for election");
+    }
+  }
+
+  /** Every robot seen so far, in order. */
+  Set<RobotId> robots() {
+    return seen;
+  }
+
+  boolean hasMajorityUp() {
+    long up = ids.keySet().stream().filter(circumstances::isUp).count();
+    return 2 * up > size;
+  }
+
+  Standing standing(RobotId robot) {
+    if (!callers.contains(robot) || !circumstances.isUp(robot)) {
+      return Standing.NO_CANDIDATE;
+    }
+    String value = shown.getOrDefault(robot, Leader.NONE.toString());
+    if (value.equals(Leader.NONE.toString())) {
+      return Standing.WAITING;
+    }
+    if (value.equals(Leader.FAIL.toString())) {
+      return Standing.FAILED;
+    }
+    return isLatestAndLive(value) ? Standing.KNOWS_LEADER : Standing.KNOWS_OLD_LEADER;
+  }
+
+  private boolean isLatestAndLive(String value) {
+    First latest = leaders.get(latestTerm);
+    return latest != null
+        && value.equals(latestTerm + ":" + latest.leader())
+        && circumstances.isUp(latest.leader().robot())
+        && latest.leader().equals(ids.get(latest.leader().robot()));
+  }
+}

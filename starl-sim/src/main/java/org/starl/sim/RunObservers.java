@@ -1,0 +1,70 @@
+package org.starl.sim;
+
+import java.util.List;
+import org.starl.id.RobotId;
+import org.starl.platform.LogSink;
+import org.starl.spec.Monitors;
+import org.starl.spec.SpecReport;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+import org.starl.trace.TraceSink;
+
+/** The monitors of a run, then its observers, in the order given. */
+final class RunObservers implements TraceSink {
+
+  private final Monitors monitors;
+  private final List<SimObserver> observers;
+  private final boolean isOn;
+
+  RunObservers(SimulationPlan plan) {
+    monitors = Monitors.of(plan.monitors());
+    observers = plan.observers();
+    isOn = !plan.monitors().isEmpty() || !observers.isEmpty();
+  }
+
+  @Override
+  public boolean isOn() {
+    return isOn;
+  }
+
+  @Override
+  public void record(TraceEvent event) {
+    monitors.observe(event);
+    for (int i = 0; i < observers.size(); i++) {
+      observers.get(i).observed(event);
+    }
+    tellViolations();
+  }
+
+  private void tellViolations() {
+    for (SpecReport.Violation violation : monitors.newViolations()) {
+      observers.forEach(observer -> observer.violated(violation));
+    }
+  }
+
+  void started(TraceHeader header) {
+    observers.forEach(observer -> observer.started(header));
+  }
+
+  SpecReport endSpecifications(long endNs) {
+    monitors.finish(endNs);
+    tellViolations();
+    return monitors.report();
+  }
+
+  /** The first violation, for the end of an error's line; empty if there is none. */
+  String firstViolation() {
+    List<SpecReport.Violation> violations = monitors.report().violations();
+    return violations.isEmpty() ? "" : "; before that, " + violations.get(0);
+  }
+
+  void finished(SimResult result) {
+    observers.forEach(observer -> observer.finished(result));
+  }
+
+  /** Where {@code robot}'s log lines go. */
+  LogSink logOf(RobotId robot) {
+    return (timeNs, level, tag, line) ->
+        observers.forEach(observer -> observer.logged(timeNs, robot, level, tag, line));
+  }
+}

@@ -1,0 +1,149 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
+import org.starl.input.NearMatches;
+import org.starl.input.Quantities;
+
+/** {@code name(a,b,key=c)}, parsed: arguments by position and by key, each of which must be used. */
+final class FaultArguments {
+
+  private static final Pattern FORM = Pattern.compile("\\s*([a-z]+)\\s*(?:\\((.*)\\))?\\s*");
+  private static final Pattern KEYED = Pattern.compile("\\s*([a-z]+)\\s*=(.*)");
+
+  private final String text;
+  private final String name;
+  private final List<String> placed = new ArrayList<>();
+  private final Map<String, String> keyed = new LinkedHashMap<>();
+  private final Set<String> asked = new LinkedHashSet<>();
+  private String usage = "";
+  private int used;
+
+  private FaultArguments(String text, String name) {
+    this.text = text;
+    this.name = name;
+  }
+
+  /** @throws BadInput if {@code text} does not have this form */
+  static FaultArguments parse(String text) {
+    Matcher form = FORM.matcher(text);
+    if (!form.matches()) {
+      throw new BadInput(
+          BadInput.quote(text) + ": expected a fault, such as crash(bot2,at=12s,restart=5s)");
+    }
+    FaultArguments call = new FaultArguments(text.strip(), form.group(1));
+    String inside = form.group(2);
+    if (inside != null && !inside.isBlank()) {
+      call.split(inside, ',').forEach(call::add);
+    }
+    return call;
+  }
+
+  private void add(String argument) {
+    Matcher pair = KEYED.matcher(argument);
+    if (!pair.matches()) {
+      placed.add(argument.strip());
+      return;
+    }
+    String value = pair.group(2).strip();
+    // A sender is a name, a time begins with a digit.
+    boolean isTime = !value.isEmpty() && Character.isDigit(value.charAt(0));
+    String key = pair.group(1).equals("from") && isTime ? "at" : pair.group(1);
+    if (keyed.put(key, value) != null) {
+      throw bad("expected '" + key + "' only once");
+    }
+  }
+
+  /** The parts between separators outside parentheses. */
+  List<String> split(String whole, char separator) {
+    List<String> parts = new ArrayList<>();
+    int depth = 0;
+    int begin = 0;
+    for (int i = 0; i < whole.length(); i++) {
+      char c = whole.charAt(i);
+      depth += c == '(' ? 1 : c == ')' ? -1 : 0;
+      if (depth < 0) {
+        throw bad("expected a ( before each )");
+      }
+      if (c == separator && depth == 0) {
+        parts.add(whole.substring(begin, i));
+        begin = i + 1;
+      }
+    }
+    if (depth != 0) {
+      throw bad("expected a ) for each (");
+    }
+    parts.add(whole.substring(begin));
+    return parts;
+  }
+
+  String name() {
+    return name;
+  }
+
+  /** Sets how the fault is written, for errors. */
+  void usage(String newUsage) {
+    usage = newUsage;
+  }
+
+  /** The next argument by position. */
+  <T> T next(String what, Function<String, T> reader) {
+    if (used == placed.size()) {
+      throw bad("expected " + what + ", as in " + usage);
+    }
+    return value(what, placed.get(used++), reader);
+  }
+
+  <T> T nextOr(String what, Function<String, T> reader, T otherwise) {
+    return used == placed.size() ? otherwise : next(what, reader);
+  }
+
+  boolean hasNext() {
+    return used < placed.size();
+  }
+
+  /** The text under a key, or null. */
+  @Nullable String keyed(String key) {
+    asked.add(key);
+    return keyed.get(key);
+  }
+
+  <T> T optional(String key, Function<String, T> reader, T otherwise) {
+    String value = keyed(key);
+    return value == null ? otherwise : value(key, value, reader);
+  }
+
+  /** {@code value} as {@code reader} reads it; an error names the argument. */
+  <T> T value(String what, String value, Function<String, T> reader) {
+    try {
+      return reader.apply(value);
+    } catch (BadInput wrong) {
+      throw Quantities.in(BadInput.quote(text) + ": " + what, wrong);
+    }
+  }
+
+  /** @throws BadInput if an argument was not used */
+  void end() {
+    if (used < placed.size()) {
+      throw bad(BadInput.quote(placed.get(used)) + " is an extra argument; expected " + usage);
+    }
+    for (String key : keyed.keySet()) {
+      if (!asked.contains(key)) {
+        throw bad("no argument is called " + BadInput.quote(key) + NearMatches.hint(key, asked));
+      }
+    }
+  }
+
+  BadInput bad(String what) {
+    return new BadInput(BadInput.quote(text) + ": " + what);
+  }
+}

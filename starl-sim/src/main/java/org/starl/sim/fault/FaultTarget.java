@@ -1,0 +1,51 @@
+package org.starl.sim.fault;
+
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.starl.id.RobotId;
+import org.starl.sim.net.SimNetwork;
+import org.starl.sim.world.Body;
+import org.starl.sim.world.Unsynced;
+import org.starl.sim.world.World;
+
+/** What faults can do to a run. Times in ns from the start of the run. */
+public interface FaultTarget {
+
+  long nowNs();
+
+  /** Runs {@code action} at {@code atNs}; if that is past, now, after the events of this time. */
+  void at(long atNs, Runnable action);
+
+  /** The robots that have joined and not left, crashed ones included, in the order of joining. */
+  List<RobotId> robots();
+
+  /** Whether the robot has ever joined. */
+  boolean isKnown(RobotId robot);
+
+  /** Whether the robot has joined, and neither left nor crashed. */
+  boolean isUp(RobotId robot);
+
+  /** Crashes the program of a robot that is up, without restart. */
+  void crash(RobotId robot);
+
+  /** Crashes the program of a robot that is up, and restarts it after {@code downNs}. */
+  void crash(RobotId robot, long downNs, Unsynced unsynced);
+
+  SimNetwork network();
+
+  World world();
+
+  /** The robot's body, or null while it is off the floor. */
+  @Nullable Body body(RobotId robot);
+
+  /**
+   * Impairs a robot in this and every later incarnation, or all robots and those that join later,
+   * until the returned cure runs.
+   *
+   * @param robot null for all robots
+   */
+  Runnable impair(@Nullable RobotId robot, Impairment impairment);
+
+  /** Records an event of kind {@code fault} in the trace. */
+  void recordFault(RobotId robot, String name, String detail);
+}

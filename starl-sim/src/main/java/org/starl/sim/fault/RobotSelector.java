@@ -1,0 +1,119 @@
+package org.starl.sim.fault;
+
+import java.util.ArrayList;
+import java.util.Collection;
+import java.util.List;
+import java.util.stream.Collectors;
+import org.starl.id.RobotId;
+import org.starl.input.BadInput;
+import org.starl.random.Rng;
+
+/**
+ * Whom a fault befalls: {@code all}, those who come later included; {@code any}, one that is drawn
+ * when the fault begins; {@code half} of them, drawn as well; or names, {@code bot0+bot1}.
+ *
+ * @param named empty unless robots are named
+ */
+public record RobotSelector(Choice choice, List<RobotId> named) {
+
+  /** How they are chosen. */
+  public enum Choice {
+    ALL,
+    ANY,
+    HALF,
+    NAMED
+  }
+
+  public static final RobotSelector ALL = new RobotSelector(Choice.ALL, List.of());
+  public static final RobotSelector ANY = new RobotSelector(Choice.ANY, List.of());
+  public static final RobotSelector HALF = new RobotSelector(Choice.HALF, List.of());
+
+  static final String EXPECTED = "a robot's name, names (bot0+bot1), any, half or all";
+
+  public RobotSelector {
+    named = List.copyOf(named);
+    if (named.isEmpty() == (choice == Choice.NAMED)) {
+      throw new IllegalArgumentException(choice + " of " + named + ": expected names or none");
+    }
+  }
+
+  public static RobotSelector of(RobotId... robots) {
+    return new RobotSelector(Choice.NAMED, List.of(robots));
+  }
+
+  /** @throws BadInput if it is none of the above */
+  public static RobotSelector parse(String text) {
+    return switch (text.strip()) {
+      case "all" -> ALL;
+      case "any" -> ANY;
+      case "half" -> HALF;
+      default -> names(text);
+    };
+  }
+
+  private static RobotSelector names(String text) {
+    List<RobotId> named = new ArrayList<>();
+    for (String name : text.strip().split("\\+", -1)) {
+      if (!RobotId.isValid(name.strip())) {
+        throw new BadInput(BadInput.quote(text) + ": expected " + EXPECTED);
+      }
+      named.add(new RobotId(name.strip()));
+    }
+    return new RobotSelector(Choice.NAMED, named);
+  }
+
+  public boolean isAll() {
+    return choice == Choice.ALL;
+  }
+
+  /**
+   * The robots that it means now. One of any is one that is up, if there is one; half of an odd
+   * number is rounded down, but is one at least.
+   *
+   * @throws BadInput if a named robot never was there
+   */
+  List<RobotId> pick(FaultTarget ward, Rng rng) {
+    return switch (choice) {
+      case ALL -> ward.robots();
+      case ANY -> {
+        List<RobotId> up = new ArrayList<>(ward.robots());
+        up.removeIf(robot -> !ward.isUp(robot));
+        yield drawn(up, 1, rng);
+      }
+      case HALF -> {
+        List<RobotId> there = new ArrayList<>(ward.robots());
+        yield drawn(there, Math.max(1, there.size() / 2), rng);
+      }
+      case NAMED -> {
+        for (RobotId robot : named) {
+          if (!ward.isKnown(robot)) {
+            throw new BadInput(unknownRobotMessage(robot, ward.robots()));
+          }
+        }
+        yield named;
+      }
+    };
+  }
+
+  static String unknownRobotMessage(RobotId robot, Collection<RobotId> known) {
+    return "no robot is called " + robot + "; there are " + known;
+  }
+
+  private static List<RobotId> drawn(List<RobotId> from, int most, Rng rng) {
+    List<RobotId> drawn = new ArrayList<>();
+    while (drawn.size() < most && !from.isEmpty()) {
+      drawn.add(from.remove(rng.nextInt(from.size())));
+    }
+    return drawn;
+  }
+
+  @Override
+  public String toString() {
+    return switch (choice) {
+      case ALL -> "all";
+      case ANY -> "any";
+      case HALF -> "half";
+      case NAMED -> named.stream().map(RobotId::name).collect(Collectors.joining("+"));
+    };
+  }
+}
