@@ -96,9 +96,12 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   List<String> words(long seed) {
     List<String> words = new ArrayList<>(List.of(demo.name(), "--seed", Long.toString(seed)));
     Map<Setting<?>, String> given = settings.given();
-    OPTIONS.keySet().stream()
-        .filter(given::containsKey)
-        .forEach(setting -> words.addAll(optionWords(setting, given.get(setting))));
+    for (Setting<?> setting : OPTIONS.keySet()) {
+      String value = given.get(setting);
+      if (value != null) {
+        words.addAll(optionWords(setting, value));
+      }
+    }
     for (Parameter parameter : demo.parameters()) {
       String value = parameters.get(parameter.key());
       if (!parameter.defaultValue().equals(value)) {

@@ -96,7 +96,8 @@ final class Setup {
     int side = (int) Math.ceil(Math.sqrt(robots));
     for (int i = 0; i < robots; i++) {
       double xMm = SPACING_MM * (i % side + 0.5);
-      double yMm = SPACING_MM * (i / side + 0.5);
+      int row = i / side;
+      double yMm = SPACING_MM * (row + 0.5);
       RobotId id = new RobotId(settings.robotName() + i);
       simulation.robot(new RobotSpec(id, new Pose(xMm, yMm, 0), true, client));
     }

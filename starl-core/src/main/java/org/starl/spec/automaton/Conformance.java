@@ -18,6 +18,7 @@ public abstract class Conformance<R> extends InstanceMonitor<R> {
    * @param subject the primitive, for the user: {@code every mutex}
    * @param isInstance whether a source is an instance of the primitive
    */
+  @SuppressWarnings("this-escape") // a lemma only adds a row to the table of the superclass
   protected Conformance(String theory, String subject, Predicate<String> isInstance) {
     super(isInstance);
     lemma(theory, "The run of " + subject + " is one of the theory's automaton, step by step.");

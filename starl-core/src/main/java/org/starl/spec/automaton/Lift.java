@@ -27,6 +27,6 @@ public sealed interface Lift<T> extends Term {
 
   @Override
   default List<Object> args() {
-    return this instanceof up<T> up ? List.of(up.value) : List.of();
+    return this instanceof up<T> known ? List.of(known.value) : List.of();
   }
 }

@@ -57,7 +57,7 @@ public record Bounds(long deltaNs, int cars, int places) {
     long deltaNs = longestDelayNs;
     for (double all = roundTripFails; all > NEVER && deltaNs < DAY_NS; all *= roundTripFails) {
       deltaNs += (long) (waitMs * NS_PER_MS) + NEWS_NS;
-      waitMs = Math.min(waitMs * times.backoff(), times.maxResendMs());
+      waitMs = Math.min(waitMs * times.backoff(), (double) times.maxResendMs());
     }
     return deltaNs;
   }

@@ -117,8 +117,12 @@ public final class PaintedDrawing {
   }
 
   private void append(StringBuilder text, String title, List<Point> points, Ink ink) {
-    String line = "<polyline stroke='%s' stroke-width='%.1f' points='";
-    text.append(String.format(Locale.ROOT, line, ink.colour(), ink.widthMm()));
+    text.append(
+        String.format(
+            Locale.ROOT,
+            "<polyline stroke='%s' stroke-width='%.1f' points='",
+            ink.colour(),
+            ink.widthMm()));
     for (Point point : points) {
       double xMm = point.xMm() - frame.xMinMm();
       double yMm = frame.yMaxMm() - point.yMm();

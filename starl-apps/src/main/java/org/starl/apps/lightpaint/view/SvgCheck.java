@@ -128,8 +128,8 @@ final class SvgCheck {
         arguments = ofCommand;
         at++;
       }
-      for (char argument : arguments.toCharArray()) {
-        boolean isFlag = argument == 'f';
+      for (int i = 0; i < arguments.length(); i++) {
+        boolean isFlag = arguments.charAt(i) == 'f';
         int next = end(isFlag ? NEXT_FLAG : NEXT_NUMBER, path, at);
         if (next < 0) {
           throw badPath(path, at, isFlag ? "a flag of an arc, 0 or 1" : "a number");

@@ -114,7 +114,8 @@ public record Blocks(Rectangle floor, int columns, int rows) {
     double width = (floor.xMaxMm() - floor.xMinMm()) / columns;
     double height = (floor.yMaxMm() - floor.yMinMm()) / rows;
     double x = floor.xMinMm() + index % columns * width;
-    double y = floor.yMinMm() + index / columns * height;
+    int row = index / columns;
+    double y = floor.yMinMm() + row * height;
     return new Rectangle(x, y, x + width, y + height);
   }
 

@@ -89,7 +89,7 @@ public final class MazeLayer implements Layer {
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     if (!errands.isEmpty()) {
-      Rectangle area = errands.get(errands.firstKey()).floor();
+      Rectangle area = errands.firstEntry().getValue().floor();
       double widthMm = area.xMaxMm() - area.xMinMm();
       double heightMm = area.yMaxMm() - area.yMinMm();
       floor.setColor(look.theme().floor());
