@@ -13,7 +13,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.robot.realtime.RealClock;
-import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessOutbox;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
@@ -25,7 +25,7 @@ import org.starl.sim.SimulationPlan;
 public final class RobotProcess extends RobotMain implements SimulatedRobot.Host {
 
   private final Path folder;
-  private final ProcessTrace outbox;
+  private final ProcessOutbox outbox;
   private volatile RealClock clock = new RealClock();
 
   // The loop's thread only.
@@ -41,7 +41,7 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
       OutputStream out) {
     super(self, blueprints, rounds);
     this.folder = folder;
-    outbox = new ProcessTrace(self, blueprints.get().header(), out);
+    outbox = new ProcessOutbox(self, blueprints.get().header(), out);
   }
 
   /**

@@ -23,7 +23,7 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessOutbox;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.sim.RobotSpec;
@@ -58,7 +58,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
   private final Settings settings;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final ProcessTrace outbox;
+  private final ProcessOutbox outbox;
   private final Consumer<String> console;
   private final CountDownLatch over = new CountDownLatch(1);
   private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
@@ -80,7 +80,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
     super(settings.entry().id(), settings.blueprints(), settings.rounds());
     this.settings = settings;
     this.console = line -> console.accept(id + ": " + line);
-    outbox = new ProcessTrace(id, settings.blueprints().get().header(), trace);
+    outbox = new ProcessOutbox(id, settings.blueprints().get().header(), trace);
   }
 
   /**

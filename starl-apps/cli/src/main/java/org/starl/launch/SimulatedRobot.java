@@ -17,7 +17,7 @@ import org.starl.random.Rng;
 import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
-import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessOutbox;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
@@ -49,7 +49,7 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
     void failed(Throwable error);
   }
 
-  private final ProcessTrace outbox;
+  private final ProcessOutbox outbox;
   private final Host host;
   private final RealStrand strand;
   private final BodyClock clock;
@@ -81,7 +81,7 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
       RealClock real,
       Path folder,
       int port,
-      ProcessTrace outbox,
+      ProcessOutbox outbox,
       Host host)
       throws IOException {
     this.outbox = outbox;

@@ -38,7 +38,7 @@ import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.serial.PseudoTerminal;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessOutbox;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
@@ -61,7 +61,7 @@ public final class WorldServer implements AutoCloseable {
   private final Consumer<Throwable> onFailure;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final ProcessTrace trace;
+  private final ProcessOutbox trace;
   private final RealStrand strand;
   private final double apartMm;
   private final Map<RobotId, WorldBody> bodies = new TreeMap<>();
@@ -93,7 +93,7 @@ public final class WorldServer implements AutoCloseable {
     this.deployment = deployment;
     this.console = console;
     this.onFailure = onFailure;
-    trace = new ProcessTrace(Fault.WORLD, blueprint.header(), out);
+    trace = new ProcessOutbox(Fault.WORLD, blueprint.header(), out);
     MachineClock.tell(trace, clock, startNs);
     strand = new RealStrand("world", clock, onFailure);
     parts.push(strand);

@@ -41,7 +41,7 @@ class ScenarioTest {
         .fault("slow(bot2,0.5,at=1s,for=2s)")
         .monitor { MotionSpec(SimSettings.defaults().motionParameters(0)) }
         .build()
-    assertThat(kotlin.blueprint().header()).isEqualTo(java.blueprint().header())
+    assertThat(kotlin.plan().header()).isEqualTo(java.plan().header())
     val result = kotlin.run()
     assertThat(result).hasToString(java.run().toString())
     assertThat(result.isFinished).isTrue()
@@ -58,10 +58,10 @@ class ScenarioTest {
       set(Setting.IDEAL_MOTION, true)
       faults { chaos(Envelope.NETWORK) }
     }
-    val blueprint = simulation.blueprint()
-    assertThat(blueprint.header().robots().map { it.name() }).containsExactly("alpha", "beta")
-    assertThat(blueprint.settings().get(Setting.POSITION_NOISE)).isEqualTo(20.0)
-    assertThat(blueprint.settings().get(Setting.IDEAL_MOTION)).isTrue()
+    val plan = simulation.plan()
+    assertThat(plan.header().robots().map { it.name() }).containsExactly("alpha", "beta")
+    assertThat(plan.settings().get(Setting.POSITION_NOISE)).isEqualTo(20.0)
+    assertThat(plan.settings().get(Setting.IDEAL_MOTION)).isTrue()
     assertThat(simulation.faults()).isNotEqualTo(FaultPlan.NONE)
     assertThat(simulation.run().isFinished).isTrue()
   }

@@ -29,7 +29,7 @@ import org.starl.robot.file.Wheels;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessTrace;
+import org.starl.robot.trace.ProcessOutbox;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.trace.TraceHeader;
 
@@ -55,7 +55,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   private final Consumer<Throwable> onBug;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final ProcessTrace trace;
+  private final ProcessOutbox trace;
   private final LogSink log;
   private final DeployedRobot deployed;
   private final Timer look;
@@ -75,7 +75,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     this.onBug = onBug;
     this.log = log;
     links = new RememberingLinks(source);
-    trace = new ProcessTrace(mission.robot().id(), header(mission.deployment()), files.trace());
+    trace = new ProcessOutbox(mission.robot().id(), header(mission.deployment()), files.trace());
     MachineClock.tell(trace, clock, startNs);
     deployed =
         DeployedRobot.open(

@@ -17,14 +17,14 @@ import org.starl.trace.TraceWriter;
  * #record} returns. It ignores a parent that is gone: the child notices that by the end of its orders.
  * From any thread.
  */
-public final class ProcessTrace implements TraceSink {
+public final class ProcessOutbox implements TraceSink {
 
   private final RobotId self;
   private final TraceWriter writer;
   private final ReentrantLock lock = new ReentrantLock();
 
   /** @param out takes the trace */
-  public ProcessTrace(RobotId self, TraceHeader header, OutputStream out) {
+  public ProcessOutbox(RobotId self, TraceHeader header, OutputStream out) {
     this.self = self;
     writer = new TraceWriter(out, header);
   }
