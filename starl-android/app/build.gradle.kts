@@ -7,13 +7,12 @@ description = "The app for phones: an activity, and a service that runs one robo
 
 dependencies {
     implementation(project(":starl-core"))
+    implementation(project(":starl-core-input"))
     implementation(project(":starl-primitives"))
     implementation(project(":starl-android-robot"))
     implementation(project(":starl-apps"))
     // Android itself, for compiling and for Robolectric; a phone has its own.
     compileOnly(libs.android.all)
-    // What says a deployment file is bad to people at a computer.
-    testImplementation(project(":starl-core-input"))
     // Merges the traces that the phones of a test leave.
     testImplementation(project(":starl-apps-cli"))
     testImplementation(libs.robolectric)

@@ -23,8 +23,8 @@ final class Selection {
   /** Core, primitives, the real platform without its serial ports, apps' logic, the phone's app. */
   private static final Pattern OURS =
       Pattern.compile(
-          "org/starl/([^/]+|(comms|geometry|input|motion|platform|random|spec|trace|sim/input)/.+"
-              + "|deploy/(?!serial/).+|(primitives|android/app)/.+|apps/(.+/)?logic/.+)\\.class");
+          "org/starl/([^/]+|(body|comms|geometry|gvh|id|input|motion|platform|random|spec|time|trace)/.+"
+              + "|robot/(?!serial/).+|(primitives|android/app)/.+|apps/(.+/)?logic/.+)\\.class");
 
   /** JTS's geometry without drawing and KML; Jackson's core and YAML parser without data binding. */
   private static final Pattern LIBRARIES =
