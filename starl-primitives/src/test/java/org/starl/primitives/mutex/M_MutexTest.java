@@ -220,7 +220,7 @@ class M_MutexTest {
 
   @Test
   void wrongUseEndsTheRunWithWhatIsWrong() {
-    assertFails("had this instance already", (gvh, mux) -> new M_Mutex(gvh, XID));
+    assertFails("has this instance already", (gvh, mux) -> new M_Mutex(gvh, XID));
     assertFails("do_mutex of [A] while CRITICAL", (gvh, mux) -> mux.do_mutex(List.of("A")));
     assertFails("section 'a b'", (gvh, mux) -> mux.release("a b"));
     assertFails("release of [B] while holding [A]", (gvh, mux) -> mux.release("B"));
