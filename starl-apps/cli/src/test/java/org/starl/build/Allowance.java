@@ -27,7 +27,7 @@ record Allowance(String rule, String path, String reason) {
             "a benchmark measures the machine, and decides nothing by it"),
         new Allowance(
             "wall clock",
-            KERNEL + "PatientWait.java",
+            KERNEL + "BoundedWait.java",
             "how long to wait for an app that blocks outside the kernel, before the run fails"),
         new Allowance(
             "wall clock",

@@ -16,9 +16,9 @@ class HelloTest {
   @StarlTest(
       seeds = 50,
       faults = {"noise(all,10mm)", "slow(any,0.5,at=1s,for=2s)"})
-  void everyRobotDrivesItsMetre(Simulation.Builder simulation, RunChecks afterwards) {
+  void everyRobotDrivesItsMetre(Simulation.Builder simulation, RunChecks checks) {
     simulation.robots(4, Hello::new).monitor(() -> new MotionSpec(MotionParameters.DEFAULT));
-    afterwards.check(result ->
+    checks.check(result ->
         assertThat(result.results().values()).hasSize(4).containsOnly(List.of(MotionFlag.DONE)));
   }
 }

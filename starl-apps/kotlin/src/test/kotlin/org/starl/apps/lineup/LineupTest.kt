@@ -30,11 +30,11 @@ class LineupTest {
   @StarlTest(seeds = 20, faults = ["loss(0.2)", "crash(any,at=1s..9s,restart=2s)"])
   fun everyRobotEndsOnTheSameLine(
     simulation: Simulation.Builder,
-    afterwards: RunChecks,
+    checks: RunChecks,
     seed: Long,
   ) {
     simulation.scenario { lanes(5, simulation.settings(), seed) }
-    afterwards.check { result ->
+    checks.check { result ->
       assertThat(result.results()).hasSize(5)
       assertThat(result.results().values.toSet()).hasSize(1)
     }
