@@ -3,6 +3,7 @@ package org.starl.sim.export;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
+import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -11,9 +12,8 @@ import org.starl.platform.LogSink.Level;
 import org.starl.spec.Bodies;
 
 /**
- * What a run looks like in Foxglove's messages, as JSON
- * (docs.foxglove.dev/docs/visualization/message-schemas). Everything is in one frame, {@code world},
- * in metres; z points up from the floor.
+ * Makes Foxglove's messages as JSON (docs.foxglove.dev/docs/visualization/message-schemas). All
+ * coordinates are in metres in the frame {@code world}; z points up from the floor.
  */
 final class FoxgloveScene {
 
@@ -24,6 +24,10 @@ final class FoxgloveScene {
   private static final double WALL_WIDTH_M = 0.02;
   private static final int LINE_STRIP = 0;
   private static final int LINE_LOOP = 1;
+  private static final List<String> KINDS =
+      List.of(
+          "metadata", "arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts",
+          "models");
 
   private final ObjectMapper json;
 
@@ -31,7 +35,7 @@ final class FoxgloveScene {
     this.json = json;
   }
 
-  /** A {@code foxglove.SceneUpdate} that changes nothing yet. */
+  /** An empty {@code foxglove.SceneUpdate}. */
   ObjectNode update() {
     ObjectNode update = json.createObjectNode();
     update.putArray("deletions");
@@ -39,7 +43,7 @@ final class FoxgloveScene {
     return update;
   }
 
-  /** A {@code foxglove.SceneUpdate} that takes away what {@code id} stands for. */
+  /** A {@code foxglove.SceneUpdate} that deletes the entity {@code id}. */
   ObjectNode deletion(long timeNs, String id) {
     ObjectNode update = update();
     ObjectNode deletion = update.withArray("deletions").addObject();
@@ -126,20 +130,9 @@ final class FoxgloveScene {
     ObjectNode entity = update.withArray("entities").addObject();
     time(entity.putObject("timestamp"), timeNs);
     entity.put("frame_id", FRAME).put("id", id);
-    time(entity.putObject("lifetime"), 0); // until it is replaced
+    time(entity.putObject("lifetime"), 0); // until replaced
     entity.put("frame_locked", false);
-    for (String kind :
-        new String[] {
-          "metadata",
-          "arrows",
-          "cubes",
-          "spheres",
-          "cylinders",
-          "lines",
-          "triangles",
-          "texts",
-          "models"
-        }) {
+    for (String kind : KINDS) {
       entity.putArray(kind);
     }
     return entity;

@@ -19,7 +19,7 @@ final class Sprites {
 
   /** Of bodies of this size, in device pixels; what was made for another is forgotten. */
   void prepare(Theme newTheme, double newRadiusPx) {
-    if (newTheme != theme || newRadiusPx != radiusPx) {
+    if (!newTheme.equals(theme) || newRadiusPx != radiusPx) {
       theme = newTheme;
       radiusPx = newRadiusPx;
       sizePx = 2 * (int) Math.ceil(radiusPx + 1) + 1;
