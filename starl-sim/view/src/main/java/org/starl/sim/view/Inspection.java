@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
-/** What there is to know of one robot at a moment of a recording; found when somebody asks. */
+/** State, messages and log of one robot at a moment of a recording, computed on demand. */
 final class Inspection {
 
   private static final int MOST_LINES = 60;
@@ -28,18 +28,18 @@ final class Inspection {
   /**
    * A row of a table.
    *
-   * @param isTitle whether it opens a group; its value is then empty
+   * @param isTitle whether it is the title of a group; its value is then empty
    */
   record Row(boolean isTitle, String name, String value) {}
 
   /**
-   * A line about one moment.
+   * A message or a line of the log.
    *
-   * @param more the same at full length
+   * @param more the full text
    */
   record Line(long timeNs, String what, String text, String more) {}
 
-  /** Its body, then the variables of its app, of motion and of each primitive. */
+  /** The pose, then the variables of the app, of motion and of each primitive. */
   static List<Row> state(Scene scene, RobotId robot) {
     List<Row> rows = new ArrayList<>();
     rows.add(new Row(true, "body", ""));
@@ -51,7 +51,7 @@ final class Inspection {
     } else {
       rows.add(new Row(false, "position", "not on the floor"));
     }
-    rows.add(new Row(false, "program", scene.isDown(robot) ? "crashed" : "runs"));
+    rows.add(new Row(false, "program", scene.isDown(robot) ? "crashed" : "running"));
     String source = "";
     List<Scene.Value> values = new ArrayList<>(scene.variables(robot));
     values.sort(Comparator.comparingInt(Inspection::rank));
@@ -65,7 +65,7 @@ final class Inspection {
     return rows;
   }
 
-  /** The app comes first, then motion, then each primitive. */
+  /** Order of sources: app, motion, primitives. */
   private static int rank(Scene.Value value) {
     return value.source().equals("app") ? 0 : value.source().equals("motion") ? 1 : 2;
   }
@@ -74,7 +74,7 @@ final class Inspection {
     return String.format(Locale.ROOT, "%.0f mm", mm);
   }
 
-  /** What it sent and received of late, the latest first. */
+  /** Recent messages that the robot sent, received or missed, latest first. */
   static List<Line> messages(Recording recording, int index, RobotId robot) {
     List<Line> lines = new ArrayList<>();
     int least = Math.max(0, index - MOST_EVENTS);
@@ -99,7 +99,7 @@ final class Inspection {
     return lines;
   }
 
-  /** What kind of message comes first, for there is little room. */
+  /** The message's type comes first, as the column may be narrow. */
   private static Line message(long timeNs, String whom, String channel, String message) {
     int end = 0;
     while (end < message.length() && Character.isJavaIdentifierPart(message.charAt(end))) {
@@ -109,7 +109,7 @@ final class Inspection {
     return new Line(timeNs, whom, text, channel + "\n" + message);
   }
 
-  /** What it did of late, by the names of the paper, and what its program wrote; the latest first. */
+  /** Recent actions, by the paper's names, faults and log lines, latest first. */
   static List<Line> log(Recording recording, int index, RobotId robot) {
     List<Line> lines = new ArrayList<>();
     int least = Math.max(0, index - MOST_EVENTS);
