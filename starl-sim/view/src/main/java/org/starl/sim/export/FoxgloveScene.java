@@ -3,7 +3,6 @@ package org.starl.sim.export;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import com.fasterxml.jackson.databind.node.ArrayNode;
 import com.fasterxml.jackson.databind.node.ObjectNode;
-import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -24,10 +23,9 @@ final class FoxgloveScene {
   private static final double WALL_WIDTH_M = 0.02;
   private static final int LINE_STRIP = 0;
   private static final int LINE_LOOP = 1;
-  private static final List<String> KINDS =
-      List.of(
-          "metadata", "arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts",
-          "models");
+  private static final String[] KINDS = {
+    "metadata", "arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models"
+  };
 
   private final ObjectMapper json;
 

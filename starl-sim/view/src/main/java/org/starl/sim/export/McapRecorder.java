@@ -23,12 +23,12 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Writes a run as an MCAP file, for Foxglove and similar robotics tools. Times are in ns from the start
- * of the run; lengths are in metres, as these tools expect.
+ * Writes a run as an MCAP file, for Foxglove and similar robotics tools. Times are in ns from the
+ * start of the run; lengths are in metres, as these tools expect.
  *
  * <ul>
- *   <li>{@code /scene}, {@code foxglove.SceneUpdate}: obstacles once, and true bodies every 50 ms while
- *       they move;
+ *   <li>{@code /scene}, {@code foxglove.SceneUpdate}: obstacles once, and true bodies every 50 ms
+ *       while they move;
  *   <li>{@code /pose/ROBOT}, {@code foxglove.PoseInFrame}, every 50 ms while the robot moves;
  *   <li>{@code /log}, {@code foxglove.Log}: actions, faults, log lines of robots, and violations of
  *       specifications;

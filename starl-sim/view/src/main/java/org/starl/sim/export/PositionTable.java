@@ -5,8 +5,8 @@ import org.starl.geometry.Pose;
 import org.starl.trace.TraceEvent;
 
 /**
- * Writes true motion as a table: one row whenever a body joins, changes its speeds or leaves. Between
- * two rows of a robot its body moves with the constant speeds of the first.
+ * Writes true motion as a table: one row whenever a body joins, changes its speeds or leaves.
+ * Between two rows of a robot its body moves with the constant speeds of the first.
  */
 public final class PositionTable extends CsvTable {
 

@@ -10,7 +10,10 @@ public final class Extent {
   private double xMaxMm = Double.NEGATIVE_INFINITY;
   private double yMaxMm = Double.NEGATIVE_INFINITY;
 
-  /** The part of the world that a picture shows: obstacles, paths of robots, and the layer's corners. */
+  /**
+   * The part of the world that a picture shows: obstacles, paths of robots, and the layer's
+   * corners.
+   */
   public static Extent of(Scene scene, Layer layer) {
     Extent extent = scene.extent().copy();
     layer.corners().forEach(extent::add);

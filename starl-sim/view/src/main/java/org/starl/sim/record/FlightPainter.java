@@ -12,7 +12,9 @@ import java.util.List;
 import java.util.Optional;
 import org.starl.geometry.Pose;
 
-/** Paints datagrams: an arc from sender to receiver in the sender's colour, and a moving dot on it. */
+/**
+ * Paints datagrams: an arc from sender to receiver in the sender's colour, and a moving dot on it.
+ */
 final class FlightPainter {
 
   private static final int FEW = 14;

@@ -18,8 +18,8 @@ import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
 
 /**
- * Records an animated GIF of a run: one frame per {@code everyNs} of simulated time. It can also record
- * only the time around the first violation.
+ * Records an animated GIF of a run: one frame per {@code everyNs} of simulated time. It can also
+ * record only the time around the first violation.
  */
 public final class GifRecorder extends SceneRecorder {
 
@@ -44,7 +44,8 @@ public final class GifRecorder extends SceneRecorder {
   /**
    * @param everyNs simulated time between two frames, above 0
    * @param widthPx width of the GIF, above 0
-   * @param ofViolation whether to keep only the frames around the first violation; none if there is none
+   * @param ofViolation whether to keep only the frames around the first violation; none if there is
+   *     none
    */
   public GifRecorder(
       Obstacles obstacles, Layer layer, long everyNs, int widthPx, boolean ofViolation) {

@@ -46,7 +46,9 @@ final class Labels {
     }
   }
 
-  /** Inside the disc if the name fits, else below it; returns the height of the line below, or 0. */
+  /**
+   * Inside the disc if the name fits, else below it; returns the height of the line below, or 0.
+   */
   private static double name(
       Graphics2D page,
       RobotId robot,

@@ -9,8 +9,9 @@ import org.starl.trace.TraceEvent;
 /**
  * The app's part of the picture of a run. Coordinates are the world's: mm, y upwards.
  *
- * <p>A layer's drawing depends only on its constructor's arguments and on the events that it has observed.
- * So the viewer can paint any moment of a run or of a trace, and go forwards and backwards.
+ * <p>A layer's drawing depends only on its constructor's arguments and on the events that it has
+ * observed. So the viewer can paint any moment of a run or of a trace, and go forwards and
+ * backwards.
  */
 public interface Layer {
 
@@ -24,8 +25,8 @@ public interface Layer {
       };
 
   /**
-   * An independent copy in the same state; copy and original may be used by two threads. A layer without
-   * state returns itself; a layer with state must copy it.
+   * An independent copy in the same state; copy and original may be used by two threads. A layer
+   * without state returns itself; a layer with state must copy it.
    */
   Layer copy();
 

@@ -112,7 +112,9 @@ public record Look(
     return new BasicStroke(atLeast(widthMm, 1), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
   }
 
-  /** Round dots, {@code stepMm} from centre to centre; at least 2 pixels wide and 6 pixels apart. */
+  /**
+   * Round dots, {@code stepMm} from centre to centre; at least 2 pixels wide and 6 pixels apart.
+   */
   public BasicStroke dots(double widthMm, double stepMm) {
     float[] dash = {(float) (widthMm / 50), atLeast(stepMm, 6)};
     return new BasicStroke(

@@ -19,7 +19,10 @@ import org.starl.id.RobotId;
  */
 public final class Painter {
 
-  /** More visible robots than {@code MANY}, if smaller than {@code LARGE_PX}, are painted with sprites. */
+  /**
+   * More visible robots than {@code MANY}, if smaller than {@code LARGE_PX}, are painted with
+   * sprites.
+   */
   private static final int MANY = 250;
 
   private static final double LARGE_PX = 40;

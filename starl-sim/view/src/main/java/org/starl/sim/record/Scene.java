@@ -23,8 +23,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * The visible state of a run at one moment, computed from its events. Of the robots that have left the
- * floor only the last twelve are kept.
+ * The visible state of a run at one moment, computed from its events. Of the robots that have left
+ * the floor only the last twelve are kept.
  */
 public final class Scene {
 
@@ -83,8 +83,8 @@ public final class Scene {
   }
 
   /**
-   * An independent copy in the same state; copy and original may be used by two threads. The points of
-   * trails are shared.
+   * An independent copy in the same state; copy and original may be used by two threads. The points
+   * of trails are shared.
    */
   public Scene copy() {
     Scene copy = new Scene(obstacles, bodies.copy(), extent.copy());

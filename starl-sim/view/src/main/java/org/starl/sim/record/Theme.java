@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The colours of a picture. A layer takes its colours from here, so that they are visible in the light
- * and in the dark theme.
+ * The colours of a picture. A layer takes its colours from here, so that they are visible in the
+ * light and in the dark theme.
  *
  * @param robots colours of robots, distinguishable on {@code paper}
  * @param paper background

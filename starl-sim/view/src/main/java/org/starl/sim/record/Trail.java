@@ -6,8 +6,8 @@ import java.util.RandomAccess;
 import org.starl.geometry.Point;
 
 /**
- * Append-only list of the positions of a body. A copy shares the array with its original until the copy
- * appends a point; the original appends behind the part that the copy reads.
+ * Append-only list of the positions of a body. A copy shares the array with its original until the
+ * copy appends a point; the original appends behind the part that the copy reads.
  */
 final class Trail extends AbstractList<Point> implements RandomAccess {
 

@@ -4,8 +4,8 @@ import java.awt.geom.AffineTransform;
 import org.starl.geometry.Point;
 
 /**
- * The part of the world that a picture shows, and its scale. The world's y axis points up, a picture's
- * y axis down.
+ * The part of the world that a picture shows, and its scale. The world's y axis points up, a
+ * picture's y axis down.
  *
  * @param centre point of the world in the centre of the picture
  * @param pxPerMm scale, above 0; limited to 0.001 to 10

@@ -7,8 +7,8 @@ import java.util.RandomAccess;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A list to which one thread appends while others read the first {@link #size} items. Items are never
- * moved or removed, and no thread waits for a lock.
+ * A list to which one thread appends while others read the first {@link #size} items. Items are
+ * never moved or removed, and no thread waits for a lock.
  */
 final class AppendOnlyList<T> {
 

@@ -5,9 +5,9 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
 /**
- * States of a recording after some of its events, so that a {@link Cursor} can go back without starting at
- * the beginning. Cursors add them every {@code stride} events; when there are too many, every other one
- * is removed and the stride doubles. Thread-safe.
+ * States of a recording after some of its events, so that a {@link Cursor} can go back without
+ * starting at the beginning. Cursors add them every {@code stride} events; when there are too many,
+ * every other one is removed and the stride doubles. Thread-safe.
  */
 final class Checkpoints {
 

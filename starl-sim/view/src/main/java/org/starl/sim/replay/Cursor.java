@@ -4,9 +4,9 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
 /**
- * A position in a recording, and the state of the run there. A cursor goes forwards by observing the
- * events in between, and backwards by observing events from an earlier checkpoint on. It adds checkpoints
- * to the recording. Not thread-safe.
+ * A position in a recording, and the state of the run there. A cursor goes forwards by observing
+ * the events in between, and backwards by observing events from an earlier checkpoint on. It adds
+ * checkpoints to the recording. Not thread-safe.
  */
 public final class Cursor {
 

@@ -11,8 +11,8 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Saves memory: equal texts in events share one string, such as names, and the text of a message at each of
- * its receivers. Estimates the memory that the events take.
+ * Saves memory: equal texts in events share one string, such as names, and the text of a message at
+ * each of its receivers. Estimates the memory that the events take.
  */
 final class EventInterner {
 

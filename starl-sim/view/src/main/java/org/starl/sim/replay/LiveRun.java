@@ -15,11 +15,11 @@ import org.starl.sim.fault.FaultGrammar;
 
 /**
  * A simulation on its own thread, recorded in a {@link Recording}. It runs no farther than {@link
- * #runUntil} allows, so that an intervention takes effect close to the moment on the screen. All methods
- * are thread-safe; {@link #close} ends the run.
+ * #runUntil} allows, so that an intervention takes effect close to the moment on the screen. All
+ * methods are thread-safe; {@link #close} ends the run.
  *
- * <p>Only {@link #fault}, {@link #point}, and {@link #close} before the end change the run. Each is an event
- * of the run, and takes effect between two steps, also while the run waits.
+ * <p>Only {@link #fault}, {@link #point}, and {@link #close} before the end change the run. Each is
+ * an event of the run, and takes effect between two steps, also while the run waits.
  */
 public final class LiveRun implements AutoCloseable {
 
@@ -40,7 +40,8 @@ public final class LiveRun implements AutoCloseable {
   /**
    * Prepares a run; {@link #start} starts it.
    *
-   * @param builder the simulation with all observers except {@code recording}; do not use it afterwards
+   * @param builder the simulation with all observers except {@code recording}; do not use it
+   *     afterwards
    */
   public LiveRun(Simulation.Builder builder, Recording recording) {
     this.recording = recording;
@@ -55,8 +56,8 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Sets the time until which the run may go on; it waits there. {@code Long.MAX_VALUE} lets it go to its
-   * end. A run that is already later waits.
+   * Sets the time until which the run may go on; it waits there. {@code Long.MAX_VALUE} lets it go
+   * to its end. A run that is already later waits.
    */
   public void runUntil(long timeNs) {
     limitNs = timeNs;
@@ -67,8 +68,9 @@ public final class LiveRun implements AutoCloseable {
    * Injects a fault. It begins now unless it names a time.
    *
    * @param fault in the syntax of {@code --fault}
-   * @return simulated time of the injection; fails with {@link BadInput} if the fault names an unknown
-   *     robot or ends before it begins, and with {@link IllegalStateException} if the run has ended
+   * @return simulated time of the injection; fails with {@link BadInput} if the fault names an
+   *     unknown robot or ends before it begins, and with {@link IllegalStateException} if the run
+   *     has ended
    * @throws BadInput if the syntax is wrong
    */
   public CompletableFuture<Long> fault(String fault) {
@@ -79,8 +81,8 @@ public final class LiveRun implements AutoCloseable {
   /**
    * Sends a point to a robot's app.
    *
-   * @return simulated time of the sending; fails with {@link BadInput} if there is no such robot, and with
-   *     {@link IllegalStateException} if the run has ended
+   * @return simulated time of the sending; fails with {@link BadInput} if there is no such robot,
+   *     and with {@link IllegalStateException} if the run has ended
    */
   public CompletableFuture<Long> point(RobotId robot, int xMm, int yMm) {
     return request(controller -> controller.point(robot, xMm, yMm));
@@ -102,8 +104,8 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Ends the run now, unless it has ended, and waits for its thread; returns early with the interrupt flag
-   * set if the calling thread is interrupted.
+   * Ends the run now, unless it has ended, and waits for its thread; returns early with the
+   * interrupt flag set if the calling thread is interrupted.
    */
   @Override
   public void close() {

@@ -17,9 +17,9 @@ import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceHeader;
 
 /**
- * All events of one run, live or from a trace, with the marks on its timeline. One thread fills it as an
- * observer of the run. Other threads may read it meanwhile without locks: the first {@link #size} events
- * never change.
+ * All events of one run, live or from a trace, with the marks on its timeline. One thread fills it
+ * as an observer of the run. Other threads may read it meanwhile without locks: the first {@link
+ * #size} events never change.
  */
 public final class Recording implements SimObserver {
 
@@ -236,8 +236,8 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * Whether the specifications have checked all events so far. Always true for a live run; a trace is
-   * first read and then checked.
+   * Whether the specifications have checked all events so far. Always true for a live run; a trace
+   * is first read and then checked.
    */
   public boolean isChecked() {
     return checked == ALL;

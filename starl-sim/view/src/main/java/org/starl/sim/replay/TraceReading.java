@@ -12,9 +12,9 @@ import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 
 /**
- * Reads a trace into a {@link Recording} on its own thread, which is fast; the same thread then checks
- * the specifications, which is slow, and marks violations. The window waits for neither. All methods are
- * thread-safe.
+ * Reads a trace into a {@link Recording} on its own thread, which is fast; the same thread then
+ * checks the specifications, which is slow, and marks violations. The window waits for neither. All
+ * methods are thread-safe.
  */
 public final class TraceReading implements AutoCloseable {
 
@@ -29,8 +29,8 @@ public final class TraceReading implements AutoCloseable {
    * Prepares a reading; {@link #start} starts it.
    *
    * @param recording the recording to fill, used by no other observer
-   * @param trace shows the whole trace to observers, once; if it throws {@link BadInput}, the events
-   *     before are kept and checked
+   * @param trace shows the whole trace to observers, once; if it throws {@link BadInput}, the
+   *     events before are kept and checked
    * @param monitors makes new monitors of the specifications
    */
   public TraceReading(
@@ -68,8 +68,8 @@ public final class TraceReading implements AutoCloseable {
   }
 
   /**
-   * Stops to read and to check, and waits for the thread; returns early with the interrupt flag set if the
-   * calling thread is interrupted.
+   * Stops to read and to check, and waits for the thread; returns early with the interrupt flag set
+   * if the calling thread is interrupted.
    */
   @Override
   public void close() {

@@ -20,8 +20,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceReader;
 
 /**
- * Shows a trace to observers as if it were a run, without simulation. Monitors check it again, and the
- * observers receive violations. Traces contain no log lines.
+ * Shows a trace to observers as if it were a run, without simulation. Monitors check it again, and
+ * the observers receive violations. Traces contain no log lines.
  */
 public final class TraceShow {
 
@@ -74,8 +74,7 @@ public final class TraceShow {
     @Nullable TraceEnd end = reader.end();
     if (end == null) {
       throw new BadInput(
-          file
-              + ": no line of kind end: the trace is truncated, or an error ended its run");
+          file + ": no line of kind end: the trace is truncated, or an error ended its run");
     }
     if (end.timeNs() < timeNs) {
       throw bad("an end that is not before the last event");

@@ -43,7 +43,8 @@ final class Commands {
     time("Long step forward", "Forward 1 s", "shift RIGHT", LONG_STEP_NS);
     time("Long step back", "Back 1 s", "shift LEFT", -LONG_STEP_NS);
     event = add(TIME, "Next event", "Next event", "PERIOD", () -> playback.stepEvents(1));
-    eventBack = add(TIME, "Previous event", "Previous event", "COMMA", () -> playback.stepEvents(-1));
+    eventBack =
+        add(TIME, "Previous event", "Previous event", "COMMA", () -> playback.stepEvents(-1));
     first = add(TIME, "Start", "Go to the start", "HOME", () -> playback.seek(0));
     last = add(TIME, "End", "Go to the end, or to the end so far", "END", playback::seekEnd);
     add(TIME, "Faster", "Next higher speed", "UP", playback::faster);

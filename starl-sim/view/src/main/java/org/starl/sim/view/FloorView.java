@@ -25,7 +25,6 @@ import org.starl.sim.replay.Mark;
 /** The floor: dragging pans, the wheel zooms, a click selects a robot. */
 final class FloorView {
 
-
   private static final double WHEEL = 1.15;
   private static final int MARGIN_PX = 12;
   private static final double BAR_PX = 110;
@@ -146,7 +145,6 @@ final class FloorView {
     page.setColor(Theme.textOn(colour));
     page.drawString(shown, (float) left + 12, topPx + 17.5f);
   }
-
 
   private @Nullable String tip(MouseEvent event) {
     RobotId robot = session.view().robotAt(session.scene(), event.getX(), event.getY());

@@ -25,8 +25,10 @@ final class InspectorView {
   InspectorView(Session session) {
     this.session = session;
     tabs.setFocusable(false);
-    tabs.addTab("State", null, state.pane(), "Position, and variables of the app and of primitives");
-    tabs.addTab("Messages", null, messages.pane(), "Sent, received and lost messages, latest first");
+    tabs.addTab(
+        "State", null, state.pane(), "Position, and variables of the app and of primitives");
+    tabs.addTab(
+        "Messages", null, messages.pane(), "Sent, received and lost messages, latest first");
     tabs.addTab("Log", null, log.pane(), "Actions, faults and log lines, latest first");
     JLabel hint =
         new JLabel(

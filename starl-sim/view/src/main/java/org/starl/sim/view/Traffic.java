@@ -16,8 +16,8 @@ import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Finds the messages in transit at a moment of a recording: searches back for sent messages, and ahead for
- * their delivery or loss. Keeps no state between queries except the list of channels.
+ * Finds the messages in transit at a moment of a recording: searches back for sent messages, and
+ * ahead for their delivery or loss. Keeps no state between queries except the list of channels.
  */
 final class Traffic {
 

@@ -11,11 +11,12 @@ import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 
 /**
- * Measures the frame rate of the floor while the simulation runs on another thread. Paints in memory as
- * the window does, without a screen.
+ * Measures the frame rate of the floor while the simulation runs on another thread. Paints in
+ * memory as the window does, without a screen.
  *
  * @param frames number of painted frames
- * @param cpuMs CPU time of the painting thread per frame, with everything that the window does for it
+ * @param cpuMs CPU time of the painting thread per frame, with everything that the window does for
+ *     it
  * @param longestMs longest time between two frames
  * @param wallS real time
  * @param simulatedS simulated time
@@ -29,7 +30,6 @@ public record ViewBench(
   private static final int WARM_UP_FRAMES = 20;
   private static final double NS_PER_S = 1e9;
   private static final double NS_PER_MS = 1e6;
-
 
   /**
    * Runs the measurement.

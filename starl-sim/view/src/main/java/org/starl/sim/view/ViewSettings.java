@@ -12,8 +12,8 @@ import org.starl.sim.record.Part;
 import org.starl.trace.TraceHeader;
 
 /**
- * The settings of the window, from a scenario file or {@code --set}; the trace's header keeps them. Also
- * the range of the run's radio. The simulator ignores these settings.
+ * The settings of the window, from a scenario file or {@code --set}; the trace's header keeps them.
+ * Also the range of the run's radio. The simulator ignores these settings.
  */
 public final class ViewSettings {
 

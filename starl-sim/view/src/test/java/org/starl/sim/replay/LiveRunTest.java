@@ -62,7 +62,8 @@ class LiveRunTest {
   }
 
   /** The trace of a live run with {@code actions}, which are sorted by time. */
-  private static String live(Simulation.Builder simulation, List<UserAction> actions) throws Exception {
+  private static String live(Simulation.Builder simulation, List<UserAction> actions)
+      throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     Recording recording = recording();
     try (TraceRecorder recorder = new TraceRecorder(out);
@@ -138,7 +139,8 @@ class LiveRunTest {
 
   @Property(tries = 25)
   void aRunWithInterventionsReplaysToTheSameBytes(
-      @ForAll @IntRange(max = 1000) int seed, @ForAll("plans") List<UserAction> actions) throws Exception {
+      @ForAll @IntRange(max = 1000) int seed, @ForAll("plans") List<UserAction> actions)
+      throws Exception {
     String trace = live(Wander.simulation(seed), actions);
     assertThat(interventions(trace)).hasSizeBetween(1, actions.size());
     assertThat(again(seed, trace)).as("seed %d, %s", seed, actions).isEqualTo(trace);

@@ -22,8 +22,8 @@ import org.starl.trace.TraceReader;
 import org.starl.trace.TraceWriter;
 
 /**
- * Reads arbitrary bytes as a trace: they are refused with one line, or all events can be written and read
- * again unchanged. A truncated trace is always refused.
+ * Reads arbitrary bytes as a trace: they are refused with one line, or all events can be written
+ * and read again unchanged. A truncated trace is always refused.
  */
 public class TraceFuzzTest {
 

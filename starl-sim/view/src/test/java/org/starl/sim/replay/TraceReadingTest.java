@@ -97,7 +97,9 @@ class TraceReadingTest {
   @Test
   void aViolationIsMarkedAtItsEvent() throws InterruptedException {
     try (TraceReading reading =
-        reading(TraceReadingTest::crashing, () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
+        reading(
+            TraceReadingTest::crashing,
+            () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
       reading.start();
       reading.await();
       Recording recording = reading.recording();
@@ -115,7 +117,8 @@ class TraceReadingTest {
   void eventsBeforeABrokenLineAreKeptAndChecked() throws InterruptedException {
     try (TraceReading reading =
         reading(
-            TraceReadingTest::brokenAfterCrash, () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
+            TraceReadingTest::brokenAfterCrash,
+            () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
       reading.start();
       reading.await();
       Recording recording = reading.recording();
