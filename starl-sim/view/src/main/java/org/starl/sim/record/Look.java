@@ -97,11 +97,6 @@ public record Look(
     return !hidden.contains(part);
   }
 
-  /** Whether the radio has a limit. */
-  public boolean isRangeKnown() {
-    return rangeMm > 0;
-  }
-
   /** The colour of a robot. */
   public Color robot(Scene scene, RobotId robot) {
     return theme.robot(scene.number(robot));

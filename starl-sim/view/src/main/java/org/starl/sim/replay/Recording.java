@@ -90,9 +90,9 @@ public final class Recording implements SimObserver {
     if (event instanceof Fault fault) {
       marks.add(new Mark(fault.timeNs(), index, kind(fault), text(fault)));
     } else if (event instanceof Intervention done) {
-      String whom = done.robot().equals(Fault.WORLD) ? "" : " to " + done.robot();
+      String target = done.robot().equals(Fault.WORLD) ? "" : " to " + done.robot();
       String what = "intervention: " + done.name() + " " + done.detail();
-      marks.add(new Mark(done.timeNs(), index, Mark.Kind.INTERVENTION, what.strip() + whom));
+      marks.add(new Mark(done.timeNs(), index, Mark.Kind.INTERVENTION, what.strip() + target));
     }
   }
 
@@ -163,8 +163,8 @@ public final class Recording implements SimObserver {
   }
 
   private static String text(Fault fault) {
-    String whom = fault.robot().equals(Fault.WORLD) ? "" : fault.robot() + " ";
-    String what = whom + fault.name();
+    String target = fault.robot().equals(Fault.WORLD) ? "" : fault.robot() + " ";
+    String what = target + fault.name();
     return fault.detail().isEmpty() ? what : what + ": " + fault.detail();
   }
 

@@ -46,7 +46,13 @@ final class Commands {
     eventBack =
         add(TIME, "Previous event", "Previous event", "COMMA", () -> playback.stepEvents(-1));
     first = add(TIME, "Start", "Go to the start", "HOME", () -> playback.seek(0));
-    last = add(TIME, "End", "Go to the end, or to the end so far", "END", playback::seekEnd);
+    last =
+        add(
+            TIME,
+            "End",
+            "Go to the end, or to the latest time of a live run",
+            "END",
+            playback::seekEnd);
     add(TIME, "Faster", "Next higher speed", "UP", playback::faster);
     add(TIME, "Slower", "Next lower speed", "DOWN", playback::slower);
     add(TIME, "No limit", "As fast as possible", "M", () -> playback.setSpeed(Playback.NO_LIMIT));

@@ -114,17 +114,13 @@ final class Interventions {
       return;
     }
     RobotId robot = session.selected();
-    Object text =
-        JOptionPane.showInputDialog(
-            owner,
-            "A fault, written as for --fault. It begins now unless it has a time (at=...).",
+    String text =
+        ask(
             "Inject a fault",
-            JOptionPane.PLAIN_MESSAGE,
-            null,
-            null,
+            "A fault, written as for --fault. It begins now unless it has a time (at=...).",
             robot == null ? "loss(0.5,for=10s)" : "crash(" + robot + ",restart=5s)");
-    if (text != null && !text.toString().isBlank()) {
-      inject(text.toString().strip());
+    if (!text.isEmpty()) {
+      inject(text);
     }
   }
 
@@ -134,23 +130,22 @@ final class Interventions {
     if (robot == null) {
       return;
     }
-    Object text =
-        JOptionPane.showInputDialog(
-            owner,
-            "Point for " + robot + ": x, y in mm",
-            "Send a point",
-            JOptionPane.PLAIN_MESSAGE,
-            null,
-            null,
-            "0, 0");
-    if (text != null) {
-      String[] xy = text.toString().strip().split("[ ,;]+", -1);
+    String text = ask("Send a point", "Point for " + robot + ": x, y in mm", "0, 0");
+    if (!text.isEmpty()) {
+      String[] xy = text.split("[ ,;]+", -1);
       try {
         send(robot, new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1])));
       } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
         told.accept("'" + text + "': expected two numbers, such as 1500, 700");
       }
     }
+  }
+
+  /** The user's answer; empty if the dialog was cancelled. */
+  private String ask(String title, String question, String example) {
+    int kind = JOptionPane.PLAIN_MESSAGE;
+    Object text = JOptionPane.showInputDialog(owner, question, title, kind, null, null, example);
+    return text == null ? "" : text.toString().strip();
   }
 
   /** Sends a point to the selected robot. */

@@ -138,15 +138,19 @@ final class Traffic {
     if (endNs + lingerNs < nowNs || !isWanted(sent, to, selected)) {
       return;
     }
-    double most = isGood ? 1 : LOST_AT;
-    double share = endNs <= nowNs ? 1 : (nowNs - sent.timeNs()) / (double) (endNs - sent.timeNs());
-    Flight.State state =
-        endNs > nowNs
-            ? Flight.State.IN_TRANSIT
-            : isGood ? Flight.State.DELIVERED : Flight.State.DROPPED;
-    flights.add(
-        new Flight(
-            sent.robot(), to, sent.channel(), sent.message(), sent.timeNs(), share * most, state));
+    if (endNs > nowNs) {
+      double most = isGood ? 1 : LOST_AT;
+      double share = (nowNs - sent.timeNs()) / (double) (endNs - sent.timeNs());
+      flights.add(flight(sent, to, share * most, Flight.State.IN_TRANSIT));
+    } else {
+      Flight.State state = isGood ? Flight.State.DELIVERED : Flight.State.DROPPED;
+      flights.add(flight(sent, to, isGood ? 1 : LOST_AT, state));
+    }
+  }
+
+  private static Flight flight(Sent sent, RobotId to, double share, Flight.State state) {
+    return new Flight(
+        sent.robot(), to, sent.channel(), sent.message(), sent.timeNs(), share, state);
   }
 
   /** Adds messages whose delivery or loss is not recorded yet. */
@@ -162,15 +166,7 @@ final class Traffic {
         RobotId to = new RobotId(out.to());
         if (isWanted(out, to, selected)) {
           double share = (nowNs - out.timeNs()) / (double) USUAL_NS;
-          flights.add(
-              new Flight(
-                  out.robot(),
-                  to,
-                  out.channel(),
-                  out.message(),
-                  out.timeNs(),
-                  share,
-                  Flight.State.IN_TRANSIT));
+          flights.add(flight(out, to, share, Flight.State.IN_TRANSIT));
         }
       }
     }

@@ -48,12 +48,10 @@ final class TransportBar {
     panel.add(Box.createHorizontalStrut(10));
     speeds();
     panel.add(speed);
-    panel.add(Box.createHorizontalStrut(18));
-    panel.add(time);
-    panel.add(Box.createHorizontalStrut(18));
-    panel.add(event);
-    panel.add(Box.createHorizontalStrut(18));
-    panel.add(rate);
+    for (JLabel figure : List.of(time, event, rate)) {
+      panel.add(Box.createHorizontalStrut(18));
+      panel.add(figure);
+    }
     panel.add(Box.createHorizontalGlue());
     panel.add(marks);
     panel.add(Box.createHorizontalStrut(8));

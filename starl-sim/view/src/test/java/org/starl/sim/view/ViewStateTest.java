@@ -98,8 +98,8 @@ class ViewStateTest {
     assertThat(settings.look().shows(Part.WALLS)).isFalse();
     assertThat(settings.look().shows(Part.HIDDEN)).isFalse();
     assertThat(settings.look().shows(Part.APP)).isFalse();
-    assertThat(settings.look().isRangeKnown()).isTrue();
+    assertThat(settings.look().rangeMm()).isEqualTo(3000);
     assertThat(session.settings().look().shows(Part.TRAILS)).isFalse();
-    assertThat(session.settings().look().isRangeKnown()).isFalse();
+    assertThat(session.settings().look().rangeMm()).isZero();
   }
 }
