@@ -11,9 +11,8 @@ import org.starl.platform.LogSink.Level;
 import org.starl.spec.Bodies;
 
 /**
- * What a run looks like in Foxglove's messages, as JSON
- * (docs.foxglove.dev/docs/visualization/message-schemas). Everything is in one frame, {@code world},
- * in metres; z points up from the floor.
+ * Makes Foxglove's messages as JSON (docs.foxglove.dev/docs/visualization/message-schemas). All
+ * coordinates are in metres in the frame {@code world}; z points up from the floor.
  */
 final class FoxgloveScene {
 
@@ -24,6 +23,9 @@ final class FoxgloveScene {
   private static final double WALL_WIDTH_M = 0.02;
   private static final int LINE_STRIP = 0;
   private static final int LINE_LOOP = 1;
+  private static final String[] KINDS = {
+    "metadata", "arrows", "cubes", "spheres", "cylinders", "lines", "triangles", "texts", "models"
+  };
 
   private final ObjectMapper json;
 
@@ -31,7 +33,7 @@ final class FoxgloveScene {
     this.json = json;
   }
 
-  /** A {@code foxglove.SceneUpdate} that changes nothing yet. */
+  /** An empty {@code foxglove.SceneUpdate}. */
   ObjectNode update() {
     ObjectNode update = json.createObjectNode();
     update.putArray("deletions");
@@ -39,7 +41,7 @@ final class FoxgloveScene {
     return update;
   }
 
-  /** A {@code foxglove.SceneUpdate} that takes away what {@code id} stands for. */
+  /** A {@code foxglove.SceneUpdate} that deletes the entity {@code id}. */
   ObjectNode deletion(long timeNs, String id) {
     ObjectNode update = update();
     ObjectNode deletion = update.withArray("deletions").addObject();
@@ -126,20 +128,9 @@ final class FoxgloveScene {
     ObjectNode entity = update.withArray("entities").addObject();
     time(entity.putObject("timestamp"), timeNs);
     entity.put("frame_id", FRAME).put("id", id);
-    time(entity.putObject("lifetime"), 0); // until it is replaced
+    time(entity.putObject("lifetime"), 0); // until replaced
     entity.put("frame_locked", false);
-    for (String kind :
-        new String[] {
-          "metadata",
-          "arrows",
-          "cubes",
-          "spheres",
-          "cylinders",
-          "lines",
-          "triangles",
-          "texts",
-          "models"
-        }) {
+    for (String kind : KINDS) {
       entity.putArray(kind);
     }
     return entity;

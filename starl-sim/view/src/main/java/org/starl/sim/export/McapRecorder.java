@@ -23,15 +23,15 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Writes a run as an MCAP file, which Foxglove and other tools of roboticists open. Times are those of
- * the run, in ns from its start; lengths are in metres, as such tools expect.
+ * Writes a run as an MCAP file, for Foxglove and similar robotics tools. Times are in ns from the
+ * start of the run; lengths are in metres, as these tools expect.
  *
  * <ul>
- *   <li>{@code /scene}, {@code foxglove.SceneUpdate}: obstacles once, and bodies every 50 ms of their
- *       movement, from the run's true motion;
- *   <li>{@code /pose/ROBOT}, {@code foxglove.PoseInFrame}, as often;
- *   <li>{@code /log}, {@code foxglove.Log}: actions, faults, what robots log, and what violates a
- *       specification;
+ *   <li>{@code /scene}, {@code foxglove.SceneUpdate}: obstacles once, and true bodies every 50 ms
+ *       while they move;
+ *   <li>{@code /pose/ROBOT}, {@code foxglove.PoseInFrame}, every 50 ms while the robot moves;
+ *   <li>{@code /log}, {@code foxglove.Log}: actions, faults, log lines of robots, and violations of
+ *       specifications;
  *   <li>{@code /variables}, {@code starl.Variable}: each change of a variable;
  *   <li>{@code /messages}, {@code starl.Message}: each datagram sent, delivered or dropped.
  * </ul>
@@ -138,14 +138,14 @@ public final class McapRecorder implements SimObserver, Closeable {
           log(timeNs, Level.WARN, robot, fault.name() + " " + fault.detail());
       case TraceEvent.Intervention intervention -> {
         String what = intervention.name() + " " + intervention.detail();
-        log(timeNs, Level.WARN, robot, "a person: " + what);
+        log(timeNs, Level.WARN, robot, "intervention: " + what);
       }
     }
   }
 
   @Override
   public void violated(SpecReport.Violation violation) {
-    // What a specification finds may lie in the past; a file's times do not go back.
+    // A violation may have an earlier time, but times in the file must not decrease.
     log(lastNs, Level.ERROR, "specification", violation.toString());
   }
 
@@ -161,9 +161,9 @@ public final class McapRecorder implements SimObserver, Closeable {
   }
 
   /**
-   * Writes the rest.
+   * Writes buffered data and the summary.
    *
-   * @throws IOException if that cannot be written
+   * @throws IOException if the data cannot be written
    */
   @Override
   public void close() throws IOException {
@@ -174,7 +174,7 @@ public final class McapRecorder implements SimObserver, Closeable {
     }
   }
 
-  /** Writes where bodies were at each step before {@code timeNs}. */
+  /** Writes the bodies' poses at each step up to {@code timeNs}. */
   private void advance(long timeNs) {
     while (nextStepNs <= timeNs) {
       ObjectNode update = null;

@@ -1,20 +1,20 @@
 package org.starl.sim.export;
 
+import java.io.ByteArrayOutputStream;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.zip.CRC32;
 
 /**
- * Writes messages of many channels into one file that can be searched by time: the MCAP container
- * (mcap.dev/spec, version 0), in chunks that are not compressed, with an index of each and the
- * statistics at the end. Knows nothing of what the messages say. Times are in ns and may not go back.
+ * Writes messages of many channels into one MCAP file (mcap.dev/spec, version 0), which tools can
+ * search by time: uncompressed chunks, an index of each chunk, and statistics at the end. Written
+ * by hand: no Java library writes MCAP. Times are in ns and do not decrease.
  */
 final class McapWriter implements Closeable {
 
@@ -33,7 +33,7 @@ final class McapWriter implements Closeable {
   private static final int SUMMARY_OFFSET = 0x0E;
   private static final int DATA_END = 0x0F;
 
-  /** One message in the index of its chunk. */
+  /** A message in the index of its chunk. */
   private record Place(long timeNs, long offset) {}
 
   private final OutputStream out;
@@ -56,26 +56,22 @@ final class McapWriter implements Closeable {
   private long endNs;
 
   /**
-   * @param library who writes, for people
+   * @param library name of the writing program
    */
   McapWriter(OutputStream out, String library) throws IOException {
     this.out = out;
     write(MAGIC, MAGIC.length);
-    record.clear();
     record.text("");
     record.text(library);
     write(HEADER, record);
   }
 
   /**
-   * Says what messages look like.
-   *
-   * @param jsonSchema of them
-   * @return the schema's number, for {@link #channel}
+   * Declares the JSON schema of messages; returns the schema's number, for {@link #channel}.
    */
   int schema(String name, String jsonSchema) {
     schemaCount++;
-    record.clear();
+    record.reset();
     record.u16(schemaCount);
     record.text(name);
     record.text("jsonschema");
@@ -85,11 +81,11 @@ final class McapWriter implements Closeable {
     return schemaCount;
   }
 
-  /** Opens a channel; the result is its number, for {@link #message}. */
+  /** Opens a channel; returns its number, for {@link #message}. */
   int channel(int schema, String topic) {
     int channel = messagesOfChannel.size() + 1;
     messagesOfChannel.put(channel, 0L);
-    record.clear();
+    record.reset();
     record.u16(channel);
     record.u16(schema);
     record.text(topic);
@@ -100,7 +96,7 @@ final class McapWriter implements Closeable {
     return channel;
   }
 
-  /** Adds a message, not earlier than the one before. */
+  /** Adds a message, not earlier than the previous one. */
   void message(int channel, long timeNs, byte[] json) throws IOException {
     if (timeNs < endNs) {
       throw new IllegalArgumentException("a message at " + timeNs + " ns after one at " + endNs);
@@ -115,36 +111,36 @@ final class McapWriter implements Closeable {
     chunkEndNs = timeNs;
     chunkPlaces
         .computeIfAbsent(channel, any -> new ArrayList<>())
-        .add(new Place(timeNs, chunk.length()));
+        .add(new Place(timeNs, chunk.size()));
     long sequence = messagesOfChannel.merge(channel, 1L, Long::sum);
     messageCount++;
-    record.clear();
+    record.reset();
     record.u16(channel);
     record.u32(sequence);
     record.u64(timeNs);
     record.u64(timeNs);
-    record.raw(json, json.length);
+    record.writeBytes(json);
     chunk.record(MESSAGE, record);
-    if (chunk.length() >= CHUNK_BYTES) {
+    if (chunk.size() >= CHUNK_BYTES) {
       endChunk();
     }
   }
 
   private void endChunk() throws IOException {
-    if (chunk.length() == 0) {
+    if (chunk.size() == 0) {
       return;
     }
     long chunkAt = position;
     CRC32 crc = new CRC32();
-    crc.update(chunk.array(), 0, chunk.length());
-    record.clear();
+    crc.update(chunk.array(), 0, chunk.size());
+    record.reset();
     record.u64(chunkStartNs);
     record.u64(chunkEndNs);
-    record.u64(chunk.length());
+    record.u64(chunk.size());
     record.u32(crc.getValue());
     record.text(""); // no compression
-    record.u64(chunk.length());
-    record.raw(chunk.array(), chunk.length());
+    record.u64(chunk.size());
+    record.raw(chunk);
     write(CHUNK, record);
     long chunkLength = position - chunkAt;
     McapBytes offsets = new McapBytes();
@@ -154,25 +150,25 @@ final class McapWriter implements Closeable {
       offsets.u64(position);
       writeIndex(places.getKey(), places.getValue());
     }
-    record.clear();
+    record.reset();
     record.u64(chunkStartNs);
     record.u64(chunkEndNs);
     record.u64(chunkAt);
     record.u64(chunkLength);
-    record.u32(offsets.length());
-    record.raw(offsets.array(), offsets.length());
+    record.u32(offsets.size());
+    record.raw(offsets);
     record.u64(position - indexesAt);
     record.text("");
-    record.u64(chunk.length());
-    record.u64(chunk.length());
+    record.u64(chunk.size());
+    record.u64(chunk.size());
     chunkIndexes.record(CHUNK_INDEX, record);
     chunkCount++;
-    chunk.clear();
+    chunk.reset();
     chunkPlaces.clear();
   }
 
   private void writeIndex(int channel, List<Place> places) throws IOException {
-    record.clear();
+    record.reset();
     record.u16(channel);
     record.u32(16L * places.size());
     for (Place place : places) {
@@ -182,13 +178,13 @@ final class McapWriter implements Closeable {
     write(MESSAGE_INDEX, record);
   }
 
-  /** Writes what is left, and closes the stream. */
+  /** Writes the last chunk and the summary, and closes the stream. */
   @Override
   public void close() throws IOException {
     try (out) {
       endChunk();
-      record.clear();
-      record.u32(0); // no checksum over all
+      record.reset();
+      record.u32(0); // no checksum of the data
       write(DATA_END, record);
       writeSummary();
       write(MAGIC, MAGIC.length);
@@ -201,7 +197,7 @@ final class McapWriter implements Closeable {
     writeGroup(SCHEMA, schemas, offsets);
     writeGroup(CHANNEL, channels, offsets);
     McapBytes statistics = new McapBytes();
-    record.clear();
+    record.reset();
     record.u64(messageCount);
     record.u16(schemaCount);
     record.u32(messagesOfChannel.size());
@@ -219,30 +215,30 @@ final class McapWriter implements Closeable {
     writeGroup(STATISTICS, statistics, offsets);
     writeGroup(CHUNK_INDEX, chunkIndexes, offsets);
     long offsetsAt = position;
-    write(offsets.array(), offsets.length());
-    record.clear();
+    write(offsets.array(), offsets.size());
+    record.reset();
     record.u64(summaryAt);
     record.u64(offsetsAt);
-    record.u32(0); // no checksum over the summary
+    record.u32(0); // no checksum of the summary
     write(FOOTER, record);
   }
 
   private void writeGroup(int kind, McapBytes group, McapBytes offsets) throws IOException {
-    if (group.length() == 0) {
+    if (group.size() == 0) {
       return;
     }
-    record.clear();
+    record.reset();
     record.u8(kind);
     record.u64(position);
-    record.u64(group.length());
+    record.u64(group.size());
     offsets.record(SUMMARY_OFFSET, record);
-    write(group.array(), group.length());
+    write(group.array(), group.size());
   }
 
   private void write(int kind, McapBytes content) throws IOException {
     McapBytes whole = new McapBytes();
     whole.record(kind, content);
-    write(whole.array(), whole.length());
+    write(whole.array(), whole.size());
   }
 
   private void write(byte[] bytes, int length) throws IOException {
@@ -250,21 +246,12 @@ final class McapWriter implements Closeable {
     position += length;
   }
 
-  /** Bytes as MCAP has them: the lowest first, texts and records behind their lengths. */
-  private static final class McapBytes {
-    private byte[] bytes = new byte[256];
-    private int length;
+  /** A growing buffer in MCAP's encoding: little endian; texts and records follow their lengths. */
+  private static final class McapBytes extends ByteArrayOutputStream {
 
+    /** The buffer itself, not a copy; the first {@link #size} bytes are valid. */
     byte[] array() {
-      return bytes;
-    }
-
-    int length() {
-      return length;
-    }
-
-    void clear() {
-      length = 0;
+      return buf;
     }
 
     void u8(int value) {
@@ -286,31 +273,22 @@ final class McapWriter implements Closeable {
     void text(String text) {
       byte[] utf8 = text.getBytes(StandardCharsets.UTF_8);
       u32(utf8.length);
-      raw(utf8, utf8.length);
+      writeBytes(utf8);
     }
 
     void record(int kind, McapBytes content) {
       u8(kind);
-      u64(content.length);
-      raw(content.bytes, content.length);
+      u64(content.size());
+      raw(content);
     }
 
-    void raw(byte[] from, int count) {
-      reserve(count);
-      System.arraycopy(from, 0, bytes, length, count);
-      length += count;
+    void raw(McapBytes from) {
+      write(from.buf, 0, from.count);
     }
 
-    private void number(long value, int count) {
-      reserve(count);
-      for (int i = 0; i < count; i++) {
-        bytes[length++] = (byte) (value >>> (8 * i));
-      }
-    }
-
-    private void reserve(int count) {
-      if (length + count > bytes.length) {
-        bytes = Arrays.copyOf(bytes, Math.max(2 * bytes.length, length + count));
+    private void number(long value, int bytes) {
+      for (int i = 0; i < bytes; i++) {
+        write((int) (value >>> (8 * i)));
       }
     }
   }

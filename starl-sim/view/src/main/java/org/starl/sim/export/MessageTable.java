@@ -1,64 +1,32 @@
 package org.starl.sim.export;
 
-import java.io.Closeable;
-import java.io.IOException;
 import java.io.OutputStream;
-import org.starl.sim.SimObserver;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceHeader;
 
 /**
- * Writes messages as a table: one line when one is sent (to a robot, or {@code *} for all in reach),
- * delivered or dropped. Its text is the message, or why it was dropped. {@code from} and {@code seq}
- * tell which it is; what is dropped has no {@code channel}, {@code seq} or {@code bytes}.
+ * Writes messages as a table: one row per message that is sent (to a robot, or {@code *} for all
+ * robots in range), delivered or dropped. The column {@code text} is the message, or the reason of
+ * a drop. {@code from} and {@code seq} identify the message; a drop has no {@code channel}, {@code
+ * seq} or {@code bytes}.
  */
-public final class MessageTable implements SimObserver, Closeable {
-
-  private final CsvFile file;
+public final class MessageTable extends CsvTable {
 
   public MessageTable(OutputStream out) {
-    file = new CsvFile(out);
-  }
-
-  @Override
-  public void started(TraceHeader header) {
-    file.row("time_s", "event", "from", "to", "channel", "seq", "bytes", "text");
+    super(out, "time_s", "event", "from", "to", "channel", "seq", "bytes", "text");
   }
 
   @Override
   public void observed(TraceEvent event) {
-    double atS = CsvFile.seconds(event.timeNs());
+    double atS = seconds(event.timeNs());
     switch (event) {
-      case TraceEvent.Sent sent ->
-          file.row(
-              atS,
-              "sent",
-              sent.robot(),
-              sent.to(),
-              sent.channel(),
-              sent.seq(),
-              sent.bytes(),
-              sent.message());
-      case TraceEvent.Delivered got ->
-          file.row(
-              atS,
-              "delivered",
-              got.from(),
-              got.robot(),
-              got.channel(),
-              got.seq(),
-              "",
-              got.message());
-      case TraceEvent.Dropped dropped ->
-          file.row(atS, "dropped", dropped.from(), dropped.robot(), "", "", "", dropped.why());
+      case TraceEvent.Sent e ->
+          row(atS, "sent", e.robot(), e.to(), e.channel(), e.seq(), e.bytes(), e.message());
+      case TraceEvent.Delivered e ->
+          row(atS, "delivered", e.from(), e.robot(), e.channel(), e.seq(), "", e.message());
+      case TraceEvent.Dropped e -> row(atS, "dropped", e.from(), e.robot(), "", "", "", e.why());
       default -> {
-        // No message.
+        // Not a message.
       }
     }
-  }
-
-  @Override
-  public void close() throws IOException {
-    file.close();
   }
 }

@@ -1,28 +1,17 @@
 package org.starl.sim.export;
 
-import java.io.Closeable;
-import java.io.IOException;
 import java.io.OutputStream;
 import org.starl.geometry.Pose;
-import org.starl.sim.SimObserver;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceHeader;
 
 /**
- * Writes true motion as a table: one line whenever a body comes, changes its motion or goes. Between
- * two lines of a robot its body moves with the constant speeds of the first.
+ * Writes true motion as a table: one row whenever a body joins, changes its speeds or leaves.
+ * Between two rows of a robot its body moves with the constant speeds of the first.
  */
-public final class PositionTable implements SimObserver, Closeable {
-
-  private final CsvFile file;
+public final class PositionTable extends CsvTable {
 
   public PositionTable(OutputStream out) {
-    file = new CsvFile(out);
-  }
-
-  @Override
-  public void started(TraceHeader header) {
-    file.row("time_s", "robot", "event", "x_mm", "y_mm", "heading_rad", "mm_per_s", "rad_per_s");
+    super(out, "time_s", "robot", "event", "x_mm", "y_mm", "heading_rad", "mm_per_s", "rad_per_s");
   }
 
   @Override
@@ -32,16 +21,16 @@ public final class PositionTable implements SimObserver, Closeable {
       case TraceEvent.Moved moved ->
           row(event, "moved", moved.pose(), moved.linearMmPerS(), moved.angularRadPerS());
       case TraceEvent.Left left ->
-          file.row(CsvFile.seconds(left.timeNs()), left.robot(), "left", "", "", "", "", "");
+          row(seconds(left.timeNs()), left.robot(), "left", "", "", "", "", "");
       default -> {
-        // Moves nothing.
+        // Not a change of motion.
       }
     }
   }
 
   private void row(TraceEvent event, String kind, Pose pose, double mmPerS, double radPerS) {
-    file.row(
-        CsvFile.seconds(event.timeNs()),
+    row(
+        seconds(event.timeNs()),
         event.robot(),
         kind,
         pose.xMm(),
@@ -49,10 +38,5 @@ public final class PositionTable implements SimObserver, Closeable {
         pose.headingRad(),
         mmPerS,
         radPerS);
-  }
-
-  @Override
-  public void close() throws IOException {
-    file.close();
   }
 }

@@ -1,5 +1,5 @@
 /**
- * Observers that write a run down: its trace, and tables.
+ * Observers that export a run: CSV tables, and MCAP files for Foxglove.
  *
  * <p>May import: core, {@code org.starl.sim}'s observer and result.
  */

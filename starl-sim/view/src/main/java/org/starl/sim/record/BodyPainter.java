@@ -6,7 +6,7 @@ import java.awt.Graphics2D;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 
-/** Paints one robot's body: a disc with a line towards where it heads. */
+/** Paints one robot's body: a disc with a line that shows the heading. */
 final class BodyPainter {
 
   private static final double HEADING_FROM = 0.62;
@@ -16,7 +16,7 @@ final class BodyPainter {
   private final Ellipse2D.Double disc = new Ellipse2D.Double();
   private final Line2D.Double line = new Line2D.Double();
 
-  /** In pixels; y points down. */
+  /** Coordinates are in pixels; y points down. */
   void paint(
       Graphics2D page,
       double xPx,
@@ -31,7 +31,7 @@ final class BodyPainter {
     page.setColor(theme.edge(colour));
     page.setStroke(new BasicStroke((float) Math.max(1, EDGE_SHARE * radiusPx)));
     page.draw(disc);
-    // From outside the name to the edge; from the middle where there is no room for a name.
+    // A large disc contains the robot's name: the line begins outside of it.
     double cos = StrictMath.cos(headingRad);
     double sin = -StrictMath.sin(headingRad);
     double innerPx = radiusPx < 14 ? 0 : HEADING_FROM * radiusPx;
@@ -40,7 +40,7 @@ final class BodyPainter {
     page.draw(line);
   }
 
-  /** Over a robot whose program has crashed. */
+  /** Marks a robot whose program has crashed. */
   void paintCross(Graphics2D page, double xPx, double yPx, double radiusPx, Theme theme) {
     double arm = 0.9 * radiusPx;
     page.setColor(theme.alarm());
@@ -53,7 +53,7 @@ final class BodyPainter {
     page.draw(line);
   }
 
-  /** Around the one that the picture is about. */
+  /** Marks the selected robot. */
   void paintRing(Graphics2D page, double xPx, double yPx, double radiusPx, Theme theme) {
     double ringPx = radiusPx + 5;
     disc.setFrame(xPx - ringPx, yPx - ringPx, 2 * ringPx, 2 * ringPx);

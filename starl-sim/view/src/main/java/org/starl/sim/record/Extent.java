@@ -2,7 +2,7 @@ package org.starl.sim.record;
 
 import org.starl.geometry.Point;
 
-/** The smallest upright rectangle around points of the world; grows as more are added. */
+/** Bounding box of points of the world; grows when points are added. */
 public final class Extent {
 
   private double xMinMm = Double.POSITIVE_INFINITY;
@@ -10,7 +10,10 @@ public final class Extent {
   private double xMaxMm = Double.NEGATIVE_INFINITY;
   private double yMaxMm = Double.NEGATIVE_INFINITY;
 
-  /** What a picture of {@code scene} shows: all that stands or ever moved there, and its corners. */
+  /**
+   * The part of the world that a picture shows: obstacles, paths of robots, and the layer's
+   * corners.
+   */
   public static Extent of(Scene scene, Layer layer) {
     Extent extent = scene.extent().copy();
     layer.corners().forEach(extent::add);
@@ -26,7 +29,7 @@ public final class Extent {
     return copy;
   }
 
-  /** Grows by all of another one. */
+  /** Grows to contain {@code other}. */
   public void include(Extent other) {
     xMinMm = Math.min(xMinMm, other.xMinMm);
     yMinMm = Math.min(yMinMm, other.yMinMm);

@@ -10,33 +10,23 @@ import java.util.Collections;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.starl.geometry.Obstacles;
-import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
-import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceHeader;
 
-/** Takes a few pictures of a run, at times that are known before: of one that is run again. */
-public final class Filmstrip implements SimObserver {
+/** Takes pictures of a run at given times. */
+public final class Filmstrip extends SceneRecorder {
 
-  private static final long TENTH_NS = 100_000_000;
-
-  private final Scene scene;
-  private final Layer layer;
-  private final Page page = new Page();
   private final List<Long> timesNs;
   private final List<Frame> frames = new ArrayList<>();
-  private String name = "";
 
   /**
-   * @param timesNs of the pictures, in ns from the start of the run
+   * @param timesNs times of the pictures, in ns from the start of the run
    */
   public Filmstrip(Obstacles obstacles, Layer layer, List<Long> timesNs) {
-    scene = new Scene(obstacles);
-    this.layer = layer;
+    super(obstacles, layer);
     this.timesNs = timesNs.stream().sorted().distinct().toList();
   }
 
-  /** One picture, with all that had happened by its time. */
+  /** A picture of the run at one time. */
   public static final class Frame {
     private final long timeNs;
     private final BufferedImage image;
@@ -50,12 +40,12 @@ public final class Filmstrip implements SimObserver {
       return timeNs;
     }
 
-    /** Writes it as PNG, legend and all, so many pixels wide. */
+    /** Writes floor and legend as PNG, {@code widthPx} wide. */
     public void writePng(int widthPx, OutputStream out) throws IOException {
       write(image, widthPx, out);
     }
 
-    /** Writes the floor alone as PNG, so many pixels wide and high. */
+    /** Writes the floor without the legend as PNG, {@code widthPx} wide and high. */
     public void writeFloorPng(int widthPx, OutputStream out) throws IOException {
       int sidePx = Math.min(image.getWidth(), image.getHeight());
       write(image.getSubimage(0, 0, sidePx, sidePx), widthPx, out);
@@ -68,34 +58,25 @@ public final class Filmstrip implements SimObserver {
   }
 
   @Override
-  public void started(TraceHeader header) {
-    name = header.scenario() + ", seed " + header.scenarioSeed();
-  }
-
-  @Override
-  public void observed(TraceEvent event) {
-    while (hasNext() && next() < event.timeNs()) {
+  void takeBefore(long timeNs) {
+    while (hasNext() && next() < timeNs) {
       take(next());
     }
-    scene.observe(event);
-    layer.observe(event);
   }
 
   @Override
   public void finished(SimResult result) {
-    while (hasNext() && next() <= result.endNs()) {
-      take(next());
-    }
+    takeBefore(result.endNs() + 1);
   }
 
-  /** Takes what is left of the pictures as all stands now: for a run that an error ended. */
+  /** Takes the next picture now, if one is left: for a run that an error ended. */
   public void cut() {
     if (hasNext()) {
       take(Math.min(next(), scene.nowNs()));
     }
   }
 
-  /** What was taken, in order; nothing for times that the run did not come to. */
+  /** The pictures in order, without those for times after the end of the run. */
   public List<Frame> frames() {
     return Collections.unmodifiableList(frames);
   }
@@ -109,10 +90,7 @@ public final class Filmstrip implements SimObserver {
   }
 
   private void take(long timeNs) {
-    scene.advance(timeNs);
-    long tenths = timeNs / TENTH_NS;
-    String title = name + ", at " + tenths / 10 + "." + tenths % 10 + " s";
-    frames.add(new Frame(timeNs, page.paint(scene, layer, title)));
+    frames.add(new Frame(timeNs, paint(timeNs)));
   }
 
   static BufferedImage scaled(BufferedImage image, int widthPx) {

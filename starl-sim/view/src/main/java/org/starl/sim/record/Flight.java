@@ -3,23 +3,21 @@ package org.starl.sim.record;
 import org.starl.id.RobotId;
 
 /**
- * A datagram on its way to one robot, to be painted.
+ * A datagram in transit to one robot.
  *
- * @param channel as in the trace: primitive and instance
- * @param text the message, for people
- * @param sentNs when it was handed to the radio
- * @param share of its way that it has behind it, 0 to 1
- * @param state how it stands
+ * @param channel primitive and instance, as in the trace
+ * @param text the message as text
+ * @param sentNs time of sending
+ * @param share share of the way that is done, 0 to 1
  */
 public record Flight(
     RobotId from, RobotId to, String channel, String text, long sentNs, double share, State state) {
 
-  /** How it stands with a datagram. */
+  /** State of a datagram; delivered and dropped ones are shown for a moment. */
   public enum State {
-    UNDER_WAY,
-    /** A moment ago. */
+    IN_TRANSIT,
     DELIVERED,
-    /** It was lost, or refused; a moment ago. */
+    /** Lost, or rejected by the receiver. */
     DROPPED
   }
 

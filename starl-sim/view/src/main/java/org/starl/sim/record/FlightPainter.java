@@ -12,7 +12,9 @@ import java.util.List;
 import java.util.Optional;
 import org.starl.geometry.Pose;
 
-/** Paints datagrams: an arc from sender to receiver in the sender's colour, and a dot on its way. */
+/**
+ * Paints datagrams: an arc from sender to receiver in the sender's colour, and a moving dot on it.
+ */
 final class FlightPainter {
 
   private static final int FEW = 14;
@@ -47,7 +49,7 @@ final class FlightPainter {
     }
   }
 
-  /** Where there are so many that nobody could tell one arc from another. */
+  /** Straight lines, for too many datagrams to tell arcs apart. */
   private static void plainly(
       Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
     Object before = page.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
@@ -107,10 +109,10 @@ final class FlightPainter {
     return new Ellipse2D.Double(x - radiusPx, y - radiusPx, 2 * radiusPx, 2 * radiusPx);
   }
 
-  /** Bent to one side, lest those there and those back lie on each other. */
+  /** Bent to one side, so that messages in opposite directions do not overlap. */
   private record Arc(double x0, double y0, double x1, double y1) {
 
-    /** From edge to edge of two discs; from middle to middle if they are too near. */
+    /** From edge to edge of two discs; from centre to centre if they are too close. */
     static Arc between(double x0, double y0, double r0, double x1, double y1, double r1) {
       double length = Math.sqrt((x1 - x0) * (x1 - x0) + (y1 - y0) * (y1 - y0));
       if (length <= r0 + r1 + 4 * DOT_PX) {

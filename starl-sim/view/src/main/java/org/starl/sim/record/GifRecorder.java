@@ -14,70 +14,49 @@ import javax.imageio.metadata.IIOMetadataNode;
 import javax.imageio.stream.ImageOutputStream;
 import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.starl.geometry.Obstacles;
-import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
-import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceHeader;
 
 /**
- * Takes a moving picture of a run, with the same painter as its still ones: a frame every so often of
- * virtual time. Of a violation it keeps what came before.
+ * Records an animated GIF of a run: one frame per {@code everyNs} of simulated time. It can also
+ * record only the time around the first violation.
  */
-public final class GifRecorder implements SimObserver {
+public final class GifRecorder extends SceneRecorder {
 
-  private static final long NS_PER_S = 1_000_000_000;
-  private static final long TENTH_NS = NS_PER_S / 10;
   private static final String FORMAT = "javax_imageio_gif_image_1.0";
 
-  /** Hundredths of a second between two frames as they are shown. */
+  /** Display time of a frame, in hundredths of a second. */
   private static final int SHOWN_CS = 5;
 
-  /** Before and after a violation. */
+  /** Frames kept before and after a violation. */
   private static final int FRAMES_BEFORE = 60;
 
   private static final int FRAMES_AFTER = 20;
 
-  private final Scene scene;
-  private final Layer layer;
-  private final Page page = new Page();
   private final long everyNs;
   private final int widthPx;
   private final boolean ofViolation;
   private final Deque<BufferedImage> frames = new ArrayDeque<>();
-  private String name = "";
   private long nextNs;
   private int framesLeft = Integer.MAX_VALUE;
   private boolean isViolated;
 
   /**
-   * @param everyNs virtual time between two frames, above 0
-   * @param widthPx of the picture
-   * @param ofViolation whether to keep the first violation only, and nothing if all hold
+   * @param everyNs simulated time between two frames, above 0
+   * @param widthPx width of the GIF, above 0
+   * @param ofViolation whether to keep only the frames around the first violation; none if there is
+   *     none
    */
   public GifRecorder(
       Obstacles obstacles, Layer layer, long everyNs, int widthPx, boolean ofViolation) {
+    super(obstacles, layer);
     if (everyNs <= 0 || widthPx <= 0) {
       throw new IllegalArgumentException(
           "a frame every " + everyNs + " ns, " + widthPx + " px wide: expected both above 0");
     }
-    scene = new Scene(obstacles);
-    this.layer = layer;
     this.everyNs = everyNs;
     this.widthPx = widthPx;
     this.ofViolation = ofViolation;
-  }
-
-  @Override
-  public void started(TraceHeader header) {
-    name = header.scenario() + ", seed " + header.scenarioSeed();
-  }
-
-  @Override
-  public void observed(TraceEvent event) {
-    takeUntil(event.timeNs());
-    scene.observe(event);
-    layer.observe(event);
   }
 
   @Override
@@ -90,15 +69,15 @@ public final class GifRecorder implements SimObserver {
 
   @Override
   public void finished(SimResult result) {
-    takeUntil(result.endNs() + 1);
+    takeBefore(result.endNs() + 1);
   }
 
-  /** Whether there is anything to be seen. */
+  /** Whether there are frames to write. */
   public boolean hasFrames() {
     return !frames.isEmpty() && (isViolated || !ofViolation);
   }
 
-  /** Writes the frames, which play for ever. */
+  /** Writes the frames as a GIF that repeats forever. */
   public void writeGif(OutputStream out) throws IOException {
     ImageWriter writer = ImageIO.getImageWritersByFormatName("gif").next();
     try (ImageOutputStream stream = new MemoryCacheImageOutputStream(out)) {
@@ -129,24 +108,22 @@ public final class GifRecorder implements SimObserver {
     control.setAttribute("delayTime", Integer.toString(SHOWN_CS));
     root.appendChild(control);
     if (isFirst) {
-      IIOMetadataNode forEver = new IIOMetadataNode("ApplicationExtension");
-      forEver.setAttribute("applicationID", "NETSCAPE");
-      forEver.setAttribute("authenticationCode", "2.0");
-      forEver.setUserObject(new byte[] {1, 0, 0});
+      IIOMetadataNode repeat = new IIOMetadataNode("ApplicationExtension");
+      repeat.setAttribute("applicationID", "NETSCAPE");
+      repeat.setAttribute("authenticationCode", "2.0");
+      repeat.setUserObject(new byte[] {1, 0, 0});
       IIOMetadataNode extensions = new IIOMetadataNode("ApplicationExtensions");
-      extensions.appendChild(forEver);
+      extensions.appendChild(repeat);
       root.appendChild(extensions);
     }
     metadata.mergeTree(FORMAT, root);
     return metadata;
   }
 
-  private void takeUntil(long timeNs) {
+  @Override
+  void takeBefore(long timeNs) {
     while (nextNs < timeNs && framesLeft > 0) {
-      scene.advance(nextNs);
-      long tenths = nextNs / TENTH_NS;
-      String title = name + ", at " + tenths / 10 + "." + tenths % 10 + " s";
-      frames.add(Filmstrip.scaled(page.paint(scene, layer, title), widthPx));
+      frames.add(Filmstrip.scaled(paint(nextNs), widthPx));
       if (ofViolation && !isViolated && frames.size() > FRAMES_BEFORE) {
         frames.remove();
       }

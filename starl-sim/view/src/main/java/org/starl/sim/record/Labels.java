@@ -9,7 +9,7 @@ import java.util.Optional;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
-/** Writes robots' names, and where each is in its program, where there is room. */
+/** Writes names and locations of robots, where there is room. */
 final class Labels {
 
   private static final Font NAME = new Font(Font.SANS_SERIF, Font.BOLD, 12);
@@ -46,7 +46,9 @@ final class Labels {
     }
   }
 
-  /** Inside the disc if it fits, else below; returns how much lower the next line goes. */
+  /**
+   * Inside the disc if the name fits, else below it; returns the height of the line below, or 0.
+   */
   private static double name(
       Graphics2D page,
       RobotId robot,
@@ -72,7 +74,7 @@ final class Labels {
     haloed(page, text, left, y, look.theme().ink(), look.theme().paper());
   }
 
-  /** Text that can be read whatever lies below it. */
+  /** Text with a halo, readable on any background. */
   static void haloed(Graphics2D page, String text, double x, double y, Color ink, Color paper) {
     page.setColor(Theme.faded(paper, 190));
     for (int dx = -1; dx <= 1; dx++) {

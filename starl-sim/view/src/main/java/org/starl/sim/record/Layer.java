@@ -7,15 +7,15 @@ import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 /**
- * What an app draws into the picture of a run. Coordinates are the world's: mm, y upwards.
+ * The app's part of the picture of a run. Coordinates are the world's: mm, y upwards.
  *
- * <p>What it draws depends on nothing but what it was made with and the events that it has observed:
- * so that a picture of any moment can be painted, of a run that goes on as of one in a file, forwards
- * and backwards.
+ * <p>A layer's drawing depends only on its constructor's arguments and on the events that it has
+ * observed. So the viewer can paint any moment of a run or of a trace, and go forwards and
+ * backwards.
  */
 public interface Layer {
 
-  /** Draws nothing: pictures show robots and obstacles alone. */
+  /** Draws nothing: pictures show only robots and obstacles. */
   Layer NONE =
       new Layer() {
         @Override
@@ -25,46 +25,45 @@ public interface Layer {
       };
 
   /**
-   * The same layer at this moment: the copy and this one, which is left as it is, go on apart, maybe
-   * on two threads. A layer that keeps nothing of the events is its own copy, and returns itself; one
-   * that keeps something must give the copy its own.
+   * An independent copy in the same state; copy and original may be used by two threads. A layer
+   * without state returns itself; a layer with state must copy it.
    */
   Layer copy();
 
-  /** Sees each event of the run before it is painted. */
+  /** Updates the state; called for each event, before painting. */
   default void observe(TraceEvent event) {}
 
-  /** What can be switched off, a word each; {@link Look#shows(String)} tells whether it is on. */
+  /** Parts that the user can hide, one word each; see {@link Look#shows(String)}. */
   default List<String> parts() {
     return List.of();
   }
 
   /**
-   * Under the bodies: zones, routes, goals.
+   * Paints zones, routes and goals, under the bodies.
    *
-   * @param look colours to paint in, and what is switched on
+   * @param look colours and visible parts
    */
   default void paintFloor(Graphics2D floor, Scene scene, Look look) {}
 
-  /** Whether to draw where the bodies have been. */
+  /** Whether pictures show the trails of bodies. */
   default boolean showsTrails() {
     return true;
   }
 
-  /** Over obstacles, trails and bodies. */
+  /** Paints over obstacles, trails and bodies. */
   default void paintOver(Graphics2D floor, Scene scene, Look look) {}
 
-  /** A line or two for each robot, in the legend. */
+  /** One or two lines about a robot, for the legend. */
   default String describe(RobotId robot, Scene scene) {
     return "";
   }
 
-  /** Points that belong into the picture whether anybody ever goes there or not. */
+  /** Points that every picture contains, even if no robot goes there. */
   default List<Point> corners() {
     return List.of();
   }
 
-  /** How much there is to see: a picture of the best moment is taken where this is greatest. */
+  /** How interesting the scene is; {@link Moment.Best} maximizes it. */
   default double interest(Scene scene) {
     return scene.robots().stream().filter(robot -> scene.pose(robot).isPresent()).count();
   }

@@ -2,6 +2,7 @@ package org.starl.sim.record;
 
 import java.awt.BasicStroke;
 import java.awt.Color;
+import java.util.Collections;
 import java.util.EnumSet;
 import java.util.Set;
 import java.util.TreeSet;
@@ -9,12 +10,25 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
 /**
- * How a scene is painted: in which colours, which parts of it, whom it is about, and how large a pixel
- * is.
+ * How to paint a scene. {@link Layer}s read it too.
+ *
+ * @param parts visible parts of the picture
+ * @param hidden invisible parts of the app's drawing, as {@link Layer#parts} names them
+ * @param selected the selected robot; null if none is
+ * @param trailPoints greatest number of points of a trail; the latest ones are painted
+ * @param rangeMm range of the radio; 0 if it is unlimited
+ * @param pixelMm size of a pixel in mm, for shapes of the same size at every zoom
  */
-public final class Look {
+public record Look(
+    Theme theme,
+    Set<Part> parts,
+    Set<String> hidden,
+    @Nullable RobotId selected,
+    int trailPoints,
+    double rangeMm,
+    double pixelMm) {
 
-  /** Of pictures in files. */
+  /** For pictures in files. */
   public static final Look FILE =
       new Look(
           Theme.LIGHT,
@@ -25,29 +39,9 @@ public final class Look {
           0,
           1);
 
-  private final Theme theme;
-  private final Set<Part> parts;
-  private final Set<String> hidden;
-  private final @Nullable RobotId selected;
-  private final int trailPoints;
-  private final double rangeMm;
-  private final double pixelMm;
-
-  private Look(
-      Theme theme,
-      Set<Part> parts,
-      Set<String> hidden,
-      @Nullable RobotId selected,
-      int trailPoints,
-      double rangeMm,
-      double pixelMm) {
-    this.theme = theme;
-    this.parts = parts;
-    this.hidden = hidden;
-    this.selected = selected;
-    this.trailPoints = trailPoints;
-    this.rangeMm = rangeMm;
-    this.pixelMm = pixelMm;
+  public Look {
+    parts = Collections.unmodifiableSet(new TreeSet<>(parts));
+    hidden = Collections.unmodifiableSet(new TreeSet<>(hidden));
   }
 
   public Look in(Theme newTheme) {
@@ -55,7 +49,7 @@ public final class Look {
   }
 
   public Look with(Part part, boolean isOn) {
-    Set<Part> changed = parts.isEmpty() ? EnumSet.noneOf(Part.class) : EnumSet.copyOf(parts);
+    Set<Part> changed = new TreeSet<>(parts);
     if (isOn) {
       changed.add(part);
     } else {
@@ -64,7 +58,7 @@ public final class Look {
     return new Look(theme, changed, hidden, selected, trailPoints, rangeMm, pixelMm);
   }
 
-  /** Switches one of {@link Layer#parts}. */
+  /** Shows or hides one of {@link Layer#parts}. */
   public Look with(String part, boolean isOn) {
     Set<String> changed = new TreeSet<>(hidden);
     if (isOn) {
@@ -75,17 +69,17 @@ public final class Look {
     return new Look(theme, parts, changed, selected, trailPoints, rangeMm, pixelMm);
   }
 
-  /** About one robot, or null for all alike. */
+  /** With another selected robot; null for none. */
   public Look about(@Nullable RobotId robot) {
     return new Look(theme, parts, hidden, robot, trailPoints, rangeMm, pixelMm);
   }
 
-  /** With so many points of a trail at most, the latest ones. */
+  /** With at most {@code points} points per trail. */
   public Look withTrails(int points) {
     return new Look(theme, parts, hidden, selected, points, rangeMm, pixelMm);
   }
 
-  /** With a radio that reaches so far; 0 for one without limit. */
+  /** With a range of the radio; 0 for an unlimited one. */
   public Look withRange(double newRangeMm) {
     return new Look(theme, parts, hidden, selected, trailPoints, newRangeMm, pixelMm);
   }
@@ -94,60 +88,35 @@ public final class Look {
     return new Look(theme, parts, hidden, selected, trailPoints, rangeMm, 1 / viewport.pxPerMm());
   }
 
-  public Theme theme() {
-    return theme;
-  }
-
   public boolean shows(Part part) {
     return parts.contains(part);
   }
 
-  /** Whether one of {@link Layer#parts} is to be drawn. */
+  /** Whether one of {@link Layer#parts} is visible. */
   public boolean shows(String part) {
     return !hidden.contains(part);
   }
 
-  /** The robot that the picture is about; null if about all alike. */
-  public @Nullable RobotId selected() {
-    return selected;
-  }
-
-  /** Whether the radio has a limit. */
-  public boolean isRangeKnown() {
-    return rangeMm > 0;
-  }
-
-  double rangeMm() {
-    return rangeMm;
-  }
-
-  int trailPoints() {
-    return trailPoints;
-  }
-
-  /** So many mm are a pixel: for what is to have the same size however far away one looks. */
-  public double pixelMm() {
-    return pixelMm;
-  }
-
-  /** Of a robot that is on the floor or was. */
+  /** The colour of a robot. */
   public Color robot(Scene scene, RobotId robot) {
     return theme.robot(scene.number(robot));
   }
 
-  /** A line so wide, but never less than a pixel. */
+  /** A solid line, at least 1 pixel wide. */
   public BasicStroke line(double widthMm) {
     return new BasicStroke(atLeast(widthMm, 1), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
   }
 
-  /** Round dots so wide, their centres so far from each other; never less than 2 and 6 pixels. */
+  /**
+   * Round dots, {@code stepMm} from centre to centre; at least 2 pixels wide and 6 pixels apart.
+   */
   public BasicStroke dots(double widthMm, double stepMm) {
     float[] dash = {(float) (widthMm / 50), atLeast(stepMm, 6)};
     return new BasicStroke(
         atLeast(widthMm, 2), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND, 10, dash, 0);
   }
 
-  /** Dashes so wide, so long and so far apart; never less than 1, 4 and 4 pixels. */
+  /** Dashes with gaps of the same length; at least 1 pixel wide and 4 pixels long. */
   public BasicStroke dashes(double widthMm, double lengthMm) {
     float[] dash = {atLeast(lengthMm, 4), atLeast(lengthMm, 4)};
     return new BasicStroke(

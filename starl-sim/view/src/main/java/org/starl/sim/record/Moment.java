@@ -1,17 +1,17 @@
 package org.starl.sim.record;
 
-/** When a picture is taken. */
+/** The time of a picture. */
 public sealed interface Moment {
 
-  /** At a time, in ns from the start of the run; at its end if that comes before. */
+  /** A time in ns from the start of the run; its end if the run ends earlier. */
   record At(long timeNs) implements Moment {}
 
-  /** At the end of the run. */
+  /** The end of the run. */
   record End() implements Moment {}
 
-  /** When a specification is found violated first; never if all hold. */
+  /** The first violation of a specification; no picture if there is none. */
   record Violation() implements Moment {}
 
-  /** At the first whole second at which the layer sees most. */
+  /** The first whole second with the greatest {@link Layer#interest}. */
   record Best() implements Moment {}
 }

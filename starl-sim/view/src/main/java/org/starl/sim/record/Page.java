@@ -8,7 +8,7 @@ import java.util.Comparator;
 import java.util.List;
 import org.starl.id.RobotId;
 
-/** A picture for a file: the floor on the left, a line or two for each robot on the right. */
+/** A picture for a file: the floor on the left, a legend of the robots on the right. */
 final class Page {
 
   private static final int FLOOR_PX = 900;
@@ -21,7 +21,7 @@ final class Page {
   private final Painter painter = new Painter();
   private final Look look = Look.FILE;
 
-  /** The picture of {@code scene} as it is now. */
+  /** The picture of {@code scene} in its present state. */
   BufferedImage paint(Scene scene, Layer layer, String title) {
     BufferedImage image =
         new BufferedImage(FLOOR_PX + LEGEND_PX, FLOOR_PX, BufferedImage.TYPE_INT_RGB);
@@ -45,7 +45,7 @@ final class Page {
     page.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
     page.drawString(title, x, y);
     page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-    // Who is there comes first.
+    // Robots on the floor come first.
     List<RobotId> robots = new ArrayList<>(scene.robots());
     robots.sort(Comparator.comparing(robot -> scene.pose(robot).isEmpty()));
     y += LINE_PX + ENTRY_GAP_PX;

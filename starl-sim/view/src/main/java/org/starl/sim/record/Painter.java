@@ -14,12 +14,15 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
 /**
- * Paints a {@link Scene} with its {@link Layer}, for windows and files alike. What lies outside the
- * picture costs little, and many robots are painted with ready small pictures. One thread's own.
+ * Paints a {@link Scene} with its {@link Layer}, for the window and for files. Objects outside the
+ * picture cost little, and many robots are painted with cached sprites. Not thread-safe.
  */
 public final class Painter {
 
-  /** Above this many in the picture, or below this size, robots are painted with sprites. */
+  /**
+   * More visible robots than {@code MANY}, if smaller than {@code LARGE_PX}, are painted with
+   * sprites.
+   */
   private static final int MANY = 250;
 
   private static final double LARGE_PX = 40;
@@ -32,16 +35,16 @@ public final class Painter {
   private final TrailPainter trails = new TrailPainter();
   private final FlightPainter flights = new FlightPainter();
 
-  /** The same without messages. */
+  /** Paints without messages. */
   public void paint(Graphics2D page, Scene scene, Layer layer, Viewport viewport, Look look) {
     paint(page, scene, layer, viewport, look, List.of());
   }
 
   /**
-   * Paints all of the viewport, paper included.
+   * Paints the whole viewport, background included.
    *
-   * @param page whose origin is the viewport's upper left corner; its clip, if any, is respected
-   * @param messages under way, or just arrived
+   * @param page its origin is the viewport's upper left corner
+   * @param messages in transit, or just arrived
    */
   public void paint(
       Graphics2D page,
@@ -50,10 +53,7 @@ public final class Painter {
       Viewport viewport,
       Look look,
       List<Flight> messages) {
-    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    page.setRenderingHint(
-        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    smooth(page);
     page.setColor(look.theme().paper());
     page.fillRect(0, 0, viewport.widthPx(), viewport.heightPx());
     Look scaled = look.at(viewport);
@@ -86,7 +86,15 @@ public final class Painter {
     Labels.paint(page, scene, viewport, look, shown);
   }
 
-  /** How many of them are in the picture. */
+  /** Turns antialiasing on, for shapes and text. */
+  public static void smooth(Graphics2D page) {
+    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+    page.setRenderingHint(
+        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+  }
+
+  /** Paints the bodies; returns the number of visible ones. */
   private int robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     int[] shown = new int[1];
     double[] mostPx = new double[1];
@@ -120,7 +128,7 @@ public final class Painter {
     });
   }
 
-  /** In the device's own pixels, so that sprites are copied and not scaled. */
+  /** In device pixels, so that sprites are copied without scaling. */
   private void many(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
     Graphics2D device = (Graphics2D) page.create();
     AffineTransform at = page.getTransform();
@@ -150,7 +158,7 @@ public final class Painter {
     device.dispose();
   }
 
-  /** On single robots: who has crashed, whom the picture is about. */
+  /** Marks crashed robots and the selected one. */
   private void marks(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     for (RobotId robot : scene.down()) {
       scene
@@ -196,7 +204,7 @@ public final class Painter {
     }
   }
 
-  /** A burst of short lines; it fades. */
+  /** Bursts of short lines, which fade. */
   private static void bumps(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
     for (Scene.Bump bump : scene.bumps()) {
       long ageNs = scene.nowNs() - bump.timeNs();

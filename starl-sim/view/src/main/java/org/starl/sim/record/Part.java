@@ -1,17 +1,17 @@
 package org.starl.sim.record;
 
-/** What a picture consists of besides the app's {@link Layer}; each can be switched off. */
+/** The parts of a picture; the user can hide each of them. */
 public enum Part {
-  APP("App", "what the app draws: zones, routes, goals"),
-  WALLS("Obstacles", "what all robots know to be in the way"),
-  HIDDEN("Hidden obstacles", "what is in the way and on no robot's map at the start"),
-  TRAILS("Trails", "where bodies have been"),
-  ROBOTS("Robots", "true bodies, with a line towards where they head"),
-  NAMES("Names", "robots' names, where there is room"),
-  LOCATIONS("Locations", "where each robot is in its program, where there is room"),
-  BUMPS("Bumps", "where robots ran into something, for ten seconds"),
-  RANGE("Radio range", "how far a datagram reaches, where the run limits it"),
-  MESSAGES("Messages", "datagrams between sending and handling");
+  APP("App", "the app's drawing: zones, routes, goals"),
+  WALLS("Obstacles", "obstacles that all robots know"),
+  HIDDEN("Hidden obstacles", "obstacles on no robot's map at the start"),
+  TRAILS("Trails", "trails of the robots"),
+  ROBOTS("Robots", "robots at their true positions, with their headings"),
+  NAMES("Names", "names of the robots, where there is room"),
+  LOCATIONS("Locations", "each robot's location in its program, where there is room"),
+  BUMPS("Bumps", "points where a robot bumped into something, for 10 s"),
+  RANGE("Radio range", "the range of the radio, if a fault limits it"),
+  MESSAGES("Messages", "messages in transit");
 
   private final String title;
   private final String meaning;
@@ -21,12 +21,12 @@ public enum Part {
     this.meaning = meaning;
   }
 
-  /** A word or two, for a switch. */
+  /** The name of the part, for a check box. */
   public String title() {
     return title;
   }
 
-  /** A line, for a tooltip. */
+  /** A description that follows "show", for a tooltip. */
   public String meaning() {
     return meaning;
   }

@@ -23,8 +23,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What a run looks like at one moment, put together from its events. Of the robots that have left the
- * floor only the last ones are kept.
+ * The visible state of a run at one moment, computed from its events. Of the robots that have left
+ * the floor only the last twelve are kept.
  */
 public final class Scene {
 
@@ -32,23 +32,23 @@ public final class Scene {
   private static final int KEPT_GONE = 12;
   private static final int KEPT_BUMPS = 64;
 
-  // As the motion automaton traces it.
+  // Words of the motion automaton's trace.
   private static final String MOTION = "motion";
   private static final String FAILED = "failed";
   private static final String BUMPED = "bumped into something";
 
-  /** A robot ran into something, and says so. */
+  /** A robot reported that it bumped into something. */
   public record Bump(long timeNs, RobotId robot, Point at) {}
 
-  /** A variable of a robot with its latest value. */
+  /** A variable of a robot and its latest value. */
   public record Value(String source, String name, String value) {}
 
-  /** Is shown the bodies that are on the floor. */
+  /** Visits the bodies on the floor. */
   public interface Visitor {
 
     /**
-     * @param number as of {@link Scene#number}
-     * @param pose the body's true one
+     * @param number see {@link Scene#number}
+     * @param pose true pose of the body
      */
     void visit(RobotId robot, int number, Pose pose, double radiusMm);
   }
@@ -83,12 +83,12 @@ public final class Scene {
   }
 
   /**
-   * The same at this moment: the copy and this one, which is left as it is, go on apart, maybe on two
-   * threads. What robots have left behind is not copied but shared.
+   * An independent copy in the same state; copy and original may be used by two threads. The points
+   * of trails are shared.
    */
   public Scene copy() {
     Scene copy = new Scene(obstacles, bodies.copy(), extent.copy());
-    // Sorted maps are taken over in linear time.
+    // putAll of a sorted map takes linear time.
     copy.trails.putAll(trails);
     copy.trails.replaceAll((robot, trail) -> trail.copy());
     copy.variables.putAll(variables);
@@ -103,7 +103,7 @@ public final class Scene {
     return copy;
   }
 
-  /** Sees the next event. */
+  /** Applies the next event. */
   public void observe(TraceEvent event) {
     advance(event.timeNs());
     bodies.observe(event);
@@ -158,14 +158,14 @@ public final class Scene {
     down.remove(robot);
   }
 
-  /** Time goes on to {@code timeNs}. */
+  /** Advances the time to {@code timeNs}. */
   public void advance(long timeNs) {
     while (trailNs <= timeNs) {
       Iterator<Map.Entry<RobotId, Trail>> all = trails.entrySet().iterator();
       bodies.forEach(
           trailNs,
           (robot, pose, radiusMm, isMoving) -> {
-            // Both are in order, and who is on the floor has a trail.
+            // Both are sorted, and each robot on the floor has a trail.
             Map.Entry<RobotId, Trail> entry = all.next();
             while (!entry.getKey().equals(robot)) {
               entry = all.next();
@@ -188,27 +188,27 @@ public final class Scene {
     return obstacles;
   }
 
-  /** The robots that are on the floor, and the last twelve that have left it, in order. */
+  /** The robots on the floor and the last twelve that have left it, sorted. */
   public List<RobotId> robots() {
     return List.copyOf(trails.keySet());
   }
 
-  /** How many robots had come onto the floor before one of {@link #robots}: good for a colour. */
+  /** Number of robots that joined before this one; determines its colour. */
   public int number(RobotId robot) {
     return numbers.getOrDefault(robot, 0);
   }
 
-  /** Where a robot's body is; empty if it is not on the floor. */
+  /** The true pose of a robot; empty if it is not on the floor. */
   public Optional<Pose> pose(RobotId robot) {
     return bodies.isOnFloor(robot) ? Optional.of(bodies.poseAt(robot, nowNs)) : Optional.empty();
   }
 
-  /** Radius of a body that is on the floor. */
+  /** The radius of a robot on the floor. */
   public double radiusMm(RobotId robot) {
     return bodies.radiusMm(robot);
   }
 
-  /** Shows every body that is on the floor as it is now, in order; fast for many. */
+  /** Visits every body on the floor at the present time, in order; fast for many bodies. */
   public void forEachBody(Visitor visitor) {
     Iterator<Map.Entry<RobotId, Integer>> all = numbers.entrySet().iterator();
     bodies.forEach(
@@ -222,38 +222,38 @@ public final class Scene {
         });
   }
 
-  /** Whether a robot's program has crashed and was not started again. */
+  /** Whether a robot's program has crashed and has not restarted. */
   public boolean isDown(RobotId robot) {
     return down.contains(robot);
   }
 
-  /** Whose programs have crashed and were not started again, in order. */
+  /** The robots whose programs have crashed and have not restarted, sorted. */
   Set<RobotId> down() {
     return Collections.unmodifiableSet(down);
   }
 
-  /** Where robots ran into something, oldest first; the last 64. */
+  /** The last 64 bumps, oldest first. */
   public List<Bump> bumps() {
     return List.copyOf(bumps);
   }
 
-  /** All that stands or ever moved there; grows on as the scene does. */
+  /** Bounding box of obstacles and of all positions of robots so far; grows with the scene. */
   Extent extent() {
     return extent;
   }
 
-  /** Where a robot's body has been, every 100 ms of its movement. */
+  /** Positions of a robot's body, every 100 ms while it moves. */
   public List<Point> trail(RobotId robot) {
     Trail trail = trails.get(robot);
     return trail == null ? Collections.emptyList() : trail;
   }
 
-  /** The latest value of a variable as text; empty if it never had one. */
+  /** The latest value of a variable as text; empty if it has none. */
   public String variable(RobotId robot, String source, String name) {
     return variables.getOrDefault(robot, Map.of()).getOrDefault(key(source, name), "");
   }
 
-  /** All variables of a robot that ever had a value, in the order of source and name. */
+  /** All variables of a robot, sorted by source and name. */
   public List<Value> variables(RobotId robot) {
     List<Value> values = new ArrayList<>();
     variables

@@ -1,12 +1,11 @@
 package org.starl.sim.record;
 
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
-/** Small ready pictures of bodies, by colour and heading: what thousands of robots are painted with. */
+/** Cached pictures of bodies by colour and heading, to paint thousands of robots. */
 final class Sprites {
 
   private static final int HEADINGS = 48;
@@ -17,9 +16,9 @@ final class Sprites {
   private double radiusPx;
   private int sizePx;
 
-  /** Of bodies of this size, in device pixels; what was made for another is forgotten. */
+  /** Sets theme and size of the bodies, in device pixels; a change clears the cache. */
   void prepare(Theme newTheme, double newRadiusPx) {
-    if (newTheme != theme || newRadiusPx != radiusPx) {
+    if (!newTheme.equals(theme) || newRadiusPx != radiusPx) {
       theme = newTheme;
       radiusPx = newRadiusPx;
       sizePx = 2 * (int) Math.ceil(radiusPx + 1) + 1;
@@ -27,7 +26,7 @@ final class Sprites {
     }
   }
 
-  /** From a sprite's corner to its middle. */
+  /** Distance from a sprite's corner to its centre. */
   int halfPx() {
     return sizePx / 2;
   }
@@ -47,8 +46,7 @@ final class Sprites {
   private BufferedImage make(int number, double headingRad) {
     BufferedImage image = new BufferedImage(sizePx, sizePx, BufferedImage.TYPE_INT_ARGB_PRE);
     Graphics2D page = image.createGraphics();
-    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    Painter.smooth(page);
     double middle = sizePx / 2.0;
     painter.paint(page, middle, middle, radiusPx, headingRad, theme.robot(number), theme);
     page.dispose();

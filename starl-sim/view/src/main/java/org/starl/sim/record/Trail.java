@@ -6,8 +6,8 @@ import java.util.RandomAccess;
 import org.starl.geometry.Point;
 
 /**
- * Where a body has been: points that become more and are never changed. A copy shares them, until it
- * has one of its own to add; the original goes on in the same memory, where the copy does not look.
+ * Append-only list of the positions of a body. A copy shares the array with its original until the
+ * copy appends a point; the original appends behind the part that the copy reads.
  */
 final class Trail extends AbstractList<Point> implements RandomAccess {
 
@@ -27,7 +27,7 @@ final class Trail extends AbstractList<Point> implements RandomAccess {
     this.mayAppend = mayAppend;
   }
 
-  /** The same points, to go on apart. */
+  /** An independent copy with the same points. */
   Trail copy() {
     return new Trail(xyMm, points, false);
   }

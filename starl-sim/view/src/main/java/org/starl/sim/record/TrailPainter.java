@@ -8,18 +8,18 @@ import java.util.List;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 
-/** Paints where bodies have been. */
+/** Paints the trails of robots. */
 final class TrailPainter {
 
   private static final double WIDTH_MM = 18;
 
-  /** Points nearer to the one before than this many pixels are left out. */
+  /** A point closer than this to the previous one is skipped. */
   private static final double STEP_PX = 1.2;
 
-  /** Above this many robots, trails are thin and short. */
+  /** With more robots, trails are thin and short. */
   private static final int MANY = 250;
 
-  /** So many points are painted in all where there are many robots. */
+  /** Greatest number of points in all, with many robots. */
   private static final int BUDGET = 40_000;
 
   private int[] xs = new int[64];

@@ -4,18 +4,16 @@ import java.awt.geom.AffineTransform;
 import org.starl.geometry.Point;
 
 /**
- * Which part of the world a picture shows, and how large. The world's y points up, a picture's down.
+ * The part of the world that a picture shows, and its scale. The world's y axis points up, a
+ * picture's y axis down.
  *
- * @param widthPx of the picture
- * @param heightPx of the picture
- * @param centre what is in the picture's middle
- * @param pxPerMm above 0
+ * @param centre point of the world in the centre of the picture
+ * @param pxPerMm scale, above 0; limited to 0.001 to 10
  */
 public record Viewport(int widthPx, int heightPx, Point centre, double pxPerMm) {
 
   private static final double WORLD_MARGIN_MM = 150;
 
-  /** From a metre that is a pixel to a millimetre that is ten. */
   private static final double LEAST_PX_PER_MM = 1e-3;
 
   private static final double MOST_PX_PER_MM = 10;
@@ -28,29 +26,29 @@ public record Viewport(int widthPx, int heightPx, Point centre, double pxPerMm) 
     pxPerMm = Math.max(LEAST_PX_PER_MM, Math.min(MOST_PX_PER_MM, pxPerMm));
   }
 
-  /** All of {@code extent}, and a little around it. */
+  /** Shows all of {@code extent} with a margin. */
   public static Viewport fit(Extent extent, int widthPx, int heightPx, int marginPx) {
     double across = Math.max(1, widthPx - 2 * marginPx) / (extent.widthMm() + 2 * WORLD_MARGIN_MM);
     double up = Math.max(1, heightPx - 2 * marginPx) / (extent.heightMm() + 2 * WORLD_MARGIN_MM);
     return new Viewport(widthPx, heightPx, extent.centre(), Math.min(across, up));
   }
 
-  /** The same place in a picture of another size. */
+  /** The same centre and scale in a picture of another size. */
   public Viewport resized(int newWidthPx, int newHeightPx) {
     return new Viewport(newWidthPx, newHeightPx, centre, pxPerMm);
   }
 
-  /** The world is dragged by so many pixels. */
+  /** Moves the world by some pixels in the picture. */
   public Viewport panned(double rightPx, double downPx) {
     return around(centre.plus(new Point(-rightPx / pxPerMm, downPx / pxPerMm)));
   }
 
-  /** The same with another point in the middle. */
+  /** The same scale with another point in the centre. */
   public Viewport around(Point newCentre) {
     return new Viewport(widthPx, heightPx, newCentre, pxPerMm);
   }
 
-  /** Larger by {@code factor}; what is under the pixel stays there. */
+  /** Zooms in by {@code factor}; the point of the world at the given pixel stays there. */
   public Viewport zoomed(double factor, double xPx, double yPx) {
     Viewport larger = new Viewport(widthPx, heightPx, centre, pxPerMm * factor);
     Point before = toWorld(xPx, yPx);
@@ -73,7 +71,7 @@ public record Viewport(int widthPx, int heightPx, Point centre, double pxPerMm) 
     return heightPx / 2.0 - (point.yMm() - centre.yMm()) * pxPerMm;
   }
 
-  /** Whether a disc of {@code radiusMm} around {@code point} is in the picture, if only in part. */
+  /** Whether a disc of {@code radiusMm} around {@code point} is at least partly in the picture. */
   public boolean shows(Point point, double radiusMm) {
     double x = xPx(point);
     double y = yPx(point);

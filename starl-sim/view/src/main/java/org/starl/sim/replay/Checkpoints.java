@@ -5,46 +5,46 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
 /**
- * What a recording looked like after some of its events, kept by whoever came past, so that nobody has
- * to start from the beginning. They stand every so many events; when there are too many of them, every
- * other one goes. Good for several threads.
+ * States of a recording after some of its events, so that a {@link Cursor} can go back without
+ * starting at the beginning. Cursors add them every {@code stride} events; when there are too many,
+ * every other one is removed and the stride doubles. Thread-safe.
  */
 final class Checkpoints {
 
-  /** A moment, never changed: to go on from it, copy it. */
+  /** The state after some events; copy scene and layer before use. */
   record Checkpoint(int events, Scene scene, Layer layer) {}
 
   private static final int FIRST_STRIDE = 1 << 8;
   private static final int MOST = 96;
   private static final int LEAST = 8;
 
-  /** They do not stand nearer than so many events for each robot. */
+  /** Least distance of two checkpoints, in events for each robot. */
   private static final int EVENTS_A_ROBOT = 8;
 
-  /** A scene of many robots is large. */
+  /** Greatest number of robots in all checkpoints together, to limit the memory. */
   private static final int MOST_ROBOTS = 200_000;
 
   private final TreeMap<Integer, Checkpoint> byEvents = new TreeMap<>();
   private volatile int stride = FIRST_STRIDE;
 
-  /** Begins with the moment before the first event. */
+  /** Begins with the state before the first event. */
   Checkpoints(Scene scene, Layer layer) {
     byEvents.put(0, new Checkpoint(0, scene, layer));
   }
 
-  /** Whether {@link #add} is of use after so many events. */
+  /** Whether {@link #add} wants a checkpoint after {@code events} events. */
   boolean isDue(int events) {
     return events % stride == 0;
   }
 
-  /** Keeps copies of the two, which stand right after an event, if there are none. */
+  /** Keeps copies of scene and layer, unless there is a checkpoint already. */
   synchronized void add(int events, Scene scene, Layer layer) {
     if (events % stride != 0 || byEvents.containsKey(events)) {
       return;
     }
     int robots = scene.robots().size();
     if (stride < EVENTS_A_ROBOT * robots) {
-      // To copy so many would take longer than to go through the events again.
+      // Copying so many robots takes longer than observing the events again.
       widen();
       return;
     }
@@ -61,7 +61,7 @@ final class Checkpoints {
     stride = wider;
   }
 
-  /** The last one after at most so many events. */
+  /** The last checkpoint after at most {@code events} events. */
   synchronized Checkpoint before(int events) {
     return byEvents.floorEntry(events).getValue();
   }

@@ -4,9 +4,9 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
 /**
- * A place in a recording, and what the run looks like there. It goes forwards by observing the events
- * in between, and backwards by starting again at a checkpoint before; it leaves checkpoints behind for
- * itself and others. One thread's own.
+ * A position in a recording, and the state of the run there. A cursor goes forwards by observing
+ * the events in between, and backwards by observing events from an earlier checkpoint on. It adds
+ * checkpoints to the recording. Not thread-safe.
  */
 public final class Cursor {
 
@@ -16,7 +16,7 @@ public final class Cursor {
   private int index;
   private long nowNs;
 
-  /** At the beginning, before the first event. */
+  /** Starts before the first event. */
   public Cursor(Recording recording) {
     this.recording = recording;
     Checkpoints.Checkpoint first = recording.checkpoints().before(0);
@@ -25,8 +25,8 @@ public final class Cursor {
   }
 
   /**
-   * To the moment after all events that are not later than {@code timeNs}; to the beginning or to {@link
-   * Recording#endNs} if that is nearer.
+   * Goes to {@code timeNs}, after all events of that time; at least to 0 and at most to {@link
+   * Recording#endNs}.
    */
   public void seek(long timeNs) {
     long toNs = Math.max(0, Math.min(timeNs, recording.endNs()));
@@ -34,7 +34,7 @@ public final class Cursor {
   }
 
   /**
-   * To the moment right after the event of that number.
+   * Goes to the moment right after event {@code number}.
    *
    * @throws IndexOutOfBoundsException if the recording has none
    */
@@ -42,22 +42,22 @@ public final class Cursor {
     go(number + 1, recording.timeNs(number));
   }
 
-  /** Where it stands, in ns from the start of the run. */
+  /** The time of the position, in ns from the start of the run. */
   public long nowNs() {
     return nowNs;
   }
 
-  /** How many events came before: the number of the next one. */
+  /** Number of events before the position. */
   public int index() {
     return index;
   }
 
-  /** What is seen; valid until the cursor moves. */
+  /** The scene; valid until the cursor moves. */
   public Scene scene() {
     return scene;
   }
 
-  /** What the app draws; valid until the cursor moves. */
+  /** The app's layer; valid until the cursor moves. */
   public Layer layer() {
     return layer;
   }

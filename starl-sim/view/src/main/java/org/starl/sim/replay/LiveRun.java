@@ -14,50 +14,50 @@ import org.starl.sim.StepListener;
 import org.starl.sim.fault.FaultGrammar;
 
 /**
- * A simulation that runs on a thread of its own while somebody watches: into a {@link Recording}, and
- * no farther than {@link #runUntil} allows, so that what a person does to it happens near what that
- * person sees. All methods may be called from any thread; {@link #close} ends the run.
+ * A simulation on its own thread, recorded in a {@link Recording}. It runs no farther than {@link
+ * #runUntil} allows, so that an intervention takes effect close to the moment on the screen. All
+ * methods are thread-safe; {@link #close} ends the run.
  *
- * <p>Nothing here changes the run but {@link #fault}, {@link #point} and {@link #close} before its end:
- * these are events in it. Each takes effect between two steps, at the time that the run has come to, and
- * while it waits as well as while it runs.
+ * <p>Only {@link #fault}, {@link #point}, and {@link #close} before the end change the run. Each is
+ * an event of the run, and takes effect between two steps, also while the run waits.
  */
 public final class LiveRun implements AutoCloseable {
 
   private final Simulation simulation;
   private final Recording recording;
   private final Thread thread;
-  private final Queue<Wish> wishes = new ConcurrentLinkedQueue<>();
-  private final Object newWish = new Object();
+  private final Queue<Request> requests = new ConcurrentLinkedQueue<>();
+  private final Object requestAdded = new Object();
   private volatile long limitNs;
-  // The run's thread's own.
+  // Used only by the run's thread.
   private boolean isStopped;
   private volatile @Nullable SimResult result;
   private volatile @Nullable RuntimeException failure;
 
-  /** Something to be done to the run, and who waits for it. */
-  private record Wish(Consumer<RunController> what, CompletableFuture<Long> whenDone) {}
+  /** An intervention, and its outcome. */
+  private record Request(Consumer<RunController> what, CompletableFuture<Long> whenDone) {}
 
   /**
-   * The run stands at its beginning until {@link #start}.
+   * Prepares a run; {@link #start} starts it.
    *
-   * @param builder of the simulation, all observers but {@code recording} added; used up
+   * @param builder the simulation with all observers except {@code recording}; do not use it
+   *     afterwards
    */
   public LiveRun(Simulation.Builder builder, Recording recording) {
     this.recording = recording;
-    simulation = builder.observer(recording).bystander(new Pace()).build();
+    simulation = builder.observer(recording).bystander(new StepGate()).build();
     thread = new Thread(this::run, "simulation");
     thread.setDaemon(true);
   }
 
-  /** Lets it begin, once; it goes as far as {@link #runUntil} has said by then. */
+  /** Starts the run; to be called once. */
   public void start() {
     thread.start();
   }
 
   /**
-   * From now on the run may go on until that time, and waits there; all the way with {@code
-   * Long.MAX_VALUE}. Where it has come farther already, it waits.
+   * Sets the time until which the run may go on; it waits there. {@code Long.MAX_VALUE} lets it go
+   * to its end. A run that is already later waits.
    */
   public void runUntil(long timeNs) {
     limitNs = timeNs;
@@ -65,34 +65,35 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Lets something go wrong from now on.
+   * Injects a fault. It begins now unless it names a time.
    *
-   * @param fault as {@code --fault} reads it; what it does not say of times counts from now
-   * @return when it happened, or {@link BadInput} if it names no robot of this run or ends before it
-   *     begins, or {@link IllegalStateException} if the run has ended
-   * @throws BadInput at once if it is no fault
+   * @param fault in the syntax of {@code --fault}
+   * @return simulated time of the injection; fails with {@link BadInput} if the fault names an
+   *     unknown robot or ends before it begins, and with {@link IllegalStateException} if the run
+   *     has ended
+   * @throws BadInput if the syntax is wrong
    */
   public CompletableFuture<Long> fault(String fault) {
     FaultGrammar.parse(fault);
-    return wish(hands -> hands.fault(fault));
+    return request(controller -> controller.fault(fault));
   }
 
   /**
-   * Shows a robot's app a place.
+   * Sends a point to a robot's app.
    *
-   * @return when it happened, or {@link BadInput} if there is no such robot, or {@link
-   *     IllegalStateException} if the run has ended
+   * @return simulated time of the sending; fails with {@link BadInput} if there is no such robot,
+   *     and with {@link IllegalStateException} if the run has ended
    */
   public CompletableFuture<Long> point(RobotId robot, int xMm, int yMm) {
-    return wish(hands -> hands.point(robot, xMm, yMm));
+    return request(controller -> controller.point(robot, xMm, yMm));
   }
 
-  /** Whether the run has ended: {@link #result} or {@link #failure} tells how. */
+  /** Whether the run has ended; then {@link #result} or {@link #failure} is not null. */
   public boolean isOver() {
     return recording.isOver();
   }
 
-  /** What came of the run; null before its end, and if an error ended it. */
+  /** The result of the run; null before its end, and if an error ended it. */
   public @Nullable SimResult result() {
     return result;
   }
@@ -103,8 +104,8 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Ends the run where it is, unless it has ended, and waits until its thread is gone; if this thread is
-   * interrupted meanwhile, it stays so and waits no longer.
+   * Ends the run now, unless it has ended, and waits for its thread; returns early with the
+   * interrupt flag set if the calling thread is interrupted.
    */
   @Override
   public void close() {
@@ -113,9 +114,9 @@ public final class LiveRun implements AutoCloseable {
     }
     if (!isOver()) {
       enqueue(
-          new Wish(
-              hands -> {
-                hands.stop();
+          new Request(
+              controller -> {
+                controller.stop();
                 isStopped = true;
               },
               new CompletableFuture<>()));
@@ -127,14 +128,14 @@ public final class LiveRun implements AutoCloseable {
     }
   }
 
-  private CompletableFuture<Long> wish(Consumer<RunController> what) {
-    Wish wish = new Wish(what, new CompletableFuture<>());
-    enqueue(wish);
-    return wish.whenDone();
+  private CompletableFuture<Long> request(Consumer<RunController> what) {
+    Request request = new Request(what, new CompletableFuture<>());
+    enqueue(request);
+    return request.whenDone();
   }
 
-  private void enqueue(Wish wish) {
-    wishes.add(wish);
+  private void enqueue(Request request) {
+    requests.add(request);
     wake();
     if (isOver()) {
       refuseAll();
@@ -142,8 +143,8 @@ public final class LiveRun implements AutoCloseable {
   }
 
   private void wake() {
-    synchronized (newWish) {
-      newWish.notifyAll();
+    synchronized (requestAdded) {
+      requestAdded.notifyAll();
     }
   }
 
@@ -160,41 +161,41 @@ public final class LiveRun implements AutoCloseable {
   }
 
   private void refuseAll() {
-    for (Wish wish = wishes.poll(); wish != null; wish = wishes.poll()) {
-      wish.whenDone().completeExceptionally(new IllegalStateException("the run has ended"));
+    for (Request request = requests.poll(); request != null; request = requests.poll()) {
+      request.whenDone().completeExceptionally(new IllegalStateException("the run has ended"));
     }
   }
 
-  /** Holds the run back, and does what is wished. */
-  private final class Pace implements StepListener {
+  /** Lets the run wait at its limit, and carries out interventions. */
+  private final class StepGate implements StepListener {
     @Override
-    public void onStep(RunController hands) {
-      long nowNs = hands.nowNs();
+    public void onStep(RunController controller) {
+      long nowNs = controller.nowNs();
       recording.reached(nowNs);
-      while (!isStopped && (nowNs >= limitNs || !wishes.isEmpty())) {
-        Wish wish = wishes.poll();
-        if (wish != null) {
-          fulfil(wish, hands);
+      while (!isStopped && (nowNs >= limitNs || !requests.isEmpty())) {
+        Request request = requests.poll();
+        if (request != null) {
+          carryOut(request, controller);
         } else {
           await(nowNs);
         }
       }
     }
 
-    private void fulfil(Wish wish, RunController hands) {
+    private void carryOut(Request request, RunController controller) {
       try {
-        wish.what().accept(hands);
-        wish.whenDone().complete(hands.nowNs());
+        request.what().accept(controller);
+        request.whenDone().complete(controller.nowNs());
       } catch (BadInput e) {
-        wish.whenDone().completeExceptionally(e);
+        request.whenDone().completeExceptionally(e);
       }
     }
 
     private void await(long nowNs) {
-      synchronized (newWish) {
+      synchronized (requestAdded) {
         try {
-          while (nowNs >= limitNs && wishes.isEmpty()) {
-            newWish.wait();
+          while (nowNs >= limitNs && requests.isEmpty()) {
+            requestAdded.wait();
           }
         } catch (InterruptedException e) {
           Thread.currentThread().interrupt();

@@ -1,22 +1,22 @@
 package org.starl.sim.replay;
 
 /**
- * Something on a run's timeline that people look for.
+ * A mark on a run's timeline.
  *
- * @param index of the event that it is about: {@link Cursor#toEvent} goes there
+ * @param index number of its event, for {@link Cursor#toEvent}
  * @param text one line
  */
 public record Mark(long timeNs, int index, Kind kind, String text) {
 
-  /** What it is. */
+  /** Kind of a mark. */
   public enum Kind {
-    /** A specification does not hold. */
+    /** A specification is violated. */
     VIOLATION,
     CRASH,
     RESTART,
-    /** A fault begins or ends, or all have ended. */
+    /** A fault begins or ends, or all faults have ended. */
     FAULT,
-    /** A person did something to the run. */
+    /** The user injected a fault, sent a point or stopped the run. */
     INTERVENTION
   }
 }

@@ -17,13 +17,13 @@ import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceHeader;
 
 /**
- * All events of one run, kept while it runs or read from a trace, with what people look for in them.
- * One thread fills it, as an observer of the run; any others may read it meanwhile, without waiting:
- * what {@link #size} counts is there, and does not change.
+ * All events of one run, live or from a trace, with the marks on its timeline. One thread fills it
+ * as an observer of the run. Other threads may read it meanwhile without locks: the first {@link
+ * #size} events never change.
  */
 public final class Recording implements SimObserver {
 
-  /** Of what Java may use; the rest is for the run, and for those who look. */
+  /** Share of Java's memory; the rest is for the run and the window. */
   private static final double SHARE_OF_MEMORY = 0.6;
 
   private static final int ALL = Integer.MAX_VALUE;
@@ -33,10 +33,10 @@ public final class Recording implements SimObserver {
   private final Obstacles obstacles;
   private final Checkpoints checkpoints;
   private final long mostBytes;
-  private final Compactor compactor = new Compactor();
-  private final Chunks<TraceEvent> events = new Chunks<>();
-  private final Chunks<Mark> marks = new Chunks<>();
-  private final Chunks<LogLine> logs = new Chunks<>();
+  private final EventInterner interner = new EventInterner();
+  private final AppendOnlyList<TraceEvent> events = new AppendOnlyList<>();
+  private final AppendOnlyList<Mark> marks = new AppendOnlyList<>();
+  private final AppendOnlyList<LogLine> logs = new AppendOnlyList<>();
   private volatile @Nullable TraceHeader header;
   private volatile boolean isOver;
   private volatile long endNs;
@@ -44,17 +44,17 @@ public final class Recording implements SimObserver {
   private volatile String failure = "";
 
   /**
-   * @param obstacles of the world, hidden ones included
-   * @param layer that has seen no event; the recording's own
+   * @param obstacles obstacles of the world, hidden ones included
+   * @param layer has observed no event; owned by the recording
    */
   public Recording(Obstacles obstacles, Layer layer) {
     this(obstacles, layer, (long) (SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory()));
   }
 
   /**
-   * The same, of a bounded size.
+   * Makes a recording of limited size.
    *
-   * @param mostBytes that its events may take, about
+   * @param mostBytes approximate limit for the memory of its events
    */
   Recording(Obstacles obstacles, Layer layer, long mostBytes) {
     this.obstacles = obstacles;
@@ -68,19 +68,19 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * @throws BadInput if there are more events than memory for them
+   * @throws BadInput if the events need too much memory
    */
   @Override
   public void observed(TraceEvent event) {
     int index = events.size();
-    events.add(compactor.compact(event));
-    if (compactor.bytes() > mostBytes) {
+    events.add(interner.intern(event));
+    if (interner.bytes() > mostBytes) {
       throw new BadInput(
-          "the run has too many events to be kept: "
+          "too many events for the memory: "
               + index
-              + " by "
+              + " events until "
               + event.timeNs() / NS_PER_S
-              + " s take "
+              + " s fill "
               + mostBytes / BYTES_IN_MB
               + " MB; expected a shorter run, or more memory for Java (STARL_JAVA_OPTS=-Xmx8g)");
     }
@@ -90,9 +90,9 @@ public final class Recording implements SimObserver {
     if (event instanceof Fault fault) {
       marks.add(new Mark(fault.timeNs(), index, kind(fault), text(fault)));
     } else if (event instanceof Intervention done) {
-      String whom = done.robot().equals(Fault.WORLD) ? "" : " to " + done.robot();
-      String what = "a person: " + done.name() + " " + done.detail();
-      marks.add(new Mark(done.timeNs(), index, Mark.Kind.INTERVENTION, what.strip() + whom));
+      String target = done.robot().equals(Fault.WORLD) ? "" : " to " + done.robot();
+      String what = "intervention: " + done.name() + " " + done.detail();
+      marks.add(new Mark(done.timeNs(), index, Mark.Kind.INTERVENTION, what.strip() + target));
     }
   }
 
@@ -101,7 +101,7 @@ public final class Recording implements SimObserver {
     violated(Math.max(0, events.size() - 1), violation);
   }
 
-  /** Found at an event that may be long past. */
+  /** Marks a violation at event {@code index}, which may be an earlier one. */
   void violated(int index, SpecReport.Violation violation) {
     marks.add(new Mark(violation.timeNs(), index, Mark.Kind.VIOLATION, violation.toString()));
   }
@@ -116,21 +116,21 @@ public final class Recording implements SimObserver {
     over(result.endNs());
   }
 
-  /** Nothing more will happen until {@code timeNs}: time goes on though no event tells so. */
+  /** Advances {@link #endNs} to {@code timeNs} without an event. */
   public void reached(long timeNs) {
     if (timeNs > endNs) {
       endNs = timeNs;
     }
   }
 
-  /** The run ended so: from now on nothing happens. */
+  /** Marks the end of the run at {@code timeNs}: no more events follow. */
   public void over(long timeNs) {
     reached(timeNs);
     isOver = true;
   }
 
   /**
-   * An error ended the run, or the reading of it, which is over by that.
+   * Marks the end of the run, or of its trace, by an error.
    *
    * @param why one line
    */
@@ -139,17 +139,17 @@ public final class Recording implements SimObserver {
     over(endNs);
   }
 
-  /** The specifications will look at the events later: all of {@link #checked} that follows is theirs. */
+  /** Declares that the specifications are checked later, and report with {@link #checked(int)}. */
   void toBeChecked() {
     checked = 0;
   }
 
-  /** The specifications have looked at so many events. */
+  /** Sets the number of events that the specifications have checked. */
   void checked(int count) {
     checked = count;
   }
 
-  /** The specifications have looked at everything, the end too. */
+  /** Declares that the specifications have checked all events and the end. */
   void allChecked() {
     checked = ALL;
   }
@@ -163,15 +163,15 @@ public final class Recording implements SimObserver {
   }
 
   private static String text(Fault fault) {
-    String whom = fault.robot().equals(Fault.WORLD) ? "" : fault.robot() + " ";
-    String what = whom + fault.name();
+    String target = fault.robot().equals(Fault.WORLD) ? "" : fault.robot() + " ";
+    String what = target + fault.name();
     return fault.detail().isEmpty() ? what : what + ": " + fault.detail();
   }
 
   /**
-   * What the run was.
+   * The header of the run's trace.
    *
-   * @throws IllegalStateException if it has not begun
+   * @throws IllegalStateException if the run has not begun
    */
   public TraceHeader header() {
     TraceHeader known = header;
@@ -186,17 +186,17 @@ public final class Recording implements SimObserver {
     return header != null;
   }
 
-  /** Of the world, hidden ones included. */
+  /** Obstacles of the world, hidden ones included. */
   public Obstacles obstacles() {
     return obstacles;
   }
 
-  /** How many events there are so far. */
+  /** Number of events so far. */
   public int size() {
     return events.size();
   }
 
-  /** When the event of that number happened; never before the one of the number before. */
+  /** Time of an event; increases with {@code index}, or stays equal. */
   public long timeNs(int index) {
     return events.get(index).timeNs();
   }
@@ -205,7 +205,7 @@ public final class Recording implements SimObserver {
     return events.get(index);
   }
 
-  /** The number of the first event that is later; {@link #size} if there is none. */
+  /** Number of the first event after {@code timeNs}; {@link #size} if there is none. */
   public int firstAfter(long timeNs) {
     int from = 0;
     int to = size();
@@ -220,40 +220,40 @@ public final class Recording implements SimObserver {
     return from;
   }
 
-  /** How far the run has come; its end, once it is over. */
+  /** Time that the run has reached; its end, once it is over. */
   public long endNs() {
     return endNs;
   }
 
-  /** Whether nothing will happen any more; {@link #isChecked} tells whether more may be found in it. */
+  /** Whether no more events follow; violations may still be found until {@link #isChecked}. */
   public boolean isOver() {
     return isOver;
   }
 
-  /** The error that ended the run, or the reading of it, in one line; empty if there is none. */
+  /** The error that ended the run, or its trace, in one line; empty if there is none. */
   public String failure() {
     return failure;
   }
 
   /**
-   * Whether the specifications have looked at all that has happened so far: always, but of a trace,
-   * which is read first.
+   * Whether the specifications have checked all events so far. Always true for a live run; a trace
+   * is first read and then checked.
    */
   public boolean isChecked() {
     return checked == ALL;
   }
 
-  /** How many events the specifications have looked at. */
+  /** Number of events that the specifications have checked. */
   public int checked() {
     return Math.min(checked, size());
   }
 
-  /** What stands on the timeline so far, in the order in which it was found. */
+  /** The marks on the timeline so far, in the order in which they were found. */
   public List<Mark> marks() {
     return marks.view();
   }
 
-  /** What robots have written so far, in order; nothing in a recording of a trace. */
+  /** Log lines so far, in order; none in a recording of a trace. */
   public List<LogLine> logs() {
     return logs.view();
   }

@@ -7,7 +7,7 @@ import org.starl.sim.StepListener;
 import org.starl.trace.TraceEvent.Intervention;
 
 /**
- * Does to a run what a person did to an equal one, each thing after the same step. Good for one run.
+ * Repeats the interventions of a recorded run, each after the same step. For one run.
  */
 public final class SameInterventions implements StepListener {
 
@@ -15,33 +15,33 @@ public final class SameInterventions implements StepListener {
   private int done;
 
   /**
-   * @param interventions of a trace, in its order
+   * @param interventions the interventions of a trace, in its order
    */
   public SameInterventions(List<Intervention> interventions) {
     todo = List.copyOf(interventions);
   }
 
   @Override
-  public void onStep(RunController hands) {
-    while (done < todo.size() && todo.get(done).step() == hands.steps()) {
+  public void onStep(RunController controller) {
+    while (done < todo.size() && todo.get(done).step() == controller.steps()) {
       Intervention next = todo.get(done);
       done++;
-      intervene(next, hands);
+      intervene(next, controller);
     }
   }
 
-  private static void intervene(Intervention what, RunController hands) {
+  private static void intervene(Intervention what, RunController controller) {
     switch (what.name()) {
-      case Intervention.FAULT -> hands.fault(what.detail());
+      case Intervention.FAULT -> controller.fault(what.detail());
       case Intervention.POINT -> {
         String[] xy = what.detail().split(",", -1);
         if (xy.length != 2 || !xy[0].matches("-?\\d{1,9}") || !xy[1].matches("-?\\d{1,9}")) {
           throw bad(what, "expected x,y in mm");
         }
-        hands.point(what.robot(), Integer.parseInt(xy[0]), Integer.parseInt(xy[1]));
+        controller.point(what.robot(), Integer.parseInt(xy[0]), Integer.parseInt(xy[1]));
       }
-      case Intervention.STOP -> hands.stop();
-      default -> throw bad(what, "expected an intervention fault, point or stop");
+      case Intervention.STOP -> controller.stop();
+      default -> throw bad(what, "expected fault, point or stop");
     }
   }
 

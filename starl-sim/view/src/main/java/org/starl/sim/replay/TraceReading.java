@@ -12,10 +12,9 @@ import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 
 /**
- * A trace that is read on a thread of its own while somebody watches: into a {@link Recording}, all of
- * it at once, which is quick. The same thread then lets the specifications look at what was read, which
- * is not, and marks what they find: who watches waits for neither. All methods may be called from any
- * thread.
+ * Reads a trace into a {@link Recording} on its own thread, which is fast; the same thread then
+ * checks the specifications, which is slow, and marks violations. The window waits for neither. All
+ * methods are thread-safe.
  */
 public final class TraceReading implements AutoCloseable {
 
@@ -27,12 +26,12 @@ public final class TraceReading implements AutoCloseable {
   private volatile @Nullable RuntimeException failure;
 
   /**
-   * Nothing is read until {@link #start}.
+   * Prepares a reading; {@link #start} starts it.
    *
-   * @param recording to fill, of which nobody else is an observer
-   * @param trace shows all of it to observers, once; may end with {@link BadInput}, and then what came
-   *     before is kept, and checked
-   * @param monitors makes fresh ones of the specifications to check
+   * @param recording the recording to fill, used by no other observer
+   * @param trace shows the whole trace to observers, once; if it throws {@link BadInput}, the
+   *     events before are kept and checked
+   * @param monitors makes new monitors of the specifications
    */
   public TraceReading(
       Recording recording, Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
@@ -44,12 +43,12 @@ public final class TraceReading implements AutoCloseable {
     recording.toBeChecked();
   }
 
-  /** Begins to read, once. */
+  /** Starts to read; to be called once. */
   public void start() {
     thread.start();
   }
 
-  /** What it fills. */
+  /** The recording that is filled. */
   public Recording recording() {
     return recording;
   }
@@ -63,14 +62,14 @@ public final class TraceReading implements AutoCloseable {
     return isClosed;
   }
 
-  /** Waits until all is read and checked. */
+  /** Waits until the whole trace is read and checked. */
   void await() throws InterruptedException {
     thread.join();
   }
 
   /**
-   * Reads and checks no further, and waits until its thread is gone; if this thread is interrupted
-   * meanwhile, it stays so and waits no longer.
+   * Stops to read and to check, and waits for the thread; returns early with the interrupt flag set
+   * if the calling thread is interrupted.
    */
   @Override
   public void close() {
@@ -87,7 +86,7 @@ public final class TraceReading implements AutoCloseable {
       read();
       check();
     } catch (CancellationException e) {
-      // Nobody watches any more; what is there stays.
+      // Closed: the events so far remain.
       recording.over(recording.endNs());
     } catch (RuntimeException e) {
       failed("The specifications could not be checked: ", e);
@@ -125,7 +124,7 @@ public final class TraceReading implements AutoCloseable {
       recording.checked(index + 1);
     }
     if (failure == null) {
-      // Of a run that is cut off nobody knows what it still owes.
+      // Liveness cannot be checked on a truncated trace.
       checks.finish(recording.endNs());
       checks.newViolations().forEach(recording::violated);
     }
@@ -134,7 +133,7 @@ public final class TraceReading implements AutoCloseable {
 
   private void stopIfClosed() {
     if (isClosed) {
-      throw new CancellationException("nobody watches any more");
+      throw new CancellationException("the trace was closed");
     }
   }
 }

@@ -20,8 +20,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceReader;
 
 /**
- * Shows a trace to observers, as if the run took place before them: nothing is simulated. Monitors
- * check it again, and the observers are told of violations; what robots logged is in no trace.
+ * Shows a trace to observers as if it were a run, without simulation. Monitors check it again, and
+ * the observers receive violations. Traces contain no log lines.
  */
 public final class TraceShow {
 
@@ -46,13 +46,13 @@ public final class TraceShow {
   }
 
   /**
-   * Shows all that {@code reader} has still to give.
+   * Shows all remaining events of {@code reader}.
    *
-   * @param file what errors call the trace
-   * @param monitors fresh ones, of the specifications to check
-   * @return the outcome, as far as a trace tells it: what the apps returned it does not
-   * @throws IOException if the trace cannot be read, or a line is no line of a trace
-   * @throws BadInput if it was cut off, or its events do not fit together
+   * @param file name of the trace, for error messages
+   * @param monitors new monitors of the specifications to check
+   * @return the result, without the apps' return values, which are not in a trace
+   * @throws IOException if the trace cannot be read, or a line is invalid
+   * @throws BadInput if the trace is truncated or inconsistent
    */
   public static SimResult show(
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers)
@@ -74,8 +74,7 @@ public final class TraceShow {
     @Nullable TraceEnd end = reader.end();
     if (end == null) {
       throw new BadInput(
-          file
-              + ": has no line of kind end: the trace was cut off, or its run was ended by an error");
+          file + ": no line of kind end: the trace is truncated, or an error ended its run");
     }
     if (end.timeNs() < timeNs) {
       throw bad("an end that is not before the last event");
@@ -101,7 +100,7 @@ public final class TraceShow {
       }
       case TraceEvent.Left left -> onFloor.remove(left.robot());
       default -> {
-        // Of any robot at any time.
+        // Allowed for any robot at any time.
       }
     }
   }
@@ -120,7 +119,7 @@ public final class TraceShow {
       case TraceEvent.Delivered message -> delivered++;
       case TraceEvent.Dropped message -> dropped++;
       default -> {
-        // Says nothing of messages.
+        // Not a message.
       }
     }
   }

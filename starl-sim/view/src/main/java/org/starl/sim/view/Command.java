@@ -1,38 +1,51 @@
 package org.starl.sim.view;
 
 import java.awt.event.ActionEvent;
+import java.util.Locale;
+import java.util.Objects;
 import javax.swing.AbstractAction;
 import javax.swing.Action;
 import javax.swing.KeyStroke;
-import org.jspecify.annotations.Nullable;
 
-/** Something that a person may ask of the window, by key, button or menu. */
+/** A command of the window, with a key; also for menus and buttons. */
 // Never serialized: a window is not kept in files.
 @SuppressWarnings("serial")
 final class Command extends AbstractAction {
 
-  private final Runnable does;
+  private final Runnable action;
   private final String group;
   private final String keys;
 
   /**
-   * @param group under which the help sheet lists it
+   * @param group heading in the help sheet and title of the menu
    * @param name a few words
-   * @param meaning a line, for a tooltip
-   * @param key as of {@link KeyStroke#getKeyStroke(String)}; empty for none
-   * @param shown the key as people write it
+   * @param meaning one line, for a tooltip
+   * @param key as {@link KeyStroke#getKeyStroke(String)} reads it
    */
-  Command(String group, String name, String meaning, String key, String shown, Runnable does) {
+  Command(String group, String name, String meaning, String key, Runnable action) {
     super(name);
-    this.does = does;
+    this.action = action;
     this.group = group;
-    keys = shown;
-    putValue(SHORT_DESCRIPTION, shown.isEmpty() ? meaning : meaning + " (" + shown + ")");
-    KeyStroke stroke = key.isEmpty() ? null : KeyStroke.getKeyStroke(key);
-    if (!key.isEmpty() && stroke == null) {
-      throw new IllegalArgumentException("key '" + key + "' of '" + name + "'");
-    }
-    putValue(ACCELERATOR_KEY, stroke);
+    keys = key.equals("F1") ? "F1 or ?" : readable(key);
+    putValue(SHORT_DESCRIPTION, meaning + " (" + keys + ")");
+    putValue(ACCELERATOR_KEY, Objects.requireNonNull(KeyStroke.getKeyStroke(key), key));
+  }
+
+  /** {@code shift →} of {@code shift RIGHT}. */
+  private static String readable(String key) {
+    String modifier = key.substring(0, key.indexOf(' ') + 1);
+    String last = key.substring(modifier.length());
+    String shown =
+        switch (last) {
+          case "LEFT" -> "\u2190";
+          case "UP" -> "\u2191";
+          case "RIGHT" -> "\u2192";
+          case "DOWN" -> "\u2193";
+          case "COMMA" -> ",";
+          case "PERIOD" -> ".";
+          default -> last.length() == 1 ? last : last.toLowerCase(Locale.ROOT);
+        };
+    return modifier.equals("typed ") ? shown : modifier + shown;
   }
 
   String group() {
@@ -43,17 +56,17 @@ final class Command extends AbstractAction {
     return String.valueOf(getValue(Action.NAME));
   }
 
-  /** As people write it; empty for none. */
+  /** The key in readable form. */
   String keys() {
     return keys;
   }
 
-  @Nullable KeyStroke stroke() {
+  KeyStroke stroke() {
     return (KeyStroke) getValue(ACCELERATOR_KEY);
   }
 
   void run() {
-    does.run();
+    action.run();
   }
 
   @Override

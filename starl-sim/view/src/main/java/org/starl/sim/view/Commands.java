@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Part;
 import org.starl.sim.replay.Mark;
 
-/** All that can be asked for by key; menus, buttons and the help sheet are made from it. */
+/** All commands with keys, for menus, buttons and the help sheet. */
 final class Commands {
 
   private static final String TIME = "Time";
@@ -19,23 +19,6 @@ final class Commands {
   private static final long LONG_STEP_NS = 1_000_000_000;
   private static final double ZOOM = 1.25;
   private static final double PAN_PX = 60;
-
-  /** What only the window itself can do. */
-  interface Owner {
-    void sendPoint();
-
-    void injectFault();
-
-    void turnInspector();
-
-    void switchTheme();
-
-    void savePicture();
-
-    void help();
-
-    void close();
-  }
 
   private final Session session;
   private final List<Command> all = new ArrayList<>();
@@ -51,156 +34,98 @@ final class Commands {
   final Command violationAfter;
   final Command help;
 
-  Commands(Session session, Owner owner) {
+  Commands(Session session, Content content) {
     this.session = session;
     Playback playback = session.playback();
-    play = add(TIME, "Play or pause", "Play on from here, or stop", "SPACE", "space", this::toggle);
-    on = time("Step forwards", "On by 100 ms", "RIGHT", "\u2192", STEP_NS);
-    back = time("Step backwards", "Back by 100 ms", "LEFT", "\u2190", -STEP_NS);
-    time("Long step forwards", "On by a second", "shift RIGHT", "shift \u2192", LONG_STEP_NS);
-    time("Long step backwards", "Back by a second", "shift LEFT", "shift \u2190", -LONG_STEP_NS);
-    event =
-        add(TIME, "Next event", "To the next event", "PERIOD", ".", () -> playback.stepEvents(1));
+    play = add(TIME, "Play or pause", "Play or pause", "SPACE", this::toggle);
+    on = time("Step forward", "Forward 100 ms", "RIGHT", STEP_NS);
+    back = time("Step back", "Back 100 ms", "LEFT", -STEP_NS);
+    time("Long step forward", "Forward 1 s", "shift RIGHT", LONG_STEP_NS);
+    time("Long step back", "Back 1 s", "shift LEFT", -LONG_STEP_NS);
+    event = add(TIME, "Next event", "Next event", "PERIOD", () -> playback.stepEvents(1));
     eventBack =
+        add(TIME, "Previous event", "Previous event", "COMMA", () -> playback.stepEvents(-1));
+    first = add(TIME, "Start", "Go to the start", "HOME", () -> playback.seek(0));
+    last =
         add(
             TIME,
-            "Event before",
-            "To the event before",
-            "COMMA",
-            ",",
-            () -> playback.stepEvents(-1));
-    first = add(TIME, "Beginning", "To the beginning", "HOME", "home", () -> playback.seek(0));
-    last = add(TIME, "End", "To the end so far", "END", "end", playback::seekEnd);
-    add(TIME, "Faster", "To the next higher speed", "UP", "\u2191", playback::faster);
-    add(TIME, "Slower", "To the next lower speed", "DOWN", "\u2193", playback::slower);
-    add(
-        TIME,
-        "No limit",
-        "As fast as it goes",
-        "M",
-        "M",
-        () -> playback.setSpeed(Playback.NO_LIMIT));
-    violationAfter = mark("Next violation", "N", "N", true, Mark.Kind.VIOLATION);
-    violationBefore = mark("Violation before", "P", "P", false, Mark.Kind.VIOLATION);
-    mark("Next mark of any kind", "shift N", "shift N", true, null);
-    mark("Mark of any kind before", "shift P", "shift P", false, null);
+            "End",
+            "Go to the end, or to the latest time of a live run",
+            "END",
+            playback::seekEnd);
+    add(TIME, "Faster", "Next higher speed", "UP", playback::faster);
+    add(TIME, "Slower", "Next lower speed", "DOWN", playback::slower);
+    add(TIME, "No limit", "As fast as possible", "M", () -> playback.setSpeed(Playback.NO_LIMIT));
+    violationAfter = mark("Next violation", "N", true, Mark.Kind.VIOLATION);
+    violationBefore = mark("Previous violation", "P", false, Mark.Kind.VIOLATION);
+    mark("Next mark", "shift N", true, null);
+    mark("Previous mark", "shift P", false, null);
     ViewState view = session.view();
-    add(FLOOR, "Fit", "Show all of the floor", "F", "F", view::fit);
-    zoom("Zoom in", "typed +", "+", ZOOM);
-    zoom("Zoom out", "typed -", "-", 1 / ZOOM);
-    pan("Look left", "control LEFT", "control \u2190", PAN_PX, 0);
-    pan("Look right", "control RIGHT", "control \u2192", -PAN_PX, 0);
-    pan("Look up", "control UP", "control \u2191", 0, PAN_PX);
-    pan("Look down", "control DOWN", "control \u2193", 0, -PAN_PX);
-    robots(owner);
-    switches();
-    add(PICTURE, "Dark or light", "Change the theme", "D", "D", owner::switchTheme);
-    add(
-        WINDOW,
-        "Save picture\u2026",
-        "Write what is shown to a PNG file",
-        "control S",
-        "control S",
-        owner::savePicture);
-    help =
-        add(WINDOW, "Keys and marks", "What keys do and marks mean", "F1", "F1 or ?", owner::help);
-    add(
-        WINDOW,
-        "Close",
-        "End the run, if it goes on, and close",
-        "control Q",
-        "control Q",
-        owner::close);
+    add(FLOOR, "Show all", "Show the whole floor", "F", view::fit);
+    zoom("Zoom in", "typed +", ZOOM);
+    zoom("Zoom out", "typed -", 1 / ZOOM);
+    pan("Pan left", "control LEFT", PAN_PX, 0);
+    pan("Pan right", "control RIGHT", -PAN_PX, 0);
+    pan("Pan up", "control UP", 0, PAN_PX);
+    pan("Pan down", "control DOWN", 0, -PAN_PX);
+    robots(content);
+    parts();
+    String theme = "Switch between the dark and the light theme";
+    add(PICTURE, "Dark or light", theme, "D", content::switchTheme);
+    String save = "Save the floor as a PNG file";
+    add(WINDOW, "Save picture\u2026", save, "control S", content::savePicture);
+    help = add(WINDOW, "Keys and marks", "Explain keys and marks", "F1", content::showHelp);
+    String close = "Close the window; a running simulation ends";
+    add(WINDOW, "Close", close, "control Q", content::close);
   }
 
-  private void robots(Owner owner) {
+  private void robots(Content content) {
     ViewState view = session.view();
-    add(
-        ROBOTS,
-        "Next robot",
-        "Select the next robot",
-        "TAB",
-        "tab",
-        () -> view.selectNeighbour(session.scene(), true));
-    add(
-        ROBOTS,
-        "Robot before",
-        "Select the robot before",
-        "shift TAB",
-        "shift tab",
-        () -> view.selectNeighbour(session.scene(), false));
-    add(ROBOTS, "Nobody", "Select nobody", "ESCAPE", "escape", () -> view.select(null));
-    add(
-        ROBOTS,
-        "Follow",
-        "Keep the selected robot in the middle, or no longer",
-        "C",
-        "C",
-        () -> view.follow(!view.isFollowing()));
-    add(
-        ROBOTS,
-        "State, messages, log",
-        "Turn to the inspector's next page",
-        "I",
-        "I",
-        owner::turnInspector);
-    add(
-        ROBOTS,
-        "Inject a fault\u2026",
-        "Let something go wrong from now on; recorded as an event",
-        "X",
-        "X",
-        owner::injectFault);
-    add(
-        ROBOTS,
-        "Send a point\u2026",
-        "Show the selected robot's app a place; recorded as an event",
-        "G",
-        "G",
-        owner::sendPoint);
+    select("Next robot", "Select the next robot", "TAB", true);
+    select("Previous robot", "Select the previous robot", "shift TAB", false);
+    add(ROBOTS, "Select none", "Clear the selection", "ESCAPE", () -> view.select(null));
+    String follow = "Keep the selected robot in the centre, on or off";
+    add(ROBOTS, "Follow", follow, "C", () -> view.follow(!view.isFollowing()));
+    String pages = "Switch between state, messages and log";
+    add(ROBOTS, "State, messages, log", pages, "I", content::turnInspector);
+    String fault = "Inject a fault; the trace records it";
+    add(ROBOTS, "Inject a fault\u2026", fault, "X", content::askFault);
+    String point = "Send a point to the selected robot's app; the trace records it";
+    add(ROBOTS, "Send a point\u2026", point, "G", content::askPoint);
   }
 
-  private void switches() {
+  private void parts() {
     ViewState view = session.view();
     for (Part part : Part.values()) {
-      String key = key(part);
-      add(
-          PICTURE,
-          part.title(),
-          "Show " + part.meaning() + ", or hide it",
-          key,
-          key,
-          () -> view.show(part, !view.shows(part)));
+      String meaning = "Show or hide " + part.meaning();
+      add(PICTURE, part.title(), meaning, key(part), () -> view.show(part, !view.shows(part)));
     }
     List<String> parts = session.playback().layer().parts();
     for (int i = 0; i < Math.min(9, parts.size()); i++) {
       String part = parts.get(i);
-      String digit = Integer.toString(i + 1);
       add(
           PICTURE,
           "The app's " + part,
-          "Show the app's " + part + ", or hide them",
-          "control " + digit,
-          "control " + digit,
+          "Show or hide the app's " + part,
+          "control " + (i + 1),
           () -> view.show(part, !view.look().shows(part)));
     }
+    Traffic traffic = session.traffic();
     add(
         PICTURE,
-        "Messages of the selected robot only",
-        "Hide messages between others, or show them",
+        "Only messages of the selected robot",
+        "Show or hide messages between other robots",
         "O",
-        "O",
-        () -> session.traffic().onlyOfSelected(!session.traffic().isOfSelectedOnly()));
+        () -> traffic.onlyOfSelected(!traffic.isOfSelectedOnly()));
   }
 
-  /** A digit: 1 to 9, and 0 for the tenth. */
+  /** A digit: 1 to 9, and 0 for the tenth part. */
   static String key(Part part) {
     return Integer.toString((part.ordinal() + 1) % 10);
   }
 
-  private Command add(
-      String group, String name, String meaning, String key, String shown, Runnable does) {
-    Command command = new Command(group, name, meaning, key, shown, does);
+  private Command add(String group, String name, String meaning, String key, Runnable action) {
+    Command command = new Command(group, name, meaning, key, action);
     all.add(command);
     return command;
   }
@@ -213,20 +138,17 @@ final class Commands {
     }
   }
 
-  private Command time(String name, String meaning, String key, String shown, long byNs) {
-    return add(TIME, name, meaning, key, shown, () -> session.playback().stepTime(byNs));
+  private Command time(String name, String meaning, String key, long byNs) {
+    return add(TIME, name, meaning, key, () -> session.playback().stepTime(byNs));
   }
 
-  private Command mark(
-      String name, String key, String shown, boolean isAfter, Mark.@Nullable Kind kind) {
-    String what = kind == null ? "mark on the timeline" : "violation";
-    String meaning = isAfter ? "To the next " + what : "To the " + what + " before";
+  private Command mark(String name, String key, boolean isAfter, Mark.@Nullable Kind kind) {
+    String meaning = kind == null ? name + " on the timeline" : name;
     return add(
         TIME,
         name,
         meaning,
         key,
-        shown,
         () -> {
           Mark mark = session.playback().neighbour(isAfter, kind);
           if (mark != null) {
@@ -235,25 +157,29 @@ final class Commands {
         });
   }
 
-  private void zoom(String name, String key, String shown, double factor) {
+  private void select(String name, String meaning, String key, boolean isNext) {
+    ViewState view = session.view();
+    add(ROBOTS, name, meaning, key, () -> view.selectNeighbour(session.scene(), isNext));
+  }
+
+  private void zoom(String name, String key, double factor) {
     ViewState view = session.view();
     add(
         FLOOR,
         name,
         name,
         key,
-        shown,
         () -> {
           var at = view.viewport();
           view.zoom(factor, at.widthPx() / 2.0, at.heightPx() / 2.0);
         });
   }
 
-  private void pan(String name, String key, String shown, double rightPx, double downPx) {
-    add(FLOOR, name, name, key, shown, () -> session.view().pan(rightPx, downPx));
+  private void pan(String name, String key, double rightPx, double downPx) {
+    add(FLOOR, name, name, key, () -> session.view().pan(rightPx, downPx));
   }
 
-  /** In the order to show them. */
+  /** All commands in display order. */
   List<Command> all() {
     return List.copyOf(all);
   }
@@ -262,7 +188,7 @@ final class Commands {
     return all.stream().filter(command -> command.group().equals(group)).toList();
   }
 
-  /** In the order to show them. */
+  /** All groups in display order. */
   static List<String> groups() {
     return List.of(TIME, FLOOR, ROBOTS, PICTURE, WINDOW);
   }

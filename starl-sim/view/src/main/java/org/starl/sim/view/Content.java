@@ -7,7 +7,6 @@ import java.awt.BorderLayout;
 import java.awt.Dimension;
 import java.awt.Font;
 import java.awt.Graphics2D;
-import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.io.File;
 import java.io.IOException;
@@ -23,12 +22,9 @@ import javax.swing.JSplitPane;
 import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
-import org.jspecify.annotations.Nullable;
-import org.starl.geometry.Point;
-import org.starl.id.RobotId;
 import org.starl.sim.record.Theme;
 
-/** All that stands in a window, and what its commands do. It needs no screen to be built. */
+/** The components of the window and its commands. Works without a screen. */
 final class Content {
 
   private static final int SIDE_PX = 380;
@@ -55,9 +51,10 @@ final class Content {
   Content(Session session, Runnable close) {
     this.session = session;
     this.close = close;
-    commands = new Commands(session, new Owner());
+    commands = new Commands(session, this);
     interventions = new Interventions(session, panel, this::tell);
-    floor = new FloorView(session, new Clicks());
+    floor = new FloorView(session);
+    floor.listen(interventions);
     timeline = new TimelineView(session);
     transport = new TransportBar(session, commands);
     robots = new RobotList(session, session.view()::select);
@@ -69,7 +66,7 @@ final class Content {
     keys();
   }
 
-  /** Colours of all components from now on; as the session's theme is to be. */
+  /** Sets the colours of all components. */
   static void setLook(boolean isDark) {
     if (isDark) {
       FlatDarkLaf.setup();
@@ -99,8 +96,8 @@ final class Content {
   private JComponent above() {
     JTabbedPane top = new JTabbedPane();
     top.setFocusable(false);
-    top.addTab("Robots", null, robots.pane(), "Every robot, and what it is doing");
-    top.addTab("Layers", null, switches.pane(), "What is shown");
+    top.addTab("Robots", null, robots.pane(), "All robots and their states");
+    top.addTab("Layers", null, switches.pane(), "Show or hide parts of the picture");
     JSplitPane side = new JSplitPane(JSplitPane.VERTICAL_SPLIT, top, inspector.panel());
     top.setPreferredSize(new Dimension(SIDE_PX, 300));
     inspector.panel().setPreferredSize(new Dimension(SIDE_PX, 460));
@@ -136,7 +133,7 @@ final class Content {
     return bar;
   }
 
-  /** Keys that menus do not bring; all work wherever in the window one is. */
+  /** Binds the second key of the help command; the menus bind all others. */
   private void keys() {
     panel
         .getInputMap(JComponent.WHEN_IN_FOCUSED_WINDOW)
@@ -145,9 +142,9 @@ final class Content {
   }
 
   /**
-   * Real time goes on.
+   * Advances by real time.
    *
-   * @param realNs of any clock that goes on
+   * @param realNs time of a monotonic clock
    */
   void tick(long realNs, long elapsedNs) {
     session.tick(realNs, elapsedNs);
@@ -158,7 +155,7 @@ final class Content {
     read();
   }
 
-  /** Shows how things stand. */
+  /** Updates all components. */
   void read() {
     floor.surface().repaint();
     timeline.surface().repaint();
@@ -173,72 +170,44 @@ final class Content {
     toldForNs = 0;
   }
 
-  private final class Clicks implements FloorView.Clicks {
-    @Override
-    public void menu(MouseEvent event) {
-      RobotId robot = session.view().robotAt(session.scene(), event.getX(), event.getY());
-      Point place = session.view().viewport().toWorld(event.getX(), event.getY());
-      interventions.menu(robot, place).show(floor.surface(), event.getX(), event.getY());
-    }
+  void askPoint() {
+    interventions.askPoint();
+  }
 
-    @Override
-    public void point(Point place) {
-      interventions.sendSelected(place);
-    }
+  void askFault() {
+    interventions.askFault();
+  }
 
-    @Override
-    public void selected(@Nullable RobotId robot) {
-      session.view().select(robot);
+  void turnInspector() {
+    inspector.turn();
+  }
+
+  void switchTheme() {
+    boolean isDark = !session.view().look().theme().isDark();
+    session.view().paintIn(isDark ? Theme.DARK : Theme.LIGHT);
+    setLook(isDark);
+    FlatLaf.updateUI();
+  }
+
+  void savePicture() {
+    session.playback().pause();
+    JFileChooser chooser = new JFileChooser(new File("."));
+    String name = session.recording().header().scenario().replaceAll("[^A-Za-z0-9]+", "-");
+    chooser.setSelectedFile(new File(name + ".png"));
+    if (chooser.showSaveDialog(panel) == JFileChooser.APPROVE_OPTION) {
+      save(chooser.getSelectedFile());
     }
   }
 
-  private final class Owner implements Commands.Owner {
-    @Override
-    public void sendPoint() {
-      interventions.askPoint();
-    }
-
-    @Override
-    public void injectFault() {
-      interventions.askFault();
-    }
-
-    @Override
-    public void turnInspector() {
-      inspector.turn();
-    }
-
-    @Override
-    public void switchTheme() {
-      boolean isDark = !session.view().look().theme().isDark();
-      session.view().paintIn(isDark ? Theme.DARK : Theme.LIGHT);
-      setLook(isDark);
-      FlatLaf.updateUI();
-    }
-
-    @Override
-    public void savePicture() {
-      session.playback().pause();
-      JFileChooser chooser = new JFileChooser(new File("."));
-      String name = session.recording().header().scenario().replaceAll("[^A-Za-z0-9]+", "-");
-      chooser.setSelectedFile(new File(name + ".png"));
-      if (chooser.showSaveDialog(panel) == JFileChooser.APPROVE_OPTION) {
-        save(chooser.getSelectedFile());
-      }
-    }
-
-    @Override
-    public void help() {
-      HelpSheet.show(panel, commands);
-    }
-
-    @Override
-    public void close() {
-      close.run();
-    }
+  void showHelp() {
+    HelpSheet.show(panel, commands);
   }
 
-  /** Twice as fine as on the screen, for print. */
+  void close() {
+    close.run();
+  }
+
+  /** Saves the floor with twice the resolution of the screen, for print. */
   private void save(File file) {
     int width = floor.surface().getWidth();
     int height = floor.surface().getHeight();
@@ -249,7 +218,7 @@ final class Content {
     page.dispose();
     try {
       boolean isWritten = ImageIO.write(image, "png", file);
-      tell(isWritten ? "Written: " + file : file + ": no picture could be written");
+      tell(isWritten ? "Saved " + file : file + ": the picture cannot be saved as PNG");
     } catch (IOException e) {
       tell(file + ": " + e.getMessage());
     }

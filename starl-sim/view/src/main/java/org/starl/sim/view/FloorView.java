@@ -7,7 +7,6 @@ import java.awt.Cursor;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.event.MouseWheelEvent;
@@ -23,20 +22,8 @@ import org.starl.sim.record.Theme;
 import org.starl.sim.record.Viewport;
 import org.starl.sim.replay.Mark;
 
-/** The floor: drag it, turn the wheel over it, click a robot. */
+/** The floor: dragging pans, the wheel zooms, a click selects a robot. */
 final class FloorView {
-
-  /** What a click that is no drag asks for. */
-  interface Clicks {
-    /** The right button, or the left one with the control key held. */
-    void menu(MouseEvent event);
-
-    /** The left button with the shift key held: a place on the floor. */
-    void point(Point place);
-
-    /** A robot, or null for the floor. */
-    void selected(@Nullable RobotId robot);
-  }
 
   private static final double WHEEL = 1.15;
   private static final int MARGIN_PX = 12;
@@ -50,12 +37,16 @@ final class FloorView {
   private final Surface surface;
   private BufferedImage buffer = new BufferedImage(1, 1, BufferedImage.TYPE_INT_RGB);
 
-  FloorView(Session session, Clicks clicks) {
+  FloorView(Session session) {
     this.session = session;
     surface = new Surface(this::paint, this::tip);
     surface.setFocusable(true);
     surface.setFocusTraversalKeysEnabled(false);
-    Mouse mouse = new Mouse(clicks);
+  }
+
+  /** Handles the mouse from now on. */
+  void listen(Interventions interventions) {
+    Mouse mouse = new Mouse(interventions);
     surface.addMouseListener(mouse);
     surface.addMouseMotionListener(mouse);
     surface.addMouseWheelListener(mouse);
@@ -66,7 +57,7 @@ final class FloorView {
   }
 
   private void paint(Graphics2D page, int widthPx, int heightPx) {
-    // In memory: there the painter is fast, whatever the screen is.
+    // Painting in memory is fast on every screen.
     double scale = page.getTransform().getScaleX();
     int wide = (int) Math.ceil(widthPx * scale);
     int high = (int) Math.ceil(heightPx * scale);
@@ -82,7 +73,7 @@ final class FloorView {
     device.dispose();
   }
 
-  /** The floor with what is written over it. */
+  /** Paints the floor with scale bar and banner. */
   void render(Graphics2D floor, int widthPx, int heightPx) {
     ViewState view = session.view();
     view.arrange(session.scene(), session.playback().layer(), widthPx, heightPx);
@@ -93,8 +84,7 @@ final class FloorView {
         view.viewport(),
         view.look(),
         session.flights());
-    floor.setRenderingHint(
-        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
+
     scaleBar(floor, view.viewport(), view.look().theme());
     banner(floor, widthPx, heightPx);
   }
@@ -119,7 +109,7 @@ final class FloorView {
     page.drawString(text, (float) x + 4, (float) y - 5);
   }
 
-  /** What is wrong, or that it is over. */
+  /** Shows an error, a violation, or the end of the run. */
   private void banner(Graphics2D page, int widthPx, int heightPx) {
     Theme theme = session.view().look().theme();
     Mark violation = session.violation();
@@ -127,13 +117,13 @@ final class FloorView {
     if (!failure.isEmpty()) {
       strip(page, widthPx, MARGIN_PX, failure, theme.alarm());
     } else if (session.recording().size() == 0) {
-      strip(page, widthPx, heightPx / 2, "Nothing has happened yet", theme.muted());
+      strip(page, widthPx, heightPx / 2, "No events yet", theme.muted());
     } else if (violation != null) {
       strip(page, widthPx, MARGIN_PX, violation.text(), theme.alarm());
     } else if (session.playback().isAtEnd()) {
       String when = Inspection.seconds(session.recording().endNs());
       String open =
-          session.recording().isChecked() ? "" : "; its specifications are still being checked";
+          session.recording().isChecked() ? "" : "; specifications are still being checked";
       strip(page, widthPx, MARGIN_PX, "The run ended at " + when + open, theme.muted());
     }
   }
@@ -152,13 +142,8 @@ final class FloorView {
     page.setColor(colour);
     page.fill(new RoundRectangle2D.Double(left, topPx, width, 26, 13, 13));
     page.setComposite(AlphaComposite.SrcOver);
-    page.setColor(luma(colour) > 140 ? Color.BLACK : Color.WHITE);
+    page.setColor(Theme.textOn(colour));
     page.drawString(shown, (float) left + 12, topPx + 17.5f);
-  }
-
-  /** Of the banner, to write on it. */
-  private static double luma(Color colour) {
-    return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue();
   }
 
   private @Nullable String tip(MouseEvent event) {
@@ -171,13 +156,13 @@ final class FloorView {
   }
 
   private final class Mouse extends MouseAdapter {
-    private final Clicks clicks;
+    private final Interventions interventions;
     private int x;
     private int y;
     private boolean isDragged;
 
-    Mouse(Clicks clicks) {
-      this.clicks = clicks;
+    Mouse(Interventions interventions) {
+      this.interventions = interventions;
     }
 
     @Override
@@ -207,13 +192,16 @@ final class FloorView {
       if (isDragged) {
         return;
       }
+      ViewState view = session.view();
+      RobotId robot = view.robotAt(session.scene(), event.getX(), event.getY());
+      Point place = view.viewport().toWorld(event.getX(), event.getY());
       boolean isLeft = SwingUtilities.isLeftMouseButton(event);
       if (isLeft && event.isShiftDown()) {
-        clicks.point(session.view().viewport().toWorld(event.getX(), event.getY()));
+        interventions.sendSelected(place);
       } else if (isLeft && !event.isControlDown()) {
-        clicks.selected(session.view().robotAt(session.scene(), event.getX(), event.getY()));
+        view.select(robot);
       } else {
-        clicks.menu(event);
+        interventions.menu(robot, place).show(surface, event.getX(), event.getY());
       }
     }
 

@@ -4,15 +4,15 @@ import java.awt.BasicStroke;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import javax.swing.Icon;
 import javax.swing.UIManager;
+import org.starl.sim.record.Painter;
 
-/** The pictures on buttons, 16 by 16, in the colour of text. */
+/** Icons for buttons, 16 by 16 pixels, in the colour of text. */
 enum Glyph implements Icon {
   PLAY,
   PAUSE,
@@ -44,8 +44,7 @@ enum Glyph implements Icon {
   public void paintIcon(Component on, Graphics graphics, int x, int y) {
     Graphics2D page = (Graphics2D) graphics.create();
     page.translate(x, y);
-    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    Painter.smooth(page);
     page.setColor(
         on.isEnabled() ? on.getForeground() : UIManager.getColor("Label.disabledForeground"));
     page.setStroke(new BasicStroke(1.6f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));

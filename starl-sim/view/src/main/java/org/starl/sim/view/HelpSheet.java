@@ -11,23 +11,23 @@ import javax.swing.KeyStroke;
 import javax.swing.SwingUtilities;
 import javax.swing.WindowConstants;
 
-/** All keys, and what every mark means. */
+/** Explains all keys and marks. */
 final class HelpSheet {
 
   private static final String[][] MARKS = {
-    {"disc with a line", "a robot's true body; the line points where it heads"},
-    {"cross on a robot", "its program has crashed"},
-    {"ring around a robot", "it is selected"},
+    {"disc with a line", "robot at its true position; the line shows its heading"},
+    {"cross on a robot", "the robot's program has crashed"},
+    {"ring around a robot", "the robot is selected"},
     {"grey lines and areas", "obstacles that all robots know"},
     {"orange-red lines and areas", "hidden obstacles: on no robot's map at the start"},
-    {"burst of red lines", "a robot ran into something, up to ten seconds ago"},
-    {"line in a robot's colour", "its trail"},
-    {"dots in a robot's colour", "where it means to go"},
-    {"dot on an arc", "a message on its way, in its sender's colour; a red cross if it was lost"},
-    {"red flag on the timeline", "a specification is violated"},
-    {"cross, ring on the timeline", "a robot crashes; a robot restarts"},
-    {"short line on the timeline", "a fault begins or ends"},
-    {"diamond on the timeline", "somebody has intervened"}
+    {"burst of red lines", "a robot bumped into something in the last 10 s"},
+    {"line in a robot's colour", "trail of the robot"},
+    {"dots in a robot's colour", "planned route of the robot"},
+    {"dot on an arc", "message in transit, in its sender's colour; a red cross: lost message"},
+    {"red flag on the timeline", "violation of a specification"},
+    {"cross, ring on the timeline", "crash, restart of a robot"},
+    {"short line on the timeline", "begin or end of a fault"},
+    {"diamond on the timeline", "intervention by the user"}
   };
 
   private HelpSheet() {}
@@ -63,17 +63,15 @@ final class HelpSheet {
       }
       html.append("<h3>").append(group).append("</h3><table cellpadding=1>");
       for (Command command : commands.of(group)) {
-        if (!command.keys().isEmpty()) {
-          row(html, command.keys(), command.name().replace("\u2026", ""));
-        }
+        row(html, command.keys(), command.name().replace("\u2026", ""));
       }
       if (group.equals("Floor")) {
         row(html, "drag", "Move the floor");
-        row(html, "wheel", "Zoom where the mouse is");
+        row(html, "wheel", "Zoom at the mouse pointer");
       } else if (group.equals("Robots")) {
         row(html, "click", "Select a robot");
-        row(html, "shift click", "Send the selected robot there");
-        row(html, "right click", "Inject a fault, send a point");
+        row(html, "shift click", "Send the selected robot this point");
+        row(html, "right click", "Menu of faults and points");
       }
       html.append("</table>");
     }

@@ -1,11 +1,12 @@
 package org.starl.sim.view;
 
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.Optional;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Scene;
@@ -16,7 +17,7 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
-/** What there is to know of one robot at a moment of a recording; found when somebody asks. */
+/** State, messages and log of one robot at a moment of a recording, computed on demand. */
 final class Inspection {
 
   private static final int MOST_LINES = 60;
@@ -28,18 +29,18 @@ final class Inspection {
   /**
    * A row of a table.
    *
-   * @param isTitle whether it opens a group; its value is then empty
+   * @param isTitle whether it is the title of a group; its value is then empty
    */
   record Row(boolean isTitle, String name, String value) {}
 
   /**
-   * A line about one moment.
+   * A message or a line of the log.
    *
-   * @param more the same at full length
+   * @param more the full text
    */
   record Line(long timeNs, String what, String text, String more) {}
 
-  /** Its body, then the variables of its app, of motion and of each primitive. */
+  /** The pose, then the variables of the app, of motion and of each primitive. */
   static List<Row> state(Scene scene, RobotId robot) {
     List<Row> rows = new ArrayList<>();
     rows.add(new Row(true, "body", ""));
@@ -51,7 +52,7 @@ final class Inspection {
     } else {
       rows.add(new Row(false, "position", "not on the floor"));
     }
-    rows.add(new Row(false, "program", scene.isDown(robot) ? "crashed" : "runs"));
+    rows.add(new Row(false, "program", scene.isDown(robot) ? "crashed" : "running"));
     String source = "";
     List<Scene.Value> values = new ArrayList<>(scene.variables(robot));
     values.sort(Comparator.comparingInt(Inspection::rank));
@@ -65,7 +66,7 @@ final class Inspection {
     return rows;
   }
 
-  /** The app comes first, then motion, then each primitive. */
+  /** Order of sources: app, motion, primitives. */
   private static int rank(Scene.Value value) {
     return value.source().equals("app") ? 0 : value.source().equals("motion") ? 1 : 2;
   }
@@ -74,60 +75,68 @@ final class Inspection {
     return String.format(Locale.ROOT, "%.0f mm", mm);
   }
 
-  /** What it sent and received of late, the latest first. */
+  /** Recent messages that the robot sent, received or missed, latest first. */
   static List<Line> messages(Recording recording, int index, RobotId robot) {
-    List<Line> lines = new ArrayList<>();
-    int least = Math.max(0, index - MOST_EVENTS);
-    for (int i = index - 1; i >= least && lines.size() < MOST_LINES; i--) {
-      TraceEvent event = recording.event(i);
-      if (event.robot().equals(robot)) {
-        switch (event) {
-          case Sent out -> {
-            String to = out.to().equals("*") ? "all" : out.to();
-            lines.add(message(out.timeNs(), "\u2192 " + to, out.channel(), out.message()));
-          }
-          case Delivered in ->
-              lines.add(message(in.timeNs(), "\u2190 " + in.from(), in.channel(), in.message()));
-          case Dropped lost ->
-              lines.add(new Line(lost.timeNs(), "\u2715 " + lost.from(), lost.why(), lost.why()));
-          default -> {
-            // No message.
-          }
-        }
-      }
-    }
-    return lines;
+    return latest(recording, index, robot, Inspection::message);
   }
 
-  /** What kind of message comes first, for there is little room. */
-  private static Line message(long timeNs, String whom, String channel, String message) {
+  private static @Nullable Line message(TraceEvent event) {
+    return switch (event) {
+      case Sent out -> {
+        String to = out.to().equals("*") ? "all" : out.to();
+        yield message(out.timeNs(), "\u2192 " + to, out.channel(), out.message());
+      }
+      case Delivered in -> message(in.timeNs(), "\u2190 " + in.from(), in.channel(), in.message());
+      case Dropped lost -> new Line(lost.timeNs(), "\u2715 " + lost.from(), lost.why(), lost.why());
+      default -> null;
+    };
+  }
+
+  /** The message's type comes first, as the column may be narrow. */
+  private static Line message(long timeNs, String peer, String channel, String message) {
     int end = 0;
     while (end < message.length() && Character.isJavaIdentifierPart(message.charAt(end))) {
       end++;
     }
     String text = message.substring(0, end) + "  " + channel + "  " + message.substring(end);
-    return new Line(timeNs, whom, text, channel + "\n" + message);
+    return new Line(timeNs, peer, text, channel + "\n" + message);
   }
 
-  /** What it did of late, by the names of the paper, and what its program wrote; the latest first. */
+  /** Recent actions, by the paper's names, faults and log lines, latest first. */
   static List<Line> log(Recording recording, int index, RobotId robot) {
+    List<Line> lines = latest(recording, index, robot, Inspection::action);
+    lines.addAll(written(recording.logs(), index, robot));
+    lines.sort((a, b) -> Long.compare(b.timeNs(), a.timeNs()));
+    return lines.size() > MOST_LINES ? lines.subList(0, MOST_LINES) : lines;
+  }
+
+  private static @Nullable Line action(TraceEvent event) {
+    return switch (event) {
+      case TraceEvent.Action action -> {
+        String text = action.name() + "(" + String.join(", ", action.args()) + ")";
+        yield new Line(action.timeNs(), action.source(), text, text);
+      }
+      case TraceEvent.Fault fault -> {
+        String text = fault.name() + " " + fault.detail();
+        yield new Line(fault.timeNs(), "fault", text, text);
+      }
+      default -> null;
+    };
+  }
+
+  /** The lines of the robot's latest events before {@code index}; null lines are left out. */
+  private static List<Line> latest(
+      Recording recording, int index, RobotId robot, Function<TraceEvent, @Nullable Line> line) {
     List<Line> lines = new ArrayList<>();
     int least = Math.max(0, index - MOST_EVENTS);
     for (int i = index - 1; i >= least && lines.size() < MOST_LINES; i--) {
       TraceEvent event = recording.event(i);
-      if (event.robot().equals(robot)) {
-        if (event instanceof TraceEvent.Action action) {
-          String text = action.name() + "(" + String.join(", ", action.args()) + ")";
-          lines.add(new Line(action.timeNs(), action.source(), text, text));
-        } else if (event instanceof TraceEvent.Fault fault) {
-          String text = fault.name() + " " + fault.detail();
-          lines.add(new Line(fault.timeNs(), "fault", text, text));
-        }
+      Line shown = event.robot().equals(robot) ? line.apply(event) : null;
+      if (shown != null) {
+        lines.add(shown);
       }
     }
-    lines.addAll(written(recording.logs(), index, robot));
-    Collections.sort(lines, (a, b) -> Long.compare(b.timeNs(), a.timeNs()));
-    return lines.size() > MOST_LINES ? lines.subList(0, MOST_LINES) : lines;
+    return lines;
   }
 
   private static List<Line> written(List<LogLine> all, int index, RobotId robot) {

@@ -8,11 +8,11 @@ import javax.swing.JTabbedPane;
 import javax.swing.SwingConstants;
 import org.starl.id.RobotId;
 
-/** The selected robot: its variables, its messages, its log. */
+/** Shows state, messages and log of the selected robot. */
 final class InspectorView {
 
-  private static final String NOBODY = "nobody";
-  private static final String SOMEBODY = "somebody";
+  private static final String HINT = "hint";
+  private static final String ROBOT = "robot";
 
   private final Session session;
   private final CardLayout cards = new CardLayout();
@@ -25,32 +25,34 @@ final class InspectorView {
   InspectorView(Session session) {
     this.session = session;
     tabs.setFocusable(false);
-    tabs.addTab("State", null, state.pane(), "Body, and the variables of the gvh by primitive");
-    tabs.addTab("Messages", null, messages.pane(), "Sent and received, the latest first");
-    tabs.addTab("Log", null, log.pane(), "Actions, and lines of its program, the latest first");
+    tabs.addTab(
+        "State", null, state.pane(), "Position, and variables of the app and of primitives");
+    tabs.addTab(
+        "Messages", null, messages.pane(), "Sent, received and lost messages, latest first");
+    tabs.addTab("Log", null, log.pane(), "Actions, faults and log lines, latest first");
     JLabel hint =
         new JLabel(
-            "<html><div style='text-align:center'>Click a robot, or press Tab,<br>"
+            "<html><div style='text-align:center'>Click a robot or press Tab<br>"
                 + "to see its state, messages and log</div></html>",
             SwingConstants.CENTER);
     hint.setEnabled(false);
-    panel.add(hint, NOBODY);
-    panel.add(tabs, SOMEBODY);
+    panel.add(hint, HINT);
+    panel.add(tabs, ROBOT);
   }
 
   JPanel panel() {
     return panel;
   }
 
-  /** To the next of its pages. */
+  /** Switches to the next page. */
   void turn() {
     tabs.setSelectedIndex((tabs.getSelectedIndex() + 1) % tabs.getTabCount());
   }
 
-  /** Shows the selected robot as it is now. */
+  /** Updates the visible page. */
   void read() {
     RobotId robot = session.selected();
-    cards.show(panel, robot == null ? NOBODY : SOMEBODY);
+    cards.show(panel, robot == null ? HINT : ROBOT);
     if (robot == null) {
       return;
     }

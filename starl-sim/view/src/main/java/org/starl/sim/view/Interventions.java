@@ -16,7 +16,7 @@ import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.sim.replay.LiveRun;
 
-/** What a person does to a run that goes on: by menu, or in so many words. */
+/** Interventions of the user in a live run: menus and dialogs for faults and points. */
 final class Interventions {
 
   private static final int MOST_LINKS = 24;
@@ -26,8 +26,8 @@ final class Interventions {
   private final Consumer<String> told;
 
   /**
-   * @param owner of dialogs
-   * @param told what came of it, for a line
+   * @param owner parent of dialogs
+   * @param told receives the outcome, in one line
    */
   Interventions(Session session, Component owner, Consumer<String> told) {
     this.session = session;
@@ -35,10 +35,10 @@ final class Interventions {
     this.told = told;
   }
 
-  /** A fault with what a menu calls it. */
+  /** A fault and its title in a menu. */
   record Item(String title, String fault) {}
 
-  /** What can go wrong with one robot. */
+  /** Faults of one robot. */
   static List<Item> faults(RobotId robot) {
     return List.of(
         new Item("Crash", "crash(" + robot + ")"),
@@ -46,25 +46,26 @@ final class Interventions {
         new Item("Wheels stuck for 5 s", "stuck(" + robot + ",for=5s)"),
         new Item("Wheels at half speed for 10 s", "slow(" + robot + ",0.5,for=10s)"),
         new Item("No position fixes for 5 s", "dropout(" + robot + ",for=5s)"),
-        new Item("Positions 100 mm worse for 10 s", "noise(" + robot + ",100mm,3deg,for=10s)"),
-        new Item("All that it sends is lost for 5 s", "loss(1,from=" + robot + ",for=5s)"),
-        new Item("All sent to it is lost for 5 s", "loss(1,to=" + robot + ",for=5s)"),
-        new Item("Something parks before it for 10 s", "block(" + robot + ",for=10s)"));
+        new Item("Position noise of 100 mm for 10 s", "noise(" + robot + ",100mm,3deg,for=10s)"),
+        new Item("Lose all sent messages for 5 s", "loss(1,from=" + robot + ",for=5s)"),
+        new Item("Lose all received messages for 5 s", "loss(1,to=" + robot + ",for=5s)"),
+        new Item("Obstacle in front of it for 10 s", "block(" + robot + ",for=10s)"));
   }
 
-  /** What can go wrong between two. */
+  /** The fault of a link. */
   static Item link(RobotId from, RobotId to) {
     return new Item(
-        "To " + to + ": all is lost for 10 s", "loss(1,from=" + from + ",to=" + to + ",for=10s)");
+        "To " + to + ": lose all messages for 10 s",
+        "loss(1,from=" + from + ",to=" + to + ",for=10s)");
   }
 
-  /** For a robot, or for a place on the floor. */
+  /** The menu at a place on the floor, with the robot there, if any. */
   JPopupMenu menu(@Nullable RobotId robot, Point place) {
     JPopupMenu menu = new JPopupMenu();
     RobotId selected = session.selected();
     if (selected != null) {
       String where = Math.round(place.xMm()) + ", " + Math.round(place.yMm());
-      menu.add(item("Send " + selected + " the point " + where, () -> send(selected, place)));
+      menu.add(item("Send point " + where + " to " + selected, () -> send(selected, place)));
     }
     if (robot != null) {
       if (selected != null) {
@@ -88,7 +89,7 @@ final class Interventions {
     }
     menu.add(item("Another fault\u2026", this::askFault));
     if (session.live() == null) {
-      JMenuItem why = new JMenuItem("Only while a run goes on (starl run APP --view)");
+      JMenuItem why = new JMenuItem("Only during a live run (starl run APP --view)");
       why.setEnabled(false);
       menu.addSeparator();
       menu.add(why);
@@ -107,43 +108,31 @@ final class Interventions {
     return item;
   }
 
-  /** Asks for a fault in words. */
+  /** Asks for a fault in a dialog. */
   void askFault() {
     if (!isLive()) {
       return;
     }
     RobotId robot = session.selected();
-    Object text =
-        JOptionPane.showInputDialog(
-            owner,
-            "A fault, as --fault reads it. What it does not say of times counts from now.",
+    String text =
+        ask(
             "Inject a fault",
-            JOptionPane.PLAIN_MESSAGE,
-            null,
-            null,
+            "A fault, written as for --fault. It begins now unless it has a time (at=...).",
             robot == null ? "loss(0.5,for=10s)" : "crash(" + robot + ",restart=5s)");
-    if (text != null && !text.toString().isBlank()) {
-      inject(text.toString().strip());
+    if (!text.isEmpty()) {
+      inject(text);
     }
   }
 
-  /** Asks for a place in words. */
+  /** Asks for a point in a dialog. */
   void askPoint() {
     RobotId robot = addressee();
     if (robot == null) {
       return;
     }
-    Object text =
-        JOptionPane.showInputDialog(
-            owner,
-            "Where is " + robot + " to go? x and y in mm",
-            "Send a point",
-            JOptionPane.PLAIN_MESSAGE,
-            null,
-            null,
-            "0, 0");
-    if (text != null) {
-      String[] xy = text.toString().strip().split("[ ,;]+", -1);
+    String text = ask("Send a point", "Point for " + robot + ": x, y in mm", "0, 0");
+    if (!text.isEmpty()) {
+      String[] xy = text.split("[ ,;]+", -1);
       try {
         send(robot, new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1])));
       } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
@@ -152,7 +141,14 @@ final class Interventions {
     }
   }
 
-  /** Sends the selected robot a place. */
+  /** The user's answer; empty if the dialog was cancelled. */
+  private String ask(String title, String question, String example) {
+    int kind = JOptionPane.PLAIN_MESSAGE;
+    Object text = JOptionPane.showInputDialog(owner, question, title, kind, null, null, example);
+    return text == null ? "" : text.toString().strip();
+  }
+
+  /** Sends a point to the selected robot. */
   void sendSelected(Point place) {
     RobotId robot = addressee();
     if (robot != null) {
@@ -160,20 +156,20 @@ final class Interventions {
     }
   }
 
-  /** Whom a point would go to; null, and why, if nobody. */
+  /** The robot that receives points; if there is none, shows the reason and returns null. */
   private @Nullable RobotId addressee() {
     if (!isLive()) {
       return null;
     }
     if (session.selected() == null) {
-      told.accept("Select a robot first: click it, or press tab");
+      told.accept("Select a robot first: click it or press Tab");
     }
     return session.selected();
   }
 
   private boolean isLive() {
     if (session.live() == null) {
-      told.accept("Nothing can be done to a run that is over");
+      told.accept("The run has ended: faults and points need a live run");
       return false;
     }
     return true;
@@ -195,7 +191,7 @@ final class Interventions {
     if (live != null) {
       int x = (int) Math.round(place.xMm());
       int y = (int) Math.round(place.yMm());
-      tell(live.point(robot, x, y), robot + " was sent " + x + ", " + y);
+      tell(live.point(robot, x, y), "point " + x + ", " + y + " sent to " + robot);
     }
   }
 

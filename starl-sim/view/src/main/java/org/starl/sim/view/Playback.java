@@ -9,22 +9,21 @@ import org.starl.sim.replay.Mark;
 import org.starl.sim.replay.Recording;
 
 /**
- * Goes through a recording as a person asks: plays it at some speed, stops, steps, jumps. One thread's
- * own.
+ * Playback of a recording: play, pause, step, seek. Not thread-safe.
  */
 final class Playback {
 
-  /** As fast as it goes. */
+  /** As fast as possible. */
   static final double NO_LIMIT = Double.POSITIVE_INFINITY;
 
-  /** Simulated seconds in a real one, from slow to fast. */
+  /** Simulated seconds per real second, ascending. */
   static final List<Double> SPEEDS =
       List.of(0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0, 50.0, 100.0, NO_LIMIT);
 
-  /** So many events at most are gone through between two pictures. */
+  /** Greatest number of events between two pictures. */
   private static final int EVENTS_A_TICK = 20_000;
 
-  /** Longer than this a picture does not take; a machine that slept is not to skip a minute. */
+  /** Longer ticks count as this, so that playback does not jump after the machine slept. */
   private static final long LONGEST_TICK_NS = 250_000_000;
 
   private final Recording recording;
@@ -32,12 +31,12 @@ final class Playback {
   private double speed;
   private boolean isPlaying;
 
-  // Asked for, of a run that has not come so far: a time, or a number of events; else -1.
+  // Target of a step beyond the recorded part of a live run: time or number of events; else -1.
   private long awaitedNs = -1;
   private int awaitedEvents = -1;
 
   /**
-   * @param speed simulated seconds in a real one, above 0; {@link #NO_LIMIT} for as fast as it goes
+   * @param speed simulated seconds per real second, above 0; or {@link #NO_LIMIT}
    */
   Playback(Recording recording, double speed) {
     this.recording = recording;
@@ -57,7 +56,7 @@ final class Playback {
     return cursor.nowNs();
   }
 
-  /** How many events have happened before now. */
+  /** Number of events up to the present time. */
   int index() {
     return cursor.index();
   }
@@ -70,12 +69,12 @@ final class Playback {
     return speed;
   }
 
-  /** Whether there is nothing later, and there will not be. */
+  /** Whether this is the end of a run that is over. */
   boolean isAtEnd() {
     return recording.isOver() && nowNs() >= recording.endNs();
   }
 
-  /** Plays on from here, or from the beginning if this is the end. */
+  /** Plays from the present time, or from the start if this is the end. */
   void play() {
     if (isAtEnd() && recording.size() > 0) {
       cursor.seek(0);
@@ -96,7 +95,7 @@ final class Playback {
     speed = newSpeed;
   }
 
-  /** To the next of {@link #SPEEDS}, if there is one. */
+  /** Sets the next higher one of {@link #SPEEDS}, if there is one. */
   void faster() {
     for (double next : SPEEDS) {
       if (next > speed) {
@@ -106,7 +105,7 @@ final class Playback {
     }
   }
 
-  /** To the one before, if there is one. */
+  /** Sets the next lower one of {@link #SPEEDS}, if there is one. */
   void slower() {
     for (int i = SPEEDS.size() - 1; i >= 0; i--) {
       if (SPEEDS.get(i) < speed) {
@@ -116,7 +115,7 @@ final class Playback {
     }
   }
 
-  /** So much real time has passed. */
+  /** Advances by {@code elapsedNs} of real time. */
   void tick(long elapsedNs) {
     if (!isPlaying) {
       goToAwaited();
@@ -154,9 +153,9 @@ final class Playback {
   }
 
   /**
-   * How far a run that still goes on should come, for what is asked for.
+   * The time that a live run should reach.
    *
-   * @param leadNs real time that it may be ahead
+   * @param leadNs real time that the run may be ahead of the display
    */
   long wantedNs(long leadNs) {
     if (isPlaying) {
@@ -168,13 +167,13 @@ final class Playback {
     return awaitedEvents > 0 ? recording.endNs() + leadNs : nowNs();
   }
 
-  /** Where a tick must end lest the window stand still. */
+  /** The latest time of this tick, so that the window stays responsive. */
   private long furthestNs() {
     int last = index() + EVENTS_A_TICK;
     return last < recording.size() ? recording.timeNs(last) : recording.endNs();
   }
 
-  /** To a time, or to the beginning or the end so far if that is nearer. Playing goes on from there. */
+  /** Goes to a time between 0 and the end so far. Playing continues from there. */
   void seek(long timeNs) {
     awaitedNs = -1;
     awaitedEvents = -1;
@@ -185,7 +184,7 @@ final class Playback {
     seek(recording.endNs());
   }
 
-  /** On, or back if below 0; stops playing. */
+  /** Steps forward, or back if {@code byNs} is negative; pauses. */
   void stepTime(long byNs) {
     pause();
     long toNs = nowNs() + byNs;
@@ -193,14 +192,14 @@ final class Playback {
     awaitedNs = isReached(toNs) ? -1 : toNs;
   }
 
-  /** So many events on, or back if below 0; stops playing. */
+  /** Steps by events forward, or back if {@code by} is negative; pauses. */
   void stepEvents(int by) {
     pause();
     int number = index() - 1 + by;
     if (number < 0) {
       cursor.seek(0);
       if (recording.size() > 0 && index() > 0) {
-        // Several may happen at time 0.
+        // Several events may have time 0.
         cursor.toEvent(0);
       }
     } else if (number < recording.size()) {
@@ -211,7 +210,7 @@ final class Playback {
     }
   }
 
-  /** To what stands on the timeline; stops playing. */
+  /** Goes to a mark; pauses. */
   void toMark(Mark mark) {
     pause();
     awaitedNs = -1;
@@ -220,9 +219,9 @@ final class Playback {
   }
 
   /**
-   * The nearest one after now, or before now.
+   * The nearest mark after or before the present time.
    *
-   * @param kind null for any
+   * @param kind wanted kind; null for any
    * @return null if there is none
    */
   @Nullable Mark neighbour(boolean isAfter, Mark.@Nullable Kind kind) {
@@ -241,7 +240,7 @@ final class Playback {
     return isAfter ? mark.index() < best.index() : mark.index() > best.index();
   }
 
-  /** The latest violation that has happened by now; null if there is none. */
+  /** The latest violation up to the present time; null if there is none. */
   @Nullable Mark violation() {
     Mark latest = null;
     for (Mark mark : recording.marks()) {

@@ -6,7 +6,6 @@ import java.awt.Component;
 import java.awt.Font;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.event.MouseAdapter;
 import java.awt.event.MouseEvent;
 import java.awt.geom.Ellipse2D;
@@ -24,8 +23,9 @@ import javax.swing.ListCellRenderer;
 import javax.swing.ListSelectionModel;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.sim.record.Painter;
 
-/** The legend: every robot in its colour, and what it is doing. */
+/** The legend: all robots in their colours, and what the app tells about each. */
 final class RobotList {
 
   private static final int MOST_LINES = 2;
@@ -60,7 +60,7 @@ final class RobotList {
     return pane;
   }
 
-  /** Shows who is there now. */
+  /** Updates the list. */
   void read() {
     List<RobotId> robots = session.scene().robots();
     int wanted = linesOf(robots);
@@ -84,7 +84,7 @@ final class RobotList {
     list.repaint();
   }
 
-  /** Under a robot's name, so many lines. */
+  /** Number of text lines under a robot's name. */
   private int linesOf(List<RobotId> robots) {
     int most = lines;
     for (int i = 0; i < Math.min(20, robots.size()); i++) {
@@ -169,7 +169,7 @@ final class RobotList {
     @Override
     public void paintIcon(Component on, Graphics graphics, int x, int y) {
       Graphics2D page = (Graphics2D) graphics.create();
-      page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
+      Painter.smooth(page);
       page.setColor(colour);
       page.fill(new Ellipse2D.Double(x, y, 12, 12));
       page.dispose();

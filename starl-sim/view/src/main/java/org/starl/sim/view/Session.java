@@ -10,13 +10,13 @@ import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Mark;
 import org.starl.sim.replay.Recording;
 
-/** All that a window shows: a recording, where in it one is, and how it is looked at. */
+/** The state of a window: recording, playback, view and messages. */
 final class Session {
 
-  /** Real time that a run may be ahead of who watches it: a few pictures. */
+  /** Real time that a live run may be ahead of the display: a few pictures. */
   private static final long LEAD_NS = 150_000_000;
 
-  /** What has arrived is shown for so much real time, but within limits of the run's. */
+  /** Real time for which an arrived message stays visible; limited in simulated time. */
   private static final long LINGER_NS = 70_000_000;
 
   private static final long LEAST_LINGER_NS = 15_000_000;
@@ -27,12 +27,12 @@ final class Session {
   private final Playback playback;
   private final ViewState view;
   private final Traffic traffic;
-  private final Meter meter = new Meter();
+  private final RateMeter meter = new RateMeter();
   private final @Nullable LiveRun live;
 
   /**
-   * @param recording that has begun
-   * @param live the run that fills it; null if it is over, or nobody may do anything to it
+   * @param recording has begun
+   * @param live the run that fills the recording; null for a trace
    */
   Session(Recording recording, @Nullable LiveRun live) {
     this.recording = recording;
@@ -47,7 +47,7 @@ final class Session {
     return recording;
   }
 
-  /** The run, if a person may do something to it. */
+  /** The live run; null after its end, and for a trace. */
   @Nullable LiveRun live() {
     return live == null || live.isOver() ? null : live;
   }
@@ -72,15 +72,15 @@ final class Session {
     return playback.scene();
   }
 
-  /** Events a second: of the simulation while it goes on, else of what is played. */
+  /** Events per real second: of the simulation while it runs, else of the playback. */
   double eventsPerSecond() {
     return meter.perSecond();
   }
 
   /**
-   * Real time goes on.
+   * Advances by real time.
    *
-   * @param realNs of any clock that goes on
+   * @param realNs time of a monotonic clock
    */
   void tick(long realNs, long elapsedNs) {
     if (live != null) {
@@ -90,12 +90,12 @@ final class Session {
     meter.read(realNs, recording.isOver() ? playback.index() : recording.size());
   }
 
-  /** What is under way now, as far as it is to be shown. */
+  /** The visible messages in transit. */
   List<Flight> flights() {
     if (!view.shows(Part.MESSAGES)) {
       return List.of();
     }
-    // What stands still is to be a moment, not a while.
+    // A paused picture shows one moment, so messages stay visible for the least time.
     double speed = playback.isPlaying() ? Math.min(playback.speed(), 1e3) : 0;
     long lingerNs = (long) Math.max(LEAST_LINGER_NS, Math.min(MOST_LINGER_NS, LINGER_NS * speed));
     return traffic.at(playback.nowNs(), playback.index(), lingerNs, view.selected());
@@ -107,7 +107,7 @@ final class Session {
     return header.scenario() + ", seed " + header.scenarioSeed();
   }
 
-  /** The latest violation that has happened by now; null if there is none. */
+  /** The latest violation up to the present time; null if there is none. */
   @Nullable Mark violation() {
     return playback.violation();
   }

@@ -3,18 +3,18 @@ package org.starl.sim.view;
 import java.awt.Dimension;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.RenderingHints;
 import java.awt.event.MouseEvent;
 import java.util.function.Function;
 import javax.swing.JComponent;
 import org.jspecify.annotations.Nullable;
+import org.starl.sim.record.Painter;
 
-/** A component that is painted by somebody else. */
+/** A component that a function paints. */
 // Never serialized: a window is not kept in files.
 @SuppressWarnings("serial")
 final class Surface extends JComponent {
 
-  /** Paints a component of that size. */
+  /** Paints a component of the given size. */
   interface Painting {
     void paint(Graphics2D page, int widthPx, int heightPx);
   }
@@ -23,7 +23,7 @@ final class Surface extends JComponent {
   private final Function<MouseEvent, @Nullable String> tip;
 
   /**
-   * @param tip what to tell about the place where the mouse is; null for nothing
+   * @param tip gives the tooltip at the mouse pointer; null for none
    */
   Surface(Painting painting, Function<MouseEvent, @Nullable String> tip) {
     this.painting = painting;
@@ -32,7 +32,7 @@ final class Surface extends JComponent {
     setToolTipText("");
   }
 
-  /** The same, wide as it may be. */
+  /** Sets the height, and returns this component; the width is free. */
   Surface high(int heightPx) {
     setPreferredSize(new Dimension(200, heightPx));
     setMinimumSize(new Dimension(50, heightPx));
@@ -42,10 +42,7 @@ final class Surface extends JComponent {
   @Override
   protected void paintComponent(Graphics graphics) {
     Graphics2D page = (Graphics2D) graphics.create();
-    page.setRenderingHint(RenderingHints.KEY_ANTIALIASING, RenderingHints.VALUE_ANTIALIAS_ON);
-    page.setRenderingHint(
-        RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
-    page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+    Painter.smooth(page);
     painting.paint(page, getWidth(), getHeight());
     page.dispose();
   }

@@ -18,7 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import org.starl.sim.record.Part;
 
-/** What is painted: a box to tick for each part of the picture, and for each part of the app's. */
+/** Check boxes for the parts of the picture and of the app's drawing, and a filter of messages. */
 final class SwitchView {
 
   private static final String ALL = "all channels";
@@ -38,16 +38,15 @@ final class SwitchView {
     title("Picture");
     for (Part part : Part.values()) {
       String key = " (" + Commands.key(part) + ")";
-      String range = part == Part.RANGE && view.look().isRangeKnown() ? " of who is selected" : "";
       add(
           part.title(),
-          "Show " + part.meaning() + range + key,
+          "Show " + part.meaning() + key,
           () -> view.shows(part),
           isOn -> view.show(part, isOn));
     }
     List<String> parts = session.playback().layer().parts();
     if (!parts.isEmpty()) {
-      title("Of the app");
+      title("App");
       for (int i = 0; i < parts.size(); i++) {
         String part = parts.get(i);
         add(
@@ -61,7 +60,7 @@ final class SwitchView {
     channels.setFocusable(false);
     channels.setAlignmentX(0);
     channels.setMaximumSize(channels.getPreferredSize());
-    channels.setToolTipText("Show messages of one channel only: a primitive and its instance");
+    channels.setToolTipText("Show only messages of one channel: a primitive and its instance");
     channels.addActionListener(chosen -> {
       Object channel = channels.getSelectedItem();
       if (!isReading && channel != null) {
@@ -71,7 +70,7 @@ final class SwitchView {
     panel.add(channels);
     add(
         "Only of the selected robot",
-        "Hide messages between others (O)",
+        "Hide messages between other robots (O)",
         session.traffic()::isOfSelectedOnly,
         session.traffic()::onlyOfSelected);
     pane.setBorder(BorderFactory.createEmptyBorder());
@@ -103,7 +102,7 @@ final class SwitchView {
     panel.add(box);
   }
 
-  /** Shows how the switches stand; keys move them too. */
+  /** Updates the check boxes, which keys change too. */
   void read() {
     readers.forEach(Runnable::run);
     if (channels.getItemCount() != session.traffic().channels().size() + 1) {

@@ -13,15 +13,15 @@ import javax.swing.JScrollPane;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
 
-/** Rows of text in columns, without a grid; a title takes all of its row. */
+/** A table of text without a grid; a title spans all columns. */
 final class Table {
 
   /**
    * A row.
    *
-   * @param isTitle whether it opens a group
-   * @param cells as many as there are columns; of a title, one
-   * @param more all there is to tell of it, for a tooltip
+   * @param isTitle whether it is the title of a group
+   * @param cells one per column; only one for a title
+   * @param more the full text, for a tooltip
    */
   record Row(boolean isTitle, List<String> cells, String more) {}
 
@@ -36,7 +36,7 @@ final class Table {
   private List<Row> rows = List.of();
 
   /**
-   * @param widths of all columns but the last, in pixels
+   * @param widths widths of all columns except the last, in pixels
    */
   Table(int... widths) {
     this.widths = widths.clone();
@@ -50,7 +50,7 @@ final class Table {
     return pane;
   }
 
-  /** Shows these rows; where one has scrolled to stays. */
+  /** Shows these rows; the scroll position stays. */
   void show(List<Row> newRows) {
     if (!newRows.equals(rows)) {
       boolean isAsLong = rows.size() == newRows.size();
@@ -89,7 +89,7 @@ final class Table {
   }
 
   private static String clipped(String text, FontMetrics metrics, int mostPx) {
-    // Of very long text, as much as could ever be seen.
+    // Limits the work for very long text; 400 characters are wider than the column.
     String line = text.length() > 400 ? text.substring(0, 400) : text;
     if (metrics.stringWidth(line) <= mostPx) {
       return line;
@@ -107,7 +107,7 @@ final class Table {
     return isRow && !rows.get(index).more().isEmpty() ? wrapped(rows.get(index).more()) : null;
   }
 
-  /** Text of any length as a tooltip. */
+  /** The text as a tooltip with line breaks. */
   private static String wrapped(String text) {
     String shown = text.length() > LONGEST ? text.substring(0, LONGEST) + "\u2026" : text;
     String safe = shown.replace("&", "&amp;").replace("<", "&lt;").replace("\n", "<br>");

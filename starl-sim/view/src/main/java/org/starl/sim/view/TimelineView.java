@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Mark;
 
-/** The run's time from left to right: drag to any moment, click a mark to go there. */
+/** The timeline: dragging seeks, a click on a mark goes to it. */
 final class TimelineView {
 
   private static final int HEIGHT_PX = 52;
@@ -46,7 +46,7 @@ final class TimelineView {
     return surface;
   }
 
-  /** Of a run that goes on, more than there is yet, lest all move all the time. */
+  /** The displayed time span; for a live run longer than the run, so that it rarely changes. */
   private long spanNs() {
     long endNs = session.recording().endNs();
     if (session.recording().isOver()) {
@@ -128,7 +128,7 @@ final class TimelineView {
     for (Mark mark : marks) {
       double x = xPx(mark.timeNs());
       int kind = mark.kind().ordinal();
-      // Many in one place are one.
+      // Marks of one kind in the same place are painted once.
       if (mark.kind() == Mark.Kind.VIOLATION || lastPx[kind] == 0 || x - lastPx[kind] >= 2) {
         paintMark(page, mark.kind(), x, theme);
         lastPx[kind] = x;
@@ -158,7 +158,7 @@ final class TimelineView {
       case FAULT -> page.draw(new Line2D.Double(x, TRACK_PX - 14, x, TRACK_PX - 9));
       case INTERVENTION -> {
         Path2D diamond = new Path2D.Double();
-        // On the track: above it stands the fault that it may be.
+        // On the track: the mark of an injected fault is above.
         diamond.moveTo(x, TRACK_PX - 6.5);
         diamond.lineTo(x + 6.5, TRACK_PX);
         diamond.lineTo(x, TRACK_PX + 6.5);

@@ -3,20 +3,20 @@ package org.starl.sim.view;
 import java.awt.Color;
 import javax.swing.UIManager;
 
-/** Colours of the window's components, of the theme that is on. */
+/** Colours of the window's components in the present theme. */
 final class Tones {
 
   private static final double SELECTION = 0.22;
 
   private Tones() {}
 
-  /** What is to be seen first: the moment on the timeline, interventions. */
+  /** For the present time on the timeline, and interventions. */
   static Color accent() {
     Color accent = UIManager.getColor("Component.accentColor");
     return accent == null ? new Color(0x2675BF) : accent;
   }
 
-  /** Behind who is selected; text keeps its colour on it. */
+  /** Background of the selected robot; text keeps its colour. */
   static Color selection() {
     Color accent = accent();
     Color ground = UIManager.getColor("List.background");

@@ -16,18 +16,18 @@ import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Which messages are under way at a moment of a recording. It looks a little back, for what was sent,
- * and a little ahead, for what became of it: nothing is kept while nobody looks.
+ * Finds the messages in transit at a moment of a recording: searches back for sent messages, and
+ * ahead for their delivery or loss. Keeps no state between queries except the list of channels.
  */
 final class Traffic {
 
-  /** So much of the recording is looked at on either side of the moment, and no more events. */
+  /** Limits of the search before and after the moment. */
   private static final long WINDOW_NS = 2_000_000_000;
 
   private static final int MOST_EVENTS = 8_000;
   private static final int MOST_FLIGHTS = 300;
 
-  /** Of what has no end yet: it is shown as if it took so long. */
+  /** Assumed transit time of messages whose end is not recorded yet. */
   private static final long USUAL_NS = 200_000_000;
 
   private static final double LOST_AT = 0.75;
@@ -41,12 +41,12 @@ final class Traffic {
     this.recording = recording;
   }
 
-  /** All that messages were seen on so far. */
+  /** The channels of all messages found so far. */
   SortedSet<String> channels() {
     return channels;
   }
 
-  /** Only those of one channel; of all if empty. */
+  /** Shows only messages of one channel; of all if empty. */
   void only(String wanted) {
     channel = wanted;
   }
@@ -55,7 +55,7 @@ final class Traffic {
     return channel;
   }
 
-  /** Only those from and to the selected robot, where one is. */
+  /** Sets whether to show only messages from and to the selected robot, if there is one. */
   void onlyOfSelected(boolean isOn) {
     isOfSelectedOnly = isOn;
   }
@@ -76,10 +76,10 @@ final class Traffic {
   }
 
   /**
-   * Those under way.
+   * The messages in transit at {@code nowNs}.
    *
-   * @param index how many events have happened
-   * @param lingerNs what has arrived is shown for so long
+   * @param index number of events up to {@code nowNs}
+   * @param lingerNs simulated time for which an arrived message stays visible
    */
   List<Flight> at(long nowNs, int index, long lingerNs, @Nullable RobotId selected) {
     int from = Math.max(index - MOST_EVENTS, recording.firstAfter(nowNs - WINDOW_NS));
@@ -114,7 +114,7 @@ final class Traffic {
     return flights;
   }
 
-  /** A drop does not tell which datagram it was: the oldest that it can have been. */
+  /** A drop event does not identify the datagram: this is the oldest candidate. */
   private static @Nullable Open oldest(Map<Key, Open> sent, Dropped lost) {
     for (Open open : sent.values()) {
       if (open.sent.robot().name().equals(lost.from())
@@ -138,18 +138,22 @@ final class Traffic {
     if (endNs + lingerNs < nowNs || !isWanted(sent, to, selected)) {
       return;
     }
-    double most = isGood ? 1 : LOST_AT;
-    double share = endNs <= nowNs ? 1 : (nowNs - sent.timeNs()) / (double) (endNs - sent.timeNs());
-    Flight.State state =
-        endNs > nowNs
-            ? Flight.State.UNDER_WAY
-            : isGood ? Flight.State.DELIVERED : Flight.State.DROPPED;
-    flights.add(
-        new Flight(
-            sent.robot(), to, sent.channel(), sent.message(), sent.timeNs(), share * most, state));
+    if (endNs > nowNs) {
+      double most = isGood ? 1 : LOST_AT;
+      double share = (nowNs - sent.timeNs()) / (double) (endNs - sent.timeNs());
+      flights.add(flight(sent, to, share * most, Flight.State.IN_TRANSIT));
+    } else {
+      Flight.State state = isGood ? Flight.State.DELIVERED : Flight.State.DROPPED;
+      flights.add(flight(sent, to, isGood ? 1 : LOST_AT, state));
+    }
   }
 
-  /** Of a run that has not come far enough to tell what became of them. */
+  private static Flight flight(Sent sent, RobotId to, double share, Flight.State state) {
+    return new Flight(
+        sent.robot(), to, sent.channel(), sent.message(), sent.timeNs(), share, state);
+  }
+
+  /** Adds messages whose delivery or loss is not recorded yet. */
   private void addOpen(
       List<Flight> flights, Map<Key, Open> sent, long nowNs, @Nullable RobotId selected) {
     for (Open open : sent.values()) {
@@ -162,15 +166,7 @@ final class Traffic {
         RobotId to = new RobotId(out.to());
         if (isWanted(out, to, selected)) {
           double share = (nowNs - out.timeNs()) / (double) USUAL_NS;
-          flights.add(
-              new Flight(
-                  out.robot(),
-                  to,
-                  out.channel(),
-                  out.message(),
-                  out.timeNs(),
-                  share,
-                  Flight.State.UNDER_WAY));
+          flights.add(flight(out, to, share, Flight.State.IN_TRANSIT));
         }
       }
     }

@@ -16,7 +16,7 @@ import javax.swing.JPanel;
 import org.starl.sim.replay.Mark;
 import org.starl.sim.replay.Recording;
 
-/** Buttons for the time, and how it stands. */
+/** Buttons for the playback, and its state. */
 final class TransportBar {
 
   private final Session session;
@@ -48,12 +48,10 @@ final class TransportBar {
     panel.add(Box.createHorizontalStrut(10));
     speeds();
     panel.add(speed);
-    panel.add(Box.createHorizontalStrut(18));
-    panel.add(time);
-    panel.add(Box.createHorizontalStrut(18));
-    panel.add(event);
-    panel.add(Box.createHorizontalStrut(18));
-    panel.add(rate);
+    for (JLabel figure : List.of(time, event, rate)) {
+      panel.add(Box.createHorizontalStrut(18));
+      panel.add(figure);
+    }
     panel.add(Box.createHorizontalGlue());
     panel.add(marks);
     panel.add(Box.createHorizontalStrut(8));
@@ -75,7 +73,7 @@ final class TransportBar {
     return button;
   }
 
-  /** As wide as it will ever be, lest all move with every digit. */
+  /** A label with a fixed width, so that the bar does not move with every digit. */
   private static JLabel figure(String widest) {
     JLabel label = new JLabel(widest);
     label.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
@@ -93,7 +91,7 @@ final class TransportBar {
     }
     speed.setFocusable(false);
     speed.setMaximumRowCount(Playback.SPEEDS.size());
-    speed.setToolTipText("Simulated seconds in a real one (up and down)");
+    speed.setToolTipText("Simulated seconds per real second (\u2191 \u2193)");
     speed.setMaximumSize(speed.getPreferredSize());
     speed.addActionListener(chosen -> {
       int index = speed.getSelectedIndex();
@@ -113,7 +111,7 @@ final class TransportBar {
         + "x";
   }
 
-  /** Shows how things stand. */
+  /** Updates buttons and figures. */
   void read() {
     Playback playback = session.playback();
     play.setIcon(playback.isPlaying() ? Glyph.PAUSE : Glyph.PLAY);
@@ -155,7 +153,7 @@ final class TransportBar {
     };
   }
 
-  /** What may still be found, for the specifications have not looked at all of it. */
+  /** The progress of checking; empty when all is checked. */
   static String openText(Recording recording) {
     if (recording.isChecked()) {
       return "";

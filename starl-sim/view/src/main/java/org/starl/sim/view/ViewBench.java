@@ -1,29 +1,26 @@
 package org.starl.sim.view;
 
 import java.awt.Graphics2D;
-import java.awt.event.MouseEvent;
 import java.awt.image.BufferedImage;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
-import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
-import org.starl.geometry.Point;
-import org.starl.id.RobotId;
 import org.starl.sim.Simulation;
 import org.starl.sim.record.Layer;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 
 /**
- * How many pictures a second the window's floor gets while the simulation goes on beside it: painted in
- * memory, as the window does it, without a screen.
+ * Measures the frame rate of the floor while the simulation runs on another thread. Paints in
+ * memory as the window does, without a screen.
  *
- * @param frames how many were painted
- * @param cpuMs of the painting thread, for a picture, all that the window does for it included
- * @param longestMs from one picture to the next
- * @param wallS how long it took
- * @param simulatedS how far the picture went
- * @param events of the trace, all of them gone through
+ * @param frames number of painted frames
+ * @param cpuMs CPU time of the painting thread per frame, with everything that the window does for
+ *     it
+ * @param longestMs longest time between two frames
+ * @param wallS real time
+ * @param simulatedS simulated time
+ * @param events number of observed events
  */
 public record ViewBench(
     int frames, double cpuMs, double longestMs, double wallS, double simulatedS, int events) {
@@ -34,23 +31,15 @@ public record ViewBench(
   private static final double NS_PER_S = 1e9;
   private static final double NS_PER_MS = 1e6;
 
-  /** Draws nothing, and so has nothing to keep. */
-  private static final class Plain implements Layer {
-    @Override
-    public Layer copy() {
-      return this;
-    }
-  }
-
   /**
-   * Measures, for so long.
+   * Runs the measurement.
    *
-   * @param speed simulated seconds in a real one that are asked for; where the machine is too slow it
-   *     gets as far as it gets
+   * @param speed wanted simulated seconds per real second; a slow machine reaches less
+   * @param forS real time of the measurement
    */
   public static ViewBench take(Simulation.Builder simulation, double speed, double forS)
       throws InterruptedException {
-    Recording recording = new Recording(Obstacles.NONE, new Plain());
+    Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
     try (LiveRun live = new LiveRun(simulation, recording)) {
       live.runUntil(1);
       live.start();
@@ -65,7 +54,7 @@ public record ViewBench(
   }
 
   private static ViewBench measure(Session session, double forS) {
-    FloorView floor = new FloorView(session, new Nobody());
+    FloorView floor = new FloorView(session);
     BufferedImage image = new BufferedImage(WIDTH_PX, HEIGHT_PX, BufferedImage.TYPE_INT_RGB);
     int frames = -WARM_UP_FRAMES;
     long fromNs = System.nanoTime();
@@ -103,23 +92,5 @@ public record ViewBench(
 
   public double framesPerS() {
     return frames / wallS;
-  }
-
-  /** Clicks nowhere. */
-  private static final class Nobody implements FloorView.Clicks {
-    @Override
-    public void menu(MouseEvent event) {
-      throw new IllegalStateException("nobody clicks in a benchmark");
-    }
-
-    @Override
-    public void point(Point place) {
-      throw new IllegalStateException("nobody clicks in a benchmark");
-    }
-
-    @Override
-    public void selected(@Nullable RobotId robot) {
-      throw new IllegalStateException("nobody clicks in a benchmark");
-    }
   }
 }

@@ -12,19 +12,19 @@ import org.starl.sim.record.Part;
 import org.starl.trace.TraceHeader;
 
 /**
- * The settings of the window, which a scenario file or {@code --set} gives and the trace's header
- * keeps; and the range of the run's radio. The simulator does not know them.
+ * The settings of the window, from a scenario file or {@code --set}; the trace's header keeps them.
+ * Also the range of the run's radio. The simulator ignores these settings.
  */
 public final class ViewSettings {
 
   private static final Setting<Double> SPEED =
       Setting.number("speed", 5, "window: simulated seconds per real second; 0 for no limit");
   private static final Setting<Boolean> DRAW_TRAILS =
-      Setting.yesOrNo("drawTrails", false, "window: show where robots have been");
+      Setting.yesOrNo("drawTrails", false, "window: show trails of robots");
   private static final Setting<Integer> TRAIL_LENGTH =
-      Setting.whole("trailLength", 128, 1, "window: number of points of a trail");
+      Setting.whole("trailLength", 128, 1, "window: points of a trail, at most");
   private static final Setting<Boolean> DRAW_WAYPOINTS =
-      Setting.yesOrNo("drawWaypoints", true, "window: show what the app draws, such as waypoints");
+      Setting.yesOrNo("drawWaypoints", true, "window: show the app's drawing, such as waypoints");
   private static final Setting<Boolean> DRAW_OBSTACLES =
       Setting.yesOrNo("drawObstacles", true, "window: show obstacles");
   private static final Setting<Integer> MAX_FPS =
@@ -43,12 +43,12 @@ public final class ViewSettings {
     this.rangeMm = rangeMm;
   }
 
-  /** The settings of the window, in the order to show them. */
+  /** The settings of the window, in display order. */
   public static List<Setting<?>> all() {
     return TABLE;
   }
 
-  /** Those in a run's header, else the defaults. */
+  /** The settings in a run's header; defaults for the others. */
   static ViewSettings of(TraceHeader header) {
     SimSettings.Builder builder = SimSettings.builder();
     for (Setting<?> setting : TABLE) {
@@ -61,7 +61,7 @@ public final class ViewSettings {
     return new ViewSettings(builder.build(), rangeMm(faults));
   }
 
-  /** The distance in {@code range(3m)}, a fault that lasts all the time; 0 if there is none. */
+  /** The distance in a permanent fault {@code range(3m)}; 0 if there is none. */
   private static double rangeMm(String faults) {
     Matcher range = RANGE.matcher(faults);
     if (!range.find()) {
@@ -74,7 +74,7 @@ public final class ViewSettings {
     }
   }
 
-  /** What the window shows at first. */
+  /** The window's look at the start. */
   Look look() {
     Look look =
         Look.FILE

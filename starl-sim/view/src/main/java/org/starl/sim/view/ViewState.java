@@ -14,7 +14,7 @@ import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
 import org.starl.sim.record.Viewport;
 
-/** What part of the floor the window shows, how, and who is selected. */
+/** The visible part of the floor, its look, and the selected robot. */
 final class ViewState {
 
   private static final int MARGIN_PX = 28;
@@ -67,7 +67,7 @@ final class ViewState {
     }
   }
 
-  /** The next one on the floor, or the one before; the first or last if nobody is selected. */
+  /** Selects the next or previous robot on the floor; the first or last if none is selected. */
   void selectNeighbour(Scene scene, boolean isNext) {
     List<RobotId> there = new ArrayList<>();
     scene.forEachBody((robot, number, pose, radiusMm) -> there.add(robot));
@@ -80,7 +80,7 @@ final class ViewState {
     select(there.get(Math.floorMod(next, there.size())));
   }
 
-  /** The robot whose body is there, or nearly; the nearest if several are; null if none is. */
+  /** The robot closest to a pixel, if that is on its body or within 6 pixels of it; else null. */
   @Nullable RobotId robotAt(Scene scene, double xPx, double yPx) {
     RobotId[] best = new RobotId[1];
     double[] bestPx = {Double.MAX_VALUE};
@@ -100,7 +100,7 @@ final class ViewState {
     return isFollowing;
   }
 
-  /** Keeps the selected robot in the middle, or no longer. */
+  /** Sets whether the selected robot stays in the centre. */
   void follow(boolean isOn) {
     isFollowing = isOn && selected != null;
     if (isFollowing) {
@@ -108,7 +108,7 @@ final class ViewState {
     }
   }
 
-  /** All is to be seen, also when the window or the world grows. */
+  /** Shows the whole floor, also when the window or the world grows. */
   void fit() {
     isFitted = true;
     isFollowing = false;
@@ -125,7 +125,7 @@ final class ViewState {
     viewport = viewport.zoomed(factor, xPx, yPx);
   }
 
-  /** Before a picture of that size is painted. */
+  /** Updates the viewport; to be called before each painting. */
   void arrange(Scene scene, Layer layer, int widthPx, int heightPx) {
     int width = Math.max(1, widthPx);
     int height = Math.max(1, heightPx);

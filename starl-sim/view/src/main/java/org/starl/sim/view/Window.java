@@ -17,7 +17,7 @@ import org.starl.sim.record.Theme;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 
-/** The window on a run. */
+/** The window that shows a run or a trace. */
 public final class Window {
 
   private static final Dimension USUAL = new Dimension(1360, 900);
@@ -64,9 +64,9 @@ public final class Window {
   /**
    * Shows a run until the window is closed.
    *
-   * @param live the run that fills {@code recording}, started; null if a trace does
-   * @param isDark whether the theme is dark at first
-   * @throws InterruptedException if this thread, which waits, is interrupted
+   * @param live the started run that fills {@code recording}; null for a trace
+   * @param isDark whether the window starts with the dark theme
+   * @throws InterruptedException if the calling thread is interrupted while it waits
    */
   public static void show(Recording recording, @Nullable LiveRun live, boolean isDark)
       throws InterruptedException {
@@ -85,7 +85,7 @@ public final class Window {
     isClosed.await();
   }
 
-  /** A run's header comes from its own thread; none comes if it fails at once. */
+  /** Waits for the header, which another thread provides; a run that fails at once has none. */
   private static void whenBegun(Recording recording, CountDownLatch isClosed, Runnable open) {
     Timer waiting = new Timer(10, null);
     waiting.addActionListener(tick -> {

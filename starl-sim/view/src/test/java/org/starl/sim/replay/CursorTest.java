@@ -51,8 +51,8 @@ class CursorTest {
     return recording;
   }
 
-  /** All that can be asked of a scene and its layer. */
-  private static List<String> seen(Scene scene, Layer layer) {
+  /** The whole state of a scene and its layer, as text. */
+  private static List<String> state(Scene scene, Layer layer) {
     List<String> lines = new ArrayList<>(List.of("at " + scene.nowNs()));
     for (RobotId robot : scene.robots()) {
       lines.add(robot + " " + scene.number(robot) + " " + scene.pose(robot));
@@ -63,7 +63,7 @@ class CursorTest {
     return lines;
   }
 
-  private static List<String> folded(Recording recording, int events, long timeNs) {
+  private static List<String> stateFromStart(Recording recording, int events, long timeNs) {
     Scene scene = new Scene(Obstacles.NONE);
     Layer layer = new Counting();
     for (int i = 0; i < events; i++) {
@@ -71,11 +71,11 @@ class CursorTest {
       layer.observe(recording.event(i));
     }
     scene.advance(timeNs);
-    return seen(scene, layer);
+    return state(scene, layer);
   }
 
   @Property(tries = 20)
-  void whereverItComesFromItSeesWhatAFoldFromTheStartSees(
+  void seekingGivesTheSameStateAsObservingFromTheStart(
       @ForAll @IntRange(max = 5) int seed,
       @ForAll @Size(min = 3, max = 12) List<@IntRange(max = 31_000) Integer> timesMs) {
     Recording recording = recorded(seed);
@@ -86,14 +86,14 @@ class CursorTest {
       long timeNs = Math.min(timeMs * NS_PER_MS, recording.endNs());
       cursor.seek(timeNs);
       assertThat(cursor.index()).isEqualTo(recording.firstAfter(timeNs));
-      assertThat(seen(cursor.scene(), cursor.layer()))
+      assertThat(state(cursor.scene(), cursor.layer()))
           .as("seed %d, seeks to %s ms", seed, timesMs)
-          .isEqualTo(folded(recording, cursor.index(), timeNs));
+          .isEqualTo(stateFromStart(recording, cursor.index(), timeNs));
     }
   }
 
   @Property(tries = 20)
-  void itStepsByEventsForwardsAndBackwards(
+  void toEventGoesForwardsAndBackwards(
       @ForAll @IntRange(max = 5) int seed,
       @ForAll @Size(min = 3, max = 12) List<@IntRange(max = 1_000_000) Integer> places) {
     Recording recording = recorded(seed);
@@ -103,14 +103,14 @@ class CursorTest {
       cursor.toEvent(number);
       assertThat(cursor.index()).isEqualTo(number + 1);
       assertThat(cursor.nowNs()).isEqualTo(recording.timeNs(number));
-      assertThat(seen(cursor.scene(), cursor.layer()))
+      assertThat(state(cursor.scene(), cursor.layer()))
           .as("seed %d, events %s", seed, places)
-          .isEqualTo(folded(recording, number + 1, cursor.nowNs()));
+          .isEqualTo(stateFromStart(recording, number + 1, cursor.nowNs()));
     }
   }
 
   @Test
-  void howeverLongTheRunThereAreFewCheckpoints() {
+  void aLongRunHasFewCheckpoints() {
     Recording recording = new Recording(Obstacles.NONE, new Counting());
     RobotId robot = new RobotId("bot0");
     for (int i = 0; i < 500_000; i++) {
@@ -125,7 +125,7 @@ class CursorTest {
   }
 
   @Test
-  void whatHappenedStandsOnTheTimeline() {
+  void faultsAndCrashesAreMarked() {
     Recording recording = recorded(1);
     assertThat(recording.marks())
         .extracting(Mark::kind)
@@ -137,15 +137,15 @@ class CursorTest {
   }
 
   @Test
-  void aRunThatIsTooLongForTheMemoryIsRefusedBeforeThereIsNone() {
+  void aRunThatIsTooLongForTheMemoryIsRefused() {
     Recording recording = new Recording(Obstacles.NONE, Layer.NONE, 20_000);
     assertThatThrownBy(() -> Wander.simulation(1).observer(recording).build().run())
-        .hasMessageContaining("too many events to be kept")
-        .hasMessageContaining("take 0 MB; expected a shorter run");
+        .hasMessageContaining("too many events for the memory")
+        .hasMessageContaining("fill 0 MB; expected a shorter run");
   }
 
   @Test
-  void eventsAreKeptAsTheyWere() {
+  void eventsAreKeptUnchanged() {
     List<TraceEvent> events = new ArrayList<>();
     Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
     SimObserver all =

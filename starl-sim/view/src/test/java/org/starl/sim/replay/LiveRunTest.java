@@ -38,8 +38,8 @@ class LiveRunTest {
   private static final long NS_PER_MS = 1_000_000;
   private static final RobotId BOT_1 = new RobotId("bot1");
 
-  /** At a time of the run, as the watcher sees it. */
-  private record Deed(int atMs, String what) {
+  /** An intervention at a time that the recording has reached. */
+  private record UserAction(int atMs, String what) {
     CompletableFuture<Long> to(LiveRun run) {
       if (what.startsWith("point ")) {
         String[] xy = what.substring("point ".length()).split(",", -1);
@@ -61,25 +61,26 @@ class LiveRunTest {
     return new Recording(Obstacles.NONE, Layer.NONE);
   }
 
-  /** The trace of a live run in which somebody does {@code deeds}, in the order of their times. */
-  private static String live(Simulation.Builder simulation, List<Deed> deeds) throws Exception {
+  /** The trace of a live run with {@code actions}, which are sorted by time. */
+  private static String live(Simulation.Builder simulation, List<UserAction> actions)
+      throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     Recording recording = recording();
     try (TraceRecorder recorder = new TraceRecorder(out);
         LiveRun run = new LiveRun(simulation.observer(recorder), recording)) {
       List<CompletableFuture<Long>> done = new ArrayList<>();
       run.start();
-      for (Deed deed : deeds) {
-        goTo(deed.atMs(), run, recording);
+      for (UserAction action : actions) {
+        goTo(action.atMs(), run, recording);
         if (!run.isOver()) {
-          done.add(deed.to(run));
+          done.add(action.to(run));
         }
       }
       run.runUntil(Long.MAX_VALUE);
       for (CompletableFuture<Long> each : done) {
         each.get();
       }
-      // Closing would stop it.
+      // close() would end the run early.
       while (!run.isOver()) {
         Thread.onSpinWait();
       }
@@ -88,7 +89,7 @@ class LiveRunTest {
     return out.toString(StandardCharsets.UTF_8);
   }
 
-  /** Returns when the run has come so far, or is over. */
+  /** Waits until the run has reached a time, or is over. */
   private static void goTo(long atMs, LiveRun run, Recording recording) {
     run.runUntil(atMs * NS_PER_MS);
     while (recording.endNs() < atMs * NS_PER_MS && !run.isOver()) {
@@ -114,12 +115,12 @@ class LiveRunTest {
   }
 
   @Test
-  void watchingChangesNothing() throws Exception {
+  void aRecordingDoesNotChangeTheTrace() throws Exception {
     assertThat(live(Wander.simulation(4), List.of())).isEqualTo(plain(Wander.simulation(4)));
   }
 
   @Provide
-  Arbitrary<Deed> deeds() {
+  Arbitrary<UserAction> actions() {
     Arbitrary<String> what =
         Arbitraries.of(
             "crash(bot1,restart=2s)",
@@ -133,28 +134,29 @@ class LiveRunTest {
             "noise(half,80mm)",
             "point 100,200",
             "point 3500,-700");
-    return Combinators.combine(Arbitraries.integers().between(0, 28_000), what).as(Deed::new);
+    return Combinators.combine(Arbitraries.integers().between(0, 28_000), what).as(UserAction::new);
   }
 
   @Property(tries = 25)
-  void whateverAPersonDoesTheRunReplaysToTheSameBytes(
-      @ForAll @IntRange(max = 1000) int seed, @ForAll("plans") List<Deed> deeds) throws Exception {
-    String trace = live(Wander.simulation(seed), deeds);
-    assertThat(interventions(trace)).hasSizeBetween(1, deeds.size());
-    assertThat(again(seed, trace)).as("seed %d, %s", seed, deeds).isEqualTo(trace);
+  void aRunWithInterventionsReplaysToTheSameBytes(
+      @ForAll @IntRange(max = 1000) int seed, @ForAll("plans") List<UserAction> actions)
+      throws Exception {
+    String trace = live(Wander.simulation(seed), actions);
+    assertThat(interventions(trace)).hasSizeBetween(1, actions.size());
+    assertThat(again(seed, trace)).as("seed %d, %s", seed, actions).isEqualTo(trace);
   }
 
   @Provide
-  Arbitrary<List<Deed>> plans() {
-    return deeds()
+  Arbitrary<List<UserAction>> plans() {
+    return actions()
         .list()
         .ofMinSize(1)
         .ofMaxSize(6)
-        .map(list -> list.stream().sorted(Comparator.comparingInt(Deed::atMs)).toList());
+        .map(list -> list.stream().sorted(Comparator.comparingInt(UserAction::atMs)).toList());
   }
 
   @Test
-  void itGoesNoFartherThanItMayAndADeedHappensThere() throws Exception {
+  void theRunWaitsAtItsLimitAndInterventionsHappenThere() throws Exception {
     Recording recording = recording();
     try (LiveRun run = new LiveRun(Wander.simulation(1), recording)) {
       run.start();
@@ -178,7 +180,7 @@ class LiveRunTest {
   }
 
   @Test
-  void aRunThatWasStoppedReplaysToTheSameEnd() throws Exception {
+  void aStoppedRunReplaysToTheSameEnd() throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TraceRecorder recorder = new TraceRecorder(out);
     LiveRun run = new LiveRun(Wander.simulation(6).observer(recorder), recording());
@@ -193,15 +195,15 @@ class LiveRunTest {
   }
 
   @Test
-  void whoIsPointedAtDrivesThere() throws Exception {
-    String trace = live(Wander.simulation(2), List.of(new Deed(3_000, "point 1234,2345")));
+  void aRobotDrivesToThePointThatIsSent() throws Exception {
+    String trace = live(Wander.simulation(2), List.of(new UserAction(3_000, "point 1234,2345")));
     assertThat(trace.lines().filter(line -> line.contains("1234.0,2345.0")))
         .isNotEmpty()
         .allMatch(line -> line.contains("\"robot\":\"bot1\""));
   }
 
   @Test
-  void whatCannotBeDoneIsRefusedAndLeavesNoTrace() throws Exception {
+  void invalidInterventionsAreRefusedAndNotTraced() throws Exception {
     String plain = plain(Wander.simulation(3));
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TraceRecorder recorder = new TraceRecorder(out);

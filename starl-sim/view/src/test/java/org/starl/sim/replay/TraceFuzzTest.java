@@ -22,8 +22,8 @@ import org.starl.trace.TraceReader;
 import org.starl.trace.TraceWriter;
 
 /**
- * Any bytes as a trace: one line says what is wrong, or every event of it is written again and read as it
- * was; no trace that was cut is taken for whole.
+ * Reads arbitrary bytes as a trace: they are refused with one line, or all events can be written
+ * and read again unchanged. A truncated trace is always refused.
  */
 public class TraceFuzzTest {
 
@@ -37,13 +37,13 @@ public class TraceFuzzTest {
     }
     byte[] again = written(header, events);
     List<TraceEvent> eventsAgain = new ArrayList<>();
-    require(header.equals(show(again, eventsAgain)), "another header");
-    require(events.equals(eventsAgain), "other events");
+    require(header.equals(show(again, eventsAgain)), "different header");
+    require(events.equals(eventsAgain), "different events");
     byte[] cut = Arrays.copyOf(input, input.length - 1);
-    require(show(cut, new ArrayList<>()) == null, "whole without its end");
+    require(show(cut, new ArrayList<>()) == null, "truncated trace accepted");
   }
 
-  /** Its header, and its events as they are shown; null if it is no whole trace. */
+  /** Adds the trace's events to {@code events}; returns its header, or null if it is refused. */
   private static @Nullable TraceHeader show(byte[] bytes, List<TraceEvent> events) {
     SimObserver observer =
         new SimObserver() {
@@ -58,7 +58,7 @@ public class TraceFuzzTest {
     } catch (IOException | BadInput refused) {
       String line = String.valueOf(refused.getMessage());
       require(line.startsWith(FILE + ":") && line.length() < 500, line);
-      require(line.chars().noneMatch(Character::isISOControl), "controls: " + line);
+      require(line.chars().noneMatch(Character::isISOControl), "control characters: " + line);
       return null;
     }
   }
@@ -68,7 +68,7 @@ public class TraceFuzzTest {
     try (TraceWriter writer = new TraceWriter(out, header)) {
       long lastNs = 0;
       for (TraceEvent event : events) {
-        require(TraceCodec.rounded(event).equals(event), "not as it is written: " + event);
+        require(TraceCodec.rounded(event).equals(event), "not rounded: " + event);
         writer.record(event);
         lastNs = event.timeNs();
       }
@@ -86,7 +86,7 @@ public class TraceFuzzTest {
   }
 
   @Test
-  void aTraceIsReadAsItIsWrittenOrRefused() {
+  void aTraceIsReadAsWrittenOrRefused() {
     RobotId bot = new RobotId("bot0");
     TraceHeader header =
         new TraceHeader("0.1.0", "walk", 7, -8, Map.of("loss", "0.1"), List.of(bot));

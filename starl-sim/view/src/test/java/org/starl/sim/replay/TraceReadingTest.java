@@ -19,19 +19,12 @@ class TraceReadingTest {
 
   private static final RobotId BOT = new RobotId("bot1");
 
-  private static final class Plain implements Layer {
-    @Override
-    public Layer copy() {
-      return this;
-    }
-  }
+  /** Reports crashes and the end as violations, but blocks until {@code mayCheck} is zero. */
+  private static final class BlockingMonitor implements Monitor {
+    private final CountDownLatch mayCheck;
 
-  /** Nothing may crash, which it only ever says when it is let. */
-  private static final class Slow implements Monitor {
-    private final CountDownLatch mayLook;
-
-    Slow(CountDownLatch mayLook) {
-      this.mayLook = mayLook;
+    BlockingMonitor(CountDownLatch mayCheck) {
+      this.mayCheck = mayCheck;
     }
 
     @Override
@@ -42,7 +35,7 @@ class TraceReadingTest {
     @Override
     public void observe(TraceEvent event, Report report) {
       try {
-        mayLook.await();
+        mayCheck.await();
       } catch (InterruptedException e) {
         throw new IllegalStateException(e);
       }
@@ -70,19 +63,19 @@ class TraceReadingTest {
 
   private static TraceReading reading(
       Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
-    return new TraceReading(new Recording(Obstacles.NONE, new Plain()), trace, monitors);
+    return new TraceReading(new Recording(Obstacles.NONE, Layer.NONE), trace, monitors);
   }
 
   @Test
-  void allOfItIsThereBeforeTheSpecificationsHaveLookedAtAny() throws InterruptedException {
+  void allEventsAreReadBeforeAnyIsChecked() throws InterruptedException {
     CountDownLatch isRead = new CountDownLatch(1);
-    CountDownLatch mayLook = new CountDownLatch(1);
+    CountDownLatch mayCheck = new CountDownLatch(1);
     try (TraceReading reading =
         reading(
             TraceReadingTest::crashing,
             () -> {
               isRead.countDown();
-              return List.of(new Slow(mayLook));
+              return List.of(new BlockingMonitor(mayCheck));
             })) {
       Recording recording = reading.recording();
       reading.start();
@@ -94,7 +87,7 @@ class TraceReadingTest {
       assertThat(recording.marks())
           .isNotEmpty()
           .noneMatch(mark -> mark.kind() == Mark.Kind.VIOLATION);
-      mayLook.countDown();
+      mayCheck.countDown();
       reading.await();
       assertThat(recording.isChecked()).isTrue();
       assertThat(recording.checked()).isEqualTo(recording.size());
@@ -102,9 +95,11 @@ class TraceReadingTest {
   }
 
   @Test
-  void whatIsFoundLaterIsMarkedWhereItHappened() throws InterruptedException {
+  void aViolationIsMarkedAtItsEvent() throws InterruptedException {
     try (TraceReading reading =
-        reading(TraceReadingTest::crashing, () -> List.of(new Slow(new CountDownLatch(0))))) {
+        reading(
+            TraceReadingTest::crashing,
+            () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
       reading.start();
       reading.await();
       Recording recording = reading.recording();
@@ -119,10 +114,11 @@ class TraceReadingTest {
   }
 
   @Test
-  void whatStandsBeforeABrokenLineIsShownAndChecked() throws InterruptedException {
+  void eventsBeforeABrokenLineAreKeptAndChecked() throws InterruptedException {
     try (TraceReading reading =
         reading(
-            TraceReadingTest::brokenAfterCrash, () -> List.of(new Slow(new CountDownLatch(0))))) {
+            TraceReadingTest::brokenAfterCrash,
+            () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
       reading.start();
       reading.await();
       Recording recording = reading.recording();
@@ -138,15 +134,15 @@ class TraceReadingTest {
   }
 
   @Test
-  void whoClosesItDoesNotWaitForTheSpecifications() throws InterruptedException {
+  void closingStopsTheChecking() throws InterruptedException {
     CountDownLatch isRead = new CountDownLatch(1);
-    CountDownLatch mayLook = new CountDownLatch(1);
+    CountDownLatch mayCheck = new CountDownLatch(1);
     TraceReading reading =
         reading(
             TraceReadingTest::crashing,
             () -> {
               isRead.countDown();
-              return List.of(new Slow(mayLook));
+              return List.of(new BlockingMonitor(mayCheck));
             });
     reading.start();
     isRead.await();
@@ -155,7 +151,7 @@ class TraceReadingTest {
     while (!reading.isClosed()) {
       Thread.onSpinWait();
     }
-    mayLook.countDown();
+    mayCheck.countDown();
     closing.join();
     assertThat(reading.recording().isChecked()).isFalse();
     assertThat(only(reading.recording(), Mark.Kind.VIOLATION)).isEmpty();

@@ -9,20 +9,20 @@ import org.starl.random.Rng;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** Drives to places that it draws, or that a person points at. */
+/** Drives to random places, or to points that the user sends. */
 final class Wander extends LogicThread {
 
   private static final int ROUNDS = 12;
 
   private int xMm;
   private int yMm;
-  private boolean isPointedAt;
+  private boolean hasPoint;
 
   Wander(GlobalVarHolder gvh) {
     super(gvh);
   }
 
-  /** Three of them for 30 s. */
+  /** Three robots for 30 s. */
   static Simulation.Builder simulation(long seed) {
     SimSettings settings = SimSettings.builder().duration(Duration.ofSeconds(30)).build();
     return Simulation.builder().name("wander").settings(settings).seed(seed).robots(3, Wander::new);
@@ -33,14 +33,14 @@ final class Wander extends LogicThread {
     Rng rng = gvh.plat.entropy.fork("places");
     await(gvh.gps::hasFix);
     for (int i = 0; i < ROUNDS; i++) {
-      if (!isPointedAt) {
+      if (!hasPoint) {
         xMm = rng.nextInt(4000);
         yMm = rng.nextInt(4000);
       }
-      isPointedAt = false;
+      hasPoint = false;
       gvh.log.i("wander", "to " + xMm + "," + yMm);
       gvh.plat.moat.doMove(new ItemPosition("place" + i, xMm, yMm));
-      while (gvh.plat.moat.inMotion() && !isPointedAt) {
+      while (gvh.plat.moat.inMotion() && !hasPoint) {
         sleep(100);
       }
     }
@@ -51,6 +51,6 @@ final class Wander extends LogicThread {
   public void receivedPointInput(int newXMm, int newYMm) {
     xMm = newXMm;
     yMm = newYMm;
-    isPointedAt = true;
+    hasPoint = true;
   }
 }

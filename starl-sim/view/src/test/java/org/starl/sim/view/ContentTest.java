@@ -18,7 +18,7 @@ import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Recording;
 import org.starl.sim.replay.TraceReading;
 
-/** The window without a screen: built, laid out and painted in memory. */
+/** Builds, lays out and paints the window in memory, without a screen. */
 class ContentTest {
 
   private static final int WIDTH_PX = 1200;
@@ -64,7 +64,7 @@ class ContentTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void everythingIsPaintedInItsTheme(boolean isDark) throws Exception {
+  void everythingIsPaintedInTheTheme(boolean isDark) throws Exception {
     SwingUtilities.invokeAndWait(() -> {
       Content.setLook(isDark);
       Session session = new Session(recording(), null);
@@ -81,7 +81,7 @@ class ContentTest {
   }
 
   @Test
-  void everyCommandHasAKeyOfItsOwn() throws Exception {
+  void everyCommandHasItsOwnKey() throws Exception {
     SwingUtilities.invokeAndWait(() -> {
       Content.setLook(false);
       Content content = new Content(new Session(recording(), null), () -> {});
@@ -96,7 +96,7 @@ class ContentTest {
   }
 
   @Test
-  void keysDoWhatTheySay() throws Exception {
+  void commandsDoWhatTheirNamesSay() throws Exception {
     SwingUtilities.invokeAndWait(() -> {
       Content.setLook(false);
       Session session = new Session(recording(), null);
@@ -118,7 +118,7 @@ class ContentTest {
   }
 
   @Test
-  void whileSpecificationsHaveNotLookedAtAllItSaysSo() {
+  void theBarShowsTheProgressOfChecking() {
     Recording recording = recording();
     assertThat(TransportBar.openText(recording)).isEmpty();
     TraceReading reading = new TraceReading(recording, observers -> {}, List::of);
@@ -133,7 +133,7 @@ class ContentTest {
   }
 
   @Test
-  void everyFaultOfTheMenuIsOne() {
+  void everyFaultInTheMenuIsValid() {
     assertThat(Interventions.faults(Runs.A))
         .allSatisfy(item -> assertThat(FaultGrammar.parse(item.fault())).isNotNull());
     String link = Interventions.link(Runs.A, Runs.B).fault();

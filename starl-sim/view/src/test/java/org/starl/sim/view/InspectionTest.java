@@ -28,14 +28,14 @@ class InspectionTest {
   }
 
   @Test
-  void aRobotsStateIsItsBodyAndItsVariablesByPrimitive() {
+  void theStateHasTheBodyAndTheVariablesByPrimitive() {
     Session session = new Session(recording(), null);
     session.playback().seek(5);
     assertThat(Inspection.state(session.scene(), A))
         .extracting(Inspection.Row::name, Inspection.Row::value)
         .contains(
             tuple("position", "0 mm, 0 mm"),
-            tuple("program", "runs"),
+            tuple("program", "running"),
             tuple("mutex/m", ""),
             tuple("crit", "true"));
     session.playback().seek(10);
@@ -45,7 +45,7 @@ class InspectionTest {
   }
 
   @Test
-  void itsMessagesAreThoseUpToNowTheLatestFirst() {
+  void messagesUpToNowAreListedLatestFirst() {
     Recording recording = recording();
     assertThat(Inspection.messages(recording, recording.size(), A))
         .extracting(Inspection.Line::what)
@@ -57,7 +57,7 @@ class InspectionTest {
   }
 
   @Test
-  void itsLogIsWhatItDidAndWrote() {
+  void theLogHasActionsFaultsAndLogLines() {
     Recording recording = recording();
     assertThat(Inspection.log(recording, recording.size(), A))
         .extracting(Inspection.Line::text)

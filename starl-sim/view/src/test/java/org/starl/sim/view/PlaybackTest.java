@@ -13,30 +13,30 @@ class PlaybackTest {
 
   private static final long TICK_NS = 100_000_000;
 
-  private static String said(Playback playback) {
+  private static String location(Playback playback) {
     return playback.scene().variable(Runs.A, "app", "location");
   }
 
   @Test
-  void playsSoManySimulatedSecondsInARealOne() {
+  void speedIsSimulatedSecondsPerRealSecond() {
     Playback playback = new Playback(Runs.seconds(100), 5);
     playback.play();
     for (int i = 0; i < 10; i++) {
       playback.tick(TICK_NS);
     }
     assertThat(playback.nowNs()).isEqualTo(5 * SECOND_NS);
-    assertThat(said(playback)).isEqualTo("5");
+    assertThat(location(playback)).isEqualTo("5");
   }
 
   @Test
-  void standsStillWhilePaused() {
+  void timeStandsStillWhilePaused() {
     Playback playback = new Playback(Runs.seconds(10), 1);
     playback.tick(TICK_NS);
     assertThat(playback.nowNs()).isZero();
   }
 
   @Test
-  void endsAtTheEndAndPlaysAgainFromTheBeginning() {
+  void playingAtTheEndStartsAgain() {
     Playback playback = new Playback(Runs.seconds(3), Playback.NO_LIMIT);
     playback.play();
     playback.tick(TICK_NS);
@@ -48,19 +48,19 @@ class PlaybackTest {
   }
 
   @Test
-  void stepsBackToWhatWasSeenBefore() {
+  void stepsGoBackAndForth() {
     Playback playback = new Playback(Runs.seconds(10), 1);
     playback.seek(7 * SECOND_NS);
     playback.stepTime(-3 * SECOND_NS);
-    assertThat(said(playback)).isEqualTo("4");
+    assertThat(location(playback)).isEqualTo("4");
     playback.stepEvents(-1);
-    assertThat(said(playback)).isEqualTo("3");
+    assertThat(location(playback)).isEqualTo("3");
     playback.stepEvents(2);
-    assertThat(said(playback)).isEqualTo("5");
+    assertThat(location(playback)).isEqualTo("5");
   }
 
   @Test
-  void stepsNeitherBeforeTheBeginningNorBeyondTheEnd() {
+  void stepsStopAtTheStartAndAtTheEnd() {
     Playback playback = new Playback(Runs.seconds(3), 1);
     for (int i = 0; i < 5; i++) {
       playback.stepEvents(-1);
@@ -71,12 +71,12 @@ class PlaybackTest {
     for (int i = 0; i < 9; i++) {
       playback.stepEvents(1);
     }
-    assertThat(said(playback)).isEqualTo("3");
+    assertThat(location(playback)).isEqualTo("3");
     assertThat(playback.isAtEnd()).isTrue();
   }
 
   @Test
-  void goesFromViolationToViolationAndBack() {
+  void neighboursAreTheNextAndPreviousMarks() {
     Recording recording =
         Runs.plain()
             .violates(2 * SECOND_NS, "one")
@@ -99,7 +99,7 @@ class PlaybackTest {
   }
 
   @Test
-  void aStepBeyondWhatARunHasReachedWaitsForIt() {
+  void aStepBeyondALiveRunWaitsForIt() {
     Runs run = Runs.plain();
     Playback playback = new Playback(run.recording(), 1);
     playback.stepTime(2 * SECOND_NS);
@@ -108,17 +108,17 @@ class PlaybackTest {
     run.says(3 * SECOND_NS, Runs.A, "there");
     playback.tick(TICK_NS);
     assertThat(playback.nowNs()).isEqualTo(2 * SECOND_NS);
-    assertThat(said(playback)).isEmpty();
+    assertThat(location(playback)).isEmpty();
     playback.stepEvents(1);
-    assertThat(said(playback)).isEqualTo("there");
+    assertThat(location(playback)).isEqualTo("there");
     playback.stepEvents(1);
     run.says(4 * SECOND_NS, Runs.A, "farther");
     playback.tick(TICK_NS);
-    assertThat(said(playback)).isEqualTo("farther");
+    assertThat(location(playback)).isEqualTo("farther");
   }
 
   @Test
-  void speedsGoUpAndDownTheLadderAndStayOnIt() {
+  void fasterAndSlowerStayWithinTheSpeeds() {
     Playback playback = new Playback(Runs.seconds(1), 3);
     playback.faster();
     assertThat(playback.speed()).isEqualTo(5);
@@ -135,7 +135,7 @@ class PlaybackTest {
   }
 
   @Test
-  void manyEventsDoNotMakeAPictureWait() {
+  void aTickIsLimitedInEvents() {
     Runs run = Runs.plain();
     for (int i = 0; i < 100_000; i++) {
       run.says(1 + i, Runs.A, "x");

@@ -13,7 +13,7 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
-/** Small recordings, event by event. */
+/** Builds small recordings. */
 final class Runs {
 
   static final long SECOND_NS = 1_000_000_000;
@@ -22,7 +22,7 @@ final class Runs {
 
   private final Recording recording = new Recording(Obstacles.NONE, new Plain());
 
-  /** Has two parts, and writes a robot's location. */
+  /** Has two parts, and describes a robot by its location. */
   private static final class Plain implements Layer {
     @Override
     public Layer copy() {
@@ -40,7 +40,7 @@ final class Runs {
     }
   }
 
-  /** Two robots, a metre apart, come at time 0. */
+  /** Two robots, 1 m apart, join at time 0. */
   Runs(Map<String, String> settings) {
     recording.started(new TraceHeader("0", "test", 7, 8, settings, List.of(A, B)));
     recording.observed(new TraceEvent.Joined(0, A, Pose.of(new Point(0, 0), 0), 100));
@@ -51,7 +51,7 @@ final class Runs {
     return new Runs(Map.of());
   }
 
-  /** One event a second, of a run of so many seconds, which is over. */
+  /** A finished run of {@code count} seconds with one event per second. */
   static Recording seconds(int count) {
     Runs run = plain();
     for (int i = 1; i <= count; i++) {

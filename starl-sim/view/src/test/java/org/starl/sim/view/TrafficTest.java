@@ -30,28 +30,28 @@ class TrafficTest {
   }
 
   @Test
-  void aMessageIsUnderWayBetweenSendingAndHandling() {
+  void aMessageIsInTransitBetweenSendingAndDelivery() {
     Traffic traffic = new Traffic(RECORDING);
     assertThat(at(traffic, 99)).isEmpty();
     Flight half = at(traffic, 150).get(0);
     assertThat(half.share()).isEqualTo(0.5);
-    assertThat(half.state()).isEqualTo(Flight.State.UNDER_WAY);
+    assertThat(half.state()).isEqualTo(Flight.State.IN_TRANSIT);
     assertThat(half.title()).isEqualTo("Req");
     assertThat(at(traffic, 220)).extracting(Flight::state).containsExactly(Flight.State.DELIVERED);
     assertThat(at(traffic, 260)).isEmpty();
   }
 
   @Test
-  void whatIsLostIsSeenToBeLost() {
+  void aLostMessageIsShownAsDropped() {
     Traffic traffic = new Traffic(RECORDING);
-    assertThat(at(traffic, 350)).extracting(Flight::state).containsExactly(Flight.State.UNDER_WAY);
+    assertThat(at(traffic, 350)).extracting(Flight::state).containsExactly(Flight.State.IN_TRANSIT);
     Flight lost = at(traffic, 410).get(0);
     assertThat(lost.state()).isEqualTo(Flight.State.DROPPED);
     assertThat(lost.to()).isEqualTo(A);
   }
 
   @Test
-  void onlyWhatIsAskedForIsShown() {
+  void messagesAreFilteredByChannelAndRobot() {
     Traffic traffic = new Traffic(RECORDING);
     traffic.only("geocast/g");
     assertThat(at(traffic, 150)).isEmpty();
@@ -65,7 +65,7 @@ class TrafficTest {
   }
 
   @Test
-  void ofARunThatGoesOnWhatHasNoEndYetIsShown() {
+  void inALiveRunMessagesWithoutAnEndAreShown() {
     Recording young =
         Runs.plain().happens(new Sent(100 * MS, A, "bot1", "m", 1, 9, "Hi")).recording();
     List<Flight> flights = new Traffic(young).at(110 * MS, young.size(), 0, null);

@@ -24,14 +24,14 @@ class ViewStateTest {
   }
 
   @Test
-  void allThatIsThereIsSeenAtFirst() {
+  void theWholeFloorIsVisibleAtFirst() {
     assertThat(view.viewport().shows(new Point(0, 0), 0)).isTrue();
     assertThat(view.viewport().shows(new Point(1000, 0), 0)).isTrue();
     assertThat(view.viewport().centre().xMm()).isCloseTo(500, within(1e-9));
   }
 
   @Test
-  void whatIsUnderTheMouseStaysThereWhenItZooms() {
+  void zoomingKeepsThePointUnderTheMouse() {
     Point before = view.viewport().toWorld(120, 80);
     view.zoom(3, 120, 80);
     arrange();
@@ -43,7 +43,7 @@ class ViewStateTest {
   }
 
   @Test
-  void theFloorIsDraggedWithTheMouse() {
+  void panningMovesTheFloorWithTheMouse() {
     Point before = view.viewport().toWorld(100, 100);
     view.pan(30, -20);
     arrange();
@@ -51,7 +51,7 @@ class ViewStateTest {
   }
 
   @Test
-  void aClickOnABodySelectsItAndOneBesideItDoesNot() {
+  void robotAtFindsTheBodyUnderTheMouse() {
     double x = view.viewport().xPx(new Point(1000, 0));
     double y = view.viewport().yPx(new Point(1000, 0));
     assertThat(view.robotAt(session.scene(), x, y)).isEqualTo(Runs.B);
@@ -59,7 +59,7 @@ class ViewStateTest {
   }
 
   @Test
-  void tabGoesRound() {
+  void selectingNeighboursWrapsAround() {
     view.selectNeighbour(session.scene(), true);
     assertThat(view.selected()).isEqualTo(Runs.A);
     view.selectNeighbour(session.scene(), true);
@@ -70,7 +70,7 @@ class ViewStateTest {
   }
 
   @Test
-  void whoIsFollowedStaysInTheMiddle() {
+  void aFollowedRobotStaysInTheCentre() {
     view.select(Runs.B);
     view.follow(true);
     arrange();
@@ -80,7 +80,7 @@ class ViewStateTest {
   }
 
   @Test
-  void theRunsSettingsSayWhatIsShownAndHowFast() {
+  void settingsSetTheLookAndTheSpeed() {
     Recording recording =
         new Runs(
                 Map.of(
@@ -98,8 +98,8 @@ class ViewStateTest {
     assertThat(settings.look().shows(Part.WALLS)).isFalse();
     assertThat(settings.look().shows(Part.HIDDEN)).isFalse();
     assertThat(settings.look().shows(Part.APP)).isFalse();
-    assertThat(settings.look().isRangeKnown()).isTrue();
+    assertThat(settings.look().rangeMm()).isEqualTo(3000);
     assertThat(session.settings().look().shows(Part.TRAILS)).isFalse();
-    assertThat(session.settings().look().isRangeKnown()).isFalse();
+    assertThat(session.settings().look().rangeMm()).isZero();
   }
 }

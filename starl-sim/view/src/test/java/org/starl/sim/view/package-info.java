@@ -1,4 +1,4 @@
-/** Tests of the window: its model, and its components painted in memory, all without a screen. */
+/** Tests of the window's model, and of its components painted in memory, without a screen. */
 @NullMarked
 package org.starl.sim.view;
 

@@ -11,10 +11,10 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Makes equal texts of events one: names that come again and again, and the text of a message, which
- * whoever receives it has for itself. Knows about how many bytes the events take that came through it.
+ * Saves memory: equal texts in events share one string, such as names, and the text of a message at
+ * each of its receivers. Estimates the memory that the events take.
  */
-final class Compactor {
+final class EventInterner {
 
   private static final int MOST_TEXTS = 1 << 13;
   private static final int TEXT_BYTES = 48;
@@ -22,17 +22,17 @@ final class Compactor {
   private static final int MOTION_BYTES = 96;
   private static final int LIST_BYTES = 48;
 
-  // When there are too many, it begins anew: what is about comes again soon.
+  // Cleared when it is full; frequent texts return soon.
   private final Map<String, String> texts = new LinkedHashMap<>();
   private long bytes;
 
-  /** About how many bytes all have taken so far. */
+  /** Estimated memory of all events so far. */
   long bytes() {
     return bytes;
   }
 
-  /** An equal event. */
-  TraceEvent compact(TraceEvent event) {
+  /** An equal event with shared texts. */
+  TraceEvent intern(TraceEvent event) {
     bytes += EVENT_BYTES;
     return switch (event) {
       case Action e ->

@@ -8,27 +8,36 @@ import java.io.OutputStreamWriter;
 import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
+import org.starl.sim.SimObserver;
+import org.starl.trace.TraceHeader;
 
 /**
- * Writes rows of comma-separated values, as RFC 4180 has them but for the line ends, which are line
- * feeds: a value with a comma, a quote or a line end stands in quotes, and quotes in it are doubled.
+ * Writes rows of comma-separated values (RFC 4180, but with line feeds as line ends). A value that
+ * contains a comma, a quote or a line end is put in quotes, and its quotes are doubled.
  */
-final class CsvFile implements Closeable {
+abstract sealed class CsvTable implements SimObserver, Closeable
+    permits MessageTable, PositionTable, VariableTable {
 
   private static final double NS_PER_S = 1e9;
 
   private final Writer out;
+  private final String[] columns;
 
-  CsvFile(OutputStream out) {
+  CsvTable(OutputStream out, String... columns) {
     this.out = new BufferedWriter(new OutputStreamWriter(out, StandardCharsets.UTF_8));
+    this.columns = columns;
   }
 
-  /** A time, in seconds. */
+  @Override
+  public final void started(TraceHeader header) {
+    row((Object[]) columns);
+  }
+
   static double seconds(long timeNs) {
     return timeNs / NS_PER_S;
   }
 
-  void row(Object... values) {
+  final void row(Object... values) {
     try {
       for (int i = 0; i < values.length; i++) {
         out.write(i == 0 ? "" : ",");
@@ -41,17 +50,12 @@ final class CsvFile implements Closeable {
   }
 
   private static String text(String value) {
-    for (int i = 0; i < value.length(); i++) {
-      char c = value.charAt(i);
-      if (c == ',' || c == '"' || c == '\n' || c == '\r') {
-        return '"' + value.replace("\"", "\"\"") + '"';
-      }
-    }
-    return value;
+    boolean isPlain = value.chars().noneMatch(c -> c == ',' || c == '"' || c == '\n' || c == '\r');
+    return isPlain ? value : '"' + value.replace("\"", "\"\"") + '"';
   }
 
   @Override
-  public void close() throws IOException {
+  public final void close() throws IOException {
     out.close();
   }
 }

@@ -1,7 +1,7 @@
 package org.starl.sim.view;
 
-/** How fast something goes that is counted, over the last second or so. */
-final class Meter {
+/** Measures the rate of a counter over at least half a second. */
+final class RateMeter {
 
   private static final long SPAN_NS = 500_000_000;
   private static final double NS_PER_S = 1e9;
@@ -11,9 +11,9 @@ final class Meter {
   private double rate;
 
   /**
-   * The count stands there now.
+   * Takes a reading of the counter.
    *
-   * @param realNs of any clock that goes on
+   * @param realNs time of a monotonic clock
    */
   void read(long realNs, long count) {
     if (sinceNs == Long.MIN_VALUE || count < sinceCount) {

@@ -7,19 +7,19 @@ import java.util.RandomAccess;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A list that one thread appends to while others read: what {@link #size} counts may be read. Nothing
- * is ever moved or removed, and no one waits for a lock.
+ * A list to which one thread appends while others read the first {@link #size} items. Items are
+ * never moved or removed, and no thread waits for a lock.
  */
-final class Chunks<T> {
+final class AppendOnlyList<T> {
 
   private static final int SHIFT = 12;
   private static final int CHUNK = 1 << SHIFT;
 
-  // Written before the size, which is volatile, and read after it.
+  // Written before the volatile size, and read after it.
   private volatile Object[][] chunks = new Object[16][];
   private volatile int size;
 
-  /** Only ever called by one thread. */
+  /** Appends an item; only one thread may call it. */
   void add(T item) {
     int index = size;
     if (index == Integer.MAX_VALUE) {
@@ -42,7 +42,7 @@ final class Chunks<T> {
     return size;
   }
 
-  // Nothing but what add() took lies there.
+  // Only add() stores items.
   @SuppressWarnings("unchecked")
   T get(int index) {
     if (index < 0 || index >= size) {
@@ -51,7 +51,7 @@ final class Chunks<T> {
     return (T) chunks[index >>> SHIFT][index & (CHUNK - 1)];
   }
 
-  /** What is there now. */
+  /** A view of the present items. */
   List<T> view() {
     return new View(size);
   }
@@ -68,7 +68,7 @@ final class Chunks<T> {
       if (index >= viewed) {
         throw new IndexOutOfBoundsException("number " + index + " of " + viewed);
       }
-      return Chunks.this.get(index);
+      return AppendOnlyList.this.get(index);
     }
 
     @Override

@@ -1,0 +1,46 @@
+package org.starl.sim.record;
+
+import java.awt.image.BufferedImage;
+import org.starl.geometry.Obstacles;
+import org.starl.sim.SimObserver;
+import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceHeader;
+
+/** Keeps the scene of a run up to date, and paints it for a file. */
+abstract sealed class SceneRecorder implements SimObserver
+    permits Filmstrip, GifRecorder, PictureRecorder {
+
+  private static final long TENTH_NS = 100_000_000;
+
+  final Scene scene;
+  final Layer layer;
+  private final Page page = new Page();
+  private String name = "";
+
+  SceneRecorder(Obstacles obstacles, Layer layer) {
+    scene = new Scene(obstacles);
+    this.layer = layer;
+  }
+
+  /** Takes the pictures that are due before an event at {@code timeNs}. */
+  abstract void takeBefore(long timeNs);
+
+  @Override
+  public final void started(TraceHeader header) {
+    name = header.scenario() + ", seed " + header.scenarioSeed();
+  }
+
+  @Override
+  public final void observed(TraceEvent event) {
+    takeBefore(event.timeNs());
+    scene.observe(event);
+    layer.observe(event);
+  }
+
+  /** The picture at {@code timeNs}, which is not before the last observed event. */
+  final BufferedImage paint(long timeNs) {
+    scene.advance(timeNs);
+    long tenths = timeNs / TENTH_NS;
+    return page.paint(scene, layer, name + ", at " + tenths / 10 + "." + tenths % 10 + " s");
+  }
+}
