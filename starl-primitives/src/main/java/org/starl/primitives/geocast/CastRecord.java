@@ -28,7 +28,10 @@ final class CastRecord {
   /** Those who took part at t0 and have not restarted since; of them inclusion is owed. */
   final Set<RobotId> owed = new TreeSet<>();
 
-  /** The origin has restarted since: it numbers its datagrams anew, and copies are not known any more. */
+  /**
+   * The origin has restarted since: it numbers its datagrams anew, and copies are not known any
+   * more.
+   */
   boolean originRestarted;
 
   /** The copies that the origin has sent. */

@@ -18,8 +18,8 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Follows the true bodies of a run through the areas of its geocasts, as long as their intervals are
- * not over. Who has been in an area is decided here, for {@link GeocastSpec} and {@link
+ * Follows the true bodies of a run through the areas of its geocasts, as long as their intervals
+ * are not over. Who has been in an area is decided here, for {@link GeocastSpec} and {@link
  * GeocastConformance} alike.
  */
 final class Casts {

@@ -49,8 +49,8 @@ public final class Geocast<T> implements StarLPrimitive {
   }
 
   /**
-   * A neighbourhood by distance: the disc around where this robot believes to be now. It stays there
-   * when the robot goes on.
+   * A neighbourhood by distance: the disc around where this robot believes to be now. It stays
+   * there when the robot goes on.
    *
    * @throws IllegalStateException without any fix yet
    */

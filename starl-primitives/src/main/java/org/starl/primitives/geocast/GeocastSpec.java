@@ -14,13 +14,13 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * The specification of geocast and broadcast (paper, section 4.2), after the package's contract: {@code
- * exclusion}, {@code deadline}, {@code once} and {@code inclusion}. It uses the true bodies. Exclusion
- * and inclusion are about the whole interval, so they are checked at its end; an interval that outlasts
- * the run is not checked.
+ * The specification of geocast and broadcast (paper, section 4.2), after the package's contract:
+ * {@code exclusion}, {@code deadline}, {@code once} and {@code inclusion}. It uses the true bodies.
+ * Exclusion and inclusion are about the whole interval, so they are checked at its end; an interval
+ * that outlasts the run is not checked.
  *
- * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin never
- * sent a copy): the network decides which copies arrive.
+ * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin
+ * never sent a copy): the network decides which copies arrive.
  */
 public final class GeocastSpec implements Monitor {
 
@@ -45,7 +45,8 @@ public final class GeocastSpec implements Monitor {
 
   /**
    * @param positionErrorMm the largest position error for which inclusion is owed, in mm; not for
-   *     robots within twice this of the border, since their estimated position must be inside for certain
+   *     robots within twice this of the border, since their estimated position must be inside for
+   *     certain
    * @param clockSkewNs the largest difference between two clocks, in ns
    */
   public GeocastSpec(double positionErrorMm, long clockSkewNs) {

@@ -1,5 +1,7 @@
 package org.starl.primitives.geocast;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.Locale;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -17,8 +19,6 @@ import org.starl.platform.Timer;
 
 /** Ties a {@link GeocastProtocol} to its robot: channel, timer, place, trace. Strand only. */
 final class GeocastWire<T> {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private final GlobalVarHolder gvh;
   private final String source;

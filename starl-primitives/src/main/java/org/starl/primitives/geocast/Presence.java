@@ -6,9 +6,9 @@ import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
 /**
- * Whether one robot's true centre was in an area at some time of an interval, and whether it was deep
- * in it at all times. Between events a body follows its arc; we walk along it in steps that cannot
- * step over a border, since nobody covers more ground than speed times time.
+ * Whether one robot's true centre was in an area at some time of an interval, and whether it was
+ * deep in it at all times. Between events a body follows its arc; we walk along it in steps that
+ * cannot step over a border, since nobody covers more ground than speed times time.
  *
  * <p>Nearer to a border than a millisecond's drive, both answers are the mild ones: it was inside,
  * and not deep.

@@ -32,8 +32,8 @@ final class MotionBodies {
   interface Path {
 
     /**
-     * @param moved how the body moves since it entered, at the time at which it did; null if it stays
-     *     outside
+     * @param moved how the body moves since it entered, at the time at which it did; null if it
+     *     stays outside
      */
     void followed(MotionRecord motion, @Nullable Moved moved);
   }
@@ -74,8 +74,8 @@ final class MotionBodies {
   }
 
   /**
-   * Whether the body is where its robot may say DONE: within goal radius and the error bound that it
-   * knew of.
+   * Whether the body is where its robot may say DONE: within goal radius and the error bound that
+   * it knew of.
    */
   boolean isNear(MotionRecord motion, long nowNs) {
     if (!bodies.isOnFloor(motion.robot)) {

@@ -26,8 +26,8 @@ public interface MotionPrim extends StarLPrimitive {
 
   /**
    * Goes to {@code target} with the whole body outside {@code avoid}, in place of what it did
-   * before. A target at which the body would touch {@code avoid} fails at once; {@code avoid} in the
-   * way stops the robot and fails: going round it is a planner's. The target's heading is of no
+   * before. A target at which the body would touch {@code avoid} fails at once; {@code avoid} in
+   * the way stops the robot and fails: going round it is a planner's. The target's heading is of no
    * account.
    */
   void do_move(ItemPosition target, Region avoid);

@@ -9,8 +9,8 @@
  *       in A, if none was at the call nor could have got there before the wheels took notice.
  *   <li>{@code told}: {@code motionflag} is DONE only if the true position is within goal radius
  *       plus error bound of t, and the position that it rests on within that bound of the true one.
- *       It is DONE or FAIL {@code longestMs(distance)} after the call at the latest, wheels stuck or
- *       slow, positions lost, or whatever.
+ *       It is DONE or FAIL {@code longestMs(distance)} after the call at the latest, wheels stuck
+ *       or slow, positions lost, or whatever.
  * </ul>
  *
  * <p>Progress: {@code arrives}: it is DONE, not FAIL, if nothing is in the way: A is not near the
@@ -26,8 +26,8 @@
  * wheels and braking included. Fixes come or do not, late or in time, off by no more than they say;
  * those that contradict all others may lie, except the first after a start and those that confirm
  * each other for half a minute. The body may be held up by anything, and slide along what closes a
- * bump sensor. What shrinks the room is thus the radius, the fix's error and the way driven since it
- * was measured, and what the wheels may do before the next command is in effect.
+ * bump sensor. What shrinks the room is thus the radius, the fix's error and the way driven since
+ * it was measured, and what the wheels may do before the next command is in effect.
  *
  * <p>Beyond the envelope: somebody who pushes or carries the robot, wheels that turn untold.
  *

@@ -22,9 +22,9 @@ import org.starl.random.Rng;
  *
  * <p>Who suspects f asks everybody, itself included, for a fence: for the vow never to grant f
  * anything again, and for the part of f's newest request that f may still hold by the fencer's
- * consent. What all the answers have in common bounds what f holds, and that is proposed. Whoever has
- * vowed goes on asking and proposing until a view is without f, for the first to suspect it may die;
- * and whoever knows less of a ghost than the view says proposes that.
+ * consent. What all the answers have in common bounds what f holds, and that is proposed. Whoever
+ * has vowed goes on asking and proposing until a view is without f, for the first to suspect it may
+ * die; and whoever knows less of a ghost than the view says proposes that.
  */
 final class Fences {
 
@@ -46,7 +46,9 @@ final class Fences {
     /** Whether {@code suspect}, admitted by that view, cannot enter without this one's consent. */
     boolean hasSayOver(ProcessId suspect, long admittedBy);
 
-    /** The part of {@code suspect}'s newest request that it may still hold by this one's consent. */
+    /**
+     * The part of {@code suspect}'s newest request that it may still hold by this one's consent.
+     */
     SortedSet<String> open(ProcessId suspect);
 
     /** From now on nothing is granted to {@code suspect}. */

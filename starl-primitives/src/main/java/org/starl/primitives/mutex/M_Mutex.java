@@ -81,7 +81,8 @@ public final class M_Mutex implements MutexPrim {
   /**
    * Among those who are registered.
    *
-   * @throws IllegalStateException if this start of the robot's program has had this instance already
+   * @throws IllegalStateException if this start of the robot's program has had this instance
+   *     already
    */
   public M_Mutex(GlobalVarHolder gvh, String xid, Membership membership, MutexTimes times) {
     this.gvh = gvh;

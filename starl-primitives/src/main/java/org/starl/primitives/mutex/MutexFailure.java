@@ -8,7 +8,9 @@ public enum MutexFailure {
   NOT_REGISTERED(true),
   /** Somebody's answer did not come in time. */
   DEADLINE(false),
-  /** A section is occupied by a ghost: by one who seems to have crashed inside, and may stand there. */
+  /**
+   * A section is occupied by a ghost: by one who seems to have crashed inside, and may stand there.
+   */
   OCCUPIED(false),
   /** The app withdrew it. */
   WITHDRAWN(false),
@@ -24,8 +26,8 @@ public enum MutexFailure {
   }
 
   /**
-   * Whether this robot's participant is over: only after a new {@code do_register} is it of use to ask
-   * again.
+   * Whether this robot's participant is over: only after a new {@code do_register} is it of use to
+   * ask again.
    */
   public boolean mustRegister() {
     return mustRegister;

@@ -30,8 +30,8 @@ sealed interface MutexMessage {
       implements MutexMessage {}
 
   /**
-   * {@code from} is alive, and keeps its answer to request {@code num} of {@code to} back: says so to
-   * one who has asked twice.
+   * {@code from} is alive, and keeps its answer to request {@code num} of {@code to} back: says so
+   * to one who has asked twice.
    */
   record Noted(ProcessId from, ProcessId to, long num) implements MutexMessage {}
 
@@ -44,8 +44,8 @@ sealed interface MutexMessage {
       implements MutexMessage {}
 
   /**
-   * {@code from} grants {@code suspect} nothing more, for ever, and vouches that {@code suspect}, who
-   * needs its consent, holds no more than {@code open}.
+   * {@code from} grants {@code suspect} nothing more, for ever, and vouches that {@code suspect},
+   * who needs its consent, holds no more than {@code open}.
    */
   record Fence(ProcessId from, ProcessId to, ProcessId suspect, SortedSet<String> open)
       implements MutexMessage {}

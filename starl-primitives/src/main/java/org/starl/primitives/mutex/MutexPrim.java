@@ -22,8 +22,8 @@ import org.starl.primitives.StarLPrimitive;
 public interface MutexPrim extends StarLPrimitive {
 
   /**
-   * Requests access to {@code sections}. {@link #crit} becomes true when access is granted, or {@link
-   * #failed} when it will not be; until then both are false. Either may happen at once.
+   * Requests access to {@code sections}. {@link #crit} becomes true when access is granted, or
+   * {@link #failed} when it will not be; until then both are false. Either may happen at once.
    *
    * @param sections 1 to 32 names, each 1 to 32 of {@code A-Z a-z 0-9 _ - . :}
    * @throws IllegalStateException while waiting for, or holding, what was asked for before
@@ -32,15 +32,17 @@ public interface MutexPrim extends StarLPrimitive {
   void do_mutex(Collection<String> sections);
 
   /**
-   * As {@link #do_mutex(Collection)}, exclusive with every robot in {@code plist} (paper, section 3.2).
+   * As {@link #do_mutex(Collection)}, exclusive with every robot in {@code plist} (paper, section
+   * 3.2).
    *
-   * <p>The request asks every robot in {@code plist} that can hold a section, and also all others that
-   * this robot knows: if each robot asked only its own list, two requests might never meet. A robot that
-   * has joined later asks this one, and one that has left, or never registered, holds nothing. So {@code
-   * plist} may be an older list of the same registration, and a short list does not narrow exclusion.
+   * <p>The request asks every robot in {@code plist} that can hold a section, and also all others
+   * that this robot knows: if each robot asked only its own list, two requests might never meet. A
+   * robot that has joined later asks this one, and one that has left, or never registered, holds
+   * nothing. So {@code plist} may be an older list of the same registration, and a short list does
+   * not narrow exclusion.
    *
-   * @throws IllegalArgumentException also if {@code plist} does not name this robot, or names one that
-   *     is outside a fixed group: such a robot could not be excluded
+   * @throws IllegalArgumentException also if {@code plist} does not name this robot, or names one
+   *     that is outside a fixed group: such a robot could not be excluded
    */
   void do_mutex(Collection<String> sections, Participants plist);
 
@@ -70,9 +72,9 @@ public interface MutexPrim extends StarLPrimitive {
   void withdraw();
 
   /**
-   * For a robot whose program has started anew: who it was before may still be thought to hold what it
-   * held. This is its own word that its body is in no other section than these; say less as it goes
-   * on, and in the end nothing. What it says it stands in is its own to ask for.
+   * For a robot whose program has started anew: who it was before may still be thought to hold what
+   * it held. This is its own word that its body is in no other section than these; say less as it
+   * goes on, and in the end nothing. What it says it stands in is its own to ask for.
    */
   void standsIn(Collection<String> sections);
 

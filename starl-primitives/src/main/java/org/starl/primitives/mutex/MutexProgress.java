@@ -1,5 +1,7 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -17,8 +19,6 @@ final class MutexProgress {
 
   static final String SERVED = "Served";
   static final String NON_INTERFERENCE = "NonInterference";
-
-  private static final long NS_PER_MS = 1_000_000;
 
   /** What progress rests on, beside what the requests themselves tell. */
   interface Assumptions {

@@ -27,8 +27,9 @@ import org.starl.random.Rng;
  * <p>The rule of membership is the heart of it. A process requests only when it has learned a view
  * that lists it. It needs the answers of everybody in its latest view, and of everybody that it
  * heard a request from who was admitted by a view later than that; it stops needing an answer only
- * through a learned view that lists itself and not the other. So of two participants the younger one
- * has a view with the elder in it, and asks; the elder learns of it by being asked, and asks back.
+ * through a learned view that lists itself and not the other. So of two participants the younger
+ * one has a view with the elder in it, and asks; the elder learns of it by being asked, and asks
+ * back.
  */
 class MutexProtocol implements Fences.Owner {
 
@@ -464,8 +465,8 @@ class MutexProtocol implements Fences.Owner {
   }
 
   /**
-   * Everything that its messages and outcomes will depend on, but for times: participants with equal
-   * texts behave alike.
+   * Everything that its messages and outcomes will depend on, but for times: participants with
+   * equal texts behave alike.
    */
   String state() {
     StringBuilder text = new StringBuilder();

@@ -8,11 +8,12 @@ package org.starl.primitives.mutex;
  * @param backoff factor from one such wait to the next, at least 1
  * @param maxResendMs no such wait is longer
  * @param deadlineMs a request that has no access after this time fails
- * @param suspectMs who is asked and says nothing for so long is taken for crashed; many times {@code
- *     maxResendMs}, since the price of a wrong suspicion is that the other must register anew
- * @param occupiedMs a request that everybody has granted and only a ghost stands in the way of fails
- *     after this time at the earliest: it would keep back who waits behind it, maybe the very robot
- *     whose ghost it is
+ * @param suspectMs who is asked and says nothing for so long is taken for crashed; many times
+ *     {@code maxResendMs}, since the price of a wrong suspicion is that the other must register
+ *     anew
+ * @param occupiedMs a request that everybody has granted and only a ghost stands in the way of
+ *     fails after this time at the earliest: it would keep back who waits behind it, maybe the very
+ *     robot whose ghost it is
  */
 public record MutexTimes(
     long resendMs,

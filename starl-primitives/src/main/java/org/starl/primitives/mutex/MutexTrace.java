@@ -28,8 +28,8 @@ import org.starl.trace.TraceEvent;
  * stands_in who sections
  * </pre>
  *
- * Sections and participants are names with single spaces between them, in order; a view is as {@link
- * View#toString} writes it.
+ * Sections and participants are names with single spaces between them, in order; a view is as
+ * {@link View#toString} writes it.
  */
 public final class MutexTrace {
 
@@ -74,7 +74,9 @@ public final class MutexTrace {
     return source.startsWith(PRIMITIVE + "/");
   }
 
-  /** Whether a mutex's action is about requests and access, and not about how they are agreed on. */
+  /**
+   * Whether a mutex's action is about requests and access, and not about how they are agreed on.
+   */
   static boolean isOfAccess(TraceEvent.Action action) {
     return switch (action.name()) {
       case DO_MUTEX, OD_MUTEX, RELEASE, WITHDRAW, STANDS_IN -> true;

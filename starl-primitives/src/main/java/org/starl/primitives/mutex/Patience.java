@@ -1,5 +1,7 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
@@ -7,8 +9,6 @@ import org.starl.primitives.suspicion.Suspicion;
 
 /** The clock of one waiting request: when it is repeated, whom it suspects, when it is given up. */
 final class Patience {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   /** Repetitions after which a later view is asked for: who says nothing may have left. */
   private static final int RESENDS_PER_QUERY = 4;
@@ -64,7 +64,9 @@ final class Patience {
     return resends % RESENDS_PER_QUERY == 0;
   }
 
-  /** Which of {@code missing}, who are needed from now on at the latest, have been silent too long. */
+  /**
+   * Which of {@code missing}, who are needed from now on at the latest, have been silent too long.
+   */
   List<ProcessId> silent(SortedSet<ProcessId> missing, long nowNs) {
     missing.forEach(peer -> suspicion.expect(peer, nowNs));
     return suspicion.suspects(nowNs);

@@ -2,7 +2,7 @@ package org.starl.primitives.paths;
 
 import java.util.List;
 
-/** A list of tubes as the gvh and the trace show it. */
+/** The value of the variable {@code held}: a list of tubes with its text for the trace. */
 record Holdings(List<Tube> tubes) {
 
   Holdings {

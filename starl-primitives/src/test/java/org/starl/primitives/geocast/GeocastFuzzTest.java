@@ -22,8 +22,8 @@ import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
 
 /**
- * Any bytes as a geocast's message: a region that is read can be asked and told, and has one spelling on
- * the wire and in the trace.
+ * Any bytes as a geocast's message: a region that is read can be asked and told, and has one
+ * spelling on the wire and in the trace.
  */
 public class GeocastFuzzTest {
 

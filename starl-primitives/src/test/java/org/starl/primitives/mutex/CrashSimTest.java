@@ -32,7 +32,9 @@ import org.starl.sim.net.Partition;
 import org.starl.sim.world.Unsynced;
 import org.starl.trace.TraceEvent;
 
-/** Registration and mutex together on simulated robots that crash, start anew and lose each other. */
+/**
+ * Registration and mutex together on simulated robots that crash, start anew and lose each other.
+ */
 class CrashSimTest {
 
   private static final long MS = 1_000_000;

@@ -2,6 +2,7 @@ package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -29,7 +30,6 @@ import org.starl.sim.net.Latency;
 /** The mutex on whole robots in the simulator, as an app uses it. */
 class M_MutexTest {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final String XID = "crossing";
 
   @Test

@@ -1,6 +1,7 @@
 package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
 
 import org.junit.jupiter.api.Test;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
@@ -8,8 +9,6 @@ import org.starl.spec.SpecReport;
 
 /** Progress: after whatever happened, and within the bounds where their assumptions hold. */
 class MutexProgressTest {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   @Test
   void onceTheNetworkBehavesEverybodyIsServed() {

@@ -1,5 +1,7 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -20,11 +22,11 @@ import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 
 /**
- * Participants over a network that is as bad as the envelope allows: any message may be delivered at
- * any time, in any order, again, or never, also after its sender died. Anybody may crash and its
- * robot start anew, and anybody may be taken for crashed at any time, rightly or wrongly. Views are a
- * history to which joins, departures and valid confinements are appended; each participant learns of
- * them late, and may skip some. Everything follows from one seed.
+ * Participants over a network that is as bad as the envelope allows: any message may be delivered
+ * at any time, in any order, again, or never, also after its sender died. Anybody may crash and its
+ * robot start anew, and anybody may be taken for crashed at any time, rightly or wrongly. Views are
+ * a history to which joins, departures and valid confinements are appended; each participant learns
+ * of them late, and may skip some. Everything follows from one seed.
  */
 final class MutexWorld {
 
@@ -55,7 +57,6 @@ final class MutexWorld {
   }
 
   private static final int MOST_IN_FLIGHT = 200;
-  private static final long NS_PER_MS = 1_000_000;
 
   final List<MutexNode> nodes = new ArrayList<>();
   final List<MutexMessage> inFlight = new ArrayList<>();
@@ -116,8 +117,8 @@ final class MutexWorld {
   /**
    * From now on all messages arrive within a round of 250 ms, views are decided and learned within
    * one, holders release, nobody asks for more, and who is silent is rightly taken for crashed. Who
-   * waits for nothing but a ghost gives up, and so does who waits for a dead one of whom nobody that
-   * is left can know what it holds: because all whom it needed have gone.
+   * waits for nothing but a ghost gives up, and so does who waits for a dead one of whom nobody
+   * that is left can know what it holds: because all whom it needed have gone.
    *
    * @return the rounds until nobody waits or holds, or -1 if that is not so after {@code rounds}
    */

@@ -12,7 +12,9 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** Robots right beside each other's tubes, where planners, which keep a little farther, see no way. */
+/**
+ * Robots right beside each other's tubes, where planners, which keep a little farther, see no way.
+ */
 class DepartureTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 8000, 8000);

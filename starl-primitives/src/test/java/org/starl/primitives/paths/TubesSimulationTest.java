@@ -151,7 +151,9 @@ class TubesSimulationTest {
     assertThat(countOf(result, "DONE NONE")).isGreaterThanOrEqualTo(8);
   }
 
-  /** Robots crash in mid-drive, some for good, some to come back with or without their last writes. */
+  /**
+   * Robots crash in mid-drive, some for good, some to come back with or without their last writes.
+   */
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
   void whoCrashesKeepsItsTubeAndTheOthersGoRoundItOrAreTold(long seed) {
