@@ -63,7 +63,7 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
       return new States(now, pos, sent, t0, d, area, newGot, was_in, was_out);
     }
 
-    /** Without a message whose interval is over, as if it had never been sent. */
+    /** Removes a message whose interval is over, as if it had never been sent. */
     States without(String m) {
       Fun<RobotId, SortedSet<String>> places = pos;
       for (RobotId i : those(pos, m)) {

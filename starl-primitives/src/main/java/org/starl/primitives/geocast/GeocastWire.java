@@ -17,7 +17,9 @@ import org.starl.id.RobotId;
 import org.starl.motion.Location;
 import org.starl.platform.Timer;
 
-/** Ties a {@link GeocastProtocol} to its robot: channel, timer, place, trace. Strand only. */
+/**
+ * Connects a {@link GeocastProtocol} to its robot: channel, timer, position, trace. Strand only.
+ */
 final class GeocastWire<T> {
 
   private final GlobalVarHolder gvh;
@@ -50,11 +52,11 @@ final class GeocastWire<T> {
   }
 
   /**
-   * @param action what the trace calls it
+   * @param action the action's name in the trace
    */
   GeocastReceipt start(String action, T message, Region area, long dMs) {
     if (closed) {
-      throw new IllegalStateException(source + ": a call after close()");
+      throw new IllegalStateException(source + " is closed");
     }
     if (dMs <= 0) {
       throw new IllegalArgumentException("d of " + dMs + " ms: expected above 0");

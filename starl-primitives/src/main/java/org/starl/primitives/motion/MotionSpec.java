@@ -31,8 +31,7 @@ public final class MotionSpec implements Monitor {
   static final String TOLD = "told";
 
   /**
-   * The largest deviation of a correct motion from the straight line: its arcs begin within 25
-   * degrees.
+   * A correct motion's largest deviation from the straight line; its arcs begin within 25 degrees.
    */
   private static final double SWERVE_MM = 100;
 
@@ -43,12 +42,12 @@ public final class MotionSpec implements Monitor {
   private final double marginMm;
   private final MotionBodies bodies;
 
-  // The number of active faults, and of those among them that affect time.
+  // The numbers of active faults, and of active faults that affect time.
   private int faults;
   private int faultsOfTime;
   private long firstDeadlineNs = Long.MAX_VALUE;
 
-  /** For position errors below 50 mm. */
+  /** Creates a specification for position errors below 50 mm. */
   public MotionSpec(MotionParameters parameters) {
     this(parameters, 50);
   }
@@ -125,9 +124,7 @@ public final class MotionSpec implements Monitor {
     }
   }
 
-  /**
-   * Its obligations depend on the body's place at the call, or when the body comes to the floor.
-   */
+  /** The obligations depend on the body's place at the call, or when it comes to the floor. */
   private void startOf(RobotId robot, long nowNs) {
     MotionRecord motion = bodies.of(robot);
     if (motion == null) {

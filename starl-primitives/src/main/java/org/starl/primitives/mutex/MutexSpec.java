@@ -63,12 +63,12 @@ public final class MutexSpec implements Monitor {
   private View last = View.NONE;
   private final Set<ProcessId> listed = new TreeSet<>();
 
-  /** Safety only. */
+  /** Checks safety only. */
   public MutexSpec(String xid) {
     this(xid, null);
   }
 
-  /** Safety, and progress where there are bounds. */
+  /** Checks safety, and also progress if there are bounds. */
   public MutexSpec(String xid, @Nullable MutexBounds bounds) {
     source = MutexTrace.source(xid);
     progress =
@@ -194,12 +194,14 @@ public final class MutexSpec implements Monitor {
   }
 
   /** Earlier starts of the robot's program wait for nothing, and hold at most these sections. */
-  private void standsIn(MutexEvent.StandsIn word, long nowNs) {
+  private void standsIn(MutexEvent.StandsIn declared, long nowNs) {
     for (Requests.Request request : new ArrayList<>(requests.active())) {
-      if (request.who.robot().equals(word.who().robot()) && isOfEarlierStart(request, word)) {
+      if (request.who.robot().equals(declared.who().robot())
+          && isOfEarlierStart(request, declared)) {
         SortedSet<String> before = request.want;
         requests.shrink(
-            request, request.critical ? Sections.common(before, word.sections()) : Sections.NONE);
+            request,
+            request.critical ? Sections.common(before, declared.sections()) : Sections.NONE);
         if (progress != null) {
           progress.shrank(request, Sections.without(before, request.want), nowNs);
         }
@@ -207,8 +209,9 @@ public final class MutexSpec implements Monitor {
     }
   }
 
-  private static boolean isOfEarlierStart(Requests.Request request, MutexEvent.StandsIn word) {
-    return request.who.inc() >>> Integer.SIZE < word.who().inc() >>> Integer.SIZE;
+  private static boolean isOfEarlierStart(
+      Requests.Request request, MutexEvent.StandsIn declared) {
+    return request.who.inc() >>> Integer.SIZE < declared.who().inc() >>> Integer.SIZE;
   }
 
   private void checkListed(Requests.Request holder, long nowNs, Report report) {

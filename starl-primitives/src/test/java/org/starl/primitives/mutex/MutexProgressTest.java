@@ -94,7 +94,7 @@ class MutexProgressTest {
     }
 
     @Override
-    boolean keepsBack(MutexMessage.Req req) {
+    boolean defers(MutexMessage.Req req) {
       return phase() == Phase.CRITICAL
           || (phase() == Phase.TRYING && isBefore(ts(), me(), req.ts(), req.from()));
     }
@@ -102,16 +102,16 @@ class MutexProgressTest {
 
   /** Never answers later what it kept back once. */
   private static class Forgetful extends MutexProtocol {
-    private boolean hasKeptBack;
+    private boolean hasDeferred;
 
     Forgetful(Self self, MutexEffects effects) {
       super(self, effects);
     }
 
     @Override
-    boolean keepsBack(MutexMessage.Req req) {
-      hasKeptBack |= super.keepsBack(req);
-      return hasKeptBack;
+    boolean defers(MutexMessage.Req req) {
+      hasDeferred |= super.defers(req);
+      return hasDeferred;
     }
   }
 }

@@ -198,8 +198,8 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean keepsBack(MutexMessage.Req req) {
-      return super.keepsBack(req) && isBefore(ts(), me(), req.ts(), req.from());
+    boolean defers(MutexMessage.Req req) {
+      return super.defers(req) && isBefore(ts(), me(), req.ts(), req.from());
     }
   }
 
