@@ -130,16 +130,16 @@ final class CastRecord {
   }
 
   /** Robots that had to deliver: reached by a copy, and always deep inside. */
-  List<RobotId> debtors() {
-    List<RobotId> debtors = new ArrayList<>();
+  List<RobotId> required() {
+    List<RobotId> required = new ArrayList<>();
     for (RobotId robot : owed) {
       Presence presence = presences.get(robot);
       boolean inside = presence != null && presence.alwaysDeep();
       // If the origin sent no copy, the network is not the cause.
       if (inside && (copies.isEmpty() || reached.contains(robot))) {
-        debtors.add(robot);
+        required.add(robot);
       }
     }
-    return debtors;
+    return required;
   }
 }

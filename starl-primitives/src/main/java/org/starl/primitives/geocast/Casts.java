@@ -64,7 +64,7 @@ final class Casts {
 
   /** Processes the next event. */
   void observe(TraceEvent event, Listener listener) {
-    forgetWhatIsOver(event.timeNs(), listener);
+    forgetFinished(event.timeNs(), listener);
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, listener);
       case Moved moved -> {
@@ -90,7 +90,7 @@ final class Casts {
 
   /** Ends the intervals that are over at the end of the run. */
   void finish(long endNs, Listener listener) {
-    forgetWhatIsOver(endNs + 1, listener);
+    forgetFinished(endNs + 1, listener);
   }
 
   private void acted(Action action, Listener listener) {
@@ -153,7 +153,7 @@ final class Casts {
     }
   }
 
-  private void forgetWhatIsOver(long nowNs, Listener listener) {
+  private void forgetFinished(long nowNs, Listener listener) {
     if (nowNs <= firstDeadlineNs) {
       return;
     }

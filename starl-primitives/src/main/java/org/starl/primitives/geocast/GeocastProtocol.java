@@ -130,7 +130,7 @@ final class GeocastProtocol<T> {
     } else if (!(port.surelyInsideMm(copy.area()) > 0)) {
       port.dismissed(id, Dismissal.OUTSIDE);
     } else {
-      forgetWhatIsOver(nowNs);
+      forgetFinished(nowNs);
       delivered.put(id, lastNs);
       port.deliver(id, copy.message());
       port.acknowledge(from, new GeocastMessage.Ack<>(id));
@@ -155,7 +155,7 @@ final class GeocastProtocol<T> {
   }
 
   // Forgets geocasts whose interval is over, but only after the number of entries has doubled.
-  private void forgetWhatIsOver(long nowNs) {
+  private void forgetFinished(long nowNs) {
     if (delivered.size() >= forgetAtSize) {
       delivered.values().removeIf(lastNs -> lastNs < nowNs);
       forgetAtSize = Math.max(MIN_KEPT, 2 * delivered.size());

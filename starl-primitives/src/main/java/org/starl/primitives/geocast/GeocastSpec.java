@@ -174,7 +174,7 @@ public final class GeocastSpec implements Monitor {
       String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
       report.violated(EXCLUSION, cast.deliveredAtNs(robot), List.of(robot), detail);
     }
-    for (RobotId robot : cast.debtors()) {
+    for (RobotId robot : cast.required()) {
       report.checked(INCLUSION);
       if (!cast.deliveredNs.containsKey(robot)) {
         String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);

@@ -60,7 +60,7 @@ class MutexProtocol implements Fences.Owner {
   // The receivers of the current request, and those of them whose needed answer is missing.
   private final TreeSet<ProcessId> asked = new TreeSet<>();
   private final TreeSet<ProcessId> missing = new TreeSet<>();
-  private final Patience patience;
+  private final RequestTimers timers;
 
   // Participants that sent a request and were admitted by a view later than mine, and its number.
   private final TreeMap<ProcessId, Long> heard = new TreeMap<>();
@@ -73,7 +73,7 @@ class MutexProtocol implements Fences.Owner {
     this.canConfine = self.canConfine();
     this.effects = effects;
     this.fences = new Fences(this, self.rng());
-    this.patience = new Patience(self.times());
+    this.timers = new RequestTimers(self.times());
   }
 
   @Override
@@ -102,7 +102,7 @@ class MutexProtocol implements Fences.Owner {
 
   /** When {@link #timer} is due; {@code Long.MAX_VALUE} for never. */
   long nextTimerNs() {
-    long requestNs = phase == Phase.TRYING ? patience.wakeAtNs() : Long.MAX_VALUE;
+    long requestNs = phase == Phase.TRYING ? timers.wakeAtNs() : Long.MAX_VALUE;
     return Math.min(requestNs, fences.wakeAtNs());
   }
 
@@ -162,7 +162,7 @@ class MutexProtocol implements Fences.Owner {
     asked.addAll(known());
     missing.clear();
     missing.addAll(asked);
-    patience.begin(nowNs);
+    timers.begin(nowNs);
     effects.requested(num, ts, want, asked);
     sendRequests();
     enter();
@@ -193,7 +193,7 @@ class MutexProtocol implements Fences.Owner {
     phase = Phase.IDLE;
     want = Sections.NONE;
     missing.clear();
-    patience.needsOnly(missing);
+    timers.needsOnly(missing);
     effects.failed(num, why);
     tellRest();
     answerPending();
@@ -232,9 +232,9 @@ class MutexProtocol implements Fences.Owner {
 
   /** Repeats or ends the request, and continues fencing, if it is time. */
   void timer(long nowNs) {
-    if (phase == Phase.TRYING && patience.isOver(nowNs)) {
+    if (phase == Phase.TRYING && timers.isOver(nowNs)) {
       withdraw(missing.isEmpty() ? MutexFailure.OCCUPIED : MutexFailure.DEADLINE);
-    } else if (phase == Phase.TRYING && patience.resends(nowNs)) {
+    } else if (phase == Phase.TRYING && timers.resends(nowNs)) {
       goOnWaiting(nowNs);
     }
     fences.timer(nowNs);
@@ -249,14 +249,14 @@ class MutexProtocol implements Fences.Owner {
   }
 
   private void goOnWaiting(long nowNs) {
-    if (missing.isEmpty() && isOccupied() && patience.isOverForGhosts(nowNs)) {
+    if (missing.isEmpty() && isOccupied() && timers.isGhostTimeOver(nowNs)) {
       withdraw(MutexFailure.OCCUPIED);
       return;
     }
     sendRequests();
     if (canConfine && !missing.isEmpty()) {
-      patience.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
-      if (patience.wantsNews()) {
+      timers.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
+      if (timers.isQueryDue()) {
         effects.refresh();
       }
     }
@@ -269,7 +269,7 @@ class MutexProtocol implements Fences.Owner {
     if (!message.to().equals(me) || message.from().equals(me)) {
       throw new IllegalArgumentException(message + " is not for " + me);
     }
-    patience.heard(message.from(), nowNs);
+    timers.heard(message.from(), nowNs);
     fences.heardFrom(message.from());
     switch (message) {
       case Req req -> hear(req);
@@ -307,7 +307,7 @@ class MutexProtocol implements Fences.Owner {
 
   private void hearOk(Ok ok) {
     if (phase == Phase.TRYING && answersMyRequest(ok) && missing.remove(ok.from())) {
-      patience.needsOnly(missing);
+      timers.needsOnly(missing);
       enter();
     }
   }
@@ -431,7 +431,7 @@ class MutexProtocol implements Fences.Owner {
     effects.known(num, now);
     if (phase == Phase.TRYING) {
       missing.retainAll(now);
-      patience.needsOnly(missing);
+      timers.needsOnly(missing);
       for (ProcessId other : now) {
         if (asked.add(other)) {
           missing.add(other);

@@ -209,8 +209,7 @@ public final class MutexSpec implements Monitor {
     }
   }
 
-  private static boolean isOfEarlierStart(
-      Requests.Request request, MutexEvent.StandsIn declared) {
+  private static boolean isOfEarlierStart(Requests.Request request, MutexEvent.StandsIn declared) {
     return request.who.inc() >>> Integer.SIZE < declared.who().inc() >>> Integer.SIZE;
   }
 

@@ -131,8 +131,7 @@ final class FloorPlan {
   }
 
   private LinearRing ring(Rectangle inner, double outwardsMm) {
-    Envelope box =
-        new Envelope(inner.xMinMm(), inner.xMaxMm(), inner.yMinMm(), inner.yMaxMm());
+    Envelope box = new Envelope(inner.xMinMm(), inner.xMaxMm(), inner.yMinMm(), inner.yMaxMm());
     box.expandBy(outwardsMm);
     return ((Polygon) factory.toGeometry(box)).getExteriorRing();
   }

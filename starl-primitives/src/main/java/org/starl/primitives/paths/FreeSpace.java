@@ -24,7 +24,7 @@ final class FreeSpace {
   private final int yMin;
   private final int xMax;
   private final int yMax;
-  private final Touches touches = new Touches();
+  private final TouchedCorners touches = new TouchedCorners();
 
   /**
    * @param rings x and y of their corners, the solid side on the left; may touch, but not cross

@@ -26,7 +26,7 @@ final class TubeClaims {
   private final TubeVoter voter;
   private final TubeClaimant claimant;
   private final Endpoint<TubeMessage> endpoint;
-  private final GvhCell<Holdings> held;
+  private final GvhCell<TubeList> held;
   private final Timer timer;
 
   /** The tubes of others as reported in refusals; they may be newer than this robot's notes. */
@@ -80,7 +80,7 @@ final class TubeClaims {
             settings,
             start.inBoot(gvh.id.boot()),
             new ClaimantWiring());
-    held = gvh.variable(channel.name(), TubeTrace.HELD, new Holdings(start.held()));
+    held = gvh.variable(channel.name(), TubeTrace.HELD, new TubeList(start.held()));
     timer = gvh.plat.timers.timer(this::expired);
     endpoint = gvh.comms.open(channel, this::received);
     gvh.gps.onFix(this::place);
@@ -139,7 +139,7 @@ final class TubeClaims {
         new Holding(0, rest, List.of()),
         () -> {
           claimant.keep(rest, nowNs());
-          held.set(new Holdings(rest));
+          held.set(new TubeList(rest));
           rearm();
         });
   }
@@ -242,7 +242,7 @@ final class TubeClaims {
     @Override
     public void granted(Tube tube) {
       Holding now = claimant.holding();
-      held.set(new Holdings(now.held()));
+      held.set(new TubeList(now.held()));
       boolean first = tube.equals(standing);
       standing = null;
       write(

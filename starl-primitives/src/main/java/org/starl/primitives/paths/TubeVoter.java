@@ -49,21 +49,21 @@ class TubeVoter {
       return;
     }
     boolean again = before != null && before.voted() && before.holding().equals(holding);
-    RobotId inTheWay = again ? null : inTheWay(from, holding);
-    if (inTheWay == null) {
+    RobotId conflicting = again ? null : conflicting(from, holding);
+    if (conflicting == null) {
       Note note = new Note(holding, true);
       notes.put(from, note);
       out.persist(from, note, new TubeMessage.Vote(holding.version()));
     } else {
       notes.put(from, new Note(holding.withoutWanted(), false));
-      Note theirs = notes.get(inTheWay);
+      Note theirs = notes.get(conflicting);
       Holding known = theirs == null ? Holding.NONE : theirs.holding();
-      out.send(from, new TubeMessage.Refuse(holding.version(), inTheWay, known));
+      out.send(from, new TubeMessage.Refuse(holding.version(), conflicting, known));
     }
   }
 
   /** A robot whose tubes meet the wanted ones, or whose place is not known; null if none. */
-  @Nullable RobotId inTheWay(RobotId from, Holding holding) {
+  @Nullable RobotId conflicting(RobotId from, Holding holding) {
     if (holding.wanted().isEmpty()) {
       return null;
     }

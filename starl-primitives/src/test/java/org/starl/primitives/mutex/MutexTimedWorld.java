@@ -17,15 +17,15 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
 /**
- * A closed group in virtual time: each message takes up to delta, each holder releases within d1,
- * in parts, and asks for other sections some time later.
+ * A closed group in virtual time. Each message takes at most delta; each holder releases its
+ * sections in parts within d1, and requests other sections some time later.
  */
 final class MutexTimedWorld {
 
   /**
-   * What a run is made of.
+   * The parameters of a run.
    *
-   * @param holdFactor how much longer than d1 a holder may take; 1 in a world as assumed
+   * @param holdFactor the factor by which a holder may exceed d1; 1 if the assumptions hold
    */
   record Shape(int members, int sections, long d1Ms, long deltaMs, int holdFactor) {}
 

@@ -3,9 +3,9 @@ package org.starl.primitives.paths;
 import java.util.List;
 
 /** The value of the variable {@code held}: a list of tubes with its text for the trace. */
-record Holdings(List<Tube> tubes) {
+record TubeList(List<Tube> tubes) {
 
-  Holdings {
+  TubeList {
     tubes = List.copyOf(tubes);
   }
 

@@ -3,7 +3,7 @@ package org.starl.primitives.paths;
 import java.util.Arrays;
 
 /** The corners on a segment, in order along it, between the segment's two ends. */
-final class Touches {
+final class TouchedCorners {
 
   private int px;
   private int py;

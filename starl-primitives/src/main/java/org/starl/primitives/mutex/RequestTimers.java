@@ -8,7 +8,7 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.suspicion.Suspicion;
 
 /** The timers of one waiting request: its repetitions, suspicions and deadline. */
-final class Patience {
+final class RequestTimers {
 
   /** Repetitions between queries for a later view, since a silent participant may have left. */
   private static final int RESENDS_PER_QUERY = 4;
@@ -21,7 +21,7 @@ final class Patience {
   private long resendNs;
   private int resends;
 
-  Patience(MutexTimes times) {
+  RequestTimers(MutexTimes times) {
     this.times = times;
     this.suspicion = new Suspicion(times.suspectMs() * NS_PER_MS);
   }
@@ -43,7 +43,7 @@ final class Patience {
   }
 
   /** Whether to give up if only a ghost blocks the request. */
-  boolean isOverForGhosts(long nowNs) {
+  boolean isGhostTimeOver(long nowNs) {
     return nowNs - begunNs >= times.occupiedMs() * NS_PER_MS;
   }
 
@@ -60,7 +60,7 @@ final class Patience {
   }
 
   /** Whether to ask for a later view now. */
-  boolean wantsNews() {
+  boolean isQueryDue() {
     return resends % RESENDS_PER_QUERY == 0;
   }
 
