@@ -27,7 +27,7 @@ final class Casts {
   interface Listener {
 
     /** The body of {@code robot} is found in the area for the first time. */
-    void entered(CastRecord cast, RobotId robot);
+    default void entered(CastRecord cast, RobotId robot) {}
 
     /** The interval is over; all bodies were followed to its end, and the record is removed. */
     void over(CastRecord cast);

@@ -81,7 +81,7 @@ public final class GeocastSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    casts.observe(event, judging(report));
+    casts.observe(event, cast -> judge(cast, report));
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
       case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
@@ -95,21 +95,7 @@ public final class GeocastSpec implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    casts.finish(endNs, judging(report));
-  }
-
-  private static Casts.Listener judging(Report report) {
-    return new Casts.Listener() {
-      @Override
-      public void entered(CastRecord cast, RobotId robot) {
-        // Checked at the end of the interval.
-      }
-
-      @Override
-      public void over(CastRecord cast) {
-        judge(cast, report);
-      }
-    };
+    casts.finish(endNs, cast -> judge(cast, report));
   }
 
   private void acted(Action action, Report report) {

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -341,63 +342,47 @@ public final class M_Mutex implements MutexPrim {
 
     @Override
     public void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.DoMutex(me, num, ts, want, copy(known)));
-      }
+      trace(() -> new MutexEvent.DoMutex(me, num, ts, want, copy(known)));
     }
 
     @Override
     public void known(long num, SortedSet<ProcessId> known) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Known(me, num, copy(known)));
-      }
+      trace(() -> new MutexEvent.Known(me, num, copy(known)));
     }
 
     @Override
     public void granted(ProcessId to, long num) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Grant(me, to, num));
-      }
+      trace(() -> new MutexEvent.Grant(me, to, num));
     }
 
     @Override
     public void entered(long num, SortedSet<String> held) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.OdMutex(me, num, held));
-      }
+      trace(() -> new MutexEvent.OdMutex(me, num, held));
       crit.set(true);
     }
 
     @Override
     public void released(long num, SortedSet<String> given, SortedSet<String> left) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Release(me, num, given, left));
-      }
+      trace(() -> new MutexEvent.Release(me, num, given, left));
       crit.set(!left.isEmpty());
     }
 
     @Override
     public void failed(long num, MutexFailure why) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Withdraw(me, num, why));
-      }
+      trace(() -> new MutexEvent.Withdraw(me, num, why));
       failed.set(true);
       failure.set(why);
     }
 
     @Override
     public void learned(View view) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Learned(me, view));
-      }
+      trace(() -> new MutexEvent.Learned(me, view));
     }
 
     @Override
     public void fenced(ProcessId suspect, SortedSet<String> open) {
       gvh.log.w(source, "fences " + suspect + ", which seems to have crashed");
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Fence(me, suspect, open));
-      }
+      trace(() -> new MutexEvent.Fence(me, suspect, open));
     }
 
     @Override
@@ -415,8 +400,10 @@ public final class M_Mutex implements MutexPrim {
       membershipCalls.add(() -> membership.markIdle(me));
     }
 
-    private void trace(MutexEvent event) {
-      MutexTrace.write(gvh.trace, source, event);
+    private void trace(Supplier<MutexEvent> event) {
+      if (gvh.trace.isOn()) {
+        MutexTrace.write(gvh.trace, source, event.get());
+      }
     }
 
     private static SortedSet<ProcessId> copy(SortedSet<ProcessId> ids) {

@@ -31,13 +31,8 @@ public record Tube(List<Point> points, int radiusMm) {
     }
     if (!valid || radiusMm > PlanTask.MAX_MM) {
       throw new IllegalArgumentException(
-          "tube of "
-              + points.size()
-              + " points, radius "
-              + radiusMm
-              + " mm: expected 1 to "
-              + MAX_POINTS
-              + " in whole mm, radius above 0");
+          "tube of %s points, radius %s mm: expected 1 to %s in whole mm, radius above 0"
+              .formatted(points.size(), radiusMm, MAX_POINTS));
     }
   }
 

@@ -132,14 +132,12 @@ public final class TubesSpec implements Monitor {
             TUBES,
             variable.timeNs(),
             List.copyOf(new TreeSet<>(List.of(variable.robot(), other.getKey()))),
-            "tubes meet: "
-                + variable.robot()
-                + " holds "
-                + variable.value()
-                + ", "
-                + other.getKey()
-                + " holds "
-                + Tube.text(other.getValue()));
+            "tubes meet: %s holds %s, %s holds %s"
+                .formatted(
+                    variable.robot(),
+                    variable.value(),
+                    other.getKey(),
+                    Tube.text(other.getValue())));
       }
     }
   }
