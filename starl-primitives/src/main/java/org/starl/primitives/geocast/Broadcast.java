@@ -7,8 +7,8 @@ import org.starl.gvh.GvhVariable;
 import org.starl.primitives.StarLPrimitive;
 
 /**
- * Messages to all other robots (paper, section 4.2: {@code BCast}): a geocast whose area is the
- * whole network. A robot needs no position to deliver. Strand only.
+ * Messages to all other robots (paper, section 4.2: {@code BCast}): a geocast to the whole network.
+ * A receiver needs no position. Strand only.
  *
  * @param <T> the messages
  */
@@ -17,9 +17,10 @@ public final class Broadcast<T> implements StarLPrimitive {
   private final GeocastWire<T> wire;
 
   /**
-   * @param xid the instance: robots with equal ones hear each other, and no {@link Geocast}
-   * @param codec copy with tags must fit a datagram
-   * @param handler takes what others send
+   * @param xid the instance: robots with equal ones receive each other's broadcasts, and no {@link
+   *     Geocast}
+   * @param codec encodes messages; a copy with its tags must fit a datagram
+   * @param handler receives the messages of others
    */
   public Broadcast(GlobalVarHolder gvh, String xid, Codec<T> codec, GeocastHandler<T> handler) {
     this(gvh, xid, codec, handler, GeocastSettings.DEFAULT);
@@ -35,7 +36,7 @@ public final class Broadcast<T> implements StarLPrimitive {
   }
 
   /**
-   * Starts to send {@code message} to all other robots, and goes on for {@code dMs} milliseconds.
+   * Sends {@code message} to all other robots, with repetitions for {@code dMs} milliseconds.
    *
    * @param dMs the paper's d, above 0
    * @throws IllegalArgumentException if a copy does not fit a datagram
@@ -44,7 +45,7 @@ public final class Broadcast<T> implements StarLPrimitive {
     return wire.start(GeocastTrace.B_CAST, message, new Everywhere(), dMs);
   }
 
-  /** Whether this robot has started a broadcast, and none of its broadcasts is under way. */
+  /** Whether this robot has started a broadcast, and all its broadcasts are complete. */
   public GvhVariable<Boolean> Gcastflag() {
     return wire.gcastflag();
   }

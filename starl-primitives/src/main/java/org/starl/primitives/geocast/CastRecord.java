@@ -12,10 +12,10 @@ import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
-/** What {@link Casts} and {@link GeocastSpec} know of one geocast whose interval is not over. */
+/** One geocast whose interval is not over, as {@link Casts} and {@link GeocastSpec} follow it. */
 final class CastRecord {
 
-  /** A datagram, by its sender and its number. */
+  /** A datagram, identified by its sender and number. */
   record Copy(RobotId origin, long seq) {}
 
   final String source;
@@ -25,22 +25,22 @@ final class CastRecord {
   final long startNs;
   final long deadlineNs;
 
-  /** Those who took part at t0 and have not restarted since; of them inclusion is owed. */
+  /** Robots that took part at t0 and have not restarted since: inclusion is owed to them. */
   final Set<RobotId> owed = new TreeSet<>();
 
-  /** The origin has restarted since: it numbers its datagrams anew, and copies are not known any more. */
+  /** Whether the origin has restarted: its datagram numbers begin again, so copies are unknown. */
   boolean originRestarted;
 
   /** The copies that the origin has sent. */
   final Set<Copy> copies = new HashSet<>();
 
-  /** Those whom a copy has reached. */
+  /** Robots that a copy has reached. */
   final Set<RobotId> reached = new TreeSet<>();
 
-  /** Who delivered, and has not restarted since. */
+  /** Robots that delivered, and have not restarted since. */
   final Set<RobotId> holders = new TreeSet<>();
 
-  /** Who delivered, and when, the first time. */
+  /** The time of each robot's first delivery. */
   final SortedMap<RobotId, Long> deliveredNs = new TreeMap<>();
 
   private final SortedMap<RobotId, Presence> presences = new TreeMap<>();
@@ -54,12 +54,12 @@ final class CastRecord {
     this.deadlineNs = deadlineNs;
   }
 
-  /** A datagram has reached somebody: whether it is a copy, for certain. */
+  /** Whether a datagram is certainly a copy. */
   boolean isCopy(Copy datagram) {
     return !originRestarted && copies.contains(datagram);
   }
 
-  /** Begins to follow a body that is on the floor at {@code nowNs}. */
+  /** Begins to follow a body that is on the floor since {@code nowNs}. */
   void watch(RobotId robot, double deepMm, long nowNs) {
     Presence known = presences.get(robot);
     if (known != null) {
@@ -76,7 +76,7 @@ final class CastRecord {
   /**
    * Follows one body until {@code nowNs} or the deadline.
    *
-   * @return whether it is found to have been in the area, and was not before
+   * @return whether the body is found in the area for the first time
    */
   boolean follow(RobotId robot, Bodies bodies, Map<RobotId, Double> speeds, long nowNs) {
     Presence presence = presences.get(robot);
@@ -112,12 +112,12 @@ final class CastRecord {
     holders.remove(robot);
   }
 
-  /** When a robot that delivered did so first. */
+  /** The time of the first delivery by a robot. */
   long deliveredAtNs(RobotId robot) {
     return deliveredNs.getOrDefault(robot, startNs);
   }
 
-  /** Robots that delivered though they were outside throughout, as far as bodies are known. */
+  /** Robots with known bodies that delivered although they were always outside. */
   List<RobotId> intruders() {
     List<RobotId> intruders = new ArrayList<>();
     for (RobotId robot : deliveredNs.keySet()) {
@@ -129,17 +129,17 @@ final class CastRecord {
     return intruders;
   }
 
-  /** Robots that had to deliver: in reach, deep inside throughout. */
-  List<RobotId> debtors() {
-    List<RobotId> debtors = new ArrayList<>();
+  /** Robots that had to deliver: reached by a copy, and always deep inside. */
+  List<RobotId> required() {
+    List<RobotId> required = new ArrayList<>();
     for (RobotId robot : owed) {
       Presence presence = presences.get(robot);
       boolean inside = presence != null && presence.alwaysDeep();
-      // Without any copy the network is not to blame.
+      // If the origin sent no copy, the network is not the cause.
       if (inside && (copies.isEmpty() || reached.contains(robot))) {
-        debtors.add(robot);
+        required.add(robot);
       }
     }
-    return debtors;
+    return required;
   }
 }

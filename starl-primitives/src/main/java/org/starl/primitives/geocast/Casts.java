@@ -18,19 +18,18 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Follows the true bodies of a run through the areas of its geocasts, as long as their intervals are
- * not over. Who has been in an area is decided here, for {@link GeocastSpec} and {@link
- * GeocastConformance} alike.
+ * Follows the true bodies of a run through the areas of its geocasts during their intervals.
+ * Decides for {@link GeocastSpec} and {@link GeocastConformance} which robots have been in an area.
  */
 final class Casts {
 
-  /** Is told what the next event brings to light, before what else it says counts. */
+  /** Receives the effects of the next event on bodies and intervals, before the event is used. */
   interface Listener {
 
-    /** {@code robot}'s body is found to have been in the area, for the first time. */
-    void entered(CastRecord cast, RobotId robot);
+    /** The body of {@code robot} is found in the area for the first time. */
+    default void entered(CastRecord cast, RobotId robot) {}
 
-    /** The interval is over, all bodies have been followed to its end, and it is forgotten. */
+    /** The interval is over; all bodies were followed to its end, and the record is removed. */
     void over(CastRecord cast);
   }
 
@@ -38,7 +37,7 @@ final class Casts {
   private final Bodies bodies = new Bodies();
   private final Map<RobotId, Double> speeds = new TreeMap<>();
 
-  /** For each instance, those who take part. */
+  /** The robots that take part in each instance. */
   private final Map<String, TreeSet<RobotId>> members = new TreeMap<>();
 
   /** Geocasts whose interval is not over, by source and id, in the order of their starts. */
@@ -47,25 +46,25 @@ final class Casts {
   private long firstDeadlineNs = Long.MAX_VALUE;
 
   /**
-   * @param deepMm who is so far from the border is deep inside
+   * @param deepMm the least distance from the border of a robot deep inside
    */
   Casts(double deepMm) {
     this.deepMm = deepMm;
   }
 
-  /** Those whose interval is not over, in the order of their starts. */
+  /** The geocasts whose interval is not over, in the order of their starts. */
   Collection<CastRecord> active() {
     return Collections.unmodifiableCollection(active.values());
   }
 
-  /** The one that an action of a geocast is about; null if its interval is over, or none begun. */
+  /** The geocast of an action; null if its interval is over, or has not begun. */
   @Nullable CastRecord of(Action action) {
     return action.args().isEmpty() ? null : active.get(key(action));
   }
 
-  /** Sees the next event. */
+  /** Processes the next event. */
   void observe(TraceEvent event, Listener listener) {
-    forgetWhatIsOver(event.timeNs(), listener);
+    forgetFinished(event.timeNs(), listener);
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, listener);
       case Moved moved -> {
@@ -84,14 +83,14 @@ final class Casts {
         bodies.observe(left);
       }
       default -> {
-        // Of no concern here.
+        // Not used here.
       }
     }
   }
 
-  /** An interval that ends with the run is over as well. */
+  /** Ends the intervals that are over at the end of the run. */
   void finish(long endNs, Listener listener) {
-    forgetWhatIsOver(endNs + 1, listener);
+    forgetFinished(endNs + 1, listener);
   }
 
   private void acted(Action action, Listener listener) {
@@ -105,12 +104,12 @@ final class Casts {
         }
       }
       default -> {
-        // Of no concern here.
+        // Not used here.
       }
     }
   }
 
-  /** A robot that takes part anew has restarted: it knows nothing of what it delivered before. */
+  /** A robot that opens an instance again has restarted, and has forgotten its deliveries. */
   private void opened(Action action) {
     if (!membersOf(action.source()).add(action.robot())) {
       for (CastRecord cast : active.values()) {
@@ -154,7 +153,7 @@ final class Casts {
     }
   }
 
-  private void forgetWhatIsOver(long nowNs, Listener listener) {
+  private void forgetFinished(long nowNs, Listener listener) {
     if (nowNs <= firstDeadlineNs) {
       return;
     }

@@ -19,9 +19,9 @@ public final class Geocast<T> implements StarLPrimitive {
   private final GeocastWire<T> wire;
 
   /**
-   * @param xid the instance: robots with equal ones hear each other
-   * @param codec copy with tags and area must fit a datagram
-   * @param handler takes what others send to where this robot is
+   * @param xid the instance: robots with equal ones receive each other's geocasts
+   * @param codec encodes messages; a copy with its tags and area must fit a datagram
+   * @param handler receives the messages of others to this robot's place
    */
   public Geocast(GlobalVarHolder gvh, String xid, Codec<T> codec, GeocastHandler<T> handler) {
     this(gvh, xid, codec, handler, GeocastSettings.DEFAULT);
@@ -38,7 +38,7 @@ public final class Geocast<T> implements StarLPrimitive {
   }
 
   /**
-   * Starts to send {@code message} to all other robots in {@code area}, and goes on for {@code dMs}
+   * Sends {@code message} to all other robots in {@code area}, with repetitions for {@code dMs}
    * milliseconds from now (t0).
    *
    * @param dMs the paper's d, above 0
@@ -49,16 +49,15 @@ public final class Geocast<T> implements StarLPrimitive {
   }
 
   /**
-   * A neighbourhood by distance: the disc around where this robot believes to be now. It stays there
-   * when the robot goes on.
+   * The disc around this robot's estimated position now. It does not move with the robot.
    *
-   * @throws IllegalStateException without any fix yet
+   * @throws IllegalStateException before the first fix
    */
   public Region neighbourhood(double radiusMm) {
     return new Circle(gvh.gps.pose().at(), radiusMm);
   }
 
-  /** Whether this robot has started a geocast, and none of its geocasts is under way. */
+  /** Whether this robot has started a geocast, and all its geocasts are complete. */
   public GvhVariable<Boolean> Gcastflag() {
     return wire.gcastflag();
   }

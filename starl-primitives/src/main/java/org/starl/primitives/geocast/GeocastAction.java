@@ -12,7 +12,7 @@ public sealed interface GeocastAction extends Action {
   record dt(long delta_t) implements GeocastAction {}
 
   /**
-   * Is sent to all robots in an area.
+   * A message is sent to all robots in an area.
    *
    * @param A the name of the area; a place is in the area if it contains this name
    * @param bound the length of the interval, in ns

@@ -9,10 +9,11 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code Geocast_decls} as an executable automaton: messages to all robots in an area. {@code
- * PIDS} are robots, {@code Msgs} the ids of geocasts, times are in ns. An area is represented by the id
- * of its geocast, and a place, of {@code Places}, by the set of the areas that contain it: {@code
- * area(m)(p)} is {@code p.contains(area(m))}. {@link GeocastConformance} replays runs on it.
+ * The theory {@code Geocast_decls} as an executable automaton: messages to all robots in an area.
+ * {@code PIDS} are robots, {@code Msgs} the ids of geocasts, times are in ns. An area is
+ * represented by the id of its geocast, and a place, of {@code Places}, by the set of the areas
+ * that contain it: {@code area(m)(p)} is {@code p.contains(area(m))}. {@link GeocastConformance}
+ * replays runs on it.
  */
 public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States, GeocastAction> {
 
@@ -62,7 +63,7 @@ public final class GeocastAutomaton implements Automaton<GeocastAutomaton.States
       return new States(now, pos, sent, t0, d, area, newGot, was_in, was_out);
     }
 
-    /** Without a message whose interval is over, as if it had never been sent. */
+    /** Removes a message whose interval is over, as if it had never been sent. */
     States without(String m) {
       Fun<RobotId, SortedSet<String>> places = pos;
       for (RobotId i : those(pos, m)) {

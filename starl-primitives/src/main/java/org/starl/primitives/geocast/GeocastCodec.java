@@ -6,7 +6,7 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Region;
 
-/** A copy: 1, id, area, start, deadline, message. An acknowledgement: 2, id. */
+/** Encodes a copy as 1, id, area, start, deadline, message; an acknowledgement as 2, id. */
 final class GeocastCodec<T> implements Codec<GeocastMessage<T>> {
 
   private static final int COPY = 1;

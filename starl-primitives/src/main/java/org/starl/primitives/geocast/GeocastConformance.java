@@ -11,8 +11,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * Every run of every geocast and broadcast is a run of the theory {@code Geocast_decls}. The map from
- * events to actions, where {@code i} is the event's robot:
+ * Every run of every geocast and broadcast is a run of the theory {@code Geocast_decls}. The map
+ * from events to actions, where {@code i} is the event's robot:
  *
  * <pre>
  * event                          action
@@ -27,13 +27,13 @@ import org.starl.trace.TraceEvent.Action;
  *
  * <p>Bodies are the true ones. Whether a body is in A is decided with the tolerances of {@link
  * GeocastSpec}; a delivery alone is judged at once, where the specification looks at the whole
- * interval. An entry is found at the body's next event or delivery, and its step comes then. Leaving
- * A is no action: {@code was_in} remains, and {@code was_out}, which would change, enables nothing. A
- * place is represented by the areas that contain it, and an area matters only from its geocast on:
- * hence the moves at that time. A robot whose body was never seen is taken to be in A.
+ * interval. An entry is found at the body's next event or delivery, and its step comes then.
+ * Leaving A is no action: {@code was_in} remains, and {@code was_out}, which would change, enables
+ * nothing. A place is represented by the areas that contain it, and an area matters only from its
+ * geocast on: hence the moves at that time. A robot whose body was never seen is taken to be in A.
  *
- * <p>A message is forgotten at the end of its interval, and a later delivery says so. Memory grows with
- * the open messages only.
+ * <p>A message is forgotten at the end of its interval, and a later delivery says so. Memory grows
+ * with the open messages only.
  */
 public final class GeocastConformance extends Conformance<Replay<States, GeocastAction>> {
 

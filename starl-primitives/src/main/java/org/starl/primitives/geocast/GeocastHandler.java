@@ -2,7 +2,7 @@ package org.starl.primitives.geocast;
 
 import org.starl.id.RobotId;
 
-/** Takes delivered messages, each once, on the strand. */
+/** Receives delivered messages, each once, on the strand. */
 @FunctionalInterface
 public interface GeocastHandler<T> {
   void delivered(RobotId origin, T message);

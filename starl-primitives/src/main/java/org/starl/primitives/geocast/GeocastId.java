@@ -3,10 +3,10 @@ package org.starl.primitives.geocast;
 import org.starl.id.ProcessId;
 
 /**
- * One geocast, for ever and everywhere.
+ * The globally unique id of a geocast.
  *
  * @param origin the incarnation that started it
- * @param number counts this origin's geocasts, from 1
+ * @param number counts the origin's geocasts, from 1
  */
 public record GeocastId(ProcessId origin, long number) {
 
@@ -16,7 +16,7 @@ public record GeocastId(ProcessId origin, long number) {
     }
   }
 
-  /** {@code bot3#4294967297/7}, as in the trace. */
+  /** The text in the trace, as in {@code bot3#4294967297/7}. */
   @Override
   public String toString() {
     return origin + "/" + number;

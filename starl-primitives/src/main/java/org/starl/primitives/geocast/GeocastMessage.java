@@ -2,7 +2,7 @@ package org.starl.primitives.geocast;
 
 import org.starl.geometry.Region;
 
-/** What geocasts send. */
+/** The messages of geocasts. */
 sealed interface GeocastMessage<T> {
 
   GeocastId id();

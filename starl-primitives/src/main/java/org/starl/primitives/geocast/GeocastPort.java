@@ -3,7 +3,7 @@ package org.starl.primitives.geocast;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 
-/** Where a {@link GeocastProtocol}'s effects go, and where it asks for its place. */
+/** The effects of a {@link GeocastProtocol}, and its source of positions. */
 interface GeocastPort<T> {
 
   /** Sends a copy to every robot in reach, best effort. */
@@ -13,24 +13,24 @@ interface GeocastPort<T> {
   void acknowledge(RobotId to, GeocastMessage.Ack<T> ack);
 
   /**
-   * This robot's centre is at least this deep inside {@code area}, whatever its fix's error; not
-   * above 0 if it may be outside.
+   * The certain distance of this robot's centre from the border inside {@code area}, minus the
+   * position error; at most 0 if the robot may be outside.
    */
   double surelyInsideMm(Region area);
 
   /** Hands the message to the app, once. */
   void deliver(GeocastId id, T message);
 
-  /** A copy was not delivered, nor acknowledged. */
+  /** A copy was neither delivered nor acknowledged. */
   void dismissed(GeocastId id, Dismissal why);
 
   /** Why a copy is not delivered. */
   enum Dismissal {
     /** This robot may be outside the area. */
     OUTSIDE,
-    /** The interval is over, or may be. */
+    /** The interval may be over. */
     LATE,
-    /** It was sent in the future: the clocks differ by more than they may. */
+    /** The copy is from the future: the clocks differ by more than the allowed skew. */
     EARLY
   }
 }

@@ -11,8 +11,8 @@ import org.starl.id.RobotId;
 import org.starl.primitives.geocast.GeocastPort.Dismissal;
 
 /**
- * One robot's part in geocasts: pure, driven by messages and by the clock. Times are in ns on this
- * robot's clock, and never run backwards from call to call.
+ * One robot's part in geocasts: pure, driven by messages and the clock. Times are in ns on this
+ * robot's clock, and never decrease from call to call.
  */
 final class GeocastProtocol<T> {
 
@@ -27,7 +27,7 @@ final class GeocastProtocol<T> {
   /** This robot's geocasts whose interval is not over, the oldest first. */
   private final List<Underway<T>> underway = new ArrayList<>();
 
-  /** What this robot has delivered, and until when a copy could be delivered again. */
+  /** The delivered geocasts, each with the last time at which a copy could be delivered. */
   private final Map<GeocastId, Long> delivered = new HashMap<>();
 
   private int forgetAtSize = MIN_KEPT;
@@ -61,7 +61,7 @@ final class GeocastProtocol<T> {
     this.port = port;
   }
 
-  /** The id that the next geocast will have. */
+  /** The id of the next geocast. */
   GeocastId nextId() {
     return new GeocastId(me, lastNumber + 1);
   }
@@ -77,7 +77,7 @@ final class GeocastProtocol<T> {
     return cast.receipt;
   }
 
-  /** Whether there was a geocast, and none is under way: the paper's {@code Gcastflag}. */
+  /** Whether there was a geocast, and all are complete: the paper's {@code Gcastflag}. */
   boolean isComplete() {
     return lastNumber > 0 && underway.isEmpty();
   }
@@ -121,7 +121,7 @@ final class GeocastProtocol<T> {
       port.acknowledge(from, new GeocastMessage.Ack<>(id));
       return;
     }
-    // On the origin's clock it is at most skew later than here.
+    // The origin's clock is ahead of this clock by at most the skew.
     long lastNs = copy.deadlineNs() - settings.clockSkewNs();
     if (nowNs > lastNs) {
       port.dismissed(id, Dismissal.LATE);
@@ -130,7 +130,7 @@ final class GeocastProtocol<T> {
     } else if (!(port.surelyInsideMm(copy.area()) > 0)) {
       port.dismissed(id, Dismissal.OUTSIDE);
     } else {
-      forgetWhatIsOver(nowNs);
+      forgetFinished(nowNs);
       delivered.put(id, lastNs);
       port.deliver(id, copy.message());
       port.acknowledge(from, new GeocastMessage.Ack<>(id));
@@ -154,8 +154,8 @@ final class GeocastProtocol<T> {
     }
   }
 
-  // What can be delivered no more needs no memory; looked for only when the memory has doubled.
-  private void forgetWhatIsOver(long nowNs) {
+  // Forgets geocasts whose interval is over, but only after the number of entries has doubled.
+  private void forgetFinished(long nowNs) {
     if (delivered.size() >= forgetAtSize) {
       delivered.values().removeIf(lastNs -> lastNs < nowNs);
       forgetAtSize = Math.max(MIN_KEPT, 2 * delivered.size());

@@ -5,7 +5,7 @@ import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.RobotId;
 
-/** What the origin knows of one of its geocasts. Strand only. */
+/** The origin's knowledge of one of its geocasts. Strand only. */
 public final class GeocastReceipt {
 
   private final GeocastId id;
@@ -20,12 +20,12 @@ public final class GeocastReceipt {
     return id;
   }
 
-  /** Whether the interval is over, or the whole deployment has acknowledged before. */
+  /** Whether the interval is over, or the whole deployment has acknowledged. */
   public boolean isComplete() {
     return complete;
   }
 
-  /** Robots that have delivered for certain, in order; others may have. */
+  /** The robots that have certainly delivered, sorted; others may have delivered, too. */
   public SortedSet<RobotId> acknowledgedBy() {
     return Collections.unmodifiableSortedSet(acknowledgedBy);
   }

@@ -14,13 +14,13 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * The specification of geocast and broadcast (paper, section 4.2), after the package's contract: {@code
- * exclusion}, {@code deadline}, {@code once} and {@code inclusion}. It uses the true bodies. Exclusion
- * and inclusion are about the whole interval, so they are checked at its end; an interval that outlasts
- * the run is not checked.
+ * The specification of geocast and broadcast (paper, section 4.2), after the package's contract:
+ * {@code exclusion}, {@code deadline}, {@code once} and {@code inclusion}. It uses the true bodies.
+ * Exclusion and inclusion are about the whole interval, so they are checked at its end; an interval
+ * that outlasts the run is not checked.
  *
- * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin never
- * sent a copy): the network decides which copies arrive.
+ * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin
+ * never sent a copy): the network decides which copies arrive.
  */
 public final class GeocastSpec implements Monitor {
 
@@ -45,7 +45,8 @@ public final class GeocastSpec implements Monitor {
 
   /**
    * @param positionErrorMm the largest position error for which inclusion is owed, in mm; not for
-   *     robots within twice this of the border, since their estimated position must be inside for certain
+   *     robots within twice this of the border, since their estimated position must be inside for
+   *     certain
    * @param clockSkewNs the largest difference between two clocks, in ns
    */
   public GeocastSpec(double positionErrorMm, long clockSkewNs) {
@@ -80,7 +81,7 @@ public final class GeocastSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    casts.observe(event, judging(report));
+    casts.observe(event, cast -> judge(cast, report));
     switch (event) {
       case Action action when GeocastTrace.isGeocast(action.source()) -> acted(action, report);
       case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
@@ -94,21 +95,7 @@ public final class GeocastSpec implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    casts.finish(endNs, judging(report));
-  }
-
-  private static Casts.Listener judging(Report report) {
-    return new Casts.Listener() {
-      @Override
-      public void entered(CastRecord cast, RobotId robot) {
-        // Checked at the end of the interval.
-      }
-
-      @Override
-      public void over(CastRecord cast) {
-        judge(cast, report);
-      }
-    };
+    casts.finish(endNs, cast -> judge(cast, report));
   }
 
   private void acted(Action action, Report report) {
@@ -173,7 +160,7 @@ public final class GeocastSpec implements Monitor {
       String detail = "delivered " + cast.id + ", was outside " + RegionText.format(cast.area);
       report.violated(EXCLUSION, cast.deliveredAtNs(robot), List.of(robot), detail);
     }
-    for (RobotId robot : cast.debtors()) {
+    for (RobotId robot : cast.required()) {
       report.checked(INCLUSION);
       if (!cast.deliveredNs.containsKey(robot)) {
         String detail = "never delivered " + cast.id + ", was in " + RegionText.format(cast.area);

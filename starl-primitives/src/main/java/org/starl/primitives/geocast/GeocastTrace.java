@@ -1,30 +1,30 @@
 package org.starl.primitives.geocast;
 
-/** The names under which geocasts appear in a trace; {@link GeocastSpec} decides from these. */
+/** The names of geocasts in the trace; {@link GeocastSpec} reads them. */
 final class GeocastTrace {
 
   static final String GEOCAST = "geocast";
   static final String BROADCAST = "broadcast";
 
-  /** Action with this robot's origin: it takes part from now on, having delivered nothing. */
+  /** Action with the robot's origin: it takes part from now on, and has delivered nothing. */
   static final String OPEN = "open";
 
   /** Action with id, area and d in ns: a geocast starts. */
   static final String DO_GEOCAST = "do_geocast";
 
-  /** As {@link #DO_GEOCAST}, of a broadcast. */
+  /** Like {@link #DO_GEOCAST}, for a broadcast. */
   static final String B_CAST = "BCast";
 
-  /** Action with id: the next datagram to everyone is a copy of it. */
+  /** Action with id: the robot's next broadcast datagram is a copy. */
   static final String COPY = "copy";
 
-  /** Action with id: the app is handed the message. */
+  /** Action with id: the app receives the message. */
   static final String DELIVER = "deliver";
 
-  /** Action with id, reason and position error in mm: a copy came, and is not delivered. */
+  /** Action with id, reason and position error in mm: an arrived copy is not delivered. */
   static final String DISMISS = "dismiss";
 
-  /** The reason of a dismissal that proves the clocks wrong. */
+  /** The reason of a dismissal which proves that the clock skew is too large. */
   static final String EARLY = "early";
 
   static final String GCASTFLAG = "Gcastflag";

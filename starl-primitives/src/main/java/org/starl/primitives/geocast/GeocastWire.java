@@ -1,5 +1,7 @@
 package org.starl.primitives.geocast;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.Locale;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -15,10 +17,10 @@ import org.starl.id.RobotId;
 import org.starl.motion.Location;
 import org.starl.platform.Timer;
 
-/** Ties a {@link GeocastProtocol} to its robot: channel, timer, place, trace. Strand only. */
+/**
+ * Connects a {@link GeocastProtocol} to its robot: channel, timer, position, trace. Strand only.
+ */
 final class GeocastWire<T> {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private final GlobalVarHolder gvh;
   private final String source;
@@ -50,11 +52,11 @@ final class GeocastWire<T> {
   }
 
   /**
-   * @param action what the trace calls it
+   * @param action the action's name in the trace
    */
   GeocastReceipt start(String action, T message, Region area, long dMs) {
     if (closed) {
-      throw new IllegalStateException(source + ": a call after close()");
+      throw new IllegalStateException(source + " is closed");
     }
     if (dMs <= 0) {
       throw new IllegalArgumentException("d of " + dMs + " ms: expected above 0");

@@ -6,19 +6,19 @@ import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
 /**
- * Whether one robot's true centre was in an area at some time of an interval, and whether it was deep
- * in it at all times. Between events a body follows its arc; we walk along it in steps that cannot
- * step over a border, since nobody covers more ground than speed times time.
+ * Decides whether a robot's true centre was ever in an area during an interval, and whether it was
+ * always deep inside. Between events a body follows an arc. The steps along it cannot skip a
+ * border, because a body moves by at most speed times time.
  *
- * <p>Nearer to a border than a millisecond's drive, both answers are the mild ones: it was inside,
- * and not deep.
+ * <p>Closer to a border than the distance of one millisecond, both answers favour the robot: it was
+ * inside, and not deep.
  */
 final class Presence {
 
   private static final long MIN_STEP_NS = 1_000_000;
   private static final double NS_PER_S = 1e9;
 
-  // A recorded trace has lost up to half a micrometre a coordinate.
+  // A recorded trace rounds each coordinate by up to half a micrometre.
   private static final double TOLERANCE_MM = 0.01;
 
   private final RobotId robot;
@@ -29,8 +29,8 @@ final class Presence {
   private boolean alwaysDeep = true;
 
   /**
-   * @param deepMm deep is at least this far from the border
-   * @param sinceNs the robot's body is on the floor now
+   * @param deepMm the least distance from the border deep inside
+   * @param sinceNs the time now, with the body on the floor
    */
   Presence(RobotId robot, Region area, double deepMm, long sinceNs) {
     this.robot = robot;
@@ -47,17 +47,17 @@ final class Presence {
     return alwaysDeep;
   }
 
-  /** The body was not on the floor all the time. */
+  /** Records that the body left the floor during the interval. */
   void interrupted() {
     alwaysDeep = false;
   }
 
-  /** The body has been on the floor only since {@code nowNs}. */
+  /** Continues with a body that is on the floor again since {@code nowNs}. */
   void resume(long nowNs) {
     checkedNs = nowNs;
   }
 
-  /** Follows the body until {@code toNs}, up to which it moved at {@code speedMmPerS}. */
+  /** Follows the body, which moves at {@code speedMmPerS}, until {@code toNs}. */
   void follow(Bodies bodies, double speedMmPerS, long toNs) {
     double minStepMm = speedMmPerS * (MIN_STEP_NS / NS_PER_S);
     while (alwaysDeep || !everIn) {

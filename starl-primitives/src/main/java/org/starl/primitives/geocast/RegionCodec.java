@@ -16,9 +16,9 @@ import org.starl.geometry.Region;
 import org.starl.geometry.Union;
 
 /**
- * Regions on the wire: a tag of one byte, then coordinates in mm as doubles; polygons and unions
- * have the number of their vertices or parts first, in two bytes. A datagram holds a polygon of
- * about 80 vertices.
+ * Encodes regions: a tag of one byte, then coordinates in mm as doubles; before them, polygons and
+ * unions have the number of vertices or parts in two bytes. A polygon of about 80 vertices fits a
+ * datagram.
  */
 public final class RegionCodec implements Codec<Region> {
 
@@ -72,7 +72,7 @@ public final class RegionCodec implements Codec<Region> {
     }
   }
 
-  // A union's part takes a byte at least, so the length of a datagram bounds the recursion.
+  // Each part of a union has at least one byte, so the datagram's length bounds the recursion.
   private static Region readAny(WireReader in) {
     int tag = in.u8();
     return switch (tag) {

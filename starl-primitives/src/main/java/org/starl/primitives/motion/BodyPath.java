@@ -6,13 +6,13 @@ import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 
-/** Follows a true body between two events, and finds where it comes too near to a region. */
+/** Follows a true body between two events, and finds when it enters a region. */
 final class BodyPath {
 
-  /** Who touches a border is not inside; a recorded trace rounds places to 0.001 mm. */
+  /** A tolerance, since a body may touch a border, and a recorded trace rounds to 0.001 mm. */
   static final double ROUNDING_MM = 0.01;
 
-  /** No sliver of a path that is longer lies within a region unseen. */
+  /** The least step: a part of the path inside a region is found if it is longer. */
   private static final double GRAIN_MM = 0.25;
 
   private static final double NS_PER_S = 1e9;
@@ -20,10 +20,10 @@ final class BodyPath {
   private BodyPath() {}
 
   /**
-   * The first time, from one to another between which the body's motion does not change, at which
-   * part of it is in the region; -1 if there is none.
+   * The first time at which a part of the body is in the region; -1 if there is none. The body's
+   * motion must not change between the two times.
    *
-   * @param mmPerS how fast it drives, at least 0
+   * @param mmPerS the body's speed, at least 0
    */
   static long entersNs(
       Bodies bodies, RobotId robot, double mmPerS, Region region, long fromNs, long toNs) {
@@ -41,7 +41,7 @@ final class BodyPath {
       if (atNs >= toNs || mmPerS == 0) {
         return -1;
       }
-      // No point of the body comes nearer by more than the way that it drives.
+      // No point of the body comes closer by more than the distance driven.
       double freeNs = Math.max(gapMm, GRAIN_MM) / mmPerS * NS_PER_S;
       atNs = freeNs < toNs - atNs ? atNs + (long) freeNs : toNs;
     }

@@ -22,18 +22,16 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Follows the true bodies of a run, and each robot's last command to move. What is in an area to
- * avoid, and what is near a target, is decided here, for {@link MotionSpec} and {@link
- * MotionConformance} alike.
+ * Follows the true bodies of a run, and each robot's last motion command. Decides for {@link
+ * MotionSpec} and {@link MotionConformance} which bodies are in an area to avoid, or near a target.
  */
 final class MotionBodies {
 
-  /** Is shown the path of a body whose command says what to avoid, piece by piece. */
+  /** Receives the path of a body whose command has an area to avoid, piece by piece. */
   interface Path {
 
     /**
-     * @param moved how the body moves since it entered, at the time at which it did; null if it stays
-     *     outside
+     * @param moved the body's motion at the time when it entered the area; null if it stays outside
      */
     void followed(MotionRecord motion, @Nullable Moved moved);
   }
@@ -50,12 +48,12 @@ final class MotionBodies {
     rollMm = (1 + p.speedError()) * p.linSpeedMaxMmPerS() * p.reactionMs() / 1e3;
   }
 
-  /** Each robot's last command, unless it was taken back. */
+  /** Each robot's last command, unless it was cancelled. */
   Map<RobotId, MotionRecord> motions() {
     return motions;
   }
 
-  /** The last command of {@code robot}; null if there is none, or it was taken back. */
+  /** The last command of {@code robot}; null if there is none, or it was cancelled. */
   @Nullable MotionRecord of(RobotId robot) {
     return motions.get(robot);
   }
@@ -74,8 +72,8 @@ final class MotionBodies {
   }
 
   /**
-   * Whether the body is where its robot may say DONE: within goal radius and the error bound that it
-   * knew of.
+   * Whether the robot may report DONE: its body is within goal radius plus its error bound of the
+   * target.
    */
   boolean isNear(MotionRecord motion, long nowNs) {
     if (!bodies.isOnFloor(motion.robot)) {
@@ -87,14 +85,14 @@ final class MotionBodies {
   }
 
   /**
-   * Sees the next event.
+   * Processes the next event.
    *
-   * @param path is shown where bodies went until then, before what else the event says counts
+   * @param path receives the bodies' paths until then, before the event is used
    */
   void observe(TraceEvent event, Path path) {
     switch (event) {
       case Action action when action.source().equals(MotionTrace.SOURCE) -> acted(action, path);
-      // A program that begins anew says so before anything else.
+      // A restarted program first sets its motionflag to IDLE.
       case Variable variable
           when MotionTrace.isFlag(variable) && variable.value().equals(MotionFlag.IDLE.name()) ->
           end(variable.robot(), variable.timeNs(), path);
@@ -118,7 +116,7 @@ final class MotionBodies {
       case Fault fault when fault.name().equals(Fault.CRASH) ->
           end(fault.robot(), fault.timeNs(), path);
       default -> {
-        // Of no concern here.
+        // Not used here.
       }
     }
   }
@@ -143,7 +141,7 @@ final class MotionBodies {
         }
       }
       default -> {
-        // Of no concern here.
+        // Not used here.
       }
     }
   }
@@ -159,7 +157,7 @@ final class MotionBodies {
     startOf(motion, action.timeNs());
   }
 
-  /** What it owes depends on where the body is at the call, or when it comes to the floor. */
+  /** The obligations depend on the body's place at the call, or when it comes to the floor. */
   private void startOf(MotionRecord motion, long nowNs) {
     motion.followedNs = nowNs;
     if (bodies.isOnFloor(motion.robot)) {
@@ -168,7 +166,7 @@ final class MotionBodies {
     }
   }
 
-  /** The last command is replaced, taken back, or forgotten with its program. */
+  /** Ends the last command: it was replaced, cancelled, or lost with its program. */
   private void end(RobotId robot, long nowNs, Path path) {
     follow(robot, nowNs, path);
     motions.remove(robot);

@@ -35,12 +35,12 @@ import org.starl.trace.TraceEvent.Variable;
  * all other events, other moves     none
  * </pre>
  *
- * After each value of {@code motionflag} the automaton must have the same. Bodies are the true ones;
- * whether a body is in A, or near t, is decided with the tolerances of {@link MotionSpec}. Where that
- * specification owes nothing for A, the theory's assumption does not hold: the body was in A at the
- * command, or too near for the wheels to react. Then the command counts as one without A. The same
- * holds for a body that is put down in A: its being there is no action. A body enters A between two
- * events, and its step comes at the later one. Memory holds one command for each robot.
+ * After each change of {@code motionflag} the automaton must have the same value. Bodies are the
+ * true ones; the tolerances of {@link MotionSpec} decide whether a body is in A, or near t. If the
+ * body was in A at the command, or too close for the wheels to react, the theory's assumption does
+ * not hold, and that specification requires nothing for A. Then the command counts as one without
+ * A. The same holds for a body that is put down in A: this is no action. If a body enters A between
+ * two events, its step comes at the later one. Memory holds one command for each robot.
  */
 public final class MotionConformance extends Conformance<Replay<States, MotionControlAction>> {
 
@@ -69,7 +69,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
     return new Replay<>(new MotionControlAutomaton(), source, steps);
   }
 
-  /** All robots' motions: there is one instance. */
+  /** The single instance, for the motions of all robots. */
   private Replay<States, MotionControlAction> replay() {
     return instance(MotionTrace.SOURCE);
   }

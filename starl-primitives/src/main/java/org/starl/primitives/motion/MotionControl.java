@@ -12,8 +12,8 @@ import org.starl.motion.MotionTask;
 
 /**
  * The paper's <i>Motioncontrol</i>, under the names of its section 4.1, over the motion automaton
- * {@code gvh.plat.moat}. A robot has one body: instances share it, and the last command counts. The
- * package's documentation is the contract. Strand only.
+ * {@code gvh.plat.moat}. All instances on a robot share its body, and the last command counts. The
+ * package documentation is the contract. Strand only.
  */
 public final class MotionControl implements MotionPrim {
 

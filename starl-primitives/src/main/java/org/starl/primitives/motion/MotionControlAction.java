@@ -16,13 +16,13 @@ public sealed interface MotionControlAction extends Action {
    */
   record do_move(RobotId i, long t, long A) implements MotionControlAction {}
 
-  /** Its body moves, whatever the cause. */
+  /** The robot's body moves, for any reason. */
   record move(RobotId i, Place p) implements MotionControlAction {}
 
-  /** Reports DONE. */
+  /** The robot reports DONE. */
   record arrived(RobotId i) implements MotionControlAction {}
 
-  /** Reports FAIL. */
+  /** The robot reports FAIL. */
   record failed(RobotId i) implements MotionControlAction {}
 
   /** Cancels the last command. */

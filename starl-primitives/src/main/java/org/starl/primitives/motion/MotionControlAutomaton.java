@@ -9,11 +9,11 @@ import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Sets;
 
 /**
- * The theory {@code MotionControl_decls} as an executable automaton: bodies that move under commands.
- * {@code PIDS} are robots. A command's number represents the command, its target, and its area to avoid.
- * A place, of {@code Places}, is represented by the areas that a body there is in, and the targets it is
- * near: {@code avoid(i)(p)} is {@code p.avoided().contains(avoid(i))}, {@code near(p, t)} is {@code
- * p.near().contains(t)}. {@link MotionConformance} replays runs on it.
+ * The theory {@code MotionControl_decls} as an executable automaton: bodies that move under
+ * commands. {@code PIDS} are robots. A command's number represents the command, its target, and its
+ * area to avoid. A place, of {@code Places}, is represented by the areas that a body there is in,
+ * and the targets it is near: {@code avoid(i)(p)} is {@code p.avoided().contains(avoid(i))}, {@code
+ * near(p, t)} is {@code p.near().contains(t)}. {@link MotionConformance} replays runs on it.
  */
 public final class MotionControlAutomaton
     implements Automaton<MotionControlAutomaton.States, MotionControlAction> {

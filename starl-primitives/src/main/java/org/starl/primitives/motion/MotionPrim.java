@@ -8,8 +8,9 @@ import org.starl.motion.MotionTask;
 import org.starl.primitives.StarLPrimitive;
 
 /**
- * Motion control as an app sees it (paper, section 4.1, and the second listing of section 2): to a
- * target, outside a region. Millimetres, in the coordinates of the positioning system. Strand only.
+ * The interface of motion control (paper, section 4.1, and the second listing of section 2): motion
+ * to a target, outside a region. Lengths are in mm, in the coordinates of the positioning system.
+ * Strand only.
  *
  * <pre>{@code
  * mc.do_move(t, A);
@@ -21,29 +22,29 @@ import org.starl.primitives.StarLPrimitive;
  */
 public interface MotionPrim extends StarLPrimitive {
 
-  /** Goes to {@code target}, whatever is in the way; in place of what it did before. */
+  /** Goes to {@code target} without a region to avoid. Replaces the last command. */
   void gotopoint(ItemPosition target);
 
   /**
-   * Goes to {@code target} with the whole body outside {@code avoid}, in place of what it did
-   * before. A target at which the body would touch {@code avoid} fails at once; {@code avoid} in the
-   * way stops the robot and fails: going round it is a planner's. The target's heading is of no
-   * account.
+   * Goes to {@code target} with the whole body outside {@code avoid}. Replaces the last command. If
+   * the body would touch {@code avoid} at the target, the motion fails at once. If {@code avoid} is
+   * on the way, the robot stops and the motion fails: planning a way around it is the task of a
+   * path planner. The target's heading is ignored.
    */
   void do_move(ItemPosition target, Region avoid);
 
-  /** The pair {@code (target, avoid)}: what the robot was told to do last. */
+  /** The pair {@code (target, avoid)} of the last command. */
   GvhVariable<MotionTask> target();
 
-  /** How the last motion stands. */
+  /** The state of the last motion. */
   GvhVariable<MotionFlag> motionflag();
 
-  /** Whether it failed. */
+  /** Whether the last motion failed. */
   boolean failed();
 
-  /** Why it failed, in words for people; empty unless it did. */
+  /** Why the last motion failed, as readable text; empty if it did not fail. */
   String failure();
 
-  /** Stops the wheels and forgets the target: {@code motionflag} is IDLE. */
+  /** Stops the wheels and cancels the last command: {@code motionflag} is IDLE. */
   void motion_stop();
 }

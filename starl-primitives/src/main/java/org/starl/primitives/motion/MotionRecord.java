@@ -4,10 +4,10 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 
-/** One command to move, as {@link MotionBodies} follows it. */
+/** One motion command, as {@link MotionBodies} follows it. */
 final class MotionRecord {
 
-  /** From 1 on, of all commands of a run. */
+  /** Counts the commands of all robots in a run, from 1. */
   final long number;
 
   final RobotId robot;
@@ -16,21 +16,21 @@ final class MotionRecord {
   final boolean turnsOnly;
   final long startNs;
 
-  /** Until then its flag must tell how it ended. */
+  /** The time until which {@code motionflag} must report the result. */
   long deadlineNs;
 
-  /** Whether its flag has not told yet. */
+  /** Whether {@code motionflag} has not reported the result yet. */
   boolean isOpen = true;
 
-  /** Whether the body was outside at first, and has been since. */
+  /** Whether the body was outside at the start, and has not entered since. */
   boolean owesAvoids;
 
   boolean owesArrives;
 
-  /** The body was followed until then. */
+  /** The time until which the body was followed. */
   long followedNs;
 
-  /** Where the robot said that it was when it arrived, and how certain that was. */
+  /** The robot's estimated position and error bound when it reported its arrival. */
   Point saidAt = new Point(Double.NaN, Double.NaN);
 
   double saidErrorMm;

@@ -1,5 +1,7 @@
 package org.starl.primitives.motion;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.CollisionPolicy;
@@ -18,9 +20,9 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * The specification of motion (paper, section 4.1), after the package's contract: {@code avoids}, {@code
- * arrives} and {@code told}. It uses the true bodies. It watches {@code gvh.plat.moat}, and so both {@link
- * MotionControl} and apps that use the motion automaton directly.
+ * The specification of motion (paper, section 4.1), after the package's contract: {@code avoids},
+ * {@code arrives} and {@code told}. It uses the true bodies. It watches {@code gvh.plat.moat}, and
+ * so both {@link MotionControl} and apps that use the motion automaton directly.
  */
 public final class MotionSpec implements Monitor {
 
@@ -28,9 +30,9 @@ public final class MotionSpec implements Monitor {
   static final String ARRIVES = "arrives";
   static final String TOLD = "told";
 
-  private static final long NS_PER_MS = 1_000_000;
-
-  /** The largest deviation of a correct motion from the straight line: its arcs begin within 25 degrees. */
+  /**
+   * A correct motion's largest deviation from the straight line; its arcs begin within 25 degrees.
+   */
   private static final double SWERVE_MM = 100;
 
   /** The faults of clocks and of computing time, by their names in the trace. */
@@ -40,21 +42,21 @@ public final class MotionSpec implements Monitor {
   private final double marginMm;
   private final MotionBodies bodies;
 
-  // The number of active faults, and of those among them that affect time.
+  // The numbers of active faults, and of active faults that affect time.
   private int faults;
   private int faultsOfTime;
   private long firstDeadlineNs = Long.MAX_VALUE;
 
-  /** For position errors below 50 mm. */
+  /** Creates a specification for position errors below 50 mm. */
   public MotionSpec(MotionParameters parameters) {
     this(parameters, 50);
   }
 
   /**
-   * @param parameters how the robots move: goal radius, speeds, reaction time, and the times after which
-   *     a motion fails
-   * @param positionErrorMm {@code arrives} is owed if the region to avoid leaves room for this error, in
-   *     mm
+   * @param parameters how the robots move: goal radius, speeds, reaction time, and the times after
+   *     which a motion fails
+   * @param positionErrorMm {@code arrives} is owed if the region to avoid leaves room for this
+   *     error, in mm
    */
   public MotionSpec(MotionParameters parameters, double positionErrorMm) {
     p = parameters;
@@ -122,7 +124,7 @@ public final class MotionSpec implements Monitor {
     }
   }
 
-  /** Its obligations depend on the body's place at the call, or when the body comes to the floor. */
+  /** The obligations depend on the body's place at the call, or when it comes to the floor. */
   private void startOf(RobotId robot, long nowNs) {
     MotionRecord motion = bodies.of(robot);
     if (motion == null) {
@@ -143,7 +145,9 @@ public final class MotionSpec implements Monitor {
     firstDeadlineNs = Math.min(firstDeadlineNs, motion.deadlineNs);
   }
 
-  /** Whether every point of the straight line is at least {@code neededMm} from the region to avoid. */
+  /**
+   * Whether every point of the straight line is at least {@code neededMm} from the region to avoid.
+   */
   private static boolean isClear(Point start, MotionRecord motion, double neededMm) {
     Point way = motion.target.minus(start);
     double lengthMm = way.normMm();
@@ -210,7 +214,10 @@ public final class MotionSpec implements Monitor {
     motion.owesArrives = false;
   }
 
-  /** Whether the cause is outside the motion: the body touched something, or its position is unknown. */
+  /**
+   * Whether the cause is outside the motion: the body touched something, or its position is
+   * unknown.
+   */
   private boolean isExternal(String why) {
     boolean isHeldUp = why.equals("no progress") || why.equals("too slow");
     return why.equals("bumped into something")

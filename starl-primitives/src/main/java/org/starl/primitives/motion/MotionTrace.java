@@ -3,36 +3,36 @@ package org.starl.primitives.motion;
 import org.starl.geometry.Point;
 import org.starl.trace.TraceEvent.Variable;
 
-/** The names under which motions appear in a trace; {@link MotionSpec} decides from these. */
+/** The names of motions in the trace; {@link MotionSpec} reads them. */
 final class MotionTrace {
 
   static final String SOURCE = "motion";
 
-  /** Action with the target: this primitive is told to go there. */
+  /** Action with the target: a command to this primitive. */
   static final String GOTOPOINT = "gotopoint";
 
-  /** Action with the target and the region: this primitive is told to go there. */
+  /** Action with the target and the region to avoid: a command to this primitive. */
   static final String DO_MOVE = "do_move";
 
-  /** As {@link #DO_MOVE}, of the motion automaton below, which anybody may use. */
+  /** Like {@link #DO_MOVE}, for the motion automaton below, which apps may also use directly. */
   static final String MOAT_MOVE = "doMove";
 
-  /** Action with the target that the robot shall face. */
+  /** Action with the target that the robot must face. */
   static final String TURN_TO = "turnTo";
 
   static final String MOTION_STOP = "motion_stop";
 
-  /** Action with x and y of where the robot believes to be, and its error bound, in mm: DONE. */
+  /** Action with x and y of the estimated position, and its error bound, in mm: DONE. */
   static final String ARRIVED = "arrived";
 
-  /** Action with the reason in words: FAIL. */
+  /** Action with the reason as text: FAIL. */
   static final String FAILED = "failed";
 
   static final String MOTIONFLAG = "motionflag";
 
   private MotionTrace() {}
 
-  /** Whether it is some robot's {@code motionflag}. */
+  /** Whether the variable is a robot's {@code motionflag}. */
   static boolean isFlag(Variable variable) {
     return variable.source().equals(SOURCE) && variable.name().equals(MOTIONFLAG);
   }

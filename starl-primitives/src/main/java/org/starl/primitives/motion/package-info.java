@@ -1,35 +1,36 @@
 /**
  * Motion control (paper, sections 4.1 and 5.1): {@code gotopoint}, {@code do_move(t, A)}, {@code
- * motionflag}. How it is done is the motion automaton's, {@code org.starl.motion}.
+ * motionflag}. The motion automaton in {@code org.starl.motion} implements it.
  *
  * <p>Safety, checked by {@link org.starl.primitives.motion.MotionSpec}:
  *
  * <ul>
  *   <li>{@code avoids}: from {@code do_move(t, A)} to the next command no part of the true body is
- *       in A, if none was at the call nor could have got there before the wheels took notice.
+ *       in A, if none was in A at the call, or could enter A before the wheels react.
  *   <li>{@code told}: {@code motionflag} is DONE only if the true position is within goal radius
- *       plus error bound of t, and the position that it rests on within that bound of the true one.
- *       It is DONE or FAIL {@code longestMs(distance)} after the call at the latest, wheels stuck or
- *       slow, positions lost, or whatever.
+ *       plus error bound of t, and the estimated position is within that bound of the true one. It
+ *       is DONE or FAIL at the latest {@code longestMs(distance)} after the call, even if wheels
+ *       are stuck or slow, or positions are lost.
  * </ul>
  *
- * <p>Progress: {@code arrives}: it is DONE, not FAIL, if nothing is in the way: A is not near the
- * straight line to t, nothing is bumped into, positions come, and no fault is at work on the run.
+ * <p>Progress: {@code arrives}: it is DONE, not FAIL, if the way is free: A is not near the
+ * straight line to t, the body touches nothing, positions arrive, and no fault is active in the
+ * run.
  *
- * <p>{@link org.starl.primitives.motion.MotionConformance} takes each run through the automaton of
- * which {@code avoids} and {@code told} are proved.
+ * <p>{@link org.starl.primitives.motion.MotionConformance} replays each run on the automaton whose
+ * {@code avoids} and {@code told} are proved.
  *
- * <p>Envelope. The robot is told the truth of itself by its {@link
- * org.starl.body.MotionParameters}: the radius of its body; {@code speedError}, by which it drives
- * or turns too fast (too slowly, or not at all, it may whenever it likes), its clock's drift
- * included; {@code reactionMs}, within which a command is in effect: late steps, the way to the
- * wheels and braking included. Fixes come or do not, late or in time, off by no more than they say;
- * those that contradict all others may lie, except the first after a start and those that confirm
- * each other for half a minute. The body may be held up by anything, and slide along what closes a
- * bump sensor. What shrinks the room is thus the radius, the fix's error and the way driven since it
- * was measured, and what the wheels may do before the next command is in effect.
+ * <p>Envelope. The robot's {@link org.starl.body.MotionParameters} are true: the radius of its
+ * body; {@code speedError}, the largest excess of its speed, including its clock's drift (it may be
+ * slower, or stop, at any time); {@code reactionMs}, the time until a command has effect, including
+ * late steps, the transfer to the wheels and braking. Fixes may be late or missing, and their
+ * errors are at most as stated. A fix that contradicts all others may be wrong, except the first
+ * after a start and fixes that confirm each other for half a minute. Anything may stop the body,
+ * and it may slide along an object that closes a bump sensor. So the free space shrinks by the
+ * radius, by the fix's error, by the distance driven since the fix, and by the distance that the
+ * wheels may drive before the next command has effect.
  *
- * <p>Beyond the envelope: somebody who pushes or carries the robot, wheels that turn untold.
+ * <p>Outside the envelope: a person pushes or carries the robot, or wheels turn without a command.
  *
  * <p>May import: core, {@code org.starl.primitives}.
  */

@@ -2,7 +2,6 @@ package org.starl.primitives.mutex;
 
 import java.util.ArrayList;
 import java.util.Collections;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
@@ -18,38 +17,40 @@ import org.starl.primitives.mutex.MutexMessage.FenceQ;
 import org.starl.random.Rng;
 
 /**
- * Whom one participant has given up, and its part in having them confined.
+ * The fences of one participant: which participants it has fenced, and its part in their
+ * confinement.
  *
- * <p>Who suspects f asks everybody, itself included, for a fence: for the vow never to grant f
- * anything again, and for the part of f's newest request that f may still hold by the fencer's
- * consent. What all the answers have in common bounds what f holds, and that is proposed. Whoever has
- * vowed goes on asking and proposing until a view is without f, for the first to suspect it may die;
- * and whoever knows less of a ghost than the view says proposes that.
+ * <p>A participant that suspects f asks all participants, itself included, for a fence: a promise
+ * never to grant f anything again, and the part of f's newest request that f may still hold with
+ * the fencer's consent. The intersection of all answers bounds the sections of f, and is proposed
+ * to the membership. Every fencer repeats its questions and proposals until f is not in the view,
+ * because the first one to suspect f may crash. A fencer that knows a smaller bound for a ghost
+ * than the view proposes it.
  */
 final class Fences {
 
-  /** From a question to a proposal with the answers that are there; then longer and longer. */
+  /** The time from a question to a proposal with the answers so far; later rounds are longer. */
   private static final long ROUND_NS = 1_000_000_000;
 
   private static final long MAX_PAUSE_NS = 16 * ROUND_NS;
 
-  /** The participant whose fences these are. */
+  /** The participant that owns these fences. */
   interface Owner {
 
     ProcessId me();
 
     View view();
 
-    /** Everybody whose answer a request needs now. */
+    /** The participants whose answers a request needs now. */
     SortedSet<ProcessId> known();
 
-    /** Whether {@code suspect}, admitted by that view, cannot enter without this one's consent. */
+    /** Whether {@code suspect}, admitted by that view, needs this participant's consent. */
     boolean hasSayOver(ProcessId suspect, long admittedBy);
 
-    /** The part of {@code suspect}'s newest request that it may still hold by this one's consent. */
+    /** The part of {@code suspect}'s newest request that it may still hold with this consent. */
     SortedSet<String> open(ProcessId suspect);
 
-    /** From now on nothing is granted to {@code suspect}. */
+    /** Grants nothing to {@code suspect} from now on. */
     void fenced(ProcessId suspect);
 
     void send(MutexMessage message);
@@ -57,7 +58,7 @@ final class Fences {
     void propose(Confinement confinement);
   }
 
-  /** One suspect that no view is without yet. */
+  /** One suspect that is still in the view. */
   private static final class Case {
     final long admittedBy;
     final SortedMap<ProcessId, SortedSet<String>> answers = new TreeMap<>();
@@ -81,17 +82,17 @@ final class Fences {
     this.rng = rng;
   }
 
-  /** Whether {@code id} is given up: for ever. */
+  /** Whether {@code id} is fenced; a fence is permanent. */
   boolean isFenced(ProcessId id) {
     return fenced.contains(id);
   }
 
-  /** All that are given up. */
+  /** All fenced participants. */
   Set<ProcessId> all() {
     return Collections.unmodifiableSet(new TreeSet<>(fenced));
   }
 
-  /** {@code suspect} says nothing, and its answer is needed. */
+  /** Begins to fence {@code suspect}, which is silent while its answer is needed. */
   void suspect(ProcessId suspect, long admittedBy, long nowNs) {
     if (!cases.containsKey(suspect)) {
       cases.put(suspect, new Case(admittedBy, nowNs));
@@ -99,14 +100,14 @@ final class Fences {
     }
   }
 
-  /** Somebody suspects {@code question}'s suspect: vows, if its own word counts. */
+  /** Answers a question with a fence, if this participant's consent is needed by the suspect. */
   void asked(FenceQ question, long nowNs) {
     ProcessId suspect = question.suspect();
-    if (vow(suspect, question.admittedBy())) {
+    if (fence(suspect, question.admittedBy())) {
       owner.send(new Fence(owner.me(), question.from(), suspect, owner.open(suspect)));
-      // At random and later than who asks, so that not all propose at once.
+      // At random and later than the asking one, so that not all propose at once.
       long firstNs = nowNs + 3 * ROUND_NS + rng.nextLong(0, 2 * ROUND_NS);
-      if (!isOut(suspect, question.admittedBy())) {
+      if (!isRemoved(suspect, question.admittedBy())) {
         cases.computeIfAbsent(suspect, id -> new Case(question.admittedBy(), firstNs));
       }
     }
@@ -125,7 +126,7 @@ final class Fences {
     }
   }
 
-  /** A message has come from {@code id}: nothing is wrong, unless somebody has vowed already. */
+  /** A message from {@code id} ends the suspicion, unless a fence exists already. */
   void heardFrom(ProcessId id) {
     Case open = cases.get(id);
     if (open != null && open.answers.isEmpty() && !fenced.contains(id)) {
@@ -133,13 +134,13 @@ final class Fences {
     }
   }
 
-  /** The view has changed, or what is known of a ghost. */
+  /** Reacts to a new view, or to news about a ghost. */
   void look() {
-    cases.entrySet().removeIf(entry -> isOut(entry.getKey(), entry.getValue().admittedBy));
+    cases.entrySet().removeIf(entry -> isRemoved(entry.getKey(), entry.getValue().admittedBy));
     owner.view().ghosts().forEach(this::shrink);
   }
 
-  /** Asks and proposes no more: its word does not count any longer. Its vows stay. */
+  /** Stops questions and proposals, because they no longer count. The fences stay. */
   void end() {
     cases.clear();
   }
@@ -168,18 +169,19 @@ final class Fences {
 
   private void ask(ProcessId suspect, Case open) {
     open.hasAsked = true;
-    vow(suspect, open.admittedBy);
+    fence(suspect, open.admittedBy);
     for (ProcessId other : owner.known()) {
       if (!other.equals(suspect)) {
         owner.send(new FenceQ(owner.me(), other, suspect, open.admittedBy));
       }
     }
     if (owner.known().equals(Set.of(suspect))) {
-      propose(suspect, open); // there is nobody else to ask
+      propose(suspect, open); // there is no other participant to ask
     }
   }
 
-  private boolean vow(ProcessId suspect, long admittedBy) {
+  /** Fences {@code suspect} if it needs this participant's consent; returns whether it does. */
+  private boolean fence(ProcessId suspect, long admittedBy) {
     boolean counts = !suspect.equals(owner.me()) && owner.hasSayOver(suspect, admittedBy);
     if (counts && fenced.add(suspect)) {
       owner.fenced(suspect);
@@ -187,34 +189,33 @@ final class Fences {
     return counts;
   }
 
-  /** Proposes what the answers say; those of participants that are gone say nothing. */
+  /** Proposes the intersection of the answers of all participants in the view. */
   private void propose(ProcessId suspect, Case open) {
-    SortedMap<ProcessId, SortedSet<String>> words = new TreeMap<>(open.answers);
+    SortedMap<ProcessId, SortedSet<String>> answers = new TreeMap<>(open.answers);
     if (fenced.contains(suspect)) {
-      words.put(owner.me(), owner.open(suspect));
+      answers.put(owner.me(), owner.open(suspect));
     }
-    words.keySet().removeIf(fencer -> !owner.view().contains(fencer));
-    List<SortedSet<String>> bounds = new ArrayList<>(words.values());
-    if (!bounds.isEmpty()) {
-      SortedSet<String> least = bounds.stream().reduce(Sections::common).orElse(Sections.NONE);
-      owner.propose(new Confinement(suspect, least, new TreeSet<>(words.keySet())));
-    }
+    answers.keySet().removeIf(fencer -> !owner.view().contains(fencer));
+    answers.values().stream()
+        .reduce(Sections::common)
+        .ifPresent(bound ->
+            owner.propose(new Confinement(suspect, bound, new TreeSet<>(answers.keySet()))));
   }
 
-  /** Vouches for less, where this one knows that the ghost holds less than the view says. */
+  /** Proposes a smaller bound for a ghost, if this participant knows one. */
   private void shrink(ProcessId suspect, View.Ghost ghost) {
     SortedSet<String> open = owner.open(suspect);
-    if (!open.containsAll(ghost.sections()) && vow(suspect, ghost.admittedBy())) {
+    if (!open.containsAll(ghost.sections()) && fence(suspect, ghost.admittedBy())) {
       owner.propose(new Confinement(suspect, open, new TreeSet<>(Set.of(owner.me()))));
     }
   }
 
-  /** Whether the view knows {@code suspect}, and as somebody who is not free. */
-  private boolean isOut(ProcessId suspect, long admittedBy) {
+  /** Whether the view is late enough to contain {@code suspect}, and does not. */
+  private boolean isRemoved(ProcessId suspect, long admittedBy) {
     return owner.view().number() >= admittedBy && !owner.view().contains(suspect);
   }
 
-  /** Everything that it will do depends on this, but for times. */
+  /** The state without times: equal texts behave alike. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder().append(fenced);

@@ -10,6 +10,7 @@ import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -29,12 +30,12 @@ import org.starl.primitives.mutex.MutexProtocol.Self;
 import org.starl.random.Rng;
 
 /**
- * The mutex of one robot: {@link MutexProtocol} on its gvh. Make it at the start of the app, before
- * {@code do_register}, so that it answers for every id that this robot ever has. Strand only.
+ * The mutex of one robot: connects {@link MutexProtocol} to its gvh. Create it at the start of the
+ * app, before {@code do_register}, so that it answers for every id of this robot. Strand only.
  *
- * <p>Each registration gives the robot a new id, and each id is a participant of its own. An older
- * id requests no more, and grants whatever it is asked; if it still holds something, it goes on
- * keeping that back, and the robot requests nothing new until it is released.
+ * <p>Each registration gives the robot a new id, and each id is a separate participant. An older id
+ * sends no requests, and grants all requests. If it still holds sections, it defers requests for
+ * them, and the robot cannot request until it has released them.
  */
 public final class M_Mutex implements MutexPrim {
 
@@ -51,21 +52,22 @@ public final class M_Mutex implements MutexPrim {
 
   private MutexProtocol current;
   private @Nullable MutexProtocol lingering;
-  // Older ids, idle for ever, each with those to whom it has vowed to grant nothing.
+  // Older ids, permanently idle, each with the participants that it has fenced.
   private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();
-  // What the protocol wants of the membership, which may call back: done after the protocol's step.
-  private final Queue<Runnable> wishes = new ArrayDeque<>();
+  // Calls to the membership, which may call back: they run after the protocol's step.
+  private final Queue<Runnable> membershipCalls = new ArrayDeque<>();
   private long scheduledNs = Long.MAX_VALUE;
   private boolean closed;
 
-  /** Among all robots that the deployment knows; see the constructor with a list. */
+  /** Creates a mutex among all robots of the deployment; see the constructor with a list. */
   public M_Mutex(GlobalVarHolder gvh, String xid) {
     this(gvh, xid, gvh.id.participants());
   }
 
   /**
-   * Among a fixed group (the paper's {@code Mutex(id, PList)}). A robot whose program has restarted
-   * can take no part: it is another participant, and who it was may still hold something.
+   * Creates a mutex among a fixed group (the paper's {@code Mutex(id, PList)}). A robot whose
+   * program has restarted cannot take part: it is a new participant, and the earlier one may still
+   * hold sections.
    *
    * @param participants the same on every robot
    */
@@ -73,15 +75,15 @@ public final class M_Mutex implements MutexPrim {
     this(gvh, xid, closedGroup(gvh, participants));
   }
 
-  /** Among those who are registered. */
+  /** Creates a mutex among the registered robots. */
   public M_Mutex(GlobalVarHolder gvh, String xid, Membership membership) {
     this(gvh, xid, membership, MutexTimes.DEFAULT);
   }
 
   /**
-   * Among those who are registered.
+   * Creates a mutex among the registered robots.
    *
-   * @throws IllegalStateException if this start of the robot's program has has this instance already
+   * @throws IllegalStateException if the robot's program has already created this instance
    */
   public M_Mutex(GlobalVarHolder gvh, String xid, Membership membership, MutexTimes times) {
     this.gvh = gvh;
@@ -102,7 +104,7 @@ public final class M_Mutex implements MutexPrim {
     membership.onChange(this::membershipChanged);
   }
 
-  /** The group in which each robot is who it is at its first start. */
+  /** The closed group of the participants of each robot's first start. */
   public static Membership closedGroup(GlobalVarHolder gvh, Participants participants) {
     return Membership.closed(
         new ProcessId(gvh.id.name(), gvh.id.boot()), View.closed(participants));
@@ -246,7 +248,7 @@ public final class M_Mutex implements MutexPrim {
     settle();
   }
 
-  /** Brings the current participant up to what the membership says. */
+  /** Updates the current participant from the membership. */
   private void follow() {
     current.learn(membership.view());
     if (current.mayRequest() && !membership.mayRequest()) {
@@ -254,7 +256,7 @@ public final class M_Mutex implements MutexPrim {
     }
   }
 
-  /** This robot is about to leave. */
+  /** Prepares for the robot's unregistration. */
   private void leave() {
     if (closed) {
       return;
@@ -269,7 +271,7 @@ public final class M_Mutex implements MutexPrim {
 
   private void received(RobotId from, MutexMessage message) {
     if (!message.from().robot().equals(from)) {
-      return; // nobody speaks for another robot
+      return; // forged: the sender is another robot
     }
     long nowNs = gvh.plat.clock.nowNs();
     if (message.to().equals(current.me())) {
@@ -283,10 +285,10 @@ public final class M_Mutex implements MutexPrim {
     }
   }
 
-  // Idle for ever, so it owes consent to everybody, and nothing can make it less; but for its vows.
+  // A retired id is permanently idle, so it grants every request, except those of fenced ones.
   private void answerAsRetired(MutexMessage.Req req) {
-    Set<ProcessId> vows = retired.get(req.to());
-    if (vows != null && !vows.contains(req.from())) {
+    Set<ProcessId> fenced = retired.get(req.to());
+    if (fenced != null && !fenced.contains(req.from())) {
       gvh.comms.lamportClock().advanceTo(req.ts());
       endpoint.send(req.from().robot(), new MutexMessage.Ok(req.to(), req.from(), req.num()));
     }
@@ -298,10 +300,10 @@ public final class M_Mutex implements MutexPrim {
     settle();
   }
 
-  /** The protocol's step is done: now what it wants of others. */
+  /** Runs the queued calls to the membership after a step of the protocol. */
   private void settle() {
-    while (!wishes.isEmpty()) {
-      wishes.remove().run();
+    while (!membershipCalls.isEmpty()) {
+      membershipCalls.remove().run();
     }
     schedule();
   }
@@ -309,7 +311,7 @@ public final class M_Mutex implements MutexPrim {
   private void schedule() {
     long atNs = current.nextTimerNs();
     if (atNs == scheduledNs) {
-      return; // so for most answers
+      return; // the common case
     }
     scheduledNs = atNs;
     if (atNs == Long.MAX_VALUE) {
@@ -325,7 +327,7 @@ public final class M_Mutex implements MutexPrim {
     }
   }
 
-  /** Carries out what one participant wants, and traces it. */
+  /** Performs and traces the effects of one participant. */
   private final class Wiring implements MutexEffects {
     private final ProcessId me;
 
@@ -340,82 +342,68 @@ public final class M_Mutex implements MutexPrim {
 
     @Override
     public void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.DoMutex(me, num, ts, want, copy(known)));
-      }
+      trace(() -> new MutexEvent.DoMutex(me, num, ts, want, copy(known)));
     }
 
     @Override
     public void known(long num, SortedSet<ProcessId> known) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Known(me, num, copy(known)));
-      }
+      trace(() -> new MutexEvent.Known(me, num, copy(known)));
     }
 
     @Override
     public void granted(ProcessId to, long num) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Grant(me, to, num));
-      }
+      trace(() -> new MutexEvent.Grant(me, to, num));
     }
 
     @Override
     public void entered(long num, SortedSet<String> held) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.OdMutex(me, num, held));
-      }
+      trace(() -> new MutexEvent.OdMutex(me, num, held));
       crit.set(true);
     }
 
     @Override
     public void released(long num, SortedSet<String> given, SortedSet<String> left) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Release(me, num, given, left));
-      }
+      trace(() -> new MutexEvent.Release(me, num, given, left));
       crit.set(!left.isEmpty());
     }
 
     @Override
     public void failed(long num, MutexFailure why) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Withdraw(me, num, why));
-      }
+      trace(() -> new MutexEvent.Withdraw(me, num, why));
       failed.set(true);
       failure.set(why);
     }
 
     @Override
     public void learned(View view) {
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Learned(me, view));
-      }
+      trace(() -> new MutexEvent.Learned(me, view));
     }
 
     @Override
     public void fenced(ProcessId suspect, SortedSet<String> open) {
-      gvh.log.w(source, "takes " + suspect + " for crashed");
-      if (gvh.trace.isOn()) {
-        trace(new MutexEvent.Fence(me, suspect, open));
-      }
+      gvh.log.w(source, "fences " + suspect + ", which seems to have crashed");
+      trace(() -> new MutexEvent.Fence(me, suspect, open));
     }
 
     @Override
     public void propose(Confinement confinement) {
-      wishes.add(() -> membership.propose(confinement));
+      membershipCalls.add(() -> membership.propose(confinement));
     }
 
     @Override
     public void refresh() {
-      wishes.add(membership::refresh);
+      membershipCalls.add(membership::refresh);
     }
 
     @Override
     public void markIdle() {
-      wishes.add(() -> membership.markIdle(me));
+      membershipCalls.add(() -> membership.markIdle(me));
     }
 
-    private void trace(MutexEvent event) {
-      MutexTrace.write(gvh.trace, source, event);
+    private void trace(Supplier<MutexEvent> event) {
+      if (gvh.trace.isOn()) {
+        MutexTrace.write(gvh.trace, source, event.get());
+      }
     }
 
     private static SortedSet<ProcessId> copy(SortedSet<ProcessId> ids) {

@@ -10,8 +10,9 @@ import org.starl.spec.automaton.Enabled;
 import org.starl.spec.automaton.Fun;
 
 /**
- * The theory {@code Mutex_decls} as an executable automaton: mutual exclusion on sets of zones. {@code
- * PIDS} are robots, {@code Zones} names of sections. {@link MutexConformance} replays runs on it.
+ * The theory {@code Mutex_decls} as an executable automaton: mutual exclusion on sets of zones.
+ * {@code PIDS} are robots, {@code Zones} names of sections. {@link MutexConformance} replays runs
+ * on it.
  */
 public final class MutexAutomaton implements Automaton<MutexAutomaton.States, MutexAction> {
 
@@ -23,7 +24,8 @@ public final class MutexAutomaton implements Automaton<MutexAutomaton.States, Mu
    *
    * @param crit_set the sections that the robot's present program holds
    * @param req_set the sections that it waits for
-   * @param rest_set the sections that earlier starts of its program held: its body may still be there
+   * @param rest_set the sections that earlier starts of its program held: its body may still be
+   *     there
    */
   public record States(
       Fun<RobotId, SortedSet<String>> crit_set,

@@ -8,7 +8,7 @@ import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 
-/** The bytes of {@link MutexMessage}, as {@code docs/wire-format.md} has them. */
+/** Encodes {@link MutexMessage} as in {@code docs/wire-format.md}. */
 final class MutexCodec implements Codec<MutexMessage> {
 
   private static final int REQ = 1;
@@ -19,7 +19,7 @@ final class MutexCodec implements Codec<MutexMessage> {
   private static final int FENCE = 6;
   private static final int FENCED = 7;
 
-  /** As in datagrams' headers: nothing that arrives drives a clock to its overflow. */
+  /** The limit of datagram headers: a received time must not make a clock overflow. */
   private static final long MAX_TS = (1L << 62) - 1;
 
   @Override
@@ -65,7 +65,7 @@ final class MutexCodec implements Codec<MutexMessage> {
     ProcessId from = in.process();
     ProcessId to = in.process();
     if (from.equals(to)) {
-      throw new WireFormatException("a message of " + from + " to itself");
+      throw new WireFormatException("message from " + from + " to itself");
     }
     return switch (kind) {
       case REQ -> {
@@ -77,7 +77,7 @@ final class MutexCodec implements Codec<MutexMessage> {
         }
         SortedSet<String> want = Sections.read(in);
         if (want.isEmpty()) {
-          throw new WireFormatException("a request for nothing");
+          throw new WireFormatException("request without sections");
         }
         yield new MutexMessage.Req(from, to, num, admittedBy, ts, want);
       }

@@ -11,8 +11,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
 /**
- * Every run of every mutex is a run of the theory {@code Mutex_decls}. The map from events to actions,
- * where {@code i} is the robot of {@code who}:
+ * Every run of every mutex is a run of the theory {@code Mutex_decls}. The map from events to
+ * actions, where {@code i} is the robot of {@code who}:
  *
  * <pre>
  * event                         action
@@ -29,8 +29,9 @@ import org.starl.trace.TraceEvent.Fault;
  * </pre>
  *
  * <p>All participants of one start of a robot's program are one process of the theory. An older
- * participant may still hold sections; its {@code crit_set(i)} remains, and the robot requests nothing
- * until it has released them. Time per step, and memory, grow with the robots that hold or wait.
+ * participant may still hold sections; its {@code crit_set(i)} remains, and the robot requests
+ * nothing until it has released them. Time per step, and memory, grow with the robots that hold or
+ * wait.
  */
 public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 

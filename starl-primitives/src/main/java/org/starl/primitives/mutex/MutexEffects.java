@@ -5,15 +5,15 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 
-/** Takes messages and outcomes, inside the call that brings them about; must not call back. */
+/** The effects of a {@link MutexProtocol}, called within its steps; must not call back. */
 interface MutexEffects {
 
   void send(MutexMessage message);
 
-  /** A request begins, and {@code known} is whom it needs. */
+  /** A request begins; it needs the consent of {@code known}. */
   void requested(long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known);
 
-  /** Whom the current request needs, or would need if it began now, has changed to this. */
+  /** The participants whose consent a request needs, or would need now, have changed. */
   void known(long num, SortedSet<ProcessId> known);
 
   /** Request {@code num} of {@code to} is granted for the first time. */
@@ -23,20 +23,20 @@ interface MutexEffects {
 
   void released(long num, SortedSet<String> given, SortedSet<String> left);
 
-  /** The request ended without access; number 0 if it did not even begin. */
+  /** The request ended without access; number 0 if it never began. */
   void failed(long num, MutexFailure why);
 
   void learned(View view);
 
-  /** Nothing more is granted to {@code suspect}, which may still hold {@code open}. */
+  /** Fences {@code suspect}, which may still hold {@code open}. */
   void fenced(ProcessId suspect, SortedSet<String> open);
 
-  /** Asks for a view in which {@code confinement} is done. */
+  /** Asks for a view with {@code confinement}. */
   void propose(Confinement confinement);
 
   /** Asks for the latest view. */
   void refresh();
 
-  /** Others have given this participant up, and it holds nothing any more. */
+  /** This participant is fenced or removed, and holds no section any more. */
   void markIdle();
 }

@@ -4,27 +4,27 @@ import java.util.SortedSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.View;
 
-/** What a trace tells of a mutex; monitors and viewers read it with {@link MutexTrace#read}. */
+/** An event of a mutex in a trace; monitors and viewers read it with {@link MutexTrace#read}. */
 public sealed interface MutexEvent {
 
-  /** Whose step it was. */
+  /** The participant that took the step. */
   ProcessId who();
 
   /**
    * A request begins.
    *
-   * @param num its number among those of {@code who}
-   * @param ts its logical time
-   * @param known whose consent it needs
+   * @param num the number of the request, counted for each {@code who}
+   * @param ts the logical time of the request
+   * @param known the participants whose consent it needs
    */
   record DoMutex(
       ProcessId who, long num, long ts, SortedSet<String> want, SortedSet<ProcessId> known)
       implements MutexEvent {}
 
-  /** Access was granted to all of {@code held}. */
+  /** Access to {@code held} was granted. */
   record OdMutex(ProcessId who, long num, SortedSet<String> held) implements MutexEvent {}
 
-  /** {@code given} was given back, {@code left} is still held. */
+  /** {@code given} was released, {@code left} is still held. */
   record Release(ProcessId who, long num, SortedSet<String> given, SortedSet<String> left)
       implements MutexEvent {}
 
@@ -38,18 +38,18 @@ public sealed interface MutexEvent {
   record Learned(ProcessId who, View view) implements MutexEvent {}
 
   /**
-   * {@code who} grants {@code suspect} nothing more, for ever.
+   * {@code who} never grants {@code suspect} anything again.
    *
-   * @param open what {@code suspect} may still hold, as far as {@code who} has granted it
+   * @param open the sections that {@code who} has granted and {@code suspect} may still hold
    */
   record Fence(ProcessId who, ProcessId suspect, SortedSet<String> open) implements MutexEvent {}
 
   /**
-   * The robot of {@code who} says that its program has started anew, so that its participants of
-   * earlier starts are dead, and that its body is in no other section than these.
+   * The robot of {@code who} declares, after a restart of its program, that its body is only in
+   * these sections. Its participants of earlier starts are dead.
    */
   record StandsIn(ProcessId who, SortedSet<String> sections) implements MutexEvent {}
 
-  /** Whose consent the request needs, or would need if it began now, is this from now on. */
+  /** From now on a request needs, or would need, the consent of {@code known}. */
   record Known(ProcessId who, long num, SortedSet<ProcessId> known) implements MutexEvent {}
 }

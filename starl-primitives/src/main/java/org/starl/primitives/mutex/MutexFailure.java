@@ -2,19 +2,19 @@ package org.starl.primitives.mutex;
 
 /** Why a request ended without access. */
 public enum MutexFailure {
-  /** It did not fail: it waits, has access, or there is none. */
+  /** No failure: the request waits or has access, or there is no request. */
   NONE(false),
-  /** This robot stands in no view that it has learned, or has begun to leave. */
+  /** This robot is in no view that it has learned, or has begun to leave. */
   NOT_REGISTERED(true),
-  /** Somebody's answer did not come in time. */
+  /** A needed answer did not arrive in time. */
   DEADLINE(false),
-  /** A section is occupied by a ghost: by one who seems to have crashed inside, and may stand there. */
+  /** A ghost occupies a section: a robot that seems to have crashed inside may still be there. */
   OCCUPIED(false),
-  /** The app withdrew it. */
+  /** The app withdrew the request. */
   WITHDRAWN(false),
-  /** A later view does not list this robot's participant, or it registered anew. */
+  /** A later view does not list this robot's participant, or the robot has registered again. */
   REMOVED(true),
-  /** Somebody took this robot's participant for crashed, and will never answer it again. */
+  /** Another participant has fenced this robot's one as crashed, and never answers it again. */
   FENCED(true);
 
   private final boolean mustRegister;
@@ -24,8 +24,8 @@ public enum MutexFailure {
   }
 
   /**
-   * Whether this robot's participant is over: only after a new {@code do_register} is it of use to ask
-   * again.
+   * Whether this robot's participant has ended: the robot can request again only after a new {@code
+   * do_register}.
    */
   public boolean mustRegister() {
     return mustRegister;

@@ -3,18 +3,18 @@ package org.starl.primitives.mutex;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
 
-/** What participants of one mutex say to each other. Each may be lost, late, doubled, overtaken. */
+/** Messages of a mutex. Each may be lost, late, duplicated or reordered. */
 sealed interface MutexMessage {
 
   ProcessId from();
 
-  /** The participant that is meant: a robot may answer under an older id as well. */
+  /** The addressed participant: a robot may also answer under an older id. */
   ProcessId to();
 
   /**
-   * {@code from} asks for {@code want}. Repeated until its {@link Ok} comes or the request ends.
+   * {@code from} requests {@code want}. Repeated until the {@link Ok} arrives or the request ends.
    *
-   * @param num the request's number, from 1; an id never uses one twice
+   * @param num the request's number, from 1; an id never uses a number twice
    * @param admittedBy the number of the view that admitted {@code from}
    * @param ts the request's logical time; the lower one goes first
    */
@@ -22,16 +22,16 @@ sealed interface MutexMessage {
       ProcessId from, ProcessId to, long num, long admittedBy, long ts, SortedSet<String> want)
       implements MutexMessage {}
 
-  /** {@code from} grants request {@code num} of {@code to}, and no other. */
+  /** {@code from} grants request {@code num} of {@code to}, and no other request. */
   record Ok(ProcessId from, ProcessId to, long num) implements MutexMessage {}
 
-  /** What {@code from} still holds or wants of its request {@code num}; nothing: it is over. */
+  /** The sections of request {@code num} that {@code from} still holds or wants; none: it ended. */
   record Rem(ProcessId from, ProcessId to, long num, SortedSet<String> left)
       implements MutexMessage {}
 
   /**
-   * {@code from} is alive, and keeps its answer to request {@code num} of {@code to} back: says so to
-   * one who has asked twice.
+   * {@code from} is alive, and defers its answer to request {@code num} of {@code to}. Sent when
+   * the request is repeated.
    */
   record Noted(ProcessId from, ProcessId to, long num) implements MutexMessage {}
 
@@ -44,12 +44,12 @@ sealed interface MutexMessage {
       implements MutexMessage {}
 
   /**
-   * {@code from} grants {@code suspect} nothing more, for ever, and vouches that {@code suspect}, who
-   * needs its consent, holds no more than {@code open}.
+   * {@code from} never grants {@code suspect} anything again. {@code suspect} needs its consent,
+   * and so holds at most {@code open}.
    */
   record Fence(ProcessId from, ProcessId to, ProcessId suspect, SortedSet<String> open)
       implements MutexMessage {}
 
-  /** {@code from} has given up {@code to}, which should register anew. */
+  /** {@code from} has fenced {@code to}, which should register again. */
   record Fenced(ProcessId from, ProcessId to) implements MutexMessage {}
 }

@@ -7,8 +7,8 @@ import org.starl.id.Participants;
 import org.starl.primitives.StarLPrimitive;
 
 /**
- * Mutual exclusion as an app sees it (paper, section 4.5): access to a set of sections, all at the
- * same time, given back one by one or together. Strand only.
+ * The interface of mutual exclusion (paper, section 4.5): access to a set of sections, granted all
+ * at once, released one by one or together. Strand only.
  *
  * <pre>{@code
  * mux.do_mutex(List.of("A", "C"));
@@ -22,66 +22,69 @@ import org.starl.primitives.StarLPrimitive;
 public interface MutexPrim extends StarLPrimitive {
 
   /**
-   * Requests access to {@code sections}. {@link #crit} becomes true when access is granted, or {@link
-   * #failed} when it will not be; until then both are false. Either may happen at once.
+   * Requests access to {@code sections}. {@link #crit} becomes true when access is granted, {@link
+   * #failed} when the request fails; until then both are false. Either may happen during this call.
    *
    * @param sections 1 to 32 names, each 1 to 32 of {@code A-Z a-z 0-9 _ - . :}
-   * @throws IllegalStateException while waiting for, or holding, what was asked for before
-   * @throws IllegalArgumentException if {@code sections} is no such set
+   * @throws IllegalStateException while an earlier request waits or holds sections
+   * @throws IllegalArgumentException if {@code sections} is not such a set
    */
   void do_mutex(Collection<String> sections);
 
   /**
-   * As {@link #do_mutex(Collection)}, exclusive with every robot in {@code plist} (paper, section 3.2).
+   * Like {@link #do_mutex(Collection)}, exclusive with every robot in {@code plist} (paper, section
+   * 3.2).
    *
-   * <p>The request asks every robot in {@code plist} that can hold a section, and also all others that
-   * this robot knows: if each robot asked only its own list, two requests might never meet. A robot that
-   * has joined later asks this one, and one that has left, or never registered, holds nothing. So {@code
-   * plist} may be an older list of the same registration, and a short list does not narrow exclusion.
+   * <p>The request asks every robot in {@code plist} that can hold a section, and also all others
+   * that this robot knows: if each robot asked only its own list, two robots might not ask each
+   * other. A robot that joins later asks this one, and a robot that has left, or never registered,
+   * holds no section. So {@code plist} may be an older list of the same registration, and a short
+   * list does not narrow exclusion.
    *
-   * @throws IllegalArgumentException also if {@code plist} does not name this robot, or names one that
-   *     is outside a fixed group: such a robot could not be excluded
+   * @throws IllegalArgumentException also if {@code plist} does not name this robot, or names a
+   *     robot outside a fixed group: such a robot could not be excluded
    */
   void do_mutex(Collection<String> sections, Participants plist);
 
-  /** Whether access was granted and something of it is still held; {@code crit().get()}. */
+  /** Whether access was granted and a section is still held; {@code crit().get()}. */
   boolean od_mutex();
 
-  /** Whether this robot has access to all that it asked for and has not given back. */
+  /** Whether this robot has access to all requested sections that it has not released. */
   GvhVariable<Boolean> crit();
 
   /** Whether the latest request ended without access. */
   GvhVariable<Boolean> failed();
 
-  /** Why it did. */
+  /** Why the latest request failed. */
   GvhVariable<MutexFailure> failure();
 
   /**
-   * Gives back {@code sections}.
+   * Releases {@code sections}.
    *
-   * @throws IllegalArgumentException if they are none, or not all held
+   * @throws IllegalArgumentException if {@code sections} is empty, or not all are held
    */
   void release(Collection<String> sections);
 
-  /** The same. */
+  /** Releases {@code sections}. */
   void release(String... sections);
 
-  /** Gives up what it waits for: {@link #failed} becomes true. If it does not wait, nothing. */
+  /** Cancels a waiting request: {@link #failed} becomes true. No effect without one. */
   void withdraw();
 
   /**
-   * For a robot whose program has started anew: who it was before may still be thought to hold what it
-   * held. This is its own word that its body is in no other section than these; say less as it goes
-   * on, and in the end nothing. What it says it stands in is its own to ask for.
+   * Declares, after a restart of the robot's program, that its body is only in {@code sections}.
+   * Until then other robots assume that it still holds the sections from before the restart. Call
+   * this again with fewer sections as the robot leaves them, and finally with none. The robot may
+   * request the declared sections.
    */
   void standsIn(Collection<String> sections);
 
-  /** What this robot has access to now. */
+  /** The sections that this robot has access to. */
   SortedSet<String> held();
 
   /**
-   * Ends this robot's part. A request is withdrawn; what is held stays held for ever, as by a robot
-   * that crashed: release it before. Nobody who still needs this robot's consent gets it, so
+   * Ends this robot's part. A waiting request is withdrawn. Held sections stay held for ever, as
+   * after a crash, so release them before. Other robots wait in vain for this robot's consent, so
    * unregister before. An instance cannot be opened again before the robot's program restarts.
    */
   @Override

@@ -1,5 +1,7 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashMap;
@@ -12,21 +14,21 @@ import org.starl.primitives.mutex.Requests.Request;
 import org.starl.spec.Monitor.Report;
 import org.starl.spec.Within;
 
-/** The timed half of {@link MutexSpec}: who is owed access, and who stands in whose way. */
+/**
+ * The progress part of {@link MutexSpec}: deadlines of requests, and which request waits for which.
+ */
 final class MutexProgress {
 
   static final String SERVED = "Served";
   static final String NON_INTERFERENCE = "NonInterference";
 
-  private static final long NS_PER_MS = 1_000_000;
-
-  /** What progress rests on, beside what the requests themselves tell. */
+  /** The assumptions of progress that do not depend on the requests. */
   interface Assumptions {
 
-    /** Whether more than the others' requests keeps it waiting: a dead one, a ghost, a fault. */
+    /** Whether a crash, a ghost or a fault may delay the request. */
     boolean isImpeded(Request request);
 
-    /** Whether nothing is owed to it: it is dead, or a view is without it. */
+    /** Whether the request is owed nothing: its participant is dead or removed. */
     boolean isOwedNothing(Request request);
   }
 
@@ -35,11 +37,11 @@ final class MutexProgress {
   private final Within<Request> holding;
   private final Within<Request> served;
   private final Within<Request> undisturbed;
-  // Who has held for longer than d1; while there is one, nobody is owed to be served.
+  // Requests that have held for longer than d1; while there is one, no request is owed access.
   private final Set<Request> overdue = new LinkedHashSet<>();
-  // For each request that waits: who holds, or waits with priority for, one of its sections.
+  // For each waiting request, those that hold, or wait with priority for, one of its sections.
   private final Map<Request, Set<Request>> ahead = new LinkedHashMap<>();
-  // Those that wait for more than others' requests; while there is one, it may keep others waiting.
+  // Waiting requests that are impeded; while there is one, it may delay others.
   private final Set<Request> impeded = new LinkedHashSet<>();
 
   MutexProgress(MutexBounds bounds, Requests requests, Assumptions assumptions) {
@@ -50,7 +52,7 @@ final class MutexProgress {
     undisturbed = new Within<>(bounds.d3Ns());
   }
 
-  /** Reports what was owed before {@code nowNs} and did not come. */
+  /** Reports the requests whose access was due before {@code nowNs}. */
   void expire(long nowNs, Report report) {
     boolean noneOverdue = overdue.isEmpty();
     List<Long> deadlinesNs = new ArrayList<>();
@@ -98,7 +100,7 @@ final class MutexProgress {
     look(nowNs);
   }
 
-  /** Views, faults or needs have changed: brings all assumptions up to date. */
+  /** Updates all assumptions after a change of views, faults or needed consents. */
   void look(long nowNs) {
     for (Request request : new ArrayList<>(ahead.keySet())) {
       if (assumptions.isOwedNothing(request)) {
@@ -139,7 +141,7 @@ final class MutexProgress {
     }
   }
 
-  /** It gave back, or no longer waits for, {@code given}. */
+  /** The request no longer holds, or waits for, {@code given}. */
   void shrank(Request request, Collection<String> given, long nowNs) {
     for (Request other : contenders(request, given)) {
       Set<Request> before = ahead.get(other);
@@ -158,7 +160,7 @@ final class MutexProgress {
     }
   }
 
-  /** It needs other participants' consent than before. */
+  /** The participants whose consent the request needs have changed. */
   void needsOthers(Request request, long nowNs) {
     if (ahead.containsKey(request)) {
       assumeAnew(request, nowNs);

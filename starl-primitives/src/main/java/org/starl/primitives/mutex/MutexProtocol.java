@@ -20,26 +20,27 @@ import org.starl.random.Rng;
 
 /**
  * One participant of the mutex: Ricart and Agrawala ("An optimal algorithm for mutual exclusion in
- * computer networks", CACM 1981) on sets of sections, among participants that come and go. Pure and
- * clock-driven: (state, message or timer or call) to messages and outcomes. The actions of
- * the theory {@code RicartAgrawala_decls} are named for its methods.
+ * computer networks", CACM 1981) on sets of sections, with dynamic membership. Pure and
+ * clock-driven: messages, timers and calls give messages and outcomes. The actions of the theory
+ * {@code RicartAgrawala_decls} have the names of its methods.
  *
- * <p>The rule of membership is the heart of it. A process requests only when it has learned a view
- * that lists it. It needs the answers of everybody in its latest view, and of everybody that it
- * heard a request from who was admitted by a view later than that; it stops needing an answer only
- * through a learned view that lists itself and not the other. So of two participants the younger one
- * has a view with the elder in it, and asks; the elder learns of it by being asked, and asks back.
+ * <p>The main rule concerns membership. A participant requests only after it has learned a view
+ * that lists it. It needs the answers of all participants in its latest view, and of all
+ * participants that were admitted by a later view and sent it a request. It stops needing an answer
+ * only after it has learned a view that lists itself and not the other. So of two participants the
+ * younger has a view that lists the elder, and asks it; the elder learns of the younger by its
+ * request, and asks back.
  */
 class MutexProtocol implements Fences.Owner {
 
-  /** What a process does with the sections that it named last. */
+  /** The phase of the latest request. */
   enum Phase {
     IDLE,
     TRYING,
     CRITICAL
   }
 
-  /** Who a participant is, and what it works with. */
+  /** A participant's identity and resources. */
   record Self(ProcessId me, LamportClock clock, MutexTimes times, Rng rng, boolean canConfine) {}
 
   private final ProcessId me;
@@ -48,7 +49,7 @@ class MutexProtocol implements Fences.Owner {
   private final MutexEffects effects;
 
   private View view = View.NONE;
-  // The view that admitted me; 0: none that I have learned.
+  // The number of the view that admitted me; 0 if not learned yet.
   private long admittedBy;
   private boolean over;
 
@@ -56,12 +57,12 @@ class MutexProtocol implements Fences.Owner {
   private long num;
   private long ts;
   private SortedSet<String> want = Sections.NONE;
-  // Whom the current request was sent to, and those of them whose answer is needed and not there.
+  // The receivers of the current request, and those of them whose needed answer is missing.
   private final TreeSet<ProcessId> asked = new TreeSet<>();
   private final TreeSet<ProcessId> missing = new TreeSet<>();
-  private final Patience patience;
+  private final RequestTimers timers;
 
-  // Those heard from that were admitted after the latest view, with the number of that view.
+  // Participants that sent a request and were admitted by a view later than mine, and its number.
   private final TreeMap<ProcessId, Long> heard = new TreeMap<>();
   private final Peers peers = new Peers();
   private final Fences fences;
@@ -72,7 +73,7 @@ class MutexProtocol implements Fences.Owner {
     this.canConfine = self.canConfine();
     this.effects = effects;
     this.fences = new Fences(this, self.rng());
-    this.patience = new Patience(self.times());
+    this.timers = new RequestTimers(self.times());
   }
 
   @Override
@@ -89,33 +90,33 @@ class MutexProtocol implements Fences.Owner {
     return view;
   }
 
-  /** The logical time of its newest request. */
+  /** The logical time of the newest request. */
   long ts() {
     return ts;
   }
 
-  /** What it has access to. */
+  /** The sections that it has access to. */
   SortedSet<String> held() {
     return phase == Phase.CRITICAL ? want : Sections.NONE;
   }
 
-  /** When {@link #timer} has something to do; {@code Long.MAX_VALUE}: never. */
+  /** When {@link #timer} is due; {@code Long.MAX_VALUE} for never. */
   long nextTimerNs() {
-    long requestNs = phase == Phase.TRYING ? patience.wakeAtNs() : Long.MAX_VALUE;
+    long requestNs = phase == Phase.TRYING ? timers.wakeAtNs() : Long.MAX_VALUE;
     return Math.min(requestNs, fences.wakeAtNs());
   }
 
-  /** Whether it stands in the latest view that it learned, and may go on requesting. */
+  /** Whether the latest learned view lists it, and it has not ended. */
   boolean mayRequest() {
     return !over && view.contains(me);
   }
 
-  /** Those to whom it must never grant anything, also when all else of it is forgotten. */
+  /** The participants to which it must never grant anything, even after it has retired. */
   Set<ProcessId> fenced() {
     return fences.all();
   }
 
-  /** Those whose answers are needed and not there. */
+  /** The participants whose needed answers are missing. */
   SortedSet<ProcessId> missing() {
     return new TreeSet<>(missing);
   }
@@ -129,7 +130,7 @@ class MutexProtocol implements Fences.Owner {
     return peers.open(peer);
   }
 
-  /** Everybody whose answer a request needs now. */
+  /** The participants whose answers a request needs now. */
   @Override
   public SortedSet<ProcessId> known() {
     TreeSet<ProcessId> all = new TreeSet<>(view.admitted().keySet());
@@ -140,7 +141,7 @@ class MutexProtocol implements Fences.Owner {
 
   // ------------------------------------------------------------------ calls
 
-  /** {@code do_mutex}: asks everybody known for {@code sections}, or fails at once. */
+  /** {@code do_mutex}: requests {@code sections} from all known participants, or fails at once. */
   void request(SortedSet<String> sections, long nowNs) {
     if (phase != Phase.IDLE) {
       throw new IllegalStateException(
@@ -161,13 +162,13 @@ class MutexProtocol implements Fences.Owner {
     asked.addAll(known());
     missing.clear();
     missing.addAll(asked);
-    patience.begin(nowNs);
+    timers.begin(nowNs);
     effects.requested(num, ts, want, asked);
     sendRequests();
     enter();
   }
 
-  /** Gives back {@code sections}, all of which it holds. */
+  /** Releases {@code sections}, which it must hold. */
   void release(SortedSet<String> sections) {
     if (sections.isEmpty() || !held().containsAll(sections)) {
       throw new IllegalArgumentException("release of " + sections + " while holding " + held());
@@ -184,7 +185,7 @@ class MutexProtocol implements Fences.Owner {
     }
   }
 
-  /** Gives up what it waits for; if it does not wait, nothing. */
+  /** Cancels a waiting request; no effect without one. */
   void withdraw(MutexFailure why) {
     if (phase != Phase.TRYING) {
       return;
@@ -192,22 +193,22 @@ class MutexProtocol implements Fences.Owner {
     phase = Phase.IDLE;
     want = Sections.NONE;
     missing.clear();
-    patience.needsOnly(missing);
+    timers.needsOnly(missing);
     effects.failed(num, why);
     tellRest();
     answerPending();
   }
 
-  /** Never requests again; goes on answering. It must be idle: others may forget it from now on. */
+  /** Ends requests, not answers. Must be idle, since others may forget it from now on. */
   void beginLeave() {
     if (phase != Phase.IDLE) {
-      throw new IllegalStateException("leaves while " + phase + " for " + want);
+      throw new IllegalStateException("leave while " + phase + " for " + want);
     }
     over = true;
     fences.end();
   }
 
-  /** Learns a view, if it is later than the one known; numbers may be skipped. */
+  /** Learns a view if it is later than the known one; numbers may be skipped. */
   void learn(View later) {
     if (later.number() <= view.number()) {
       return;
@@ -215,8 +216,8 @@ class MutexProtocol implements Fences.Owner {
     view = later;
     effects.learned(view);
     heard.values().removeIf(by -> by <= view.number());
-    // Who has left is idle for ever or dead: nothing it asked is open, and what it sends late is
-    // answered like anything else, which binds nobody. A ghost may still shrink.
+    // A participant that has left is permanently idle or dead: no request of it is open, and an
+    // answer to a late message has no effect. A ghost may still shrink, so its record stays.
     peers.forget(id -> !view.mentions(id) && !heard.containsKey(id));
     if (view.contains(me)) {
       admittedBy = view.admittedBy(me);
@@ -229,17 +230,17 @@ class MutexProtocol implements Fences.Owner {
     }
   }
 
-  /** Repeats the request, or gives it up, or goes on with whom it suspects, if it is time. */
+  /** Repeats or ends the request, and continues fencing, if it is time. */
   void timer(long nowNs) {
-    if (phase == Phase.TRYING && patience.isOver(nowNs)) {
+    if (phase == Phase.TRYING && timers.isOver(nowNs)) {
       withdraw(missing.isEmpty() ? MutexFailure.OCCUPIED : MutexFailure.DEADLINE);
-    } else if (phase == Phase.TRYING && patience.resends(nowNs)) {
+    } else if (phase == Phase.TRYING && timers.resends(nowNs)) {
       goOnWaiting(nowNs);
     }
     fences.timer(nowNs);
   }
 
-  /** Takes {@code peer}, whose answer it needs, for crashed; it may be wrong. */
+  /** Suspects {@code peer}, whose answer it needs, of a crash; it may be wrong. */
   final void suspect(ProcessId peer, long nowNs) {
     if (canConfine && missing.contains(peer) && mayRequest()) {
       Long by = heard.get(peer);
@@ -248,14 +249,14 @@ class MutexProtocol implements Fences.Owner {
   }
 
   private void goOnWaiting(long nowNs) {
-    if (missing.isEmpty() && isOccupied() && patience.isOverForGhosts(nowNs)) {
+    if (missing.isEmpty() && isOccupied() && timers.isGhostTimeOver(nowNs)) {
       withdraw(MutexFailure.OCCUPIED);
       return;
     }
     sendRequests();
     if (canConfine && !missing.isEmpty()) {
-      patience.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
-      if (patience.wantsNews()) {
+      timers.silent(missing, nowNs).forEach(peer -> suspect(peer, nowNs));
+      if (timers.isQueryDue()) {
         effects.refresh();
       }
     }
@@ -263,23 +264,23 @@ class MutexProtocol implements Fences.Owner {
 
   // --------------------------------------------------------------- messages
 
-  /** Takes a message whose addressee is this participant. */
+  /** Handles a message to this participant. */
   final void receive(MutexMessage message, long nowNs) {
     if (!message.to().equals(me) || message.from().equals(me)) {
       throw new IllegalArgumentException(message + " is not for " + me);
     }
-    patience.heard(message.from(), nowNs);
+    timers.heard(message.from(), nowNs);
     fences.heardFrom(message.from());
     switch (message) {
       case Req req -> hear(req);
       case Ok ok -> hearOk(ok);
       case Rem rem -> hearRem(rem);
       case Noted noted -> {
-        // That it has come says all: its sender is alive.
+        // It only shows that its sender is alive.
       }
       case FenceQ question -> fences.asked(question, nowNs);
       case Fence fence -> fences.answered(fence);
-      case Fenced fenced -> givenUp();
+      case Fenced fenced -> hearFenced();
     }
   }
 
@@ -294,8 +295,8 @@ class MutexProtocol implements Fences.Owner {
       effects.send(new Ok(me, req.from(), req.num()));
     } else if (refuses(req.from())) {
       effects.send(new Fenced(me, req.from()));
-    } else if (keepsBack(req)) {
-      if (peers.keepBack(req)) {
+    } else if (defers(req)) {
+      if (peers.defer(req)) {
         effects.send(new Noted(me, req.from(), req.num()));
       }
     } else {
@@ -306,7 +307,7 @@ class MutexProtocol implements Fences.Owner {
 
   private void hearOk(Ok ok) {
     if (phase == Phase.TRYING && answersMyRequest(ok) && missing.remove(ok.from())) {
-      patience.needsOnly(missing);
+      timers.needsOnly(missing);
       enter();
     }
   }
@@ -316,8 +317,8 @@ class MutexProtocol implements Fences.Owner {
     lookAtGhost(rem.from());
   }
 
-  /** Others have given me up, as crashed: I shall never get all the answers that I need. */
-  private void givenUp() {
+  /** Another participant has fenced this one, so it never gets all needed answers. */
+  private void hearFenced() {
     if (mayRequest()) {
       over = true;
       fences.end();
@@ -330,29 +331,29 @@ class MutexProtocol implements Fences.Owner {
 
   // ------------------------------------------------------------------ rules
 
-  /** Whether it does not grant {@code req} now. */
-  boolean keepsBack(Req req) {
+  /** Whether it defers its answer to {@code req}. */
+  boolean defers(Req req) {
     return phase != Phase.IDLE
         && Sections.meet(want, req.want())
-        // By rule, not by clock: a newcomer's clock may be low.
+        // A holder defers every request: a new participant's clock may be low.
         && (phase == Phase.CRITICAL || isBefore(ts, me, req.ts(), req.from()));
   }
 
-  /** Whether it grants {@code peer} nothing, ever. */
+  /** Whether it never grants {@code peer} anything. */
   boolean refuses(ProcessId peer) {
     return fences.isFenced(peer) || view.ghost(peer) != null;
   }
 
   /**
-   * Whether {@code suspect} cannot enter without my consent: because every view that lists it lists
-   * me, or because it has asked me.
+   * Whether {@code suspect} needs my consent to enter: every view that lists it also lists me, or
+   * it has sent me a request.
    */
   @Override
   public boolean hasSayOver(ProcessId suspect, long itsAdmittedBy) {
     return mayRequest() && (admittedBy <= itsAdmittedBy || peers.hasAsked(suspect));
   }
 
-  /** Logical clocks: whoever hears of a request requests later than it. */
+  /** Advances the Lamport clock, so that later requests have later times. */
   void witness(long otherTs) {
     clock.advanceTo(otherTs);
   }
@@ -362,7 +363,7 @@ class MutexProtocol implements Fences.Owner {
     return ok.num() == num;
   }
 
-  /** Whoever was admitted after my latest view and asks me has to be asked by me. */
+  /** Remembers a requester that was admitted after my latest view, so that I ask it, too. */
   void noteHeard(ProcessId other, long otherAdmittedBy) {
     if (otherAdmittedBy > view.number()
         && heard.put(other, otherAdmittedBy) == null
@@ -371,12 +372,12 @@ class MutexProtocol implements Fences.Owner {
     }
   }
 
-  /** Whether every answer that it needs is there. */
+  /** Whether all needed answers have arrived. */
   boolean hasAllAnswers() {
     return missing.isEmpty();
   }
 
-  /** A view without this participant, or with its ghost, came after one with it. */
+  /** Ends this participant after a view that lists it no longer, or only as a ghost. */
   void removed() {
     boolean isNew = !over;
     over = true;
@@ -387,7 +388,7 @@ class MutexProtocol implements Fences.Owner {
     }
   }
 
-  /** Whether a ghost may stand in a section that is wanted; my own robot does not block itself. */
+  /** Whether a ghost of another robot may be in a wanted section. */
   boolean isOccupied() {
     return view.ghosts().entrySet().stream()
         .anyMatch(ghost ->
@@ -401,7 +402,7 @@ class MutexProtocol implements Fences.Owner {
 
   // ------------------------------------------------------------------ steps
 
-  /** Enters, if nothing is in the way; called whenever something may have gone out of it. */
+  /** Enters if possible; called after every change that may allow it. */
   final void enter() {
     if (phase == Phase.TRYING && hasAllAnswers() && !isOccupied()) {
       phase = Phase.CRITICAL;
@@ -416,7 +417,7 @@ class MutexProtocol implements Fences.Owner {
   }
 
   private void answerPending() {
-    for (Req req : peers.takePending(each -> !keepsBack(each))) {
+    for (Req req : peers.takePending(each -> !defers(each))) {
       Peers.Peer peer = peers.find(req.from());
       if (peer != null && !refuses(req.from())) {
         grant(req, peer);
@@ -424,13 +425,13 @@ class MutexProtocol implements Fences.Owner {
     }
   }
 
-  /** The view, or who was heard, has changed during a request. */
+  /** Reacts to a change of the needed answers during a request. */
   private void knownChanged() {
     SortedSet<ProcessId> now = known();
     effects.known(num, now);
     if (phase == Phase.TRYING) {
       missing.retainAll(now);
-      patience.needsOnly(missing);
+      timers.needsOnly(missing);
       for (ProcessId other : now) {
         if (asked.add(other)) {
           missing.add(other);
@@ -463,10 +464,7 @@ class MutexProtocol implements Fences.Owner {
     }
   }
 
-  /**
-   * Everything that its messages and outcomes will depend on, but for times: participants with equal
-   * texts behave alike.
-   */
+  /** The state without times: participants with equal texts behave alike. */
   String state() {
     StringBuilder text = new StringBuilder();
     text.append(clock.now()).append(' ').append(this);

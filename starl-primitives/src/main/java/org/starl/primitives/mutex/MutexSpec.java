@@ -19,28 +19,29 @@ import org.starl.trace.TraceEvent;
  * The specification of one mutex instance, over its trace.
  *
  * <ul>
- *   <li>{@code Exclusive} (the paper's {@code Inv_mux_safety}): what participants of two robots hold
- *       is disjoint. A robot that crashed, left or closed its mutex without a release still holds its
- *       sections, since its body may be there, until the robot's next start declares otherwise.
- *   <li>{@code Promise}: of two participants with open, overlapping requests, one that has the other's
- *       consent comes first.
+ *   <li>{@code Exclusive} (the paper's {@code Inv_mux_safety}): what participants of two robots
+ *       hold is disjoint. A robot that crashed, left or closed its mutex without a release still
+ *       holds its sections, since its body may be there, until the robot's next start declares
+ *       otherwise.
+ *   <li>{@code Promise}: of two participants with open, overlapping requests, one that has the
+ *       other's consent comes first.
  *   <li>{@code Connected}: of two participants with open requests in the latest view, one needs the
  *       other's consent.
  *   <li>{@code Kept}: a removed participant holds only its fenced sections.
  *   <li>{@code Complete}: a participant that holds a section was on a list.
  *   <li>{@code Served}, if there are bounds: a request has access, or has ended, within d2; owed
  *       while no participant has held for longer than d1.
- *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while no other participant
- *       holds, or waits with priority for, a section of the request. (The paper asks only that none is
- *       <em>held</em>. That is too weak: a participant that waits for {A, B} while another holds A
- *       delays a later request for B.)
+ *   <li>{@code NonInterference}, if there are bounds: the same within d3; owed while no other
+ *       participant holds, or waits with priority for, a section of the request. (The paper asks
+ *       only that none is <em>held</em>. That is too weak: a participant that waits for {A, B}
+ *       while another holds A delays a later request for B.)
  * </ul>
  *
- * <p>The last two are owed only while no fault but crashes is active, no ghost is fenced in a wanted
- * section, and no participant is dead whose consent is needed; {@code Served} only while that holds for
- * all waiting requests. They are owed again, with the whole bound, once it holds again, and when the set
- * of participants whose consent is needed changes. A participant that is dead, has left the floor or was
- * removed from the views is owed nothing.
+ * <p>The last two are owed only while no fault but crashes is active, no ghost is fenced in a
+ * wanted section, and no participant is dead whose consent is needed; {@code Served} only while
+ * that holds for all waiting requests. They are owed again, with the whole bound, once it holds
+ * again, and when the set of participants whose consent is needed changes. A participant that is
+ * dead, has left the floor or was removed from the views is owed nothing.
  */
 public final class MutexSpec implements Monitor {
 
@@ -62,12 +63,12 @@ public final class MutexSpec implements Monitor {
   private View last = View.NONE;
   private final Set<ProcessId> listed = new TreeSet<>();
 
-  /** Safety only. */
+  /** Checks safety only. */
   public MutexSpec(String xid) {
     this(xid, null);
   }
 
-  /** Safety, and progress where there are bounds. */
+  /** Checks safety, and also progress if there are bounds. */
   public MutexSpec(String xid, @Nullable MutexBounds bounds) {
     source = MutexTrace.source(xid);
     progress =
@@ -193,12 +194,14 @@ public final class MutexSpec implements Monitor {
   }
 
   /** Earlier starts of the robot's program wait for nothing, and hold at most these sections. */
-  private void standsIn(MutexEvent.StandsIn word, long nowNs) {
+  private void standsIn(MutexEvent.StandsIn declared, long nowNs) {
     for (Requests.Request request : new ArrayList<>(requests.active())) {
-      if (request.who.robot().equals(word.who().robot()) && isOfEarlierStart(request, word)) {
+      if (request.who.robot().equals(declared.who().robot())
+          && isOfEarlierStart(request, declared)) {
         SortedSet<String> before = request.want;
         requests.shrink(
-            request, request.critical ? Sections.common(before, word.sections()) : Sections.NONE);
+            request,
+            request.critical ? Sections.common(before, declared.sections()) : Sections.NONE);
         if (progress != null) {
           progress.shrank(request, Sections.without(before, request.want), nowNs);
         }
@@ -206,8 +209,8 @@ public final class MutexSpec implements Monitor {
     }
   }
 
-  private static boolean isOfEarlierStart(Requests.Request request, MutexEvent.StandsIn word) {
-    return request.who.inc() >>> Integer.SIZE < word.who().inc() >>> Integer.SIZE;
+  private static boolean isOfEarlierStart(Requests.Request request, MutexEvent.StandsIn declared) {
+    return request.who.inc() >>> Integer.SIZE < declared.who().inc() >>> Integer.SIZE;
   }
 
   private void checkListed(Requests.Request holder, long nowNs, Report report) {

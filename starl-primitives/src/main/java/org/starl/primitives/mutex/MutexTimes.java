@@ -1,18 +1,16 @@
 package org.starl.primitives.mutex;
 
 /**
- * When a waiting process repeats itself, whom it suspects, and when it gives up. Safety depends on
- * none of it.
+ * The timeouts of a waiting request. Safety does not depend on them.
  *
- * @param resendMs from a request to its first repetition to those who have not answered
- * @param backoff factor from one such wait to the next, at least 1
- * @param maxResendMs no such wait is longer
- * @param deadlineMs a request that has no access after this time fails
- * @param suspectMs who is asked and says nothing for so long is taken for crashed; many times {@code
- *     maxResendMs}, since the price of a wrong suspicion is that the other must register anew
- * @param occupiedMs a request that everybody has granted and only a ghost stands in the way of fails
- *     after this time at the earliest: it would keep back who waits behind it, maybe the very robot
- *     whose ghost it is
+ * @param resendMs the wait before the first repetition to participants that have not answered
+ * @param backoff the factor from one wait to the next, at least 1
+ * @param maxResendMs the longest wait
+ * @param deadlineMs the time after which a request without access fails
+ * @param suspectMs the time after which a silent participant is suspected of a crash; many times
+ *     {@code maxResendMs}, because a wrongly suspected participant must register again
+ * @param occupiedMs the least time after which a request fails that waits only for a ghost; it
+ *     would delay the requests behind it, perhaps one of the ghost's own robot
  */
 public record MutexTimes(
     long resendMs,
@@ -43,12 +41,12 @@ public record MutexTimes(
     }
   }
 
-  /** The same with another deadline. */
+  /** The same times with another deadline. */
   public MutexTimes withDeadlineMs(long otherMs) {
     return new MutexTimes(resendMs, backoff, maxResendMs, otherMs, suspectMs, occupiedMs);
   }
 
-  /** The same with another time until suspicion. */
+  /** The same times with another time until suspicion. */
   public MutexTimes withSuspectMs(long otherMs) {
     return new MutexTimes(resendMs, backoff, maxResendMs, deadlineMs, otherMs, occupiedMs);
   }

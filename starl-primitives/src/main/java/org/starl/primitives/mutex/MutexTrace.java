@@ -7,6 +7,7 @@ import java.util.Optional;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import java.util.function.Function;
+import java.util.stream.Collectors;
 import org.starl.gvh.Trace;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
@@ -28,8 +29,8 @@ import org.starl.trace.TraceEvent;
  * stands_in who sections
  * </pre>
  *
- * Sections and participants are names with single spaces between them, in order; a view is as {@link
- * View#toString} writes it.
+ * Sections and participants are sorted names, separated by single spaces; a view has the format of
+ * {@link View#toString}.
  */
 public final class MutexTrace {
 
@@ -59,9 +60,9 @@ public final class MutexTrace {
   }
 
   /**
-   * Reads an event of any mutex; other events are empty.
+   * Reads an event of any mutex; empty for other events.
    *
-   * @throws IllegalArgumentException if it is a mutex's action, and its arguments are not as above
+   * @throws IllegalArgumentException if the arguments of a mutex's action are not as above
    */
   public static Optional<MutexEvent> read(TraceEvent event) {
     return event instanceof TraceEvent.Action action && isMutex(action.source())
@@ -74,7 +75,7 @@ public final class MutexTrace {
     return source.startsWith(PRIMITIVE + "/");
   }
 
-  /** Whether a mutex's action is about requests and access, and not about how they are agreed on. */
+  /** Whether a mutex's action concerns requests and access, and not the agreement protocol. */
   static boolean isOfAccess(TraceEvent.Action action) {
     return switch (action.name()) {
       case DO_MUTEX, OD_MUTEX, RELEASE, WITHDRAW, STANDS_IN -> true;
@@ -143,11 +144,7 @@ public final class MutexTrace {
   }
 
   private static String text(Collection<?> names) {
-    StringBuilder line = new StringBuilder();
-    for (Object name : names) {
-      line.append(line.length() == 0 ? "" : " ").append(name);
-    }
-    return line.toString();
+    return names.stream().map(Object::toString).collect(Collectors.joining(" "));
   }
 
   private static long number(List<String> args, int at) {

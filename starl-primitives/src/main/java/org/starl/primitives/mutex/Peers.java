@@ -1,6 +1,5 @@
 package org.starl.primitives.mutex;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -13,18 +12,18 @@ import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexMessage.Rem;
 import org.starl.primitives.mutex.MutexMessage.Req;
 
-/** What one participant remembers of the others' newest requests, and what became of them. */
+/** One participant's record of the newest requests of others, and of its answers. */
 final class Peers {
 
-  /** One other participant's newest request. */
+  /** The newest request of another participant. */
   static final class Peer {
     private long seen;
     private boolean granted;
     private boolean done;
-    // The part of what was granted that the other may still hold.
+    // The granted sections that the other may still hold.
     private SortedSet<String> open = Sections.NONE;
 
-    private void isNowAt(long num) {
+    private void begin(long num) {
       seen = num;
       granted = false;
       done = false;
@@ -39,14 +38,14 @@ final class Peers {
   private final TreeMap<ProcessId, Peer> peers = new TreeMap<>();
   private final Map<ProcessId, Req> pending = new LinkedHashMap<>();
 
-  /** Takes note of {@code req}; null if it is stale or withdrawn, and must never be answered. */
+  /** Records {@code req}; null if it is stale or withdrawn, and must not be answered. */
   @Nullable Peer hear(Req req) {
     Peer peer = peers.computeIfAbsent(req.from(), id -> new Peer());
     if (req.num() < peer.seen || (req.num() == peer.seen && peer.done)) {
       return null;
     }
     if (req.num() > peer.seen) {
-      peer.isNowAt(req.num());
+      peer.begin(req.num());
       pending.remove(req.from());
     }
     return peer;
@@ -56,7 +55,7 @@ final class Peers {
     Peer peer = peers.computeIfAbsent(rem.from(), id -> new Peer());
     boolean isOver = rem.left().isEmpty();
     if (rem.num() > peer.seen && isOver) {
-      peer.isNowAt(rem.num());
+      peer.begin(rem.num());
     }
     if (rem.num() == peer.seen) {
       peer.open = Sections.common(peer.open, rem.left());
@@ -72,19 +71,14 @@ final class Peers {
     peer.open = req.want();
   }
 
-  /** Its answer is kept back; returns whether it was before. */
-  boolean keepBack(Req req) {
+  /** Defers the answer; returns whether it was already deferred. */
+  boolean defer(Req req) {
     return req.equals(pending.put(req.from(), req));
   }
 
-  /** Takes those that are kept back no more, in the order in which they came. */
+  /** Removes and returns the deferred requests that are free now, in order of arrival. */
   List<Req> takePending(Predicate<Req> isFree) {
-    List<Req> free = new ArrayList<>();
-    for (Req req : pending.values()) {
-      if (isFree.test(req)) {
-        free.add(req);
-      }
-    }
+    List<Req> free = pending.values().stream().filter(isFree).toList();
     free.forEach(req -> pending.remove(req.from()));
     return free;
   }
@@ -97,13 +91,13 @@ final class Peers {
     return peers.get(id);
   }
 
-  /** Whether {@code id} has ever asked this participant, as far as that is remembered. */
+  /** Whether a request of {@code id} is recorded. */
   boolean hasAsked(ProcessId id) {
     Peer peer = peers.get(id);
     return peer != null && peer.seen > 0;
   }
 
-  /** The part of {@code id}'s newest request that was granted and that it may still hold. */
+  /** The granted part of {@code id}'s newest request that it may still hold. */
   SortedSet<String> open(ProcessId id) {
     Peer peer = peers.get(id);
     return peer == null ? Sections.NONE : peer.open;
@@ -114,7 +108,7 @@ final class Peers {
     pending.keySet().removeIf(gone);
   }
 
-  /** Everything that is remembered: equal texts behave alike. */
+  /** The whole record: equal texts behave alike. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder();

@@ -14,7 +14,7 @@ import java.util.TreeSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 
-/** The open requests of one mutex, as its trace tells of them. */
+/** The open requests of one mutex, read from its trace. */
 final class Requests {
 
   /** The latest request of one participant. Compared by identity. */
@@ -25,7 +25,7 @@ final class Requests {
     boolean critical;
     SortedSet<String> want = Sections.NONE;
     SortedSet<ProcessId> known = Collections.emptySortedSet();
-    // Open requests that this participant consented to, and who consented to this one.
+    // The open requests that this participant consented to, and those that consented to this one.
     final Set<Request> consentedTo = new LinkedHashSet<>();
     final Set<Request> consentedBy = new LinkedHashSet<>();
 
@@ -33,7 +33,7 @@ final class Requests {
       this.who = who;
     }
 
-    /** Waits or holds. */
+    /** Whether it waits or holds. */
     boolean isActive() {
       return !want.isEmpty();
     }
@@ -57,19 +57,19 @@ final class Requests {
 
   Request of(ProcessId who) {
     if (latest.size() >= sweepAt) {
-      // What is idle and has consented to nothing that is open is as good as new.
+      // An idle record without consents to open requests equals a new one.
       latest.values().removeIf(r -> !r.isActive() && r.consentedTo.isEmpty());
       sweepAt = Math.max(LEAST_SWEEP, 2 * latest.size());
     }
     return latest.computeIfAbsent(who, Request::new);
   }
 
-  /** All that wait or hold. */
+  /** The requests that wait or hold. */
   Collection<Request> active() {
     return Collections.unmodifiableSet(active);
   }
 
-  /** All that wait for {@code section} or hold it. */
+  /** The requests that wait for {@code section} or hold it. */
   List<Request> contendersFor(String section) {
     return new ArrayList<>(contenders.getOrDefault(section, Set.of()));
   }
@@ -87,7 +87,7 @@ final class Requests {
     request.critical = true;
   }
 
-  /** It gave something back, or, with nothing left, is over. */
+  /** Reduces a request to {@code left}; it ends if nothing is left. */
   void shrink(Request request, SortedSet<String> left) {
     wants(request, left);
     if (left.isEmpty()) {

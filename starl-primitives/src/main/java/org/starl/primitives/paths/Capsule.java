@@ -4,8 +4,8 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
 /**
- * All points within {@code radiusMm} of a line: what a disc sweeps that is driven along it. A disc if
- * the line is a point.
+ * All points within {@code radiusMm} of a segment: the area swept by a disc that moves along it. A
+ * disc if the segment is a point.
  *
  * @param radiusMm above 0
  */
@@ -18,12 +18,12 @@ public record Capsule(Segment axis, double radiusMm) {
     }
   }
 
-  /** Whether a disc lies in it for certain, up to rounding: so if it is not close to the border. */
+  /** Whether a disc lies inside, up to rounding. */
   public boolean containsDisc(Point center, double discRadiusMm) {
     return axis.distanceMm(center) + discRadiusMm <= radiusMm;
   }
 
-  /** Below 0 by how far they overlap, 0 where they touch. */
+  /** The distance between the borders: 0 where they touch, below 0 where they overlap. */
   public double distanceMm(Capsule other) {
     return axis.distanceMm(other.axis) - radiusMm - other.radiusMm;
   }

@@ -4,23 +4,24 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 
 /**
- * Plans from where a robot stands. A way may begin at any place so near that the whole body is inside
- * the disc there. It must be ready to: planners keep a little farther from everything than tubes must,
- * for the sake of rounding, so that a robot is not free for them where another one's tube leads right
- * past it, nor is that other one if it stopped there. If neither could begin elsewhere, neither would
- * ever leave.
+ * Plans from the robot's place, or from a free place near it. Planners add a margin for rounding
+ * that tubes do not have. So if another robot's tube passes close by, the planner may report the
+ * robot's place as blocked, and the other robot's place too if it stops there. Without another
+ * start point, neither robot could ever leave. The whole body must fit in the tube's disc at the
+ * start point.
  *
- * @param here where the robot is, as far as it knows
- * @param reachMm no way begins farther from there
+ * @param here the estimated position of the robot
+ * @param reachMm the largest distance from {@code here} to the start of the path
  */
 record Departure(Point here, double reachMm) {
 
-  /** Places are tried around the start, in so many directions, each time so much farther from it. */
+  /** The search tries this many directions on each circle around the start. */
   private static final int DIRECTIONS = 16;
 
-  private static final double WIDER = 1.25;
+  /** The ratio of the radius of one circle to the radius before. */
+  private static final double GROWTH = 1.25;
 
-  /** From the task's start if that is free, else from a free place about as near to it as there is. */
+  /** Plans from the task's start if it is free, otherwise from a free place close to it. */
   Plan plan(PathPlanner planner, PlanTask task) {
     Plan plan = planner.plan(task);
     if (!plan.equals(new Plan.Blocked(Plan.End.START))) {
@@ -33,7 +34,7 @@ record Departure(Point here, double reachMm) {
   private @Nullable Point freeNear(PlanTask task) {
     FreeSpace space = FloorPlan.of(task);
     double farthestMm = reachMm + here.distanceMm(task.start());
-    for (double mm = 1; mm <= farthestMm; mm = Math.max(mm + 1, mm * WIDER)) {
+    for (double mm = 1; mm <= farthestMm; mm = Math.max(mm + 1, mm * GROWTH)) {
       for (int i = 0; i < DIRECTIONS; i++) {
         double rad = 2 * StrictMath.PI * i / DIRECTIONS;
         Point there = new Point(mm * StrictMath.cos(rad), mm * StrictMath.sin(rad));

@@ -19,9 +19,9 @@ import org.starl.primitives.StarLPrimitive;
 import org.starl.random.Rng;
 
 /**
- * Brings robots to their goals in reach tubes of their own, no two of which meet (paper, sections 4
- * and 5.4); see the package for the contract. Make it at the start of the app: with the first fix the
- * robot says where it stands, and must not move before others know. Strand only.
+ * Drives robots to their goals inside reach tubes that do not overlap (paper, sections 4 and 5.4);
+ * the package documentation is the contract. Create it at the start of the app: at the first fix
+ * the robot announces its place, and it must not move before the others know it. Strand only.
  *
  * <pre>{@code
  * paths.goTo(new ItemPosition("window", 3000, 1000));
@@ -44,12 +44,12 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private final GvhCell<TubeFlag> flag;
   private final GvhCell<TubeFailure> failure;
 
-  /** Where to go; in place of a target, {@link #given} says the whole way. */
+  /** The goal of {@code goTo}; unused if {@link #given} is set. */
   private Point target = new Point(0, 0);
 
   private @Nullable Path given;
 
-  /** Counts calls of goTo: a plan that was made for an earlier one is of no use. */
+  /** Counts calls of goTo, so that a plan for an earlier call is ignored. */
   private int call;
 
   private boolean computing;
@@ -57,22 +57,22 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   private int refusals;
   private long deadlineNs;
 
-  /** The tube that was granted, until the body is inside it for certain. */
+  /** The granted tube, until the body is certainly inside it. */
   private @Nullable Tube entering;
 
   private boolean closed;
 
-  /** Among all robots that the deployment knows. */
+  /** Creates an instance among all robots of the deployment. */
   public DistributedPathPlanning(
       GlobalVarHolder gvh, String xid, PathPlanner planner, Rectangle bounds) {
     this(gvh, xid, gvh.id.participants(), planner, bounds, TubeSettings.DEFAULT);
   }
 
   /**
-   * Among a fixed group.
+   * Creates an instance among a fixed group.
    *
-   * @param participants all that move on this floor, the same on every robot; they vote
-   * @param bounds all bodies stay inside
+   * @param participants all robots that move on this floor, the same list on every robot; they vote
+   * @param bounds the floor: all bodies stay inside
    */
   public DistributedPathPlanning(
       GlobalVarHolder gvh,
@@ -98,10 +98,11 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   /**
-   * Goes to {@code goal}: finds a path whose tube keeps out of all obstacles and of the others' tubes,
-   * claims it, drives, and gives back what is behind. {@link #tubeflag} tells how it stands.
+   * Goes to {@code goal}: plans a path whose tube avoids all obstacles and the tubes of other
+   * robots, claims the tube, drives along it, and releases the passed parts. {@link #tubeflag} is
+   * the state.
    *
-   * @throws IllegalStateException while an earlier one is under way
+   * @throws IllegalStateException while an earlier call is under way
    */
   public void goTo(ItemPosition goal) {
     gvh.trace.action(source, TubeTrace.GO_TO, goal);
@@ -111,25 +112,25 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   /**
-   * Drives along {@code path}, as drawn, from where it stands: nothing is planned, and the tube is
-   * asked for again and again until the others leave it or the deadline has passed. That it keeps
-   * clear of obstacles is the caller's care.
+   * Drives along the given {@code path}, without planning. The tube is requested repeatedly until
+   * it is granted or the deadline has passed. The caller must make sure that the path avoids
+   * obstacles.
    *
-   * @throws IllegalStateException while an earlier one is under way
-   * @throws IllegalArgumentException if it does not begin where the robot stands
+   * @throws IllegalStateException while an earlier call is under way
+   * @throws IllegalArgumentException if the path does not begin at the robot's place
    */
   public void goAlong(Path path) {
     double offMm = gvh.gps.maxDistanceMm(path.start());
     if (offMm > settings.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm()) {
       throw new IllegalArgumentException(
-          "path from " + path.start() + ": expected to begin where the robot is, within its error");
+          "path from " + path.start() + ": expected to begin at the robot, within position error");
     }
     gvh.trace.action(source, TubeTrace.GO_TO, path);
     given = path;
     begin();
   }
 
-  /** Stops where it is: FAIL if something was under way. What it has not passed it goes on holding. */
+  /** Stops; FAIL if a drive was under way. The robot keeps the parts of its tube not yet passed. */
   public void stop() {
     driver.stop();
     if (isUnderWay()) {
@@ -141,7 +142,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
   }
 
-  /** Whether the latest {@code goTo} has come to no end yet. */
+  /** Whether the latest {@code goTo} has not ended yet. */
   public boolean isUnderWay() {
     return switch (flag.get()) {
       case PLANNING, CLAIMING, MOVING -> true;
@@ -157,37 +158,37 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return flag;
   }
 
-  /** Why the latest {@code goTo} came to nothing. */
+  /** Why the latest {@code goTo} failed. */
   public GvhVariable<TubeFailure> failure() {
     return failure;
   }
 
-  /** Whether the others know where this robot stands; nothing moves before they do. */
+  /** Whether the others know this robot's place; it does not move before. */
   public boolean isPlaced() {
     return claims.isPlaced();
   }
 
-  /** What this robot holds now. */
+  /** The tubes that this robot holds. */
   public List<Tube> held() {
     return claims.held();
   }
 
-  /** All parts of what others hold or want, as far as this robot knows: its ways keep out of them. */
+  /** All parts of tubes that other robots hold or want, as far as known; paths avoid them. */
   public List<Capsule> taken() {
     return claims.taken();
   }
 
-  /** Robots that have not said where they stand, as far as this one knows: everybody waits for them. */
+  /** Robots that have not announced their place, as far as known; all robots wait for them. */
   public List<RobotId> unplaced() {
     return claims.unplaced();
   }
 
-  /** How wide the tubes are: this far from the path, in mm. */
+  /** The radius of the tubes around the path, in mm. */
   public int radiusMm() {
     return radiusMm;
   }
 
-  /** How wide the tubes of a robot are that moves like that: this far from the path, in mm. */
+  /** The radius of the tubes of a robot with these motion parameters, in mm. */
   public static int radiusMm(MotionParameters motion, TubeSettings settings) {
     return Tracking.tubeRadiusMm(motion, settings);
   }
@@ -197,7 +198,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return source;
   }
 
-  /** Stops; hears and sends nothing more. What it holds stays held, as by a robot that crashed. */
+  /** Stops, and ends communication. Held tubes stay held, as after a crash. */
   @Override
   public void close() {
     stop();
@@ -220,7 +221,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     seek();
   }
 
-  /** Seeks a path, unless it cannot begin yet: it is called again when what it waits for is there. */
+  /** Plans a path if all conditions hold; called again when a condition changes. */
   private void seek() {
     boolean wanted = flag.get() == TubeFlag.PLANNING && !computing && !pausing && !closed;
     if (!wanted || !claims.isSettled() || !gvh.gps.hasFix() || !holdsOne()) {
@@ -233,10 +234,10 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     PlanTask task = task(claims.taken());
     PlanTask alone = task(List.of());
     Departure departure = departure();
-    PathPlanner with = planner;
+    PathPlanner used = planner;
     int mine = call;
     computing = true;
-    Computation<Found> plans = gvh.plat.compute(() -> Found.of(departure, with, task, alone));
+    Computation<Found> plans = gvh.plat.compute(() -> Found.of(departure, used, task, alone));
     plans.whenDone(() -> {
       computing = false;
       if (mine == call && !closed) {
@@ -248,8 +249,9 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   /**
-   * Whether there is room for one more tube. A program that crashed between a grant and the way into
-   * it starts anew with both: it gives back the one that its body is not in, once it knows.
+   * Whether the robot may claim one more tube. A program that crashed between the grant of a tube
+   * and the entry into it restarts with two tubes. It releases the one without its body, once it
+   * has a fix.
    */
   private boolean holdsOne() {
     List<Tube> held = claims.held();
@@ -257,11 +259,9 @@ public final class DistributedPathPlanning implements StarLPrimitive {
       return true;
     }
     for (Tube tube : held) {
-      for (int i = 0; i < tube.parts(); i++) {
-        if (TubeDriver.isInside(gvh, tube.part(i))) {
-          claims.keep(List.of(tube));
-          return false;
-        }
+      if (tube.capsules().stream().anyMatch(part -> TubeDriver.isInside(gvh, part))) {
+        claims.keep(List.of(tube));
+        return false;
       }
     }
     return false;
@@ -274,8 +274,8 @@ public final class DistributedPathPlanning implements StarLPrimitive {
   }
 
   /**
-   * Where a way begins: on the line of the tube that it holds, if it stands near it. That is as far
-   * from everything as a way must be, but for rounding; the robot itself stops anywhere within the
+   * The start of a path: the nearest point on the axis of a held tube, if one is near. The axis
+   * keeps the margin that a path needs, except for rounding; the robot stops anywhere within the
    * goal radius.
    */
   private Point start() {
@@ -283,18 +283,18 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     Point nearest = here;
     double nearestMm = settings.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm();
     for (Tube tube : claims.held()) {
-      for (int i = 0; i < tube.parts(); i++) {
-        Point onLine = tube.part(i).axis().nearest(here);
-        if (onLine.distanceMm(here) < nearestMm) {
-          nearest = onLine;
-          nearestMm = onLine.distanceMm(here);
+      for (Capsule part : tube.capsules()) {
+        Point onAxis = part.axis().nearest(here);
+        if (onAxis.distanceMm(here) < nearestMm) {
+          nearest = onAxis;
+          nearestMm = onAxis.distanceMm(here);
         }
       }
     }
     return nearest;
   }
 
-  /** The body is inside the disc where its way begins, once its place is known well enough. */
+  /** Limits the start point so that the body is inside the tube's disc there. */
   private Departure departure() {
     double bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     double reachMm = radiusMm - bodyMm - settings.positionErrorMm();
@@ -329,7 +329,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     pausing = true;
     flag.set(TubeFlag.PLANNING);
     long meanNs = settings.pauseNs(refusals);
-    // Between 0.5 and 1.5 of the mean: two that refuse each other do not keep in step.
+    // Between 0.5 and 1.5 of the mean, so that two robots do not refuse each other in step.
     long atNs = nowNs() + meanNs / 2 + rng.nextLong(0, meanNs);
     timer.set(Math.min(atNs, deadlineNs));
   }
@@ -347,7 +347,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
   }
 
-  /** Gives back all but the granted tube once the body is inside it for certain, and drives. */
+  /** Starts the drive once the body is certainly inside the granted tube, and releases the rest. */
   private void enter() {
     Tube tube = entering;
     if (tube == null) {
@@ -367,7 +367,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     }
   }
 
-  /** The robot has not moved: it needs nothing but what it held before. */
+  /** Releases a granted tube: the robot has not moved, so it needs only what it held before. */
   private void giveBack(Tube tube) {
     entering = null;
     List<Tube> before = new ArrayList<>(claims.held());
@@ -385,7 +385,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     return gvh.plat.clock.nowNs();
   }
 
-  /** Paths among the others' tubes, and, where there is none, on a floor without them. */
+  /** A plan around the tubes of others; if there is none, also a plan without these tubes. */
   private record Found(Plan among, Plan alone) {
     static Found of(Departure departure, PathPlanner planner, PlanTask task, PlanTask alone) {
       Plan among = departure.plan(planner, task);

@@ -3,8 +3,8 @@ package org.starl.primitives.paths;
 import java.util.Arrays;
 
 /**
- * Finds the edges near a line: squares, each with the edges that pass through it. Finds every edge
- * that has a point in common with the line, and some others.
+ * Finds the edges near a segment, with a grid of square cells that list the edges through them.
+ * Finds every edge that has a point in common with the segment, and some others.
  */
 final class EdgeGrid {
 
@@ -17,7 +17,9 @@ final class EdgeGrid {
   private final int columns;
   private final int rows;
 
-  /** Lists of edges, one a square: the head, and for each entry its edge and the next entry. */
+  /**
+   * Linked lists of edges, one per cell: the first entry; then each entry's edge and next entry.
+   */
   private final int[] head;
 
   private int[] edgeOf;
@@ -29,7 +31,7 @@ final class EdgeGrid {
 
   private int query;
 
-  // Where the query stands.
+  // The state of the current query.
   private double lineX;
   private double lineY;
   private double slope;
@@ -62,15 +64,15 @@ final class EdgeGrid {
     }
   }
 
-  /** Begins to list the edges near a line. */
+  /** Begins a query for the edges near a segment. */
   void begin(int px, int py, int qx, int qy) {
     query++;
     aim(px, py, qx, qy);
   }
 
   /**
-   * Begins to list the edges near the line from the left border to a place, given by twice its
-   * coordinates.
+   * Begins a query for the edges near the horizontal segment from the left border to a point, given
+   * by twice its coordinates.
    */
   void beginLeftOf(long x2, long y2) {
     query++;
@@ -85,7 +87,7 @@ final class EdgeGrid {
     enterRow();
   }
 
-  /** The next edge, each once, or -1. */
+  /** The next edge of the query, or -1; no edge comes twice. */
   int nextEdge() {
     while (true) {
       while (entry != NONE) {
@@ -138,7 +140,7 @@ final class EdgeGrid {
       low = Math.max(low, Math.min(atBottom, atTop));
       high = Math.min(high, Math.max(atBottom, atTop));
     }
-    // One more on either side makes up for the rounding.
+    // One mm more on either side covers rounding.
     column = columnOf(low - 1);
     lastColumn = columnOf(high + 1);
     entry = head[row * columns + column];

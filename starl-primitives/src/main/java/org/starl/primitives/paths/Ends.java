@@ -16,7 +16,7 @@ record Ends(int startX, int startY, int goalX, int goalY) {
         FreeSpace.y(task.goal()));
   }
 
-  /** With the start at the nearest free place, if it is that near; else these. */
+  /** Moves the start to the nearest free place within {@code slackMm}, if there is one. */
   Ends free(FreeSpace space, int slackMm) {
     if (space.isFree(startX, startY)) {
       return this;
@@ -34,7 +34,7 @@ record Ends(int startX, int startY, int goalX, int goalY) {
     return this;
   }
 
-  /** Which end is not free, or null. */
+  /** The end that is not free, or null. */
   Plan.@Nullable Blocked blockedIn(FreeSpace space) {
     if (!space.isFree(startX, startY)) {
       return new Plan.Blocked(Plan.End.START);

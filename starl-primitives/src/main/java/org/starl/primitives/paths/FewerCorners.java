@@ -9,18 +9,18 @@ import org.locationtech.jts.simplify.DouglasPeuckerSimplifier;
 import org.starl.geometry.Point;
 
 /**
- * Plans with more clearance than asked for, and spends it on fewer corners: another planner draws a
- * way around a wall's corner with many short chords, and a robot stops at each; a path with few
- * parts also fits one tube. Where an end has no clearance to spare, the path is the other
- * planner's. Immutable.
+ * Asks another planner for a path with extra clearance, and uses this clearance to remove corners.
+ * The other planner's path around a corner has many short chords, and a robot stops at each. A path
+ * with few parts also fits one tube. Where an end has no extra clearance, the path stays as the
+ * other planner made it. Immutable.
  *
- * <p>Leaves out points within the spare clearance of the line between those that stay (Douglas,
+ * <p>Removes points within the extra clearance of the line between the remaining ones (Douglas,
  * Peucker, "Algorithms for the reduction of the number of points required to represent a digitized
- * line", Cartographica 10(2), 1973), so the new path keeps the clearance that was asked for.
+ * line", Cartographica 10(2), 1973), so the new path keeps the requested clearance.
  */
 public final class FewerCorners implements PathPlanner {
 
-  /** More clearance than asked for, in mm. */
+  /** The extra clearance, in mm. */
   public static final double SPARE_MM = 20;
 
   private static final double ROUNDING_MM = 1;
@@ -33,17 +33,7 @@ public final class FewerCorners implements PathPlanner {
 
   @Override
   public Plan plan(PlanTask task) {
-    PlanTask wider =
-        new PlanTask(
-            task.start(),
-            task.goal(),
-            task.bounds(),
-            task.obstacles(),
-            task.taken(),
-            task.keepOut(),
-            task.bodyRadiusMm(),
-            task.clearanceMm() + SPARE_MM);
-    Plan plan = planner.plan(wider);
+    Plan plan = planner.plan(task.withClearanceMm(task.clearanceMm() + SPARE_MM));
     return switch (plan) {
       case Plan.Found found -> new Plan.Found(fewer(found.path()));
       case Plan.Blocked blocked -> planner.plan(task);

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
 import org.locationtech.jts.geom.LinearRing;
@@ -20,22 +21,22 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 
 /**
- * Makes the free space of a task: what is in the way, wider by the margin, as polygons with corners
- * on whole millimetres. JTS widens and joins; its last bits, which may differ from one JVM to the
- * next, are gone after the rounding.
+ * Computes the free space of a task: all obstacles, widened by the margin, as polygons with corners
+ * in whole mm. JTS buffers and unites them; its last bits may differ between JVMs, and the rounding
+ * removes this difference.
  */
 final class FloorPlan {
 
   private static final int QUADRANT_SEGMENTS = 8;
 
   /**
-   * JTS draws a round corner as chords, from points on the circle. With a radius larger by this factor
-   * the chords stay outside the circle that is meant.
+   * JTS approximates a round corner by chords of the circle. With a radius larger by this factor
+   * the chords stay outside the intended circle.
    */
   private static final double CHORD_FACTOR =
       1 / StrictMath.cos(StrictMath.PI / (4 * QUADRANT_SEGMENTS));
 
-  /** Rounding of the input, of the corners, and what lines move when they are noded on the grid. */
+  /** Covers the rounding of input and corners, and the shift of lines noded on the grid. */
   private static final double ROUNDING_MM = 2.5;
 
   private static final double FRAME_MM = 10;
@@ -53,18 +54,19 @@ final class FloorPlan {
     for (Obstacle obstacle : task.obstacles().all()) {
       plan.add(obstacle, bodies, solid);
     }
-    // Bodies side by side, as in a grid map, are one before they are widened: that saves most work.
+    // Adjacent bodies, as in a grid map, are united before they are widened: this saves most work.
     solid.add(plan.union(bodies));
     Geometry known = plan.widen(solid, task.marginMm());
     List<Geometry> more = new ArrayList<>();
     for (Capsule capsule : task.taken()) {
-      more.add(plan.widen(List.of(plan.line(capsule.axis())), marginMm(task, capsule)));
+      Geometry axis = axis(capsule.axis(), plan.factory);
+      more.add(plan.widen(List.of(axis), task.marginMm() + capsule.radiusMm()));
     }
     for (org.starl.geometry.Polygon place : task.keepOut()) {
-      more.add(plan.asItIs(place));
+      more.add(valid(plan.factory.createPolygon(outline(place.vertices(), true))));
     }
     more.add(plan.frame(task));
-    // What is known is large, the others are small and many: joined first, they meet it but once.
+    // The many small parts are united first, so that the large one is processed only once.
     Geometry whole = OverlayNG.overlay(known, plan.union(more), OverlayNG.UNION, WHOLE_MM);
     whole.normalize();
     List<int[][]> rings = new ArrayList<>();
@@ -79,13 +81,9 @@ final class FloorPlan {
     return new FreeSpace(rings, task.bounds(), task.marginMm());
   }
 
-  /** Joined, with all corners on whole millimetres. */
+  /** The union, with all corners in whole mm. */
   private Geometry union(List<Geometry> parts) {
     return UnaryUnionNG.union(factory.buildGeometry(parts), WHOLE_MM);
-  }
-
-  private static double marginMm(PlanTask task, Capsule taken) {
-    return task.marginMm() + taken.radiusMm();
   }
 
   private Geometry widen(List<Geometry> solid, double marginMm) {
@@ -95,36 +93,34 @@ final class FloorPlan {
     return BufferOp.bufferOp(factory.buildGeometry(solid), distanceMm, parameters);
   }
 
-  // The border goes with an outline that crosses itself: all of it is kept away from.
+  // An outline that crosses itself is also added as a line, so that paths avoid all of it.
   private void add(Obstacle obstacle, List<Geometry> bodies, List<Geometry> lines) {
-    List<Point> points = obstacle.points();
-    int count = points.size();
-    Coordinate[] outline = new Coordinate[obstacle.closed() ? count + 1 : count];
-    for (int i = 0; i < outline.length; i++) {
-      outline[i] = coordinate(points.get(i % count));
-    }
+    Coordinate[] outline = outline(obstacle.points(), obstacle.closed());
     Polygon body = obstacle.closed() ? factory.createPolygon(outline) : factory.createPolygon();
     if (!body.isEmpty()) {
-      bodies.add(body.isValid() ? body : GeometryFixer.fix(body));
+      bodies.add(valid(body));
     }
     if (!body.isValid() || !obstacle.closed()) {
       lines.add(factory.createLineString(outline));
     }
   }
 
-  private Geometry asItIs(org.starl.geometry.Polygon place) {
-    List<Point> points = place.vertices();
-    Coordinate[] outline = new Coordinate[points.size() + 1];
+  private static Coordinate[] outline(List<Point> points, boolean closed) {
+    int count = points.size();
+    Coordinate[] outline = new Coordinate[closed ? count + 1 : count];
     for (int i = 0; i < outline.length; i++) {
-      outline[i] = coordinate(points.get(i % points.size()));
+      outline[i] = coordinate(points.get(i % count));
     }
-    Polygon body = factory.createPolygon(outline);
+    return outline;
+  }
+
+  private static Geometry valid(Polygon body) {
     return body.isValid() ? body : GeometryFixer.fix(body);
   }
 
   /**
-   * All that is off the floor, as a thin frame around it: what reaches it is one body with it, so that
-   * each room of the free space is one hole.
+   * A thin frame around the floor. Obstacles at the border unite with it, so that each connected
+   * part of the free space is a hole of a polygon.
    */
   private Geometry frame(PlanTask task) {
     Rectangle inner = FreeSpace.inner(task.bounds(), task.marginMm());
@@ -135,23 +131,15 @@ final class FloorPlan {
   }
 
   private LinearRing ring(Rectangle inner, double outwardsMm) {
-    double xMin = inner.xMinMm() - outwardsMm;
-    double yMin = inner.yMinMm() - outwardsMm;
-    double xMax = inner.xMaxMm() + outwardsMm;
-    double yMax = inner.yMaxMm() + outwardsMm;
-    return factory.createLinearRing(
-        new Coordinate[] {
-          new Coordinate(xMin, yMin),
-          new Coordinate(xMax, yMin),
-          new Coordinate(xMax, yMax),
-          new Coordinate(xMin, yMax),
-          new Coordinate(xMin, yMin)
-        });
+    Envelope box = new Envelope(inner.xMinMm(), inner.xMaxMm(), inner.yMinMm(), inner.yMaxMm());
+    box.expandBy(outwardsMm);
+    return ((Polygon) factory.toGeometry(box)).getExteriorRing();
   }
 
-  private Geometry line(Segment axis) {
-    Coordinate from = coordinate(axis.from());
-    Coordinate to = coordinate(axis.to());
+  /** A segment with its ends in whole mm; a point if they are equal. */
+  static Geometry axis(Segment segment, GeometryFactory factory) {
+    Coordinate from = coordinate(segment.from());
+    Coordinate to = coordinate(segment.to());
     return from.equals2D(to)
         ? factory.createPoint(from)
         : factory.createLineString(new Coordinate[] {from, to});
@@ -168,7 +156,7 @@ final class FloorPlan {
     }
   }
 
-  /** The corners, x and y, in the sense that has the solid side to the left. */
+  /** The corners, x and y, in the order that has the solid side on the left. */
   private static int[][] ring(LinearRing ring, boolean shell) {
     Coordinate[] corners = ring.getCoordinates();
     int count = corners.length - 1;

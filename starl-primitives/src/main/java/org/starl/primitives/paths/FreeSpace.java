@@ -6,12 +6,13 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
 /**
- * Where the centre of a body may be: a rectangle without the insides of polygons; their borders are
- * free. All corners are whole millimetres, and every answer is exact. Serves one plan at a time.
+ * The points where the centre of a body may be: a rectangle without the interiors of polygons;
+ * their borders are free. All corners are in whole mm, and every answer is exact. Not for
+ * concurrent use.
  */
 final class FreeSpace {
 
-  /** Corners, each with its neighbours along its ring. */
+  /** The corners, each with its neighbours on its ring. */
   private final int[] x;
 
   private final int[] y;
@@ -23,10 +24,10 @@ final class FreeSpace {
   private final int yMin;
   private final int xMax;
   private final int yMax;
-  private final Touches touches = new Touches();
+  private final TouchedCorners touches = new TouchedCorners();
 
   /**
-   * @param rings x and y of their corners, the solid side to the left; may touch, not cross
+   * @param rings x and y of their corners, the solid side on the left; may touch, but not cross
    */
   FreeSpace(List<int[][]> rings, Rectangle bounds, double marginMm) {
     int count = 0;
@@ -64,7 +65,7 @@ final class FreeSpace {
     return whole(StrictMath.floor(mm - marginMm));
   }
 
-  /** Where centres may be in {@code bounds}; null if it is too narrow for more than a line. */
+  /** The bounds of the centre; null if they have no area. */
   static @Nullable Rectangle inner(Rectangle bounds, double marginMm) {
     int left = low(bounds.xMinMm(), marginMm);
     int bottom = low(bounds.yMinMm(), marginMm);
@@ -73,12 +74,12 @@ final class FreeSpace {
     return left < right && bottom < top ? new Rectangle(left, bottom, right, top) : null;
   }
 
-  /** The room that a free place lies in, or {@link Rooms#NONE}: no way leads from one to another. */
+  /** The room of a free point, or {@link Rooms#NONE}; no path connects two rooms. */
   int room(int px, int py) {
     return rooms.at(px, py);
   }
 
-  /** Whether a room reaches one of these sides of the bounds; so may the place of no known room. */
+  /** Whether a room may reach one of these sides of the bounds; true if the room is unknown. */
   boolean reachesSide(int room, boolean left, boolean bottom, boolean right, boolean top) {
     return room == Rooms.NONE
         || (left && rooms.xMin(room) <= xMin)
@@ -132,7 +133,7 @@ final class FreeSpace {
     return yMax;
   }
 
-  /** Whether a body may stand there. */
+  /** Whether the centre of a body may be there. */
   boolean isFree(int px, int py) {
     return isInBounds(px, py) && !isSolid(2L * px, 2L * py);
   }
@@ -141,7 +142,7 @@ final class FreeSpace {
     return xMin <= px && px <= xMax && yMin <= py && py <= yMax;
   }
 
-  /** Whether a shortest path may turn at this corner: the solid side has less than half a turn. */
+  /** Whether a shortest path may turn at this corner: the solid angle is below 180 degrees. */
   boolean sticksOut(int corner) {
     int before = previous[corner];
     int after = next[corner];
@@ -150,8 +151,8 @@ final class FreeSpace {
   }
 
   /**
-   * Whether the line from (px, py) passes the corner without entering the solid side there: all a
-   * shortest path does.
+   * Whether the line from (px, py) passes the corner without entering the solid side. A shortest
+   * path has only such lines.
    */
   boolean isTangent(int px, int py, int corner) {
     int a = side(px, py, corner, previous[corner]);
@@ -163,7 +164,7 @@ final class FreeSpace {
     return Long.signum(orientation(px, py, x[corner], y[corner], x[other], y[other]));
   }
 
-  /** Whether a body may go straight from one free place to the other. */
+  /** Whether the straight line between two free points is free. */
   boolean sees(int px, int py, int qx, int qy) {
     touches.begin(px, py);
     grid.begin(px, py, qx, qy);
@@ -172,7 +173,7 @@ final class FreeSpace {
         return false;
       }
     }
-    // Between two places where it touches the border, all of the line is solid or none.
+    // Between two touched corners the line is either all solid or all free.
     touches.end(qx, qy);
     for (int i = 1; i < touches.size(); i++) {
       if (isSolid((long) touches.x(i - 1) + touches.x(i), (long) touches.y(i - 1) + touches.y(i))) {
@@ -197,14 +198,15 @@ final class FreeSpace {
     return sideP * sideQ < 0;
   }
 
-  private static boolean isBetween(int ax, int ay, int px, int py, int qx, int qy) {
+  /** Whether a lies in the bounding box of p and q. */
+  static boolean isBetween(long ax, long ay, long px, long py, long qx, long qy) {
     return Math.min(px, qx) <= ax
         && ax <= Math.max(px, qx)
         && Math.min(py, qy) <= ay
         && ay <= Math.max(py, qy);
   }
 
-  /** Whether a place, given by twice its coordinates, is inside a polygon and not on its border. */
+  /** Whether a point, given by twice its coordinates, is inside a polygon and not on its border. */
   private boolean isSolid(long x2, long y2) {
     boolean inside = false;
     grid.beginLeftOf(x2, y2);
@@ -215,14 +217,10 @@ final class FreeSpace {
       long bx = 2L * x[b];
       long by = 2L * y[b];
       long turn = (bx - ax) * (y2 - ay) - (by - ay) * (x2 - ax);
-      if (turn == 0
-          && Math.min(ax, bx) <= x2
-          && x2 <= Math.max(ax, bx)
-          && Math.min(ay, by) <= y2
-          && y2 <= Math.max(ay, by)) {
+      if (turn == 0 && isBetween(x2, y2, ax, ay, bx, by)) {
         return false;
       }
-      // A ray to the left crosses the edge: it is to the left of the place.
+      // The ray from the point to the left crosses the edge.
       if ((ay > y2) != (by > y2) && (turn < 0) == (by > ay)) {
         inside = !inside;
       }
@@ -230,7 +228,7 @@ final class FreeSpace {
     return inside;
   }
 
-  /** Above 0 if c is to the left of the line from a to b, 0 on it; exact. */
+  /** Above 0 if c is left of the line from a to b, 0 if on it; exact. */
   private static long orientation(int ax, int ay, int bx, int by, int cx, int cy) {
     return ((long) bx - ax) * ((long) cy - ay) - ((long) by - ay) * ((long) cx - ax);
   }

@@ -4,17 +4,17 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * All that one robot has to say of its tubes.
+ * The tubes of one robot.
  *
- * @param version grows with every change; a restarted robot goes on above its older ones
- * @param held what it may occupy
- * @param wanted what it asks for beside that; one tube or none
+ * @param version grows with every change, also over a restart
+ * @param held the tubes that it may occupy
+ * @param wanted the tube that it requests in addition, or none
  */
 record Holding(long version, List<Tube> held, List<Tube> wanted) {
 
   static final Holding NONE = new Holding(0, List.of(), List.of());
 
-  /** In each list, at most. */
+  /** The largest number of held tubes. */
   static final int MAX_TUBES = 2;
 
   Holding {
@@ -32,7 +32,7 @@ record Holding(long version, List<Tube> held, List<Tube> wanted) {
     return all;
   }
 
-  /** The same as a later incarnation says it: above all versions of earlier ones. */
+  /** The state after a restart: without wanted tubes, and newer than all earlier versions. */
   Holding inBoot(int boot) {
     return new Holding((long) boot << Integer.SIZE, held, List.of());
   }

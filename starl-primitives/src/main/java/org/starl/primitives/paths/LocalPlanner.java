@@ -10,12 +10,11 @@ import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
 
 /**
- * As {@link OptimalPlanner}, but looks no farther than it must: first at the floor around both ends,
- * then at more and more of it. For large floors. The path that it finds is the shortest one of the
- * part that it looked at, not always of the whole floor; {@code NoPath} is proven for the whole floor:
- * either by looking at all of it, or because one end lies in a room that is closed all round within
- * the part. A part is drawn on whole millimetres of its own: where less than 3 mm decide whether a
- * body fits, one of the two planners may find a way, and the other none.
+ * Like {@link OptimalPlanner}, but for large floors: it searches a window around start and goal
+ * first, and then larger windows. The path is the shortest in its window, not always on the whole
+ * floor. {@code NoPath} is proven for the whole floor: the window is the whole floor, or one end is
+ * in a room that is closed within the window. Each window is rounded to whole mm separately: where
+ * less than 3 mm decide whether a body fits, only one of the two planners may find a path.
  */
 public final class LocalPlanner implements PathPlanner {
 
@@ -29,7 +28,7 @@ public final class LocalPlanner implements PathPlanner {
   }
 
   /**
-   * @param firstReachMm the first part reaches so far beyond the ends, and twice the margin
+   * @param firstReachMm the first window extends this far beyond the ends, plus twice the margin
    */
   public LocalPlanner(double firstReachMm) {
     this.firstReachMm = firstReachMm;
@@ -41,9 +40,9 @@ public final class LocalPlanner implements PathPlanner {
   }
 
   /**
-   * For a body that is a little nearer to something than it should be: the way begins at the nearest
-   * free place, if there is one within {@code slackMm} of the start, as its first point says. The body
-   * has to get there, by the straight line, at its own risk.
+   * Plans for a body that is slightly too close to an obstacle: the path begins at the nearest free
+   * place within {@code slackMm} of the start, if there is one. The straight line from the start to
+   * the path's first point is not checked.
    */
   public Plan planFromNear(PlanTask task, int slackMm) {
     double reachMm = firstReachMm + 2 * task.marginMm();
@@ -57,7 +56,7 @@ public final class LocalPlanner implements PathPlanner {
     }
   }
 
-  /** The answer, if this part of the floor has it. */
+  /** The answer, or null if it needs a larger window. */
   private static @Nullable Plan within(Rectangle window, PlanTask task, int slackMm) {
     boolean isWhole = window.equals(task.bounds());
     FreeSpace space = FloorPlan.of(isWhole ? task : part(window, task));
@@ -79,7 +78,7 @@ public final class LocalPlanner implements PathPlanner {
     return OptimalPlanner.search(space, ends) instanceof Plan.Found found ? found : null;
   }
 
-  /** Whether a room ends before all sides of the part behind which there is more floor. */
+  /** Whether a room does not reach the sides of the window that are inside the floor. */
   private static boolean isClosed(FreeSpace space, int room, Rectangle part, PlanTask task) {
     Rectangle all = task.bounds();
     return !space.reachesSide(
@@ -90,7 +89,7 @@ public final class LocalPlanner implements PathPlanner {
         part.yMaxMm() < all.yMaxMm());
   }
 
-  /** Around both ends, on the floor; an end that is off it is Blocked anyway. */
+  /** The window around both ends, within the floor; an end outside the floor is Blocked anyway. */
   private static Rectangle window(PlanTask task, double reachMm) {
     Rectangle all = task.bounds();
     Point a = task.start();
@@ -102,7 +101,7 @@ public final class LocalPlanner implements PathPlanner {
     return xMin < xMax && yMin < yMax ? new Rectangle(xMin, yMin, xMax, yMax) : all;
   }
 
-  /** With all that is in the way in the part, and as little else as can be told at a glance. */
+  /** The task in the window, without obstacles whose bounding boxes are far from it. */
   private static PlanTask part(Rectangle window, PlanTask task) {
     double marginMm = 2 * task.marginMm();
     List<Obstacle> obstacles = new ArrayList<>();
@@ -135,7 +134,7 @@ public final class LocalPlanner implements PathPlanner {
         task.clearanceMm());
   }
 
-  /** Whether the box around the points comes so near. */
+  /** Whether the bounding box of the points is within {@code rangeMm} of the window. */
   private static boolean isNear(Rectangle window, List<Point> points, double rangeMm) {
     boolean left = true;
     boolean right = true;

@@ -8,14 +8,14 @@ import java.util.PriorityQueue;
 import org.starl.geometry.Point;
 
 /**
- * Finds a shortest path, or proves that there is none: A* over the visibility graph of the widened
+ * Finds a shortest path, or proves that there is none: A* on the visibility graph of the widened
  * obstacles (Lozano-Perez, Wesley, "An algorithm for planning collision-free paths among polyhedral
- * obstacles", CACM 22(10), 1979). A shortest path turns only at corners that stick out, and passes
- * each on a tangent.
+ * obstacles", CACM 22(10), 1979). A shortest path turns only at convex corners, and passes each on
+ * a tangent.
  *
- * <p>Shortest among the paths that stay out of the widened obstacles as polygons: their round corners
- * are drawn with eight chords a quarter, outside, and everything lies on whole millimetres. So the
- * true shortest path is shorter by 2.5 mm of margin and half a per cent of it, at most.
+ * <p>The path is shortest among those outside the widened obstacles, which are polygons in whole mm
+ * with eight outer chords for each quarter of a round corner. So its margin is larger than the
+ * requested one by at most 2.5 mm and half a per cent.
  */
 public final class OptimalPlanner implements PathPlanner {
 
@@ -27,14 +27,14 @@ public final class OptimalPlanner implements PathPlanner {
     return blocked != null ? blocked : search(space, ends);
   }
 
-  /** Between two free ends. */
+  /** Searches a path between two free ends. */
   static Plan search(FreeSpace space, Ends ends) {
     int startRoom = space.room(ends.startX(), ends.startY());
     boolean isCutOff = startRoom != space.room(ends.goalX(), ends.goalY());
     return isCutOff ? new Plan.NoPath() : new Search(space, ends).run();
   }
 
-  /** An edge that nobody has looked along yet: the line is tested when its turn has come. */
+  /** An edge of the graph that is not tested yet: it is tested when it leaves the queue. */
   private record Candidate(double estimateMm, double lengthMm, int node, int parent)
       implements Comparable<Candidate> {
 
@@ -59,7 +59,7 @@ public final class OptimalPlanner implements PathPlanner {
     private final int[] x;
     private final int[] y;
 
-    /** Of each node from {@link #FIRST_CORNER} on, the corner of the free space that it is. */
+    /** The corner of the free space of each node from {@link #FIRST_CORNER} on. */
     private final int[] corner;
 
     private final int[] parent;
@@ -140,7 +140,7 @@ public final class OptimalPlanner implements PathPlanner {
       points.add(new Point(x[GOAL], y[GOAL]));
       for (int node = parent[GOAL]; node != NONE; node = parent[node]) {
         Point point = new Point(x[node], y[node]);
-        // An end may lie on a corner, which then is a node of its own.
+        // An end on a corner and the corner are two nodes.
         if (node == START || !point.equals(points.get(points.size() - 1))) {
           points.add(point);
         }

@@ -5,9 +5,9 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
 /**
- * The straight lines from each point to the next, in mm.
+ * A path of straight legs, in mm.
  *
- * @param points at least two, the start first; whole millimetres if a planner made them
+ * @param points at least two, the start first; in whole mm if a planner made the path
  */
 public record Path(List<Point> points) {
 
@@ -24,12 +24,12 @@ public record Path(List<Point> points) {
     }
   }
 
-  /** How many lines it has. */
+  /** The number of legs. */
   public int legs() {
     return points.size() - 1;
   }
 
-  /** Line number {@code i}, from 0. */
+  /** Leg number {@code i}, from 0. */
   public Segment leg(int i) {
     return new Segment(points.get(i), points.get(i + 1));
   }

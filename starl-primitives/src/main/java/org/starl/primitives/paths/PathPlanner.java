@@ -1,8 +1,8 @@
 package org.starl.primitives.paths;
 
 /**
- * Finds a way for a body over a floor with obstacles. Immutable and free of state: equal tasks give
- * equal plans, and any thread may ask. Planning takes long; an app asks off its strand:
+ * Plans a path for a body on a floor with obstacles. Stateless and thread-safe: equal tasks give
+ * equal plans. Planning takes long, so an app runs it outside its strand:
  *
  * <pre>{@code
  * PlanTask task = PlanTask.of(gvh, goal, bounds, clearanceMm);
@@ -12,6 +12,6 @@ package org.starl.primitives.paths;
  */
 public interface PathPlanner {
 
-  /** A path, or why there is none. */
+  /** Plans a path, or says why there is none. */
   Plan plan(PlanTask task);
 }

@@ -1,21 +1,21 @@
 package org.starl.primitives.paths;
 
-/** What a planner has to say. */
+/** The result of a planner. */
 public sealed interface Plan {
 
-  /** There is a path, and this is one. */
+  /** A path. */
   record Found(Path path) implements Plan {}
 
-  /** Proven: there is no path. */
+  /** A proof that there is no path. */
   record NoPath() implements Plan {}
 
-  /** None was found within the planner's limit; there may be one. */
+  /** The planner found no path within its limit; there may be one. */
   record GaveUp(int iterations) implements Plan {}
 
-  /** One end of the way is not free: off the floor, in an obstacle, or too near to one. */
+  /** One end is not free: outside the floor, in an obstacle, or too close to one. */
   record Blocked(End end) implements Plan {}
 
-  /** An end of the way. */
+  /** An end of the path. */
   enum End {
     START,
     GOAL

@@ -8,14 +8,15 @@ import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
 
 /**
- * What to plan, an immutable snapshot. Millimetres; ends are taken to the nearest whole ones.
+ * A planning problem, as an immutable snapshot. All lengths are in mm; start and goal are rounded
+ * to whole mm.
  *
- * @param bounds the body stays inside
- * @param obstacles stand all the time that the way takes
- * @param taken regions of others to keep out of, as if they were obstacles
- * @param keepOut where the body's centre may not be, as it is: not widened; its border is free
- * @param bodyRadiusMm the body is a disc of this radius, above 0
- * @param clearanceMm the body keeps at least this far from everything, at least 0
+ * @param bounds the floor: the body stays inside
+ * @param obstacles they must not move while the path is driven
+ * @param taken areas of other robots, to avoid like obstacles
+ * @param keepOut areas that the body's centre must not enter; not widened, their borders are free
+ * @param bodyRadiusMm the radius of the body, a disc; above 0
+ * @param clearanceMm the least distance from the body to anything else, at least 0
  */
 public record PlanTask(
     Point start,
@@ -27,7 +28,7 @@ public record PlanTask(
     double bodyRadiusMm,
     double clearanceMm) {
 
-  /** No coordinate is farther from 0, in mm: sums and products of them stay exact. */
+  /** The largest absolute coordinate, in mm, so that sums and products stay exact. */
   public static final int MAX_MM = 1 << 27;
 
   public PlanTask {
@@ -36,15 +37,8 @@ public record PlanTask(
     boolean sizes = bodyRadiusMm > 0 && clearanceMm >= 0 && bodyRadiusMm + clearanceMm <= MAX_MM;
     if (!sizes || !start.isFinite() || !goal.isFinite()) {
       throw new IllegalArgumentException(
-          "plan from "
-              + start
-              + " to "
-              + goal
-              + ", body "
-              + bodyRadiusMm
-              + " mm, clearance "
-              + clearanceMm
-              + " mm: expected numbers, the body above 0");
+          "plan from %s to %s, body %s mm, clearance %s mm: expected numbers, the body above 0"
+              .formatted(start, goal, bodyRadiusMm, clearanceMm));
     }
     if (bounds.xMinMm() < -MAX_MM
         || bounds.yMinMm() < -MAX_MM
@@ -54,7 +48,7 @@ public record PlanTask(
     }
   }
 
-  /** With nowhere that only the centre keeps out of. */
+  /** Creates a task without {@code keepOut} areas. */
   public PlanTask(
       Point start,
       Point goal,
@@ -66,7 +60,7 @@ public record PlanTask(
     this(start, goal, bounds, obstacles, taken, List.of(), bodyRadiusMm, clearanceMm);
   }
 
-  /** From where a robot believes to be, around what it believes to be in the way. */
+  /** Creates a task from a robot's estimated position and its known obstacles. */
   public static PlanTask of(GlobalVarHolder gvh, Point goal, Rectangle bounds, double clearanceMm) {
     return new PlanTask(
         gvh.gps.pose().at(),
@@ -78,12 +72,18 @@ public record PlanTask(
         clearanceMm);
   }
 
-  /** The same from another place. */
+  /** The same task with another start. */
   PlanTask from(Point newStart) {
-    return new PlanTask(newStart, goal, bounds, obstacles, taken, bodyRadiusMm, clearanceMm);
+    return new PlanTask(
+        newStart, goal, bounds, obstacles, taken, keepOut, bodyRadiusMm, clearanceMm);
   }
 
-  /** How far the path, a line, stays from everything. */
+  /** The same task with another clearance. */
+  PlanTask withClearanceMm(double newMm) {
+    return new PlanTask(start, goal, bounds, obstacles, taken, keepOut, bodyRadiusMm, newMm);
+  }
+
+  /** The least distance from the path, a line, to anything else. */
   double marginMm() {
     return bodyRadiusMm + clearanceMm;
   }

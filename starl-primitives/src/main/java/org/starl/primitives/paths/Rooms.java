@@ -4,9 +4,9 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * The rooms of a free space: the holes of what is solid. Two places of different rooms have no way
- * between them, wider than a line; so the search for one, which would look at every corner in reach,
- * is spared.
+ * The rooms of a free space: the holes in the solid area. No path connects points in different
+ * rooms, except along a line without width. This answer saves a search through all reachable
+ * corners.
  */
 final class Rooms {
 
@@ -17,7 +17,7 @@ final class Rooms {
   private final List<Double> areas = new ArrayList<>();
 
   /**
-   * @param rings x and y of their corners, the solid side to the left: holes run clockwise
+   * @param rings x and y of their corners, the solid side on the left: holes run clockwise
    */
   Rooms(List<int[][]> rings) {
     for (int[][] ring : rings) {
@@ -30,7 +30,7 @@ final class Rooms {
     }
   }
 
-  /** The least hole around a place, its border included. */
+  /** The smallest hole that contains a point, its border included. */
   int at(int px, int py) {
     int best = NONE;
     for (int i = 0; i < holes.size(); i++) {
@@ -89,13 +89,7 @@ final class Rooms {
     for (int i = 0; i < x.length; i++) {
       long side =
           ((long) x[i] - x[j]) * ((long) py - y[j]) - ((long) y[i] - y[j]) * ((long) px - x[j]);
-      boolean isOnLine =
-          side == 0
-              && Math.min(x[i], x[j]) <= px
-              && px <= Math.max(x[i], x[j])
-              && Math.min(y[i], y[j]) <= py
-              && py <= Math.max(y[i], y[j]);
-      if (isOnLine) {
+      if (side == 0 && FreeSpace.isBetween(px, py, x[i], y[i], x[j], y[j])) {
         return true;
       }
       if ((y[j] > py) != (y[i] > py) && (side > 0) == (y[i] > y[j])) {

@@ -7,12 +7,12 @@ import org.starl.geometry.Point;
 import org.starl.random.Rng;
 
 /**
- * Finds a path by a tree that grows at random, as the original StarL's planner does (LaValle,
- * "Rapidly-exploring random trees: a new tool for path planning", 1998), and makes it shorter by
- * shortcuts. Fast on large floors; not shortest, and no proof where it finds nothing: {@link
+ * Finds a path with a rapidly-exploring random tree, as the original StarL's planner does (LaValle,
+ * "Rapidly-exploring random trees: a new tool for path planning", 1998), and shortens it by
+ * shortcuts. Fast on large floors. The path is not the shortest, and failure is no proof: {@link
  * Plan.GaveUp}.
  *
- * <p>Its generator depends on the seed alone: equal tasks give equal plans.
+ * <p>Its random generator depends on the seed alone: equal tasks give equal plans.
  */
 public final class RrtPlanner implements PathPlanner {
 
@@ -32,7 +32,7 @@ public final class RrtPlanner implements PathPlanner {
     return blocked != null ? blocked : new Tree(space, ends).grow();
   }
 
-  /** Grows from the start; each node but the first has a parent, which it sees. */
+  /** A tree rooted at the start; the line from each node to its parent is free. */
   private final class Tree {
     private final FreeSpace space;
     private final Ends ends;

@@ -1,12 +1,12 @@
 package org.starl.primitives.paths;
 
 /**
- * How a {@link RrtPlanner} searches.
+ * The settings of a {@link RrtPlanner}.
  *
- * @param maxIterations random places that it tries at most, above 0
- * @param stepMm no branch of its tree is longer, above 0
- * @param goalBias with this probability the goal is tried in place of a random place
- * @param shortcuts random shortcuts that it tries on the path that it has found, at least 0
+ * @param maxIterations the largest number of random points to try, above 0
+ * @param stepMm the largest length of a branch of the tree, at least 1
+ * @param goalBias the probability to try the goal instead of a random point
+ * @param shortcuts the number of random shortcuts to try on the path, at least 0
  */
 public record RrtSettings(int maxIterations, double stepMm, double goalBias, int shortcuts) {
 
@@ -18,14 +18,8 @@ public record RrtSettings(int maxIterations, double stepMm, double goalBias, int
         || !(goalBias >= 0 && goalBias <= 1)
         || shortcuts < 0) {
       throw new IllegalArgumentException(
-          maxIterations
-              + " iterations, step "
-              + stepMm
-              + " mm, goal bias "
-              + goalBias
-              + ", "
-              + shortcuts
-              + " shortcuts: expected at least 1, 1, 0 to 1, 0");
+          "%s iterations, step %s mm, goal bias %s, %s shortcuts: expected at least 1, 1, 0 to 1, 0"
+              .formatted(maxIterations, stepMm, goalBias, shortcuts));
     }
   }
 }

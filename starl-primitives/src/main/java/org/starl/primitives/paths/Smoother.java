@@ -5,7 +5,7 @@ import java.util.List;
 import org.starl.geometry.Point;
 import org.starl.random.Rng;
 
-/** Makes a path shorter, leg by leg; it never becomes longer, and stays in the free space. */
+/** Shortens a path within the free space. */
 final class Smoother {
 
   private final FreeSpace space;
@@ -16,7 +16,7 @@ final class Smoother {
     this.rng = rng;
   }
 
-  /** Leaves out needless points, then cuts corners at random places, then leaves out again. */
+  /** Removes needless points, then cuts corners at random points, then removes points again. */
   List<Point> smooth(List<Point> points, int shortcuts) {
     List<Point> path = withoutDetours(points);
     for (int i = 0; i < shortcuts && path.size() > 2; i++) {
@@ -25,7 +25,7 @@ final class Smoother {
     return withoutDetours(path);
   }
 
-  /** From each point straight on to the last one that it sees. */
+  /** Connects each point directly to the last visible one. */
   private List<Point> withoutDetours(List<Point> points) {
     List<Point> kept = new ArrayList<>();
     int at = 0;
@@ -41,14 +41,14 @@ final class Smoother {
     return kept;
   }
 
-  /** Goes straight from a place on one leg to a place on the next, if that is free. */
+  /** Connects a random point of one leg with a random point of the next, if this line is free. */
   private List<Point> cutCorner(List<Point> path) {
     int corner = 1 + rng.nextInt(path.size() - 2);
     Point from = between(path.get(corner), path.get(corner - 1), rng.nextDouble());
     Point to = between(path.get(corner), path.get(corner + 1), rng.nextDouble());
     Point before = path.get(corner - 1);
     Point after = path.get(corner + 1);
-    // Places on a leg are rounded, so each of the three new legs is looked along.
+    // Points on a leg are rounded, so each of the three new legs must be checked.
     if (!isFree(from)
         || !isFree(to)
         || !sees(before, from)

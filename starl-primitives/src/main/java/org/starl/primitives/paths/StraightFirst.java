@@ -4,12 +4,12 @@ import java.util.List;
 import org.starl.geometry.Segment;
 
 /**
- * Takes the straight way where it is free, without a plan of the floor, which costs much more; else
- * asks another planner. For robots whose ways are mostly straight. Immutable.
+ * Uses the straight line if it is free, without the costly free space; otherwise asks another
+ * planner. For tasks that mostly have straight paths. Immutable.
  */
 public final class StraightFirst implements PathPlanner {
 
-  /** More clearance than asked for, since ends are rounded to whole mm. */
+  /** Extra clearance for the rounding of the ends to whole mm. */
   static final double ROUNDING_MM = 2;
 
   private final PathPlanner planner;
@@ -32,7 +32,7 @@ public final class StraightFirst implements PathPlanner {
         && task.taken().stream()
             .allMatch(other -> way.distanceMm(other.axis()) >= other.radiusMm() + marginMm)
         && task.obstacles().all().stream()
-            // Of a solid one, the way might begin inside, away from all sides.
+            // In a solid obstacle, the line might be far from all sides.
             .allMatch(obstacle ->
                 obstacle.distanceMm(way.from()) >= marginMm
                     && obstacle.sides().stream()

@@ -13,7 +13,7 @@ import org.starl.geometry.Region;
 import org.starl.geometry.Segment;
 import org.starl.geometry.Union;
 
-/** How wide a tube must be for a robot that follows its line, and how it is kept inside. */
+/** Computes tubes for a robot with tracking errors, and the walls that keep it inside. */
 final class Tracking {
 
   private static final int QUADRANT_SEGMENTS = 8;
@@ -24,10 +24,11 @@ final class Tracking {
   private Tracking() {}
 
   /**
-   * The body's radius; the position's error; the distance from a leg's start that counts as there;
-   * how far it strays on the leg; and what it drives from one step to the next. A robot that heads
-   * for the leg's end off by the angle a at most runs inside a logarithmic spiral, which leaves the
-   * straight line of length L by no more than {@code L sin(a) exp(-a / tan(a))}.
+   * The sum of the body's radius, the position error, the goal radius at the leg's start, the
+   * deviation from the leg, and the distance driven in one control step. A robot whose heading
+   * differs from the direction of the leg's end by at most the angle a stays inside a logarithmic
+   * spiral. The spiral deviates from a straight leg of length L by at most {@code L sin(a) exp(-a /
+   * tan(a))}.
    */
   static int tubeRadiusMm(MotionParameters p, TubeSettings settings) {
     double offRad =
@@ -40,28 +41,22 @@ final class Tracking {
     double stepMm = p.linSpeedMaxMmPerS() * aheadS;
     double sumMm =
         p.robotRadiusMm() + settings.positionErrorMm() + p.goalRadiusMm() + strayMm + stepMm;
-    // The wall is made of chords of the circle, which lie inside.
+    // The wall consists of chords, which lie inside the circle.
     double chordFactor = StrictMath.cos(StrictMath.PI / (4 * QUADRANT_SEGMENTS));
     return (int) StrictMath.ceil((sumMm + ROUNDING_MM) / chordFactor);
   }
 
-  /** Motion along a tube: straight at each next point, which an arc would not be. */
+  /** Motion parameters for driving along a tube: straight to each point, without arcs. */
   static MotionParameters straight(MotionParameters p) {
     return p.toBuilder().enableArcing(false).stopAtDestination(true).build();
   }
 
   /**
-   * The border of a part as a region to avoid. A body that starts inside and never touches it stays
-   * inside: that is what {@code do_move(t, A)} is for.
+   * The border of a part, as the region to avoid of {@code do_move(t, A)}. A body that starts
+   * inside and never touches it stays inside.
    */
   static Region wall(Capsule part) {
-    GeometryFactory factory = new GeometryFactory();
-    Coordinate from = coordinate(part.axis().from());
-    Coordinate to = coordinate(part.axis().to());
-    Geometry axis =
-        from.equals2D(to)
-            ? factory.createPoint(from)
-            : factory.createLineString(new Coordinate[] {from, to});
+    Geometry axis = FloorPlan.axis(part.axis(), new GeometryFactory());
     Point inside = part.axis().from();
     List<Point> outline = new ArrayList<>();
     for (Coordinate corner : axis.buffer(part.radiusMm(), QUADRANT_SEGMENTS).getCoordinates()) {
@@ -77,7 +72,7 @@ final class Tracking {
     return new Union(wall);
   }
 
-  /** A triangle on the far side of a chord of a convex outline. */
+  /** A triangle on the outer side of a chord of a convex outline. */
   private static Region brick(Point a, Point b, Point inside) {
     Point along = b.minus(a);
     Point normal = new Point(-along.yMm(), along.xMm()).times(WALL_MM / along.normMm());
@@ -86,11 +81,7 @@ final class Tracking {
     return Polygon.of(a, b, a.plus(along.times(0.5)).plus(outwards));
   }
 
-  private static Coordinate coordinate(Point point) {
-    return new Coordinate(point.xMm(), point.yMm());
-  }
-
-  /** A tube along {@code path}, its legs cut; null if that takes too many parts. */
+  /** A tube along {@code path} with legs of at most {@code maxLegMm}; null if it has too many. */
   static @Nullable Tube tube(Path path, int radiusMm, int maxLegMm) {
     List<Point> points = new ArrayList<>();
     points.add(Tube.rounded(path.start()));

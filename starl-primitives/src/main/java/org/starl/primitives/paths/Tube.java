@@ -2,22 +2,25 @@ package org.starl.primitives.paths;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
 /**
- * A reach tube: all places within {@code radiusMm} of a line, part by part; where the body of a robot
- * may be that follows the line. One point alone is a disc, where a robot stands.
+ * A reach tube: all points within {@code radiusMm} of a path. It contains the body of a robot that
+ * follows the path. It has one part for each leg; a single point gives a disc, for a standing
+ * robot.
  *
  * @param points 1 to {@link #MAX_POINTS}, in whole millimetres within {@link PlanTask#MAX_MM}
  * @param radiusMm above 0
  */
 public record Tube(List<Point> points, int radiusMm) {
 
-  /** So that what a robot holds and what it asks for fit one datagram. */
+  /** With this limit, all tubes of a robot fit one datagram. */
   public static final int MAX_POINTS = 32;
 
-  /** Nearer than this counts as touching: far above any rounding of a distance. */
+  /** Tubes closer than this touch; far above the rounding error of a distance. */
   private static final double TOUCH_MM = 1;
 
   public Tube {
@@ -28,13 +31,8 @@ public record Tube(List<Point> points, int radiusMm) {
     }
     if (!valid || radiusMm > PlanTask.MAX_MM) {
       throw new IllegalArgumentException(
-          "tube of "
-              + points.size()
-              + " points, radius "
-              + radiusMm
-              + " mm: expected 1 to "
-              + MAX_POINTS
-              + " in whole mm, radius above 0");
+          "tube of %s points, radius %s mm: expected 1 to %s in whole mm, radius above 0"
+              .formatted(points.size(), radiusMm, MAX_POINTS));
     }
   }
 
@@ -50,7 +48,7 @@ public record Tube(List<Point> points, int radiusMm) {
     return new Point(FreeSpace.x(point), FreeSpace.y(point));
   }
 
-  /** How many parts it has: legs, or the one disc. */
+  /** The number of parts: the legs, or one disc. */
   public int parts() {
     return Math.max(1, points.size() - 1);
   }
@@ -61,20 +59,26 @@ public record Tube(List<Point> points, int radiusMm) {
     return new Capsule(new Segment(points.get(i), points.get(to)), radiusMm);
   }
 
+  /** All parts, in order. */
+  List<Capsule> capsules() {
+    return IntStream.range(0, parts()).mapToObj(this::part).toList();
+  }
+
   public Point end() {
     return points.get(points.size() - 1);
   }
 
-  /** The tube without its first {@code passed} parts; where all are passed, the disc at its end. */
+  /** The tube without its first {@code passed} parts; the disc at its end if no part is left. */
   public Tube from(int passed) {
     return new Tube(points.subList(Math.min(passed, points.size() - 1), points.size()), radiusMm);
   }
 
-  /** Whether the two have a place in common, or all but. */
+  /** Whether the two overlap or touch. */
   public boolean meets(Tube other) {
-    for (int i = 0; i < parts(); i++) {
-      for (int j = 0; j < other.parts(); j++) {
-        if (part(i).distanceMm(other.part(j)) < TOUCH_MM) {
+    List<Capsule> others = other.capsules();
+    for (Capsule part : capsules()) {
+      for (Capsule otherPart : others) {
+        if (part.distanceMm(otherPart) < TOUCH_MM) {
           return true;
         }
       }
@@ -84,26 +88,14 @@ public record Tube(List<Point> points, int radiusMm) {
 
   /** Whether a disc lies in one of its parts. */
   public boolean containsDisc(Point center, double discRadiusMm) {
-    for (int i = 0; i < parts(); i++) {
-      if (part(i).containsDisc(center, discRadiusMm)) {
-        return true;
-      }
-    }
-    return false;
+    return capsules().stream().anyMatch(part -> part.containsDisc(center, discRadiusMm));
   }
 
   static boolean meet(List<Tube> some, List<Tube> others) {
-    for (Tube tube : some) {
-      for (Tube other : others) {
-        if (tube.meets(other)) {
-          return true;
-        }
-      }
-    }
-    return false;
+    return some.stream().anyMatch(tube -> others.stream().anyMatch(tube::meets));
   }
 
-  /** {@code 350@500,1500>900,1500}: radius, then the points. */
+  /** The radius and the points, as in {@code 350@500,1500>900,1500}. */
   @Override
   public String toString() {
     StringBuilder text = new StringBuilder().append(radiusMm);
@@ -115,19 +107,15 @@ public record Tube(List<Point> points, int radiusMm) {
     return text.toString();
   }
 
-  /** Several, with {@code ;} between them; the empty text for none. */
+  /** The tubes, joined by {@code ;}. */
   static String text(List<Tube> tubes) {
-    List<String> texts = new ArrayList<>();
-    for (Tube tube : tubes) {
-      texts.add(tube.toString());
-    }
-    return String.join(";", texts);
+    return tubes.stream().map(Tube::toString).collect(Collectors.joining(";"));
   }
 
   /**
-   * Reads the value of the variable {@code held} in a trace.
+   * Parses the value of the variable {@code held} in a trace.
    *
-   * @throws IllegalArgumentException if {@code text} is nothing of the kind
+   * @throws IllegalArgumentException if {@code text} is not a list of tubes
    */
   public static List<Tube> parse(String text) {
     List<Tube> tubes = new ArrayList<>();

@@ -8,9 +8,9 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 
 /**
- * One robot's claims: tells everybody what it holds and wants, version by version, and holds what a
- * majority has consented to. Repeats its latest word to whoever has not answered it. Pure and
- * clock-driven: {@link #timer} is due at {@link #wakeAtNs}.
+ * The claims of one robot: sends its held and wanted tubes to all robots, and holds a wanted tube
+ * when a majority has consented. Repeats the latest version to robots that have not answered. Pure
+ * and clock-driven: {@link #timer} is due at {@link #wakeAtNs}.
  */
 final class TubeClaimant {
 
@@ -24,22 +24,22 @@ final class TubeClaimant {
   private long wakeAtNs = Long.MAX_VALUE;
   private long resendNs;
 
-  /** Where a claimant's effects go. */
+  /** The effects of a claimant. */
   interface Out {
 
-    /** Sends, best effort; to this robot itself as well. */
+    /** Sends, best effort, also to this robot itself. */
     void send(RobotId to, TubeMessage message);
 
-    /** What it wanted is its own. */
+    /** The wanted tube is held now. */
     void granted(Tube tube);
 
-    /** What it wanted will not be its own: a majority cannot consent any more. It wants it no more. */
+    /** The request is withdrawn, because a majority cannot consent any more. */
     void refused();
   }
 
   /**
-   * @param needed how many consents make a claim: more than half of the participants
-   * @param start what it holds, from before a restart; versions go on above its version
+   * @param needed the consents that grant a claim: more than half of the participants
+   * @param start the tubes held since before a restart; later versions have higher numbers
    */
   TubeClaimant(
       Participants participants, int needed, TubeSettings settings, Holding start, Out out) {
@@ -62,23 +62,23 @@ final class TubeClaimant {
     return wakeAtNs;
   }
 
-  /** Asks for {@code tube} beside what it holds. */
+  /** Requests {@code tube} in addition to the held ones. */
   void ask(Tube tube, long nowNs) {
     if (isAsking()) {
-      throw new IllegalStateException("asks for " + holding.wanted() + " already");
+      throw new IllegalStateException("a request for " + holding.wanted() + " is open");
     }
-    say(holding.held(), List.of(tube), nowNs);
+    update(holding.held(), List.of(tube), nowNs);
   }
 
-  /** Holds no more than {@code rest}, which is part of what it holds. */
+  /** Releases all but {@code rest}, which must be part of the held tubes. */
   void keep(List<Tube> rest, long nowNs) {
-    say(rest, holding.wanted(), nowNs);
+    update(rest, holding.wanted(), nowNs);
   }
 
-  /** Wants nothing any more. */
+  /** Cancels the request, if there is one. */
   void withdraw(long nowNs) {
     if (isAsking()) {
-      say(holding.held(), List.of(), nowNs);
+      update(holding.held(), List.of(), nowNs);
     }
   }
 
@@ -92,7 +92,7 @@ final class TubeClaimant {
       Tube tube = holding.wanted().get(0);
       List<Tube> held = new ArrayList<>(holding.held());
       held.add(tube);
-      say(held, List.of(), nowNs);
+      update(held, List.of(), nowNs);
       out.granted(tube);
     }
   }
@@ -112,25 +112,25 @@ final class TubeClaimant {
     if (nowNs < wakeAtNs) {
       return;
     }
-    tell();
+    sendToUnanswered();
     resendNs = Math.min(resendNs + resendNs / 2, settings.maxResendNs());
     wakeAtNs = isAnswered() ? Long.MAX_VALUE : nowNs + resendNs;
   }
 
-  private void say(List<Tube> held, List<Tube> wanted, long nowNs) {
+  private void update(List<Tube> held, List<Tube> wanted, long nowNs) {
     holding = new Holding(holding.version() + 1, held, wanted);
     votes.clear();
     refusals.clear();
     resendNs = settings.resendNs();
     wakeAtNs = nowNs + resendNs;
-    tell();
+    sendToUnanswered();
   }
 
-  private void tell() {
-    TubeMessage word = new TubeMessage.Ask(holding);
+  private void sendToUnanswered() {
+    TubeMessage message = new TubeMessage.Ask(holding);
     for (RobotId robot : participants) {
       if (!votes.contains(robot) && !refusals.contains(robot)) {
-        out.send(robot, word);
+        out.send(robot, message);
       }
     }
   }

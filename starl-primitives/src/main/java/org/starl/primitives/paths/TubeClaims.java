@@ -1,8 +1,6 @@
 package org.starl.primitives.paths;
 
-import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -15,8 +13,8 @@ import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 
 /**
- * What a robot holds, and its vote: {@link TubeClaimant} and {@link TubeVoter} on its gvh. With the
- * first fix it claims the disc where it stands. Strand only.
+ * Connects the {@link TubeClaimant} and the {@link TubeVoter} of a robot to its gvh. At the first
+ * fix it claims the disc at the robot's place. Strand only.
  */
 final class TubeClaims {
 
@@ -28,28 +26,28 @@ final class TubeClaims {
   private final TubeVoter voter;
   private final TubeClaimant claimant;
   private final Endpoint<TubeMessage> endpoint;
-  private final GvhCell<Holdings> held;
+  private final GvhCell<TubeList> held;
   private final Timer timer;
 
-  /** What refusals have told of others; they may know more than this robot's own notes. */
-  private final SortedMap<RobotId, Holding> heard = new TreeMap<>();
+  /** The tubes of others as reported in refusals; they may be newer than this robot's notes. */
+  private final SortedMap<RobotId, Holding> reported = new TreeMap<>();
 
-  /** Where this robot asks to stand, until that is granted. */
+  /** The disc at this robot's place, until it is granted. */
   private @Nullable Tube standing;
 
   private long placeAgainNs;
   private int writes;
   private boolean closed;
 
-  /** Takes what becomes of claims; each in a piece of its own. */
+  /** Receives the outcomes of claims; each call is in a separate step of the strand. */
   interface Listener {
 
-    /** The claim is granted, and would survive a restart. */
+    /** The claim is granted and stored, so that it survives a restart. */
     void granted(Tube tube);
 
     void refused();
 
-    /** The others know where this robot stands, and nothing of what it holds is being written. */
+    /** The others know this robot's place, and no write to stable storage is pending. */
     void settled();
   }
 
@@ -82,7 +80,7 @@ final class TubeClaims {
             settings,
             start.inBoot(gvh.id.boot()),
             new ClaimantWiring());
-    held = gvh.variable(channel.name(), TubeTrace.HELD, new Holdings(start.held()));
+    held = gvh.variable(channel.name(), TubeTrace.HELD, new TubeList(start.held()));
     timer = gvh.plat.timers.timer(this::expired);
     endpoint = gvh.comms.open(channel, this::received);
     gvh.gps.onFix(this::place);
@@ -96,7 +94,7 @@ final class TubeClaims {
     return !claimant.holding().held().isEmpty();
   }
 
-  /** Whether a new claim may begin: the robot is placed, and nothing is being written. */
+  /** Whether a new claim may begin: the robot is placed, and no write or request is pending. */
   boolean isSettled() {
     return isPlaced() && writes == 0 && !claimant.isAsking();
   }
@@ -109,24 +107,14 @@ final class TubeClaims {
     return voter.unplaced();
   }
 
-  /** All parts of all that others hold or want, as far as this robot has heard. */
+  /** All parts of tubes that others hold or want, as far as this robot knows. */
   List<Capsule> taken() {
     SortedMap<RobotId, Holding> latest = voter.others(gvh.id.name());
-    for (Map.Entry<RobotId, Holding> entry : heard.entrySet()) {
-      Holding noted = latest.get(entry.getKey());
-      if (noted == null || noted.version() < entry.getValue().version()) {
-        latest.put(entry.getKey(), entry.getValue());
-      }
-    }
-    List<Capsule> taken = new ArrayList<>();
-    for (Holding holding : latest.values()) {
-      for (Tube tube : holding.all()) {
-        for (int i = 0; i < tube.parts(); i++) {
-          taken.add(tube.part(i));
-        }
-      }
-    }
-    return taken;
+    reported.forEach((robot, holding) -> latest.merge(robot, holding, TubeClaims::newer));
+    return latest.values().stream()
+        .flatMap(holding -> holding.all().stream())
+        .flatMap(tube -> tube.capsules().stream())
+        .toList();
   }
 
   void ask(Tube tube) {
@@ -134,7 +122,7 @@ final class TubeClaims {
     rearm();
   }
 
-  /** Wants no tube any more; where it stands it asks for all the same, until it has it. */
+  /** Cancels a request for a tube, but not the first one, for the disc at the robot's place. */
   void withdraw() {
     if (standing == null) {
       claimant.withdraw(nowNs());
@@ -143,15 +131,15 @@ final class TubeClaims {
   }
 
   /**
-   * Gives back all but {@code rest}. It is written before it is said: a robot that restarted must not
-   * believe that it holds what others have by then.
+   * Releases all but {@code rest}. The change is stored before it is sent: after a restart, a robot
+   * must not believe that it holds tubes that others hold by then.
    */
   void keep(List<Tube> rest) {
     write(
         new Holding(0, rest, List.of()),
         () -> {
           claimant.keep(rest, nowNs());
-          held.set(new Holdings(rest));
+          held.set(new TubeList(rest));
           rearm();
         });
   }
@@ -169,7 +157,7 @@ final class TubeClaims {
     if (standing == null) {
       standing = Tube.disc(gvh.gps.pose().at(), radiusMm);
     }
-    // Written before it is said: a restarted robot asks for the same place.
+    // Stored before it is sent, so that a restarted robot asks for the same place.
     Tube disc = standing;
     placeAgainNs = Long.MAX_VALUE;
     write(new Holding(0, List.of(), List.of(disc)), () -> ask(disc));
@@ -183,15 +171,11 @@ final class TubeClaims {
           if (!closed) {
             writes--;
             then.run();
-            tellIfSettled();
+            if (isSettled()) {
+              listener.settled();
+            }
           }
         });
-  }
-
-  private void tellIfSettled() {
-    if (isSettled()) {
-      listener.settled();
-    }
   }
 
   private void received(RobotId from, TubeMessage message) {
@@ -200,7 +184,7 @@ final class TubeClaims {
       case TubeMessage.Vote m -> claimant.voted(from, m.version(), nowNs());
       case TubeMessage.Refuse m -> {
         if (m.theirs().version() > 0) {
-          heard.merge(m.who(), m.theirs(), TubeClaims::newer);
+          reported.merge(m.who(), m.theirs(), TubeClaims::newer);
         }
         claimant.refused(from, m.version(), nowNs());
       }
@@ -258,7 +242,7 @@ final class TubeClaims {
     @Override
     public void granted(Tube tube) {
       Holding now = claimant.holding();
-      held.set(new Holdings(now.held()));
+      held.set(new TubeList(now.held()));
       boolean first = tube.equals(standing);
       standing = null;
       write(
@@ -273,7 +257,7 @@ final class TubeClaims {
     @Override
     public void refused() {
       if (standing != null) {
-        // Two robots were put down too near to each other; somebody may take the other one away.
+        // Two robots stand too close together; a person may move one of them.
         placeAgainNs = nowNs() + settings.maxResendNs();
       } else {
         listener.refused();

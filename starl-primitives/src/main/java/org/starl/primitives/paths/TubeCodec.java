@@ -9,7 +9,7 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 import org.starl.geometry.Point;
 
-/** The bytes of {@link TubeMessage}, as {@code docs/wire-format.md} has them. */
+/** Encodes {@link TubeMessage} as in {@code docs/wire-format.md}. */
 final class TubeCodec implements Codec<TubeMessage> {
 
   private static final int ASK = 1;
@@ -48,7 +48,7 @@ final class TubeCodec implements Codec<TubeMessage> {
     };
   }
 
-  /** A holding by itself, for stable storage. */
+  /** Encodes a holding and a flag for stable storage. */
   static byte[] toBytes(Holding holding, boolean flag) {
     byte[] buffer = new byte[MAX_BYTES];
     WireWriter out = new WireWriter(buffer);

@@ -1,5 +1,7 @@
 package org.starl.primitives.paths;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
@@ -9,12 +11,11 @@ import org.starl.motion.MotionFlag;
 import org.starl.platform.Timer;
 
 /**
- * Drives a robot along a tube, part by part, each with the part's border as the region to avoid. A
- * part is passed when the whole body is inside the next one for certain. Strand only.
+ * Drives a robot along a tube, part by part; the border of the current part is the region to avoid.
+ * A part is passed when the whole body is certainly inside the next one. Strand only.
  */
 final class TubeDriver {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final long LOOK_NS = 50 * NS_PER_MS;
 
   private final GlobalVarHolder gvh;
@@ -25,16 +26,16 @@ final class TubeDriver {
   private long doneNs;
   private boolean driving;
 
-  /** Takes what becomes of a drive. */
+  /** Receives the progress of a drive. */
   interface Listener {
 
-    /** The body is inside {@code rest}, without the first {@code parts} parts, and goes on there. */
+    /** The body has passed {@code parts} parts, and goes on inside {@code rest}. */
     void passed(int parts, Tube rest);
 
-    /** The body stands inside the disc at the tube's end. */
+    /** The robot stands inside the disc at the tube's end. */
     void arrived(Tube end);
 
-    /** The wheels are stopped, somewhere in the tube. */
+    /** The robot has stopped inside the tube, before its end. */
     void stopped(String why);
   }
 
@@ -92,9 +93,9 @@ final class TubeDriver {
     doneNs = Math.min(doneNs, nowNs);
     Tube rest = tube().from(part + 1);
     if (!isInside(gvh, rest.part(0))) {
-      // It stands, so its error shrinks with the next fix.
+      // The robot stands, so its position error shrinks with the next fix.
       if (nowNs - doneNs > gvh.plat.moat.parameters().failFixAgeMs() * NS_PER_MS) {
-        fail("its place is not known well enough");
+        fail("the position is too uncertain");
       } else {
         lookAgain();
       }
@@ -115,7 +116,7 @@ final class TubeDriver {
 
   private Tube tube() {
     if (tube == null) {
-      throw new IllegalStateException("drives no tube");
+      throw new IllegalStateException("no tube to drive along");
     }
     return tube;
   }

@@ -1,15 +1,15 @@
 package org.starl.primitives.paths;
 
-/** Why a {@code goTo} came to nothing. */
+/** Why a {@code goTo} failed. */
 public enum TubeFailure {
   NONE,
-  /** There is no path even on an empty floor, or the planner found none. */
+  /** The planner found no path, even without the tubes of other robots. */
   NO_PATH,
   /** The path has too many parts for one tube. */
   TOO_LONG,
-  /** Until the deadline there was no free path, or no majority consented. */
+  /** No path was free, or no majority consented, before the deadline. */
   DEADLINE,
-  /** The motion failed, or something else drove the robot. */
+  /** The motion failed, or another command moved the robot. */
   MOTION,
   /** The app called {@code stop}. */
   STOPPED

@@ -1,17 +1,17 @@
 package org.starl.primitives.paths;
 
-/** How the latest {@code goTo} stands. */
+/** The state of the latest {@code goTo}. */
 public enum TubeFlag {
-  /** None was called yet, or it was stopped. */
+  /** There was no call yet. */
   IDLE,
-  /** A path is sought; or there is none at present, and it will be sought again. */
+  /** Planning a path, or waiting to plan again. */
   PLANNING,
-  /** The others are asked for the tube. */
+  /** Requesting the tube from the others. */
   CLAIMING,
-  /** On the way, inside the tube. */
+  /** Driving inside the tube. */
   MOVING,
-  /** At the goal; the robot holds the disc where it stands. */
+  /** At the goal; the robot holds the disc at its place. */
   DONE,
-  /** It came to nothing; the robot stands, and holds what it has not passed of its tube. */
+  /** Failed; the robot stands, and keeps the parts of its tube that it has not passed. */
   FAIL
 }

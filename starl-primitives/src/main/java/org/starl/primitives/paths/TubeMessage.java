@@ -2,13 +2,13 @@ package org.starl.primitives.paths;
 
 import org.starl.id.RobotId;
 
-/** What is said about tubes. All are idempotent: each may be lost, late, doubled and reordered. */
+/** Messages about tubes. All are idempotent: they may be lost, late, duplicated and reordered. */
 sealed interface TubeMessage {
 
-  /** The sender's version that this is about, or answers. */
+  /** The version of the holding that the message contains or answers. */
   long version();
 
-  /** This is what I hold and want; forget what I said in older versions. */
+  /** The sender's tubes; replaces older versions. */
   record Ask(Holding holding) implements TubeMessage {
     @Override
     public long version() {
@@ -16,13 +16,14 @@ sealed interface TubeMessage {
     }
   }
 
-  /** I have noted it, and what you want meets nothing that I know of. */
+  /** The sender has stored the holding; its wanted tube meets no tube that the sender knows. */
   record Vote(long version) implements TubeMessage {}
 
   /**
-   * I have noted what you hold, not what you want: it meets what {@code who} holds or wants.
+   * The sender has noted the held tubes only: the wanted one meets a tube that {@code who} holds or
+   * wants.
    *
-   * @param theirs {@link Holding#NONE} if {@code who} has not said yet where it stands
+   * @param theirs the tubes of {@code who}; {@link Holding#NONE} if its place is not known yet
    */
   record Refuse(long version, RobotId who, Holding theirs) implements TubeMessage {}
 }

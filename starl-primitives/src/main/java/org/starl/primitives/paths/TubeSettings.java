@@ -1,16 +1,18 @@
 package org.starl.primitives.paths;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 /**
- * How a {@link DistributedPathPlanning} goes about it.
+ * The settings of a {@link DistributedPathPlanning}.
  *
- * @param positionErrorMm while it drives along its tube a robot knows its position to within this;
- *     where it does not, it stands and waits
- * @param maxLegMm no part of a tube is longer; shorter ones are given back sooner
- * @param deadlineMs what is not under way by then has failed
- * @param resendMs wait for a first answer, about two message delays
- * @param maxResendMs no wait for an answer is longer; waits grow by half each time
- * @param pauseMs mean pause after a first refusal; it doubles with each further one
- * @param maxPauseMs no mean pause is longer
+ * @param positionErrorMm the largest position error in a tube; with a larger one the robot waits
+ * @param maxLegMm the largest length of a tube's part; shorter parts are released sooner
+ * @param deadlineMs a {@code goTo} that is not moving after this time fails
+ * @param resendMs the first wait for an answer, about two message delays; it grows by half each
+ *     time
+ * @param maxResendMs the longest wait for an answer
+ * @param pauseMs the mean pause after the first refusal; it doubles with each further one
+ * @param maxPauseMs the longest mean pause
  */
 public record TubeSettings(
     int positionErrorMm,
@@ -24,8 +26,6 @@ public record TubeSettings(
   public static final TubeSettings DEFAULT =
       new TubeSettings(60, 1_000, 60_000, 200, 2_000, 200, 2_000);
 
-  private static final long NS_PER_MS = 1_000_000;
-
   public TubeSettings {
     boolean valid =
         positionErrorMm >= 0
@@ -37,7 +37,7 @@ public record TubeSettings(
             && maxPauseMs >= pauseMs;
     if (!valid) {
       throw new IllegalArgumentException(
-          "tube settings: expected times above 0, and no bound below its first wait");
+          "tube settings: expected lengths and times above 0, and no maximum below its first wait");
     }
   }
 

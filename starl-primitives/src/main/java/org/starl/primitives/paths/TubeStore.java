@@ -4,7 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.StableStorage;
 
-/** What one robot must remember of an instance over a restart, in stable storage. */
+/** The stable storage of one robot for one instance. */
 final class TubeStore {
 
   private final StableStorage stable;
@@ -15,7 +15,7 @@ final class TubeStore {
     this.prefix = source + ".";
   }
 
-  /** What this robot holds and, before its first grant, where it asked to stand; null if nothing. */
+  /** The held tubes and, before the first grant, the disc at the robot's place; null if none. */
   @Nullable Holding own() {
     byte[] stored = stable.get(prefix + "own");
     return stored == null ? null : TubeCodec.holding(stored);

@@ -1,6 +1,6 @@
 package org.starl.primitives.paths;
 
-/** The names under which tubes stand in the trace; what {@link TubesSpec} reads. */
+/** The names of tubes in the trace; {@link TubesSpec} reads them. */
 final class TubeTrace {
 
   static final String PRIMITIVE = "tubes";

@@ -10,8 +10,8 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 
 /**
- * One robot's vote: notes what everybody holds and wants, and consents to nothing that meets a note.
- * What it consents to is noted, on stable storage, before it says so. Pure.
+ * The votes of one robot: notes the tubes of all robots, and consents to a wanted tube only if it
+ * meets no noted one. It stores each consent on stable storage before it sends it. Pure.
  */
 class TubeVoter {
 
@@ -19,16 +19,16 @@ class TubeVoter {
   private final Out out;
   private final SortedMap<RobotId, Note> notes = new TreeMap<>();
 
-  /** What a robot has said last. {@code voted}: this voter has consented to what it wants. */
+  /** The latest tubes of a robot. {@code voted}: this voter has consented to the wanted tube. */
   record Note(Holding holding, boolean voted) {}
 
-  /** Where a voter's effects go. */
+  /** The effects of a voter. */
   interface Out {
 
     /** Sends, best effort. */
     void send(RobotId to, TubeMessage message);
 
-    /** Writes the note, and sends {@code answer} once it would survive a crash. */
+    /** Stores the note, and then sends {@code answer}. */
     void persist(RobotId about, Note note, TubeMessage answer);
   }
 
@@ -37,7 +37,7 @@ class TubeVoter {
     this.out = out;
   }
 
-  /** Remembers what was persisted before a restart. */
+  /** Restores a note that was stored before a restart. */
   void restore(RobotId about, Note note) {
     notes.put(about, note);
   }
@@ -49,25 +49,25 @@ class TubeVoter {
       return;
     }
     boolean again = before != null && before.voted() && before.holding().equals(holding);
-    RobotId inTheWay = again ? null : inTheWay(from, holding);
-    if (inTheWay == null) {
+    RobotId conflicting = again ? null : conflicting(from, holding);
+    if (conflicting == null) {
       Note note = new Note(holding, true);
       notes.put(from, note);
       out.persist(from, note, new TubeMessage.Vote(holding.version()));
     } else {
       notes.put(from, new Note(holding.withoutWanted(), false));
-      Note theirs = notes.get(inTheWay);
+      Note theirs = notes.get(conflicting);
       Holding known = theirs == null ? Holding.NONE : theirs.holding();
-      out.send(from, new TubeMessage.Refuse(holding.version(), inTheWay, known));
+      out.send(from, new TubeMessage.Refuse(holding.version(), conflicting, known));
     }
   }
 
-  /** Whose tubes the wanted ones meet, or who has not said where it stands; null if nobody. */
-  @Nullable RobotId inTheWay(RobotId from, Holding holding) {
+  /** A robot whose tubes meet the wanted ones, or whose place is not known; null if none. */
+  @Nullable RobotId conflicting(RobotId from, Holding holding) {
     if (holding.wanted().isEmpty()) {
       return null;
     }
-    // The first thing that a robot asks for is the place where it stands.
+    // A robot's first request is for the disc at its place.
     boolean moves = !holding.held().isEmpty();
     for (RobotId other : participants) {
       if (other.equals(from)) {
@@ -81,13 +81,13 @@ class TubeVoter {
     return null;
   }
 
-  /** All that {@code robot} holds or wants, as far as noted. */
+  /** The tubes that {@code robot} holds or wants, as noted. */
   List<Tube> tubesOf(RobotId robot) {
     Note note = notes.get(robot);
     return note == null ? List.of() : note.holding().all();
   }
 
-  /** The latest word of each robot but {@code me}. */
+  /** The latest holding of each robot except {@code me}. */
   SortedMap<RobotId, Holding> others(RobotId me) {
     SortedMap<RobotId, Holding> others = new TreeMap<>();
     for (Map.Entry<RobotId, Note> note : notes.entrySet()) {

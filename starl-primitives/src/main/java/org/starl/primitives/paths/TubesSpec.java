@@ -18,14 +18,14 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What every {@link DistributedPathPlanning} of a run owes.
+ * The specification of every {@link DistributedPathPlanning} in a run.
  *
  * <ul>
- *   <li>{@code Tubes}: what two robots hold in one instance does not meet. A robot that crashed goes
- *       on holding what it held.
- *   <li>{@code Inside}: the true body of a robot that holds anything lies in one part of it, whole.
- *       Bodies are looked at every 10 ms of movement.
- *   <li>{@code Told}: every {@code goTo} is DONE or has failed within the bound, unless its robot
+ *   <li>{@code Tubes}: tubes held by two robots in one instance do not meet. A crashed robot keeps
+ *       its tubes.
+ *   <li>{@code Inside}: the true body of a robot that holds tubes lies wholly in one part of a
+ *       tube. Checked every 10 ms of movement.
+ *   <li>{@code Told}: every {@code goTo} is DONE or FAIL within the bound, unless its robot
  *       crashes.
  * </ul>
  */
@@ -44,10 +44,10 @@ public final class TubesSpec implements Monitor {
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> outside = new TreeSet<>();
   private final Deadlines tasks;
-  private long nextLookNs;
+  private long nextCheckNs;
 
   /**
-   * @param boundNs the settings' deadline, and the longest drive
+   * @param boundNs the settings' deadline plus the longest drive
    */
   public TubesSpec(long boundNs) {
     tasks =
@@ -64,7 +64,7 @@ public final class TubesSpec implements Monitor {
   public String description(String lemma) {
     return switch (lemma) {
       case TUBES -> "No two robots hold tubes that meet.";
-      case INSIDE -> "A robot's body lies wholly within what it holds.";
+      case INSIDE -> "A robot's body lies wholly within a tube that it holds.";
       case TOLD -> "Every drive ends, done or failed, within the bound.";
       default -> "";
     };
@@ -73,7 +73,7 @@ public final class TubesSpec implements Monitor {
   @Override
   public void observe(TraceEvent event, Report report) {
     tasks.expire(event.timeNs(), report);
-    lookUntil(event.timeNs(), report);
+    checkInsideUntil(event.timeNs(), report);
     bodies.observe(event);
     switch (event) {
       case Variable variable -> {
@@ -91,9 +91,9 @@ public final class TubesSpec implements Monitor {
           held.keySet().forEach(source -> tasks.stop(new ProcessKey(source, fault.robot())));
         }
       }
-      case TraceEvent.Moved moved -> lookAt(moved.timeNs(), report);
+      case TraceEvent.Moved moved -> checkInsideAt(moved.timeNs(), report);
       default -> {
-        // Nothing else says anything of tubes.
+        // Not checked here.
       }
     }
   }
@@ -101,8 +101,8 @@ public final class TubesSpec implements Monitor {
   @Override
   public void finish(long endNs, Report report) {
     tasks.expire(endNs, report);
-    lookUntil(endNs, report);
-    lookAt(endNs, report);
+    checkInsideUntil(endNs, report);
+    checkInsideAt(endNs, report);
   }
 
   private void changed(Variable variable, Report report) {
@@ -112,7 +112,7 @@ public final class TubesSpec implements Monitor {
           held.computeIfAbsent(variable.source(), source -> new TreeMap<>());
       all.put(robot, Tube.parse(variable.value()));
       checkTubes(variable, all, report);
-      lookAt(variable.timeNs(), report);
+      checkInsideAt(variable.timeNs(), report);
     } else if (variable.name().equals(TubeTrace.FLAG) && isEnd(variable.value())) {
       tasks.meet(new ProcessKey(variable.source(), robot), report);
     }
@@ -132,39 +132,28 @@ public final class TubesSpec implements Monitor {
             TUBES,
             variable.timeNs(),
             List.copyOf(new TreeSet<>(List.of(variable.robot(), other.getKey()))),
-            "tubes meet: "
-                + variable.robot()
-                + " holds "
-                + variable.value()
-                + ", "
-                + other.getKey()
-                + " holds "
-                + Tube.text(other.getValue()));
+            "tubes meet: %s holds %s, %s holds %s"
+                .formatted(
+                    variable.robot(),
+                    variable.value(),
+                    other.getKey(),
+                    Tube.text(other.getValue())));
       }
     }
   }
 
-  private void lookUntil(long timeNs, Report report) {
-    while (nextLookNs <= timeNs) {
-      if (!anybodyMoves()) {
-        nextLookNs = timeNs + 1;
+  private void checkInsideUntil(long timeNs, Report report) {
+    while (nextCheckNs <= timeNs) {
+      if (bodies.robots().stream().noneMatch(bodies::isMoving)) {
+        nextCheckNs = timeNs + 1;
         return;
       }
-      lookAt(nextLookNs, report);
-      nextLookNs += STEP_NS;
+      checkInsideAt(nextCheckNs, report);
+      nextCheckNs += STEP_NS;
     }
   }
 
-  private boolean anybodyMoves() {
-    for (RobotId robot : bodies.robots()) {
-      if (bodies.isMoving(robot)) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  private void lookAt(long timeNs, Report report) {
+  private void checkInsideAt(long timeNs, Report report) {
     for (Map.Entry<String, SortedMap<RobotId, List<Tube>>> instance : held.entrySet()) {
       for (Map.Entry<RobotId, List<Tube>> entry : instance.getValue().entrySet()) {
         if (!entry.getValue().isEmpty() && bodies.isOnFloor(entry.getKey())) {
@@ -180,13 +169,9 @@ public final class TubesSpec implements Monitor {
     Point at = bodies.poseAt(robot, timeNs).at();
     double radiusMm = bodies.radiusMm(robot) - ROUNDING_MM;
     String key = source + " " + robot;
-    for (Tube tube : tubes) {
-      if (tube.containsDisc(at, radiusMm)) {
-        outside.remove(key);
-        return;
-      }
-    }
-    if (outside.add(key)) {
+    if (tubes.stream().anyMatch(tube -> tube.containsDisc(at, radiusMm))) {
+      outside.remove(key);
+    } else if (outside.add(key)) {
       report.violated(
           INSIDE,
           timeNs,
@@ -195,7 +180,7 @@ public final class TubesSpec implements Monitor {
               + Math.round(at.xMm())
               + ", "
               + Math.round(at.yMm())
-              + ") mm is not inside what it holds: "
+              + ") mm is not inside its tubes: "
               + Tube.text(tubes));
     }
   }

@@ -4,65 +4,66 @@
  * <h2>One robot</h2>
  *
  * <p>{@link org.starl.primitives.paths.PathPlanner} is the interface; {@link
- * org.starl.primitives.paths.RrtPlanner} grows a random tree and smooths what it finds, as the
- * original StarL did; {@link org.starl.primitives.paths.OptimalPlanner} finds a shortest path or
- * proves that there is none. Planners are pure and take long: they run off the strand, {@code
+ * org.starl.primitives.paths.RrtPlanner} grows a random tree and smooths the path, as the original
+ * StarL did; {@link org.starl.primitives.paths.OptimalPlanner} finds a shortest path or proves that
+ * there is none. Planners are pure and take long: they run outside the strand, {@code
  * gvh.plat.compute(() -> planner.plan(task))}.
  *
  * <p>(a) <b>Safety.</b> A disc of the body's radius that follows the path stays farther than the
- * clearance from every obstacle, and inside the bounds. (b) <b>Progress.</b> The optimal planner finds
- * a path whenever there is one for a margin that is larger by 4 mm and half a per cent, and says
- * {@code NoPath} otherwise; the random one may give up, and says so. Ends that are not free are told,
- * {@code Blocked}: a robot that touches an obstacle backs off before it plans. (c)
- * <b>Assumptions.</b> Obstacles stand still while the path is driven, and are all on the map. How far
- * a robot strays from its path is the caller's clearance to choose.
+ * clearance from every obstacle, and inside the bounds. (b) <b>Progress.</b> The optimal planner
+ * finds a path whenever there is one for a margin that is larger by 4 mm and half a per cent, and
+ * returns {@code NoPath} otherwise; the random one may return {@code GaveUp}. An end that is not
+ * free gives {@code Blocked}: a robot that touches an obstacle must back off before it plans. (c)
+ * <b>Assumptions.</b> Obstacles do not move while the path is driven, and all are on the map. The
+ * caller's clearance must cover the robot's deviation from the path.
  *
- * <p>Determinism: obstacles are widened and joined by JTS, and rounded to whole millimetres; all that
- * decides after that is exact integer arithmetic, or square roots. Equal tasks give equal plans on
- * every JVM.
+ * <p>Determinism: JTS widens and unites the obstacles, and the result is rounded to whole mm; the
+ * rest is exact integer arithmetic and square roots. Equal tasks give equal plans on every JVM.
  *
  * <h2>Several: reach tubes</h2>
  *
- * <p>{@link org.starl.primitives.paths.DistributedPathPlanning} brings each robot to its goals inside
- * a <em>tube</em> of its own: all places that its body may occupy while it follows its path, as wide
- * as body, position error and tracking error together. Each robot plans around the tubes that it
- * knows of, asks everybody for its own, drives in it when a majority has consented, and gives it back
- * part by part. There is no central robot. {@link org.starl.primitives.paths.TubesSpec} is this
- * contract as a monitor.
+ * <p>{@link org.starl.primitives.paths.DistributedPathPlanning} drives each robot to its goals
+ * inside its own <em>tube</em>: all points that its body may occupy while it follows its path,
+ * including position error and tracking error. Each robot plans around the tubes that it knows,
+ * requests a tube from all robots, drives in it when a majority has consented, and releases it part
+ * by part. There is no central robot. {@link org.starl.primitives.paths.TubesSpec} is this contract
+ * as a monitor.
  *
  * <ul>
- *   <li>(a) <b>Safety.</b> {@code Tubes}: no two robots hold tubes that meet. {@code Inside}: the true
- *       body of a robot that follows its tube is inside it. Hence no two of them touch.
- *   <li>(b) <b>Progress.</b> A claim that meets nobody's tube is granted after 2 delta and two writes
- *       to stable storage, delta being the time within which a repeated message arrives, as long as a
- *       majority is up and in reach; claims that do not meet never wait for each other. Claims that
- *       meet may refuse each other; random pauses that grow make it unlikely to last. {@code Told}:
- *       every {@code goTo} is DONE or FAIL at the latest when its deadline and the motions' own
- *       limits have passed, with the reason in {@code failure()}. Nothing resolves two robots that
- *       stand in each other's only way: both are told.
- *   <li>(c) <b>Assumptions.</b> {@code Tubes} holds under every loss, delay, duplication, reordering
- *       and partition, and whoever crashes and restarts, provided that stable storage keeps what it
- *       has flushed and messages are not forged. {@code Inside} rests on the position's error bound
- *       and on {@code do_move(t, A)}, each part's border being A; and on a chassis that stops when
- *       its program does. The group is fixed: all that move on the floor. What else stands there is
- *       on the map as an obstacle.
+ *   <li>(a) <b>Safety.</b> {@code Tubes}: no two robots hold tubes that meet. {@code Inside}: the
+ *       true body of a robot that follows its tube is inside it. Hence no two of these bodies
+ *       touch.
+ *   <li>(b) <b>Progress.</b> A claim that meets no other tube is granted after 2 delta and two
+ *       writes to stable storage, if a majority is running and in reach; delta is the time within
+ *       which a repeated message arrives. Claims that do not meet never wait for each other. Claims
+ *       that meet may refuse each other; growing random pauses make long repetition unlikely.
+ *       {@code Told}: every {@code goTo} is DONE or FAIL when its deadline and the limits of its
+ *       motions have passed, with the reason in {@code failure()}. If two robots block each other's
+ *       only path, both fail.
+ *   <li>(c) <b>Assumptions.</b> {@code Tubes} holds under every loss, delay, duplication,
+ *       reordering and partition, and under any crashes and restarts, if stable storage keeps all
+ *       flushed data and messages are not forged. {@code Inside} depends on the bound of the
+ *       position error, on {@code do_move(t, A)} with each part's border as A, and on a chassis
+ *       that stops when its program does. The group is fixed: all robots that move on the floor.
+ *       Everything else on the floor is an obstacle on the map.
  * </ul>
  *
- * <p><b>How.</b> Majorities meet: a voter notes what it consents to, on stable storage, before it says
- * so, and consents to nothing that meets a note ({@code TubeVoter}; after Thomas, "A majority
- * consensus approach to concurrency control", ACM TODS 4(2), 1979). If two tubes that meet were both
- * granted, some voter would have consented to both. A robot's word is complete in itself and
- * numbered: what it holds and what it wants ({@code TubeClaimant}); a newer one replaces an older
- * one, so losses, doubles and overtaking do no harm. A robot writes what it gives back before it says
- * so: after a restart it holds what the others believe that it holds, or less.
+ * <p><b>Algorithm.</b> Two majorities always have a common voter. A voter stores each consent on
+ * stable storage before it sends it, and consents to no tube that meets a noted one ({@code
+ * TubeVoter}; after Thomas, "A majority consensus approach to concurrency control", ACM TODS 4(2),
+ * 1979). If two tubes that meet were both granted, some voter would have consented to both. A
+ * robot's messages contain all its held and wanted tubes, with a version number ({@code
+ * TubeClaimant}). A newer version replaces an older one, so losses, duplicates and reordering do no
+ * harm. A robot stores a release before it sends it: after a restart it holds the tubes that the
+ * others believe it to hold, or fewer.
  *
- * <p>The first thing that a robot claims is the disc where it stands; nobody moves before everybody
- * has ({@code unplaced()} says who is missing). A crashed robot keeps its tube: the others plan around
- * it, or are told. When it restarts it holds what it held, and goes on from there.
+ * <p>A robot first claims the disc at its place; no robot moves before all have done so ({@code
+ * unplaced()} lists the missing ones). A crashed robot keeps its tubes, and the others plan around
+ * them or fail. After a restart it still holds its tubes, and continues from there.
  *
- * <p>Whoever stands so close to another one's tube that a planner, which rounds, sees no way from
- * there, begins its way a little beside ({@code Departure}): two that stopped side by side may both
- * leave.
+ * <p>If a robot stands so close to another robot's tube that rounding leaves the planner no path,
+ * its path begins at a free point nearby ({@code Departure}): two robots that stopped side by side
+ * may both leave.
  *
  * <p>May import: core, {@code org.starl.primitives}, JTS.
  */

@@ -26,22 +26,22 @@ class GeocastAdversaryTest {
   private static final long END_NS = 20_000 * MS;
 
   @Property(tries = 300)
-  void noNetworkPositionOrClockWithinTheEnvelopeBreaksTheContract(@ForAll long seed) {
+  void theContractHoldsInTheWholeEnvelope(@ForAll long seed) {
     Rng rng = new Rng(seed);
     SpecReport report = run(rng, 60 * rng.nextDouble(), rng.nextLong(0, 50 * MS), Mutant.NONE);
     assertThat(report.violations()).isEmpty();
   }
 
   @Test
-  void whoIsOutsideOwesNothingHoweverWellPositionsAreKnown() {
+  void aRobotOutsideOwesNothingEvenWithExactPositions() {
     for (long seed = 0; seed < 20; seed++) {
       assertThat(run(new Rng(seed), 0.001, 0, Mutant.NONE).violations()).isEmpty();
     }
   }
 
-  /** Not every run delivers something: some networks are too bad. Most do. */
+  /** Most runs deliver messages; in a few the network is too bad. */
   @Test
-  void theContractIsPutToTheTest() {
+  void theWorldsDeliverMessages() {
     int runsWithDeliveries = 0;
     for (long seed = 0; seed < 40; seed++) {
       SpecReport report = run(new Rng(seed), 10, 0, Mutant.NONE);
@@ -75,7 +75,7 @@ class GeocastAdversaryTest {
   }
 
   @Test
-  void everybodyDeliversABroadcastInAGoodNetworkWithoutKnowingWhereTheyAre() {
+  void allRobotsDeliverABroadcastInAGoodNetworkWithoutPositions() {
     GeocastWorld world = new GeocastWorld(1, ROBOTS, 0, 0, Mutant.NONE);
     world.at(0, () -> world.robot(0).geocast("m", new Everywhere(), 1_000 * MS));
     world.runUntil(END_NS);
@@ -88,7 +88,7 @@ class GeocastAdversaryTest {
   }
 
   @Test
-  void copiesGetThroughANetworkThatLosesMostOfThem() {
+  void copiesPassANetworkThatLosesMostOfThem() {
     GeocastWorld world = new GeocastWorld(1, ROBOTS, 0, 0, Mutant.NONE);
     world.network(0.7, 0, 10 * MS);
     world.at(0, () -> world.robot(0).geocast("m", new Everywhere(), 19_000 * MS));

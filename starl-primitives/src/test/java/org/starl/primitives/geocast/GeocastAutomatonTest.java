@@ -11,7 +11,7 @@ import org.starl.primitives.conformance.RandomRun;
 import org.starl.primitives.geocast.GeocastAutomaton.States;
 import org.starl.random.Rng;
 
-/** The executable form of {@code Geocast_decls} by itself. */
+/** The executable form of {@code Geocast_decls}, without runs. */
 class GeocastAutomatonTest {
 
   private static final List<RobotId> PIDS =
@@ -21,7 +21,7 @@ class GeocastAutomatonTest {
   private final GeocastAutomaton automaton = new GeocastAutomaton();
 
   @Property(tries = 100)
-  void randomRunsKeepWhatIsProved(@ForAll long seed) {
+  void randomRunsSatisfyTheProvedInvariants(@ForAll long seed) {
     new RandomRun<>(automaton, (rng, s) -> any(rng), this::broken)
         .check(seed, action -> action instanceof GeocastAction.deliver, 1);
   }

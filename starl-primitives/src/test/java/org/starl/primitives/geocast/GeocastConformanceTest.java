@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
 
-/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+/** The map from events to actions, line by line, and traces that are no runs of the theory. */
 class GeocastConformanceTest {
 
   private static final String SOURCE = "geocast/news";
@@ -60,7 +60,7 @@ class GeocastConformanceTest {
     acts(5 * S, "b", "deliver", "a#1/1");
     acts(6 * S, "c", "deliver", "a#1/1");
     drives(8 * S, "c", 1000, 500); // leaves
-    acts(9 * S, "d", "deliver", "a#1/1"); // of which no body is known
+    acts(9 * S, "d", "deliver", "a#1/1"); // its body is unknown
     assertThat(details()).isEmpty();
     assertThat(run.steps())
         .containsExactly(

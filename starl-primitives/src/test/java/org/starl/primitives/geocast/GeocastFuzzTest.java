@@ -22,8 +22,8 @@ import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
 
 /**
- * Any bytes as a geocast's message: a region that is read can be asked and told, and has one spelling on
- * the wire and in the trace.
+ * Decodes arbitrary bytes as a message of a geocast: a decoded region is usable, and has one
+ * encoding on the wire and in the trace.
  */
 public class GeocastFuzzTest {
 
@@ -58,7 +58,7 @@ public class GeocastFuzzTest {
   }
 
   @Test
-  void aMessageHasOneSpelling() {
+  void aMessageHasOneEncoding() {
     GeocastId id = new GeocastId(new ProcessId(new RobotId("one"), 1), 7);
     Region square = new Polygon(List.of(new Point(0, 0), new Point(9, 0), new Point(9, 9)));
     Region area =

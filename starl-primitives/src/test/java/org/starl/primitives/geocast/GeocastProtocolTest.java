@@ -77,7 +77,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void aSecondCopyIsAcknowledgedOnly() {
+  void aSecondCopyIsOnlyAcknowledged() {
     protocol.received(ANNA, copy(1, 10, 20), 15 * MS);
     effects.clear();
     insideMm = 0;
@@ -86,7 +86,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void theDeadlineItselfIsInTimeAndNothingAfterIt() {
+  void aCopyAtTheDeadlineIsInTimeAndALaterOneIsNot() {
     protocol.received(ANNA, copy(1, 10, 20), 20 * MS);
     protocol.received(ANNA, copy(2, 10, 20), 20 * MS + 1);
     assertThat(effects).containsExactly("deliver m1", "ack 1 to anna", "dismiss LATE");
@@ -110,7 +110,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void whoMayBeOutsideDropsTheCopyAndMayTakeTheNext() {
+  void aRobotThatMayBeOutsideDropsTheCopyAndMayDeliverTheNext() {
     insideMm = 0;
     protocol.received(ANNA, copy(1, 10, 20), 15 * MS);
     insideMm = Double.NaN;
@@ -122,13 +122,13 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void aCopyThatSomebodyElseSendsIsNoCopy() {
+  void aCopyFromAnotherSenderIsIgnored() {
     protocol.received(BERT, copy(1, 10, 20), 15 * MS);
     assertThat(effects).isEmpty();
   }
 
   @Test
-  void manyDeliveriesAreForgottenOnlyWhenTheirTimeIsOver() {
+  void deliveriesAreForgottenOnlyAfterTheirDeadline() {
     for (int i = 1; i <= 1_000; i++) {
       protocol.received(ANNA, copy(i, i, i + 50), i * MS);
     }
@@ -151,7 +151,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void acknowledgementsOfTheWholeDeploymentCompleteIt() {
+  void acknowledgementsOfTheWholeDeploymentCompleteAGeocast() {
     GeocastReceipt receipt = protocol.do_geocast("m", AREA, 600 * MS, 0);
     assertThat(protocol.isComplete()).isFalse();
     protocol.received(ANNA, new GeocastMessage.Ack<>(receipt.id()), 5 * MS);
@@ -164,7 +164,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void whereOthersMayTakePartNoAcknowledgementEndsIt() {
+  void withOpenMembershipNoAcknowledgementCompletesAGeocast() {
     GeocastProtocol<String> open = protocol(0, true);
     GeocastReceipt receipt = open.do_geocast("m", AREA, 600 * MS, 0);
     open.received(ANNA, new GeocastMessage.Ack<>(receipt.id()), 5 * MS);
@@ -173,7 +173,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void anAcknowledgementOfAnotherGeocastCountsForThatOneAlone() {
+  void anAcknowledgementCountsOnlyForItsGeocast() {
     GeocastReceipt first = protocol.do_geocast("a", AREA, 600 * MS, 0);
     GeocastReceipt second = protocol.do_geocast("b", AREA, 600 * MS, 0);
     protocol.received(BERT, new GeocastMessage.Ack<>(second.id()), 7 * MS);
@@ -182,7 +182,7 @@ class GeocastProtocolTest {
   }
 
   @Test
-  void anIntervalThatTimeCannotHoldIsRefused() {
+  void anIntervalThatOverflowsIsRefused() {
     assertThatThrownBy(() -> protocol.do_geocast("m", new Everywhere(), Long.MAX_VALUE, 1))
         .isInstanceOf(ArithmeticException.class);
   }

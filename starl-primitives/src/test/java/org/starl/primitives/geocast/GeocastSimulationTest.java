@@ -27,7 +27,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** The primitives on whole robots: gvh, radio, positioning, timers. */
+/** The primitives on simulated robots: gvh, radio, positioning, timers. */
 class GeocastSimulationTest {
 
   private static final Codec<String> TEXT =
@@ -43,7 +43,7 @@ class GeocastSimulationTest {
         }
       };
 
-  /** Drives away along its row; the first robot calls meanwhile; returns what it has heard. */
+  /** Drives along its row while the first robot sends; returns the received messages. */
   private static final class Caller extends LogicThread {
     private final List<Object> heard = new ArrayList<>();
 
@@ -123,7 +123,7 @@ class GeocastSimulationTest {
   }
 
   @Test
-  void whatDoesNotFitADatagramIsTheCallersBug() {
+  void aMessageThatDoesNotFitADatagramThrows() {
     Region big = new Circle(new Point(0, 0), 1);
     for (int i = 0; i < 100; i++) {
       big = org.starl.geometry.Union.of(big, new Circle(new Point(i, 0), 1));
@@ -145,7 +145,7 @@ class GeocastSimulationTest {
   }
 
   @Test
-  void anIntervalHasALengthAndAClosedGeocastIsClosed() {
+  void emptyIntervalsAndCallsAfterCloseThrow() {
     Simulation simulation =
         Simulation.builder()
             .seed(1)

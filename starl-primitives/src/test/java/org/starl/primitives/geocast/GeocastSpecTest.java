@@ -13,7 +13,7 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Sent;
 
-/** The specification over traces written by hand. */
+/** The specification on handwritten traces. */
 class GeocastSpecTest {
 
   private static final String SOURCE = "broadcast/news";

@@ -21,15 +21,15 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
 /**
- * Robots on a floor that geocast to each other through a network that loses, delays, doubles and
- * reorders, with positions and clocks that are wrong within their bounds. What they do is a trace
- * that a {@link GeocastSpec} and a {@link GeocastConformance} watch.
+ * Robots on a floor that send geocasts over a network with loss, delay, duplication and reordering.
+ * Positions and clocks have errors within their bounds. A {@link GeocastSpec} and a {@link
+ * GeocastConformance} check the trace.
  */
 final class GeocastWorld {
 
   static final long MS = 1_000_000;
 
-  /** Ways to be wrong, which the specification must notice. */
+  /** Planted bugs, which the specification must find. */
   enum Mutant {
     NONE,
     IGNORES_AREA,

@@ -56,12 +56,12 @@ class RegionCodecTest {
   }
 
   @Property
-  void theTraceTellsARegionToTheLastBit(@ForAll("regions") Region region) {
+  void theTraceTextOfARegionIsExact(@ForAll("regions") Region region) {
     assertThat(RegionText.parse(RegionText.format(region))).isEqualTo(region);
   }
 
   @Property
-  void otherBytesAreRefusedAsSuch(@ForAll byte[] bytes) {
+  void otherBytesAreRefused(@ForAll byte[] bytes) {
     WireReader reader = new WireReader(bytes);
     try {
       assertThat(codec.read(reader)).isNotNull();
@@ -71,7 +71,7 @@ class RegionCodecTest {
   }
 
   @Property
-  void aRegionThatIsCutShortIsRefused(@ForAll("regions") Region region) {
+  void aTruncatedRegionIsRefused(@ForAll("regions") Region region) {
     byte[] bytes = bytes(region);
     for (int length = 0; length < bytes.length; length++) {
       WireReader reader = new WireReader(Arrays.copyOf(bytes, length));

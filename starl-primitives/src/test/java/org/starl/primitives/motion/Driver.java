@@ -15,7 +15,7 @@ import org.starl.geometry.Union;
 import org.starl.motion.MotionFlag;
 import org.starl.random.Rng;
 
-/** Drives to drawn targets around drawn regions, one after the other; returns the flags. */
+/** Drives to random targets around random regions, in order; returns the flags. */
 final class Driver extends LogicThread {
 
   private static final int DRIVES = 8;
@@ -39,7 +39,7 @@ final class Driver extends LogicThread {
       } else {
         mc.do_move(target(), region());
       }
-      // Sometimes it changes its mind on the way.
+      // Sometimes a new command replaces the motion.
       long patienceMs = rng.nextBoolean(0.2) ? rng.nextLong(0, 4_000) : 400_000;
       await(() -> mc.motionflag().get() != MotionFlag.MOVING, patienceMs);
       flags.add(mc.motionflag().get());

@@ -19,7 +19,7 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
-/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+/** The map from events to actions, line by line, and traces that are no runs of the theory. */
 class MotionConformanceTest {
 
   private static final RobotId BOT = new RobotId("bot0");
@@ -126,7 +126,7 @@ class MotionConformanceTest {
         .containsExactly(
             "motion: move(bot0, in [1], near []) is not enabled: NOT motionflag(i) = IDLE IMPLIES"
                 + " NOT avoid(i)(p) is false: motionflag(bot0) = MOVING, avoid(bot0) = 1");
-    // Its border comes to the area's after 635 mm.
+    // The body's border reaches the area after 635 mm.
     assertThat(run.report().violations().get(0).timeNs()).isBetween(1_270_000_000L, 1_272_000_000L);
   }
 

@@ -13,7 +13,7 @@ import org.starl.primitives.motion.MotionControlAutomaton.Place;
 import org.starl.primitives.motion.MotionControlAutomaton.States;
 import org.starl.random.Rng;
 
-/** The executable form of {@code MotionControl_decls} by itself. */
+/** The executable form of {@code MotionControl_decls}, without runs. */
 class MotionControlAutomatonTest {
 
   private static final List<RobotId> PIDS = List.of(new RobotId("i"), new RobotId("j"));
@@ -22,7 +22,7 @@ class MotionControlAutomatonTest {
   private final MotionControlAutomaton automaton = new MotionControlAutomaton();
 
   @Property(tries = 100)
-  void randomRunsKeepWhatIsProved(@ForAll long seed) {
+  void randomRunsSatisfyTheProvedInvariants(@ForAll long seed) {
     new RandomRun<>(automaton, (rng, s) -> any(rng), (before, action, s) -> broken(s))
         .check(seed, action -> action instanceof MotionControlAction.arrived, 1);
   }

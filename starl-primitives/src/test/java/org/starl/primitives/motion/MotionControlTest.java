@@ -31,13 +31,13 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** Motion control on whole robots in the simulator, and its specification on each run. */
+/** Motion control on simulated robots; each run is checked by the specification. */
 class MotionControlTest {
 
   private static final int SEEDS = 15;
   private static final String THEORY = MotionControlAutomaton.MOTION_CONTROL_DECLS;
 
-  /** A world drawn by seed. */
+  /** A world determined by a seed. */
   private static SimSettings drawn(long seed, CollisionPolicy policy) {
     Rng rng = new Rng(seed).fork("world");
     return SimSettings.builder()
@@ -88,7 +88,7 @@ class MotionControlTest {
 
   private static final ItemPosition AHEAD = new ItemPosition("ahead", 2000, 0);
 
-  /** One robot at the origin, its face to AHEAD, on an empty floor; with and without a wall. */
+  /** One robot at the origin, heading to AHEAD, on a floor with or without a wall. */
   private static SimResult one(Obstacles obstacles, CollisionPolicy policy, Consumer<Robot> app) {
     SimSettings settings =
         SimSettings.builder().set("collisionPolicy", policy.name()).set("duration", "400s").build();
@@ -101,7 +101,7 @@ class MotionControlTest {
         .run();
   }
 
-  /** What an app of one call works with. */
+  /** The parameters of an app with one call. */
   private record Robot(GlobalVarHolder gvh, MotionPrim mc) {
     MotionFlag await() {
       gvh.plat.strand.awaitUntil(() -> mc.motionflag().get() != MotionFlag.MOVING, Long.MAX_VALUE);
@@ -134,7 +134,7 @@ class MotionControlTest {
   }
 
   @Test
-  void thePapersNamesDoWhatThePaperSays() {
+  void thePapersActionsBehaveAsInThePaper() {
     Region beyond = new Circle(new Point(4000, 0), 300);
     SimResult result =
         one(robot -> {
@@ -186,7 +186,7 @@ class MotionControlTest {
               new Point(1000, 900)));
 
   @Test
-  void whoRunsAgainstAWallWithoutMindingSaysSoAfterAWhile() {
+  void aRobotThatPushesAgainstAWallFailsAfterAWhile() {
     SimResult result =
         one(
             WALL,
@@ -199,7 +199,7 @@ class MotionControlTest {
     assertThat(result.spec().violations()).isEmpty();
   }
 
-  // What is wrong in one place: each lemma must be able to tell.
+  // Planted bugs: each lemma must find its bug.
 
   @Test
   void aRobotThatForgetsItsBodyIsSeenToEnter() {
@@ -214,7 +214,7 @@ class MotionControlTest {
   }
 
   @Test
-  void aRobotThatArrivesTooEarlyIsSeenToLie() {
+  void aRobotThatReportsDoneTooEarlyViolatesTold() {
     SimResult result =
         one(robot -> {
           robot.change(p -> p.goalRadiusMm(300));

@@ -32,7 +32,7 @@ import org.starl.sim.net.Partition;
 import org.starl.sim.world.Unsynced;
 import org.starl.trace.TraceEvent;
 
-/** Registration and mutex together on simulated robots that crash, start anew and lose each other. */
+/** Registration and mutex together on simulated robots with crashes, restarts and partitions. */
 class CrashSimTest {
 
   private static final long MS = 1_000_000;
@@ -46,7 +46,7 @@ class CrashSimTest {
   private final List<MutexEvent> story = new ArrayList<>();
 
   @Test
-  void whoCrashesForGoodIsConfinedAndTheOthersGoOn() {
+  void aPermanentlyCrashedRobotIsConfinedAndOthersContinue() {
     long fences = 0;
     for (long seed = 0; seed < 12; seed++) {
       SimResult result =
@@ -67,7 +67,7 @@ class CrashSimTest {
   }
 
   @Test
-  void crashesRestartsAndWrongSuspicionsAreSafeAndAfterwardsAllGoOn() {
+  void crashesRestartsAndWrongSuspicionsAreSafeAndAllContinue() {
     long removed = 0;
     for (long seed = 0; seed < 12; seed++) {
       SimResult result = run(seed, 150 * S, null, CrashSimTest::chaosFor100s);
@@ -80,7 +80,7 @@ class CrashSimTest {
   }
 
   @Test
-  void whoWasCutOffIsTakenForCrashedToldSoAndRegistersAnew() {
+  void anIsolatedRobotIsFencedIsToldAndRegistersAgain() {
     SimResult result =
         run(
             1,
@@ -192,7 +192,7 @@ class CrashSimTest {
     return List.copyOf(names);
   }
 
-  /** A roadside unit: votes on views, and takes no part. */
+  /** A roadside unit: votes on views, but never requests. */
   private static final class Post extends LogicThread {
     private final long untilNs;
 
@@ -210,7 +210,7 @@ class CrashSimTest {
     }
   }
 
-  /** Registers, takes turns until the time is over, and unregisters; whatever happens to it. */
+  /** Registers, takes turns until the time is over, and unregisters, under all faults. */
   private static final class Car extends LogicThread {
     private final Registration reg;
     private final M_Mutex mux;
@@ -229,7 +229,7 @@ class CrashSimTest {
     @Override
     public List<Object> callStarL() {
       if (gvh.id.boot() > 1) {
-        mux.standsIn(List.of()); // somebody has carried it away meanwhile
+        mux.standsIn(List.of()); // a person has moved it meanwhile
       }
       register();
       while (gvh.plat.clock.nowNs() < untilNs || turns == 0) {

@@ -23,7 +23,7 @@ import org.starl.primitives.mutex.MutexMessage.Req;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 import org.starl.random.Rng;
 
-/** Giving up and being given up, message by message, as seen by b. */
+/** Fencing and being fenced, message by message, on participant b. */
 class FencesTest {
 
   private static final long S = 1_000_000_000;
@@ -38,7 +38,7 @@ class FencesTest {
   private final MutexProtocol b = node.protocol;
 
   @Test
-  void whoVowsSaysWhatItGrantedAndGrantsNothingMore() {
+  void aFencerReportsItsGrantAndGrantsNothingMore() {
     b.learn(ALL);
     hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
     hears(new Rem(A, B, 1, sections("y")));
@@ -55,7 +55,7 @@ class FencesTest {
   }
 
   @Test
-  void aYoungerOneWhomTheSuspectNeverAskedHasNoSay() {
+  void aYoungerParticipantThatTheSuspectNeverAskedCannotFence() {
     b.learn(new View(3, ALL.admitted()).next().without(B).with(B));
     hears(new FenceQ(C, B, A, 1));
     assertThat(sent).isEmpty();
@@ -67,7 +67,7 @@ class FencesTest {
   }
 
   @Test
-  void whoSuspectsAsksEverybodyAndProposesWhatAllAnswersHaveInCommon() {
+  void aSuspicionAsksAllAndProposesTheIntersectionOfTheAnswers() {
     b.learn(ALL);
     hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
     b.request(sections("z"), 0);
@@ -81,7 +81,7 @@ class FencesTest {
   }
 
   @Test
-  void withoutAnswersItProposesAloneAfterARoundAndGoesOn() {
+  void withoutAnswersTheParticipantProposesAloneAfterARound() {
     b.learn(ALL);
     b.request(sections("x"), 0);
     b.suspect(A, 0);
@@ -94,7 +94,7 @@ class FencesTest {
   }
 
   @Test
-  void whoVowedGoesOnInPlaceOfTheOneThatAskedUntilAViewIsWithoutTheSuspect() {
+  void aFencerContinuesForTheAskingOneUntilAViewExcludesTheSuspect() {
     b.learn(ALL);
     hears(new FenceQ(C, B, A, 1));
     assertThat(b.nextTimerNs()).isBetween(3 * S, 5 * S);
@@ -106,7 +106,7 @@ class FencesTest {
   }
 
   @Test
-  void aGhostIsNotNeededAndStandsInTheWayOnlyOfThoseWhoWantItsSections() {
+  void aGhostIsNotNeededAndBlocksOnlyRequestsForItsSections() {
     b.learn(ALL);
     b.request(sections("x"), 0);
     hears(new Ok(C, B, 1));
@@ -121,17 +121,17 @@ class FencesTest {
   }
 
   @Test
-  void whoOnlyAGhostStandsInTheWayOfGivesWaySoonToThoseBehindIt() {
+  void aRequestBlockedOnlyByAGhostSoonFailsForThoseBehindIt() {
     MutexTimes times = MutexTimes.DEFAULT;
     assertThat(times.occupiedMs()).isLessThan(times.suspectMs()).isLessThan(times.deadlineMs());
-    Patience patience = new Patience(times);
-    patience.begin(7 * S);
-    assertThat(patience.isOverForGhosts(7 * S + times.occupiedMs() * S / 1000 - 1)).isFalse();
-    assertThat(patience.isOverForGhosts(7 * S + times.occupiedMs() * S / 1000)).isTrue();
+    RequestTimers timers = new RequestTimers(times);
+    timers.begin(7 * S);
+    assertThat(timers.isGhostTimeOver(7 * S + times.occupiedMs() * S / 1000 - 1)).isFalse();
+    assertThat(timers.isGhostTimeOver(7 * S + times.occupiedMs() * S / 1000)).isTrue();
   }
 
   @Test
-  void theGhostOfItsOwnRobotDoesNotBlockIt() {
+  void aGhostDoesNotBlockItsOwnRobot() {
     ProcessId older = new ProcessId(new RobotId("b"), 1);
     ProcessId newer = new ProcessId(new RobotId("b"), 2);
     MutexNode next = new MutexNode(newer, MutexProtocol::new, sent::add, events::add);
@@ -142,7 +142,7 @@ class FencesTest {
   }
 
   @Test
-  void whoKnowsLessOfAGhostSaysSo() {
+  void aParticipantProposesASmallerBoundOfAGhost() {
     b.learn(ALL);
     hears(new Req(A, B, 1, 1, 1, sections("x", "y")));
     b.learn(ALL.next().confined(A, sections("x", "y")));
@@ -152,7 +152,7 @@ class FencesTest {
   }
 
   @Test
-  void whoIsGivenUpWithdrawsAndNeverRequestsAgain() {
+  void aFencedParticipantWithdrawsAndNeverRequestsAgain() {
     b.learn(ALL);
     b.request(sections("x"), 0);
     hears(new Fenced(A, B));
@@ -163,7 +163,7 @@ class FencesTest {
   }
 
   @Test
-  void whoIsGivenUpWhileHoldingKeepsWhatItHoldsAndIsDoneAfterwards() {
+  void aFencedHolderKeepsItsSectionsUntilTheRelease() {
     b.learn(ALL);
     b.request(sections("x"), 0);
     hears(new Ok(A, B, 1));
@@ -178,7 +178,7 @@ class FencesTest {
   }
 
   @Test
-  void whoKeepsAnAnswerBackSaysThatItIsAliveWhenAskedAgain() {
+  void aDeferringParticipantReportsThatItIsAliveWhenAskedAgain() {
     b.learn(ALL);
     b.request(sections("x"), 0);
     hears(new Ok(A, B, 1));
@@ -191,7 +191,7 @@ class FencesTest {
   }
 
   @Test
-  void silenceIsSuspectedAndAnyMessageEndsIt() {
+  void silenceRaisesASuspicionAndAnyMessageEndsIt() {
     MutexTimes times = MutexNode.TIMES.withSuspectMs(10_000);
     MutexProtocol patient =
         new MutexProtocol(

@@ -2,6 +2,7 @@ package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.starl.time.Time.NS_PER_MS;
 
 import java.time.Duration;
 import java.util.ArrayList;
@@ -26,10 +27,9 @@ import org.starl.sim.Simulation;
 import org.starl.sim.SimulationFailed;
 import org.starl.sim.net.Latency;
 
-/** The mutex on whole robots in the simulator, as an app uses it. */
+/** The mutex on simulated robots, used by apps. */
 class M_MutexTest {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final String XID = "crossing";
 
   @Test
@@ -53,7 +53,7 @@ class M_MutexTest {
   }
 
   @Test
-  void whoIsNotRegisteredIsToldAtOnce() {
+  void anUnregisteredRobotsRequestFailsAtOnce() {
     SimResult result =
         run(
             1,
@@ -74,7 +74,7 @@ class M_MutexTest {
   }
 
   @Test
-  void whoNeedsTheConsentOfARobotThatIsNotThereFailsAtItsDeadline() {
+  void aRequestThatNeedsAnAbsentRobotFailsAtItsDeadline() {
     SimResult result =
         run(
             1,
@@ -96,7 +96,7 @@ class M_MutexTest {
   }
 
   @Test
-  void aWithdrawnRequestIsToldAndTheNextOneIsServed() {
+  void aWithdrawnRequestFailsAndTheNextOneIsServed() {
     SimResult result =
         run(
             1,
@@ -120,14 +120,14 @@ class M_MutexTest {
   }
 
   @Test
-  void whoRegistersAnewAnswersForItsOlderIds() {
+  void aRobotThatRegistersAgainAnswersForItsOlderIds() {
     SimResult result = run(1, 1, 0, gvh -> withScriptedViews(gvh, false));
     assertThat(result.results().values())
         .containsExactly(List.of(Sections.copyOf(List.of("B")), false));
   }
 
   @Test
-  void anOlderIdKeepsItsVows() {
+  void anOlderIdKeepsItsFences() {
     ProcessId older = new ProcessId(new RobotId("bot0"), (1L << 32) + 1);
     ProcessId asker = new ProcessId(new RobotId("bot1"), 1);
     ProcessId suspect = new ProcessId(new RobotId("bot1"), 2);
@@ -172,7 +172,7 @@ class M_MutexTest {
   }
 
   @Test
-  void whatAnOlderIdHoldsIsReleasedFirst() {
+  void sectionsOfAnOlderIdAreReleasedFirst() {
     SimResult result = run(1, 1, 0, gvh -> withScriptedViews(gvh, true));
     assertThat(result.results().values())
         .containsExactly(
@@ -183,7 +183,7 @@ class M_MutexTest {
                 false));
   }
 
-  /** One robot whose second id finds its first one still in the view, and asks it. */
+  /** One robot whose second id finds its first id still in the view, and asks it. */
   private static LogicThread withScriptedViews(GlobalVarHolder gvh, boolean holding) {
     ScriptedViews views = new ScriptedViews(gvh.id.freshProcess());
     M_Mutex mux = new M_Mutex(gvh, XID, views);
@@ -219,7 +219,7 @@ class M_MutexTest {
   }
 
   @Test
-  void wrongUseEndsTheRunWithWhatIsWrong() {
+  void wrongUseEndsTheRunWithAMessage() {
     assertFails("has this instance already", (gvh, mux) -> new M_Mutex(gvh, XID));
     assertFails("do_mutex of [A] while CRITICAL", (gvh, mux) -> mux.do_mutex(List.of("A")));
     assertFails("section 'a b'", (gvh, mux) -> mux.release("a b"));
@@ -263,7 +263,7 @@ class M_MutexTest {
   }
 
   @Test
-  void unregisteringWhileHoldingIsRefusedBeforeAnybodyHearsOfIt() {
+  void unregisteringWhileHoldingIsRefusedBeforeAnyMessage() {
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
           Registration reg = new Registration(gvh, XID);
@@ -291,7 +291,7 @@ class M_MutexTest {
   }
 
   @Test
-  void unregisteringEndsARequestThatWaitsBeforeAnybodyForgetsIt() {
+  void unregisteringEndsAWaitingRequestBeforeOthersForgetIt() {
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
           Registration reg = new Registration(gvh, XID);
@@ -320,7 +320,7 @@ class M_MutexTest {
   }
 
   @Test
-  void twoInstancesNeverMeet() {
+  void twoInstancesAreIndependent() {
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
           Registration north = new Registration(gvh, "north");
@@ -399,7 +399,7 @@ class M_MutexTest {
         .run();
   }
 
-  /** An app that is one lambda. */
+  /** An app that consists of one lambda. */
   private static final class Script extends LogicThread {
     private final Function<Script, List<Object>> lines;
 
@@ -422,7 +422,7 @@ class M_MutexTest {
     }
   }
 
-  /** Asks for some of A to D, uses them, gives them back one by one; so many times. */
+  /** Requests some of A to D, uses them and releases them one by one; repeats this. */
   private static class Turns extends LogicThread {
     private final M_Mutex mux;
     private final int turns;
@@ -462,7 +462,7 @@ class M_MutexTest {
     }
   }
 
-  /** Registers, takes two turns, unregisters; and again. */
+  /** Registers, takes two turns and unregisters; repeats this. */
   private static final class Registered extends LogicThread {
     static final int ROUNDS = 3;
 

@@ -15,7 +15,7 @@ import org.starl.primitives.membership.Sections;
 import org.starl.primitives.mutex.MutexAutomaton.States;
 import org.starl.random.Rng;
 
-/** The executable form of {@code Mutex_decls} by itself. */
+/** The executable form of {@code Mutex_decls}, without runs. */
 class MutexAutomatonTest {
 
   private static final List<RobotId> PIDS =
@@ -27,7 +27,7 @@ class MutexAutomatonTest {
   private final MutexAutomaton automaton = new MutexAutomaton();
 
   @Property(tries = 100)
-  void randomRunsKeepWhatIsProved(@ForAll long seed) {
+  void randomRunsSatisfyTheProvedInvariants(@ForAll long seed) {
     new RandomRun<>(automaton, MutexAutomatonTest::any, (before, action, s) -> broken(s))
         .check(seed, action -> true, 31);
   }
@@ -50,7 +50,7 @@ class MutexAutomatonTest {
     return true;
   }
 
-  /** Who waits has access to nothing. */
+  /** A waiting robot has access to no section. */
   private static boolean isInPhase(States s) {
     return PIDS.stream().allMatch(i -> s.crit_set().at(i).isEmpty() || s.req_set().at(i).isEmpty());
   }

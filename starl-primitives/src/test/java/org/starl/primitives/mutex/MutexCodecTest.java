@@ -45,7 +45,7 @@ class MutexCodecTest {
   }
 
   @Property(tries = 2_000, edgeCases = EdgeCasesMode.NONE)
-  void damagedBytesAreRefusedOrTheOnlySpellingOfAnotherMessage(
+  void damagedBytesAreRefusedOrEncodeAnotherMessage(
       @ForAll("messages") MutexMessage message, @ForAll long seed) {
     byte[] damaged = bytes(message);
     int at = (int) Math.floorMod(seed, (long) damaged.length);
@@ -63,12 +63,12 @@ class MutexCodecTest {
     ProcessId from = new ProcessId(new RobotId("a".repeat(RobotId.MAX_LENGTH)), 1);
     ProcessId to = new ProcessId(new RobotId("b".repeat(RobotId.MAX_LENGTH)), 1);
     byte[] bytes = bytes(new Req(from, to, 1, 1, 1, Sections.copyOf(sections)));
-    // Two robots' names, a channel's name, 26 bytes before them, 40 for an authenticator.
+    // Two robot names, a channel name, 26 bytes before them, 40 bytes for authentication.
     assertThat(bytes.length + 33 + 33 + 64 + 26 + 40).isLessThanOrEqualTo(Radio.MAX_BYTES);
   }
 
   @Test
-  void whatNobodyWritesIsRefused() {
+  void invalidMessagesAreRefused() {
     Req req = new Req(ONE, TWO, 1, 1, 1, Sections.copyOf(List.of("A", "B")));
     assertThatThrownBy(() -> codec.read(new WireReader(with(req, 0, 9))))
         .hasMessage("message kind 9");
@@ -80,8 +80,8 @@ class MutexCodecTest {
         .as("a bad letter")
         .isInstanceOf(WireFormatException.class);
     assertThatThrownBy(() -> read(new Req(ONE, TWO, 1, 1, 1, Sections.NONE)))
-        .hasMessage("a request for nothing");
-    assertThatThrownBy(() -> read(new Ok(ONE, ONE, 1))).hasMessage("a message of one#1 to itself");
+        .hasMessage("request without sections");
+    assertThatThrownBy(() -> read(new Ok(ONE, ONE, 1))).hasMessage("message from one#1 to itself");
     assertThatThrownBy(() -> read(new FenceQ(ONE, TWO, ONE, 1)))
         .hasMessage("one#1 suspects itself");
     assertThatThrownBy(() -> read(new Ok(ONE, TWO, 0))).hasMessage("request number 0");

@@ -18,7 +18,7 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 
-/** Which events are which actions, line by line of the table; and what is no run of the theory. */
+/** The map from events to actions, line by line, and traces that are no runs of the theory. */
 class MutexConformanceTest {
 
   private static final ProcessId I = new ProcessId(new RobotId("i"), 1);

@@ -12,7 +12,7 @@ import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexExplorer.Outcome;
 import org.starl.primitives.mutex.MutexExplorer.Shape;
 
-/** The code itself, not the model, explored exhaustively on small instances. */
+/** Exhaustive exploration of the code, not of the model, on small instances. */
 class MutexExplorationTest {
 
   private static final ProcessId A = new ProcessId(new RobotId("a"), 1);
@@ -33,24 +33,24 @@ class MutexExplorationTest {
   }
 
   @Test
-  void aMemberAndAJoinerThatItMayNotHaveHeardOf() {
+  void aMemberAndAJoinerThatItMayNotKnow() {
     assertHolds(joiner(), MutexProtocol::new);
   }
 
   @Test
-  void twoMembersOneOfWhichTakesTheOtherForCrashed() {
+  void twoMembersWithASuspicion() {
     assertHolds(new Shape(List.of(BOTH), List.of(List.of("x")), 1, false, 1), MutexProtocol::new);
   }
 
   @Test
-  void whoGoesOnGrantingAfterItsVowIsFoundWithTheStepsToIt() {
+  void grantingAfterAFenceIsFoundWithItsSteps() {
     Shape shape = new Shape(List.of(BOTH), List.of(List.of("x")), 1, true, 2);
     Outcome outcome = new MutexExplorer(shape, Unfenced::new).explore(200_000);
     assertThat(outcome.violation()).last().asString().startsWith("Kept");
   }
 
   @Test
-  void aMutantIsFoundWithTheStepsToIt() {
+  void aMutantIsFoundWithItsSteps() {
     Outcome outcome = new MutexExplorer(joiner(), Deaf::new).explore(200_000);
     assertThat(outcome.violation()).last().asString().startsWith("Exclusive");
     assertThat(outcome.violation()).contains("b#1 learns view 2");
@@ -70,7 +70,7 @@ class MutexExplorationTest {
     assertThat(outcome.entries()).isPositive();
   }
 
-  /** Never asks back whoever its view does not list. */
+  /** Never asks back a participant outside its view. */
   private static final class Deaf extends MutexProtocol {
     Deaf(Self self, MutexEffects effects) {
       super(self, effects);
@@ -78,11 +78,11 @@ class MutexExplorationTest {
 
     @Override
     void noteHeard(ProcessId other, long otherAdmittedBy) {
-      // The view only.
+      // It uses the view only.
     }
   }
 
-  /** Grants what it has vowed not to. */
+  /** Grants requests of fenced participants. */
   private static final class Unfenced extends MutexProtocol {
     Unfenced(Self self, MutexEffects effects) {
       super(self, effects);

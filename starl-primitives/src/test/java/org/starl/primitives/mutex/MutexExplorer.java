@@ -15,20 +15,20 @@ import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 
 /**
- * Every behaviour of a few participants, breadth first, as the model checker does it for the model:
- * messages are a set that nothing is ever taken from, so that loss, delay, duplication and
- * reordering are all in. Protocols cannot be copied, so a state is its path, taken again.
+ * Explores every behaviour of a few participants breadth first, as the model checker explores the
+ * model. Messages stay in a set for ever, which covers loss, delay, duplication and reordering.
+ * Protocols cannot be copied, so a state is reached again by replaying its path.
  */
 final class MutexExplorer {
 
   /**
-   * What is explored.
+   * The instance to explore.
    *
-   * @param views the first ones, the very first known to its members; participants of later ones
-   *     learn those first. Confinements add more
-   * @param wants what may be requested
-   * @param requests of one participant, at most
-   * @param suspicions how often somebody takes another for crashed, who is not, at most
+   * @param views the initial views; the members of the first one know it, and participants of a
+   *     later one learn that view first. Confinements add views
+   * @param wants the sets of sections that may be requested
+   * @param requests the largest number of requests by one participant
+   * @param suspicions the largest number of wrong suspicions
    */
   record Shape(
       List<View> views,
@@ -37,7 +37,7 @@ final class MutexExplorer {
       boolean withdrawals,
       int suspicions) {}
 
-  /** What was found: the first violation with the steps to it, or none. */
+  /** The result: the first violation with the steps to it, or none. */
   record Outcome(int states, int entries, List<String> violation) {}
 
   private final Shape shape;
@@ -117,7 +117,7 @@ final class MutexExplorer {
       choices().get(choice).run();
     }
 
-    /** All that can happen next. The same steps give the same choices in the same order. */
+    /** All possible next steps. The same path gives the same choices in the same order. */
     List<Runnable> choices() {
       List<Runnable> all = new ArrayList<>();
       for (int i = 0; i < nodes.size(); i++) {
@@ -158,7 +158,7 @@ final class MutexExplorer {
         for (ProcessId other : node.protocol.missing()) {
           all.add(
               step(
-                  node.id + " takes " + other + " for crashed",
+                  node.id + " suspects " + other,
                   () -> {
                     suspicions++;
                     node.protocol.suspect(other, 0);

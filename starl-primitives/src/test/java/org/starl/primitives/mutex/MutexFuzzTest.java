@@ -9,7 +9,7 @@ import org.starl.primitives.OneSpelling;
 import org.starl.primitives.membership.Sections;
 import org.starl.sim.check.MalformedBytes;
 
-/** Any bytes as a mutex message. */
+/** Decodes arbitrary bytes as a mutex message. */
 public class MutexFuzzTest {
 
   private static final MutexCodec CODEC = new MutexCodec();
@@ -19,7 +19,7 @@ public class MutexFuzzTest {
   }
 
   @Test
-  void aMessageHasOneSpelling() {
+  void aMessageHasOneEncoding() {
     ProcessId one = new ProcessId(new RobotId("one"), 1);
     ProcessId two = new ProcessId(new RobotId("two"), 1L << 32);
     var sections = Sections.copyOf(List.of("A", "B:1", "C-2"));

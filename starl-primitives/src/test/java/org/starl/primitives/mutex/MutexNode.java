@@ -13,10 +13,10 @@ import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 
-/** One participant under test, with what an all-seeing observer notes of it. */
+/** One participant under test, with the records of an omniscient observer. */
 final class MutexNode implements MutexEffects {
 
-  /** Makes the protocol under test: the real one, or a mutant. */
+  /** Creates the protocol under test: the real one, or a mutant. */
   @FunctionalInterface
   interface Kind {
     MutexProtocol make(MutexProtocol.Self self, MutexEffects effects);
@@ -28,12 +28,12 @@ final class MutexNode implements MutexEffects {
   final MutexProtocol protocol;
   final Consumer<MutexMessage> net;
   final Consumer<MutexEvent> trace;
-  // The newest request, and which newest request of whom this one has consented to.
+  // The newest request, and for each participant its newest request that this one has granted.
   long num;
   long ts;
   SortedSet<String> want = Sections.NONE;
   final TreeMap<ProcessId, Long> consentedTo = new TreeMap<>();
-  // What it would have the next view say.
+  // The confinement that it proposes for the next view.
   final Set<Confinement> proposed = new LinkedHashSet<>();
   boolean isDone;
   boolean dead;
@@ -48,7 +48,7 @@ final class MutexNode implements MutexEffects {
             new MutexProtocol.Self(id, new LamportClock(), TIMES, new Rng(id.inc()), true), this);
   }
 
-  /** What it holds; of one that is dead, what its robot's next start has not denied. */
+  /** The held sections; of a dead participant, those that its robot's next start has not denied. */
   SortedSet<String> held() {
     return Sections.common(protocol.held(), dead ? bodyIn : protocol.held());
   }
@@ -125,7 +125,7 @@ final class MutexNode implements MutexEffects {
 
   @Override
   public void refresh() {
-    // The world tells of views as it likes.
+    // The world delivers views at random times.
   }
 
   @Override

@@ -9,7 +9,7 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 
-/** The model's invariants, read off the participants' states. Independent of the monitors. */
+/** The model's invariants over the participants' states, independent of the monitors. */
 final class MutexOracle {
 
   private MutexOracle() {}
@@ -17,7 +17,7 @@ final class MutexOracle {
   /**
    * A violation of an invariant whose name begins with {@code lemma}, if there is one.
    *
-   * @param last the view that was decided last, whoever has learned it
+   * @param last the view that was decided last, even if no participant has learned it
    */
   static Optional<String> violation(String lemma, List<MutexNode> nodes, View last) {
     List<MutexNode> active = nodes.stream().filter(MutexNode::isActive).toList();
@@ -26,7 +26,7 @@ final class MutexOracle {
     List<String> found = new ArrayList<>();
     for (MutexNode i : nodes) {
       for (MutexNode j : nodes) {
-        // A robot that has started anew may hold what its ghost stands in.
+        // A restarted robot may hold the sections of its own ghost.
         if (!i.id.robot().equals(j.id.robot()) && Sections.meet(i.held(), j.held())) {
           found.add("Exclusive: " + i.protocol + " and " + j.protocol);
         }

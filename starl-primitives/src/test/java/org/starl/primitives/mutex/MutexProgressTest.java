@@ -1,31 +1,30 @@
 package org.starl.primitives.mutex;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.starl.time.Time.NS_PER_MS;
 
 import org.junit.jupiter.api.Test;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
 import org.starl.spec.SpecReport;
 
-/** Progress: after whatever happened, and within the bounds where their assumptions hold. */
+/** Progress: after all faults, and within the bounds if their assumptions hold. */
 class MutexProgressTest {
 
-  private static final long NS_PER_MS = 1_000_000;
-
   @Test
-  void onceTheNetworkBehavesEverybodyIsServed() {
+  void inAGoodNetworkAllRequestsAreServed() {
     MutexWorld.Shape shape = new MutexWorld.Shape(3, 3, 3, 0, 0, ViewFault.NONE);
     for (long seed = 0; seed < 300; seed++) {
       MutexWorld world = new MutexWorld(shape, MutexProtocol::new, seed);
       assertThat(world.run(300)).as("seed %d", seed).isEmpty();
       long failures = world.failures;
-      // Six one after another: each asks again after up to 4 rounds, hears 1 later, holds up to 3.
+      // Six in sequence: each asks again within 4 rounds, hears 1 later, holds up to 3 rounds.
       assertThat(world.heal(6 * 10)).as("rounds to serve all, seed %d", seed).isNotNegative();
       assertThat(world.failures).as("failures, seed %d", seed).isEqualTo(failures);
     }
   }
 
   @Test
-  void onceTheNetworkBehavesWhoSurvivesIsServedOrToldOfAGhost() {
+  void inAGoodNetworkSurvivorsAreServedOrBlockedByAGhost() {
     MutexWorld.Shape shape = new MutexWorld.Shape(3, 3, 3, 2, 4, ViewFault.NONE);
     long confinements = 0;
     for (long seed = 0; seed < 400; seed++) {
@@ -41,7 +40,7 @@ class MutexProgressTest {
   }
 
   @Test
-  void everybodyIsServedWithinTheBoundsOfTheContract() {
+  void allRequestsAreServedWithinTheBoundsOfTheContract() {
     long served = 0;
     for (long seed = 0; seed < 100; seed++) {
       int members = 2 + (int) (seed % 5);
@@ -56,7 +55,7 @@ class MutexProgressTest {
   }
 
   @Test
-  void nothingIsOwedToThoseBehindAHolderThatStaysTooLong() {
+  void nothingIsOwedBehindAHolderThatIsOverdue() {
     for (long seed = 0; seed < 20; seed++) {
       MutexTimedWorld world = world(4, 1, 20, MutexProtocol::new, seed);
       SpecReport report = world.run(60_000);
@@ -88,31 +87,31 @@ class MutexProgressTest {
     return MutexBounds.of(members, 100 * NS_PER_MS, 20 * NS_PER_MS);
   }
 
-  /** One lock for all sections: safe, and against the contract's (c). */
+  /** One lock for all sections: safe, but against part (c) of the contract. */
   private static class OneLock extends MutexProtocol {
     OneLock(Self self, MutexEffects effects) {
       super(self, effects);
     }
 
     @Override
-    boolean keepsBack(MutexMessage.Req req) {
+    boolean defers(MutexMessage.Req req) {
       return phase() == Phase.CRITICAL
           || (phase() == Phase.TRYING && isBefore(ts(), me(), req.ts(), req.from()));
     }
   }
 
-  /** Never answers later what it kept back once. */
+  /** Never answers a deferred request. */
   private static class Forgetful extends MutexProtocol {
-    private boolean hasKeptBack;
+    private boolean hasDeferred;
 
     Forgetful(Self self, MutexEffects effects) {
       super(self, effects);
     }
 
     @Override
-    boolean keepsBack(MutexMessage.Req req) {
-      hasKeptBack |= super.keepsBack(req);
-      return hasKeptBack;
+    boolean defers(MutexMessage.Req req) {
+      hasDeferred |= super.defers(req);
+      return hasDeferred;
     }
   }
 }

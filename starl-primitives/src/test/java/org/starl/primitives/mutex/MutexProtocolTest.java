@@ -18,7 +18,7 @@ import org.starl.primitives.mutex.MutexMessage.Rem;
 import org.starl.primitives.mutex.MutexMessage.Req;
 import org.starl.primitives.mutex.MutexProtocol.Phase;
 
-/** One participant, message by message. */
+/** Tests one participant, message by message. */
 class MutexProtocolTest {
 
   private static final long MS = 1_000_000;
@@ -32,7 +32,7 @@ class MutexProtocolTest {
   private final MutexProtocol b = node.protocol;
 
   @Test
-  void aloneItEntersAtOnce() {
+  void aSingleParticipantEntersAtOnce() {
     b.learn(View.closed(List.of(B)));
     b.request(sections("x"), 0);
     assertThat(b.held()).containsExactly("x");
@@ -40,7 +40,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void withoutAViewThatListsItItFailsAtOnce() {
+  void aParticipantOutsideTheViewFailsAtOnce() {
     b.request(sections("x"), 0);
     assertThat(events).containsExactly(new MutexEvent.Withdraw(B, 0, MutexFailure.NOT_REGISTERED));
     b.learn(View.closed(List.of(A, C)));
@@ -50,7 +50,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void itEntersWhenTheLastAnswerIsThereAndNoSooner() {
+  void aParticipantEntersWithTheLastAnswer() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x", "y"), 0);
     assertThat(sent)
@@ -64,7 +64,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void anAnswerToAnEarlierRequestCountsForNothing() {
+  void anAnswerToAnEarlierRequestHasNoEffect() {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 0);
     b.withdraw(MutexFailure.WITHDRAWN);
@@ -109,7 +109,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void aHolderKeepsBackWhatComesWithALowerTime() {
+  void aHolderDefersARequestWithALowerTime() {
     holds("x");
     hears(new Req(A, B, 1, 1, 1, sections("x")));
     assertThat(sent).isEmpty();
@@ -145,7 +145,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void theRestOfARequestShrinksWhatIsOpen() {
+  void aPartialReleaseShrinksTheOpenSections() {
     b.learn(View.closed(List.of(A, B)));
     hears(new Req(A, B, 1, 1, 5, sections("x", "y", "z")));
     hears(new Rem(A, B, 1, sections("y")));
@@ -154,7 +154,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void aNewcomerThatAsksIsAskedBackEvenIfNoViewOfMineListsIt() {
+  void aRequesterOutsideTheViewIsAskedBack() {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 0);
     hears(new Ok(A, B, 1));
@@ -173,7 +173,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void aNewcomerThatAsksWhileItWaitsIsAskedAtOnce() {
+  void aNewRequesterIsAskedAtOnceDuringAWait() {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 0);
     sent.clear();
@@ -184,7 +184,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void aViewFreesItFromThoseWhoAreNotListed() {
+  void aViewRemovesTheNeedForUnlistedParticipants() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
     hears(new Ok(A, B, 1));
@@ -193,14 +193,14 @@ class MutexProtocolTest {
   }
 
   @Test
-  void anOlderViewChangesNothing() {
+  void anOlderViewHasNoEffect() {
     b.learn(view(4, A, B));
     b.learn(view(3, A, B, C));
     assertThat(b.known()).containsExactly(A);
   }
 
   @Test
-  void aViewWithoutItEndsItsRequestsForEver() {
+  void aViewWithoutTheParticipantEndsItsRequestsForEver() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
     b.learn(view(2, A, C));
@@ -211,7 +211,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void aHolderThatIsRemovedKeepsWhatItHoldsUntilItReleases() {
+  void aRemovedHolderKeepsItsSectionsUntilTheRelease() {
     holds("x");
     b.learn(view(2, A, C));
     hears(new Req(A, B, 1, 1, 1, sections("x")));
@@ -223,7 +223,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void whoLeavesRequestsNoMoreAndGoesOnAnswering() {
+  void aLeavingParticipantStopsRequestsAndContinuesAnswers() {
     b.learn(View.closed(List.of(A, B)));
     b.beginLeave();
     b.request(sections("x"), 0);
@@ -233,7 +233,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void aRequestIsRepeatedToThoseWhoHaveNotAnsweredMoreAndMoreSlowly() {
+  void aRequestIsRepeatedWithGrowingPausesWhereAnswersAreMissing() {
     b.learn(View.closed(List.of(A, B, C)));
     b.request(sections("x"), 0);
     hears(new Ok(A, B, 1));
@@ -251,7 +251,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void atItsDeadlineARequestFailsAndFreesTheOthers() {
+  void aRequestFailsAtItsDeadlineAndFreesTheOthers() {
     b.learn(View.closed(List.of(A, B)));
     b.request(sections("x"), 5 * MS);
     long deadlineNs = (5 + MutexNode.TIMES.deadlineMs()) * MS;
@@ -267,7 +267,7 @@ class MutexProtocolTest {
   }
 
   @Test
-  void itsTimersAreThoseOfARequestThatWaits() {
+  void timersRunOnlyForAWaitingRequest() {
     b.learn(View.closed(List.of(A, B)));
     assertThat(b.nextTimerNs()).isEqualTo(Long.MAX_VALUE);
     b.request(sections("x"), 5 * MS);

@@ -9,7 +9,7 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.mutex.MutexWorld.Shape;
 import org.starl.primitives.mutex.MutexWorld.ViewFault;
 
-/** Safety under the whole envelope; and each of the model's mutants is found. */
+/** Safety in the whole envelope; every mutant of the model is found. */
 class MutexSafetyTest {
 
   private static final int STEPS = 400;
@@ -34,7 +34,7 @@ class MutexSafetyTest {
   }
 
   @Test
-  void twoThatSuspectEachOtherKeepTheInvariants() {
+  void mutualSuspicionKeepsTheInvariants() {
     assertThat(assertSafe(new Shape(2, 1, 1, 0, 6, ViewFault.NONE), 1_500, 1)).isGreaterThan(400);
   }
 
@@ -49,12 +49,12 @@ class MutexSafetyTest {
   }
 
   @Test
-  void anAnswerToAnotherRequestIsFound() {
+  void countingAnAnswerToAnotherRequestIsFound() {
     assertFound("Exclusive", CLOSED, ReplyWithoutId::new);
   }
 
   @Test
-  void aClockThatDoesNotHearIsFound() {
+  void aClockThatDoesNotAdvanceIsFound() {
     assertFound("Exclusive", CLOSED, NoClockUpdate::new);
   }
 
@@ -64,7 +64,7 @@ class MutexSafetyTest {
   }
 
   @Test
-  void whoGoesOnAfterItsExclusionIsFound() {
+  void continuingAfterARemovalIsFound() {
     assertFound("Kept", new Shape(2, 1, 1, 0, 3, ViewFault.NONE), OutGoesOn::new);
   }
 
@@ -75,33 +75,33 @@ class MutexSafetyTest {
   }
 
   @Test
-  void whoForgetsAnotherOnAFenceWithoutAViewIsFound() {
+  void forgettingAFencedParticipantWithoutAViewIsFound() {
     assertFound("Exclusive", new Shape(2, 0, 1, 0, 4, ViewFault.NONE), ExclusionWithoutView::new);
   }
 
   @Test
-  void aFencerThatWasNeverAskedIsFound() {
+  void aFenceWithoutNeededConsentIsFound() {
     assertFound("Kept", new Shape(2, 2, 1, 0, 4, ViewFault.NONE), FencerNeverAsked::new);
   }
 
   @Test
-  void aFenceThatCountsAfterItsFencerIsGoneIsFound() {
+  void aFenceThatCountsAfterItsFencerHasLeftIsFound() {
     Shape shape = new Shape(2, 1, 1, 0, 6, ViewFault.FENCER_GONE);
     assertFound("Kept", shape, MutexProtocol::new);
   }
 
   @Test
-  void whoEntersWhereAGhostStandsIsFound() {
+  void enteringASectionOfAGhostIsFound() {
     assertFound("Exclusive", new Shape(3, 0, 1, 1, 4, ViewFault.NONE), GhostBlind::new);
   }
 
   @Test
-  void aListThatForgetsAMemberIsFound() {
+  void aViewThatOmitsAMemberIsFound() {
     assertFound("Exclusive", OPEN.with(ViewFault.LOSES_A_MEMBER), MutexProtocol::new);
   }
 
   @Test
-  void anIdThatIsAdmittedAgainIsFound() {
+  void admittingAnIdTwiceIsFound() {
     Shape shape = new Shape(3, 1, 1, 0, 2, ViewFault.READMITS);
     assertFound("Exclusive", shape, MutexProtocol::new);
   }
@@ -112,7 +112,7 @@ class MutexSafetyTest {
     assertFound("Exclusive", shape, MutexProtocol::new);
   }
 
-  /** Returns how many were confined. */
+  /** Returns the number of confined participants. */
   private static long assertSafe(Shape shape, int seeds, int entriesPerRun) {
     long entries = 0;
     long confinements = 0;
@@ -131,7 +131,7 @@ class MutexSafetyTest {
     return confinements;
   }
 
-  /** Both the oracle and the monitors must see it, in one of many runs; the latter maybe later. */
+  /** The oracle and the monitors must both find the mutant in one of many runs. */
   private static void assertFound(String lemma, Shape shape, MutexNode.Kind mutant) {
     long bySight = 0;
     for (long seed = 0; seed < 5_000; seed++) {
@@ -166,7 +166,7 @@ class MutexSafetyTest {
 
     @Override
     void noteHeard(ProcessId other, long otherAdmittedBy) {
-      // The view only.
+      // It uses the view only.
     }
   }
 
@@ -188,7 +188,7 @@ class MutexSafetyTest {
 
     @Override
     void witness(long otherTs) {
-      // Its clock counts its own requests only.
+      // Its clock counts only its own requests.
     }
   }
 
@@ -198,8 +198,8 @@ class MutexSafetyTest {
     }
 
     @Override
-    boolean keepsBack(MutexMessage.Req req) {
-      return super.keepsBack(req) && isBefore(ts(), me(), req.ts(), req.from());
+    boolean defers(MutexMessage.Req req) {
+      return super.defers(req) && isBefore(ts(), me(), req.ts(), req.from());
     }
   }
 
@@ -210,7 +210,7 @@ class MutexSafetyTest {
 
     @Override
     void removed() {
-      // As if it still stood in the view.
+      // It continues as if the view still listed it.
     }
   }
 

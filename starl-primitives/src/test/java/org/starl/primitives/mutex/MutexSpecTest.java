@@ -17,7 +17,7 @@ import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
-/** The monitors on traces made by hand. d1 = 100, d2 = 50, d3 = 10 ns. */
+/** The monitors on handwritten traces, with d1 = 100, d2 = 50, d3 = 10 ns. */
 class MutexSpecTest {
 
   private static final ProcessId I = new ProcessId(new RobotId("i"), 1);
@@ -53,7 +53,7 @@ class MutexSpecTest {
       ask(4, passer, 3, "Z");
       event(4, new MutexEvent.Withdraw(passer, 1, MutexFailure.WITHDRAWN));
     }
-    // K has consented to J, and comes before it nevertheless.
+    // K has consented to J, but comes before it.
     ask(5, K, 1, "A");
     assertThat(monitors.report().violations(MutexSpec.PROMISE)).isEqualTo(1);
     enter(6, J, "A");

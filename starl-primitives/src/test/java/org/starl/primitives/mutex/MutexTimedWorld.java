@@ -1,5 +1,7 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -15,19 +17,17 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent;
 
 /**
- * A closed group in virtual time: each message takes up to delta, each holder releases within d1, in
- * parts, and asks for other sections some time later.
+ * A closed group in virtual time. Each message takes at most delta; each holder releases its
+ * sections in parts within d1, and requests other sections some time later.
  */
 final class MutexTimedWorld {
 
   /**
-   * What a run is made of.
+   * The parameters of a run.
    *
-   * @param holdFactor how much longer than d1 a holder may take; 1 in a world as assumed
+   * @param holdFactor the factor by which a holder may exceed d1; 1 if the assumptions hold
    */
   record Shape(int members, int sections, long d1Ms, long deltaMs, int holdFactor) {}
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private record Due(long atNs, long seq, Runnable action) {}
 

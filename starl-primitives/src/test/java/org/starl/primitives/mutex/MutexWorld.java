@@ -1,5 +1,7 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.LinkedHashSet;
@@ -20,15 +22,15 @@ import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 
 /**
- * Participants over a network that is as bad as the envelope allows: any message may be delivered at
- * any time, in any order, again, or never, also after its sender died. Anybody may crash and its
- * robot start anew, and anybody may be taken for crashed at any time, rightly or wrongly. Views are a
- * history to which joins, departures and valid confinements are appended; each participant learns of
- * them late, and may skip some. Everything follows from one seed.
+ * Participants on the worst network of the envelope: any message may be delivered at any time, in
+ * any order, again, or never, even after its sender's crash. Any participant may crash, its robot
+ * may restart, and any participant may be suspected at any time, rightly or wrongly. Joins,
+ * departures and valid confinements append views to a history; each participant learns them late,
+ * and may skip some. One seed determines everything.
  */
 final class MutexWorld {
 
-  /** How the history of views may be wrong. */
+  /** The possible errors in the history of views. */
   enum ViewFault {
     NONE,
     LOSES_A_MEMBER,
@@ -38,13 +40,13 @@ final class MutexWorld {
   }
 
   /**
-   * What a run is made of.
+   * The parameters of a run.
    *
-   * @param members in view 1
-   * @param joiners who may come later, new robots or new starts of old ones, at most
-   * @param sections A, B, ...
-   * @param crashes how many may die, at most
-   * @param suspicions how often somebody may be taken for crashed, at most
+   * @param members the number of members in view 1
+   * @param joiners the largest number of later participants: new robots, or restarted ones
+   * @param sections the number of sections A, B, ...
+   * @param crashes the largest number of crashes
+   * @param suspicions the largest number of suspicions
    */
   record Shape(
       int members, int joiners, int sections, int crashes, int suspicions, ViewFault fault) {
@@ -55,7 +57,6 @@ final class MutexWorld {
   }
 
   private static final int MOST_IN_FLIGHT = 200;
-  private static final long NS_PER_MS = 1_000_000;
 
   final List<MutexNode> nodes = new ArrayList<>();
   final List<MutexMessage> inFlight = new ArrayList<>();
@@ -71,7 +72,7 @@ final class MutexWorld {
   private final Rng rng;
   private final Set<ProcessId> leaving = new LinkedHashSet<>();
   private final List<ProcessId> out = new ArrayList<>();
-  // Counts whatever an invariant may depend on.
+  // Counts all changes that an invariant may depend on.
   private long changes;
   private int born;
   private int joinersLeft;
@@ -93,12 +94,12 @@ final class MutexWorld {
     nodes.forEach(node -> node.protocol.learn(log.get(0)));
   }
 
-  /** Takes {@code steps} random steps, or stops where any invariant is violated and tells it. */
+  /** Takes {@code steps} random steps, or stops at the first violation and returns it. */
   Optional<String> run(int steps) {
     return run(steps, "");
   }
 
-  /** The same, for the invariants whose names begin with {@code lemma}. */
+  /** Like {@link #run(int)}, for the invariants whose names begin with {@code lemma}. */
   Optional<String> run(int steps, String lemma) {
     for (int i = 0; i < steps; i++) {
       long before = changes;
@@ -114,12 +115,12 @@ final class MutexWorld {
   }
 
   /**
-   * From now on all messages arrive within a round of 250 ms, views are decided and learned within
-   * one, holders release, nobody asks for more, and who is silent is rightly taken for crashed. Who
-   * waits for nothing but a ghost gives up, and so does who waits for a dead one of whom nobody that
-   * is left can know what it holds: because all whom it needed have gone.
+   * Ends all faults: messages arrive within a round of 250 ms, views are decided and learned within
+   * a round, holders release, there are no new requests, and all suspicions are right. A request
+   * gives up if it waits only for a ghost, or for a dead participant whose sections no remaining
+   * participant can know, because all participants that it needed have gone.
    *
-   * @return the rounds until nobody waits or holds, or -1 if that is not so after {@code rounds}
+   * @return the rounds until no participant waits or holds, or -1 if one does after {@code rounds}
    */
   int heal(int rounds) {
     for (int round = 0; round < rounds; round++) {
@@ -285,7 +286,7 @@ final class MutexWorld {
     }
   }
 
-  /** Takes one that it waits for to be dead, whether it is or not. */
+  /** Lets a participant suspect one that it waits for, rightly or wrongly. */
   private void suspect() {
     if (suspicionsLeft > 0) {
       any(node -> node.isIn(Phase.TRYING) && !node.protocol.missing().isEmpty())
@@ -314,7 +315,7 @@ final class MutexWorld {
     }
   }
 
-  /** A dead one's robot begins as another participant, or says once more where its body is. */
+  /** Restarts the robot of a dead participant, or lets it declare its place again. */
   private void startAnew() {
     any(node -> node.dead && isLatest(node.id))
         .ifPresent(node -> {
@@ -348,7 +349,7 @@ final class MutexWorld {
     }
   }
 
-  /** Does all that is proposed; returns whether anything changed, or more may be proposed yet. */
+  /** Applies all proposals; returns whether a view changed, or more proposals may come. */
   private boolean confineAll() {
     boolean any = inFlight.stream().anyMatch(message -> !(message instanceof MutexMessage.Req));
     for (MutexNode node : nodes) {
@@ -360,7 +361,7 @@ final class MutexWorld {
     return any;
   }
 
-  /** The rule of confinement: whoever vouches is free, before and after. */
+  /** The rule of confinement: every fencer is listed, before and after. */
   private boolean confine(Confinement confinement) {
     boolean counts = confinement.hasFencersIn(last()) || shape.fault() == ViewFault.FENCER_GONE;
     if (!counts || !confinement.changes(last())) {
@@ -392,7 +393,7 @@ final class MutexWorld {
 
   private MutexNode birth(ProcessId id) {
     MutexNode node = new MutexNode(id, kind, this::send, this::trace);
-    // Names are no order of birth, so that a newcomer may win a tie.
+    // The order of names is not the order of joins, so a joiner may win a tie.
     nodes.add(rng.nextInt(nodes.size() + 1), node);
     return node;
   }

@@ -9,7 +9,7 @@ import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
 
-/** A membership that does what the test says. */
+/** A membership controlled by the test. */
 final class ScriptedViews implements Membership {
   private final TreeMap<ProcessId, Long> admitted = new TreeMap<>();
   private final List<Runnable> listeners = new ArrayList<>();
@@ -49,12 +49,12 @@ final class ScriptedViews implements Membership {
 
   @Override
   public void join(Member member) {
-    // Nobody leaves.
+    // No participant leaves.
   }
 
   @Override
   public void refresh() {
-    // There is nobody to ask.
+    // The test admits all views.
   }
 
   @Override

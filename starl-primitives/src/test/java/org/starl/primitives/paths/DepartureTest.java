@@ -2,7 +2,6 @@ package org.starl.primitives.paths;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Obstacle;
@@ -12,7 +11,7 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** Robots right beside each other's tubes, where planners, which keep a little farther, see no way. */
+/** Robots close beside each other's tubes, where the planner's larger margin leaves no path. */
 class DepartureTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 8000, 8000);
@@ -24,7 +23,7 @@ class DepartureTest {
   private final PathPlanner planner = new OptimalPlanner();
 
   @Test
-  void aRobotLeavesWhoseTubeAnotherOneDrivesRightPast() {
+  void aRobotLeavesBesideAPassingTube() {
     int stuck = 0;
     Tube standing = Tube.disc(MIDDLE, RADIUS_MM);
     for (long seed = 1; seed <= 40; seed++) {
@@ -34,11 +33,11 @@ class DepartureTest {
       stuck += isStuck(planner.plan(task)) ? 1 : 0;
       assertLeaves(task, MIDDLE, passing);
     }
-    assertThat(stuck).as("tubes so near that the planner alone sees no way").isPositive();
+    assertThat(stuck).as("tubes so close that the planner alone finds no path").isPositive();
   }
 
   @Test
-  void aRobotLeavesThatStoppedRightPastAnotherOne() {
+  void aRobotThatStoppedBesideAnotherLeaves() {
     int stuck = 0;
     Tube standing = Tube.disc(MIDDLE, RADIUS_MM);
     for (long seed = 1; seed <= 40; seed++) {
@@ -52,18 +51,18 @@ class DepartureTest {
         assertLeaves(task, stop, standing);
       }
     }
-    assertThat(stuck).as("stops so near that the planner alone sees no way").isPositive();
+    assertThat(stuck).as("stops so close that the planner alone finds no path").isPositive();
   }
 
   @Test
-  void whatIsFreeBeginsWhereItIs() {
+  void aFreeStartIsUsedUnchanged() {
     PlanTask task =
         task(MIDDLE, new Point(7000, 1000), Tube.disc(new Point(4000, 4800), RADIUS_MM));
     assertThat(new Departure(MIDDLE, REACH_MM).plan(planner, task)).isEqualTo(planner.plan(task));
   }
 
   @Test
-  void whoIsTooFarFromEveryFreePlaceIsToldSo() {
+  void aStartTooFarFromFreePlacesIsBlocked() {
     Point beside = new Point(4000, 4000 + RADIUS_MM - REACH_MM - 5);
     Obstacles wall = Obstacles.of(Obstacle.wall(new Point(0, 4000), new Point(8000, 4000)));
     PlanTask far = task(beside, new Point(4000, 7000), wall, List.of());
@@ -72,7 +71,7 @@ class DepartureTest {
     assertThat(isStuck(new Departure(near.start(), REACH_MM).plan(planner, near))).isFalse();
   }
 
-  /** A tube past {@code standing}, from one place to another. */
+  /** A tube that passes {@code standing}. */
   private Tube passing(Tube standing, Rng rng) {
     Point from = place(rng);
     Point to = MIDDLE.plus(MIDDLE.minus(from)).plus(new Point(0, rng.nextLong(-600, 600)));
@@ -98,22 +97,18 @@ class DepartureTest {
     return plan.equals(new Plan.Blocked(Plan.End.START));
   }
 
-  /** To the left or right of the middle. */
+  /** A place left or right of the middle. */
   private static Point place(Rng rng) {
     return new Point(rng.nextBoolean(0.5) ? 2500 : 5500, rng.nextLong(2_500, 5_500));
   }
 
-  /** Above or below of all such places. */
+  /** A place above or below all these places. */
   private static Point goal(Rng rng) {
     return new Point(4000, rng.nextBoolean(0.5) ? 800 : 7200);
   }
 
   private static PlanTask task(Point start, Point goal, Tube other) {
-    List<Capsule> taken = new ArrayList<>();
-    for (int i = 0; i < other.parts(); i++) {
-      taken.add(other.part(i));
-    }
-    return task(start, goal, Obstacles.NONE, taken);
+    return task(start, goal, Obstacles.NONE, other.capsules());
   }
 
   private static PlanTask task(Point start, Point goal, Obstacles walls, List<Capsule> taken) {

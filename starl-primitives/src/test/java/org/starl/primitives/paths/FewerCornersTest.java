@@ -8,7 +8,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
-/** Leaves out corners that the spare clearance allows, and no others. */
+/** Removes exactly the corners that the extra clearance allows. */
 class FewerCornersTest {
 
   private static final PlanTask TASK =
@@ -31,7 +31,7 @@ class FewerCornersTest {
   }
 
   @Test
-  void onlyPointsNearTheNewLineAreLeftOut() {
+  void onlyPointsNearTheNewLineAreRemoved() {
     Point start = new Point(0, 0);
     Point goal = new Point(1000, 0);
     Point near = new Point(300, 18);

@@ -9,14 +9,14 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** Random floors, and geometry on them that shares nothing with the planners. */
+/** Random floors, with geometry that is independent of the planners. */
 final class Floors {
 
   static final Rectangle BOUNDS = new Rectangle(0, 0, 4000, 3000);
 
   private Floors() {}
 
-  /** A floor of walls, triangles and quadrangles, and two places on it. */
+  /** A floor with walls, triangles and quadrangles, and two places on it. */
   static PlanTask random(Rng rng, int obstacles, double bodyMm, double clearanceMm) {
     List<Obstacle> all = new ArrayList<>();
     for (int i = 0; i < obstacles; i++) {
@@ -28,7 +28,7 @@ final class Floors {
     return new PlanTask(start, goal, BOUNDS, floor, List.of(), bodyMm, clearanceMm);
   }
 
-  /** Free most of the time: a crowded floor may have no such place. */
+  /** A place that is usually free: a crowded floor may have no free place. */
   private static Point freePlace(Rng rng, Obstacles floor, double marginMm) {
     Point place = place(rng);
     for (int i = 0; i < 30 && !isFree(place, floor, marginMm); i++) {
@@ -63,7 +63,7 @@ final class Floors {
     return new Obstacle(points, corners > 2, false, Obstacle.FOREVER);
   }
 
-  /** How far a leg stays from everything that is in the way; 0 where it meets something. */
+  /** The distance from a leg to the nearest obstacle; 0 if they meet. */
   static double clearanceMm(Segment leg, PlanTask task) {
     double least = Double.POSITIVE_INFINITY;
     for (Obstacle obstacle : task.obstacles().all()) {

@@ -6,7 +6,7 @@ import java.util.Deque;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
-/** Looks for a way along the lines of a grid, breadth first; knows nothing of the planners. */
+/** A breadth-first search on a grid, independent of the planners. */
 final class GridOracle {
 
   private static final double MESH_MM = 50;
@@ -18,7 +18,7 @@ final class GridOracle {
   private final int[] steps;
 
   /**
-   * @param marginMm the way stays so far from everything
+   * @param marginMm the least distance from the path to any obstacle
    */
   GridOracle(PlanTask task, double marginMm) {
     this.task = task;
@@ -28,7 +28,7 @@ final class GridOracle {
     steps = new int[columns * rows];
   }
 
-  /** The length of a way that there is, or infinite if it has found none. */
+  /** The length of a path, or infinite if the search finds none. */
   double lengthMm() {
     Arrays.fill(steps, -1);
     Deque<Integer> open = new ArrayDeque<>();

@@ -17,25 +17,25 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** The planner that looks at parts of the floor, against the one that looks at all of it. */
+/** Compares the planner for parts of the floor with the one for the whole floor. */
 class LocalPlannerTest {
 
   private final PathPlanner optimal = new OptimalPlanner();
   private final PathPlanner local = new LocalPlanner(50);
 
-  /** What is in the way is drawn, whole or in part, up to this much too wide or too narrow. */
+  /** Rounding makes obstacles wider or narrower by up to this length. */
   private static final double ROUNDING_MM = 3;
 
   @Property(tries = 300)
-  void itFindsAWayWhereTheOptimalPlannerDoes(
+  void aPathIsFoundWhereTheOptimalPlannerFindsOne(
       @ForAll long seed, @ForAll @IntRange(min = 0, max = 16) int obstacles) {
     PlanTask task = Floors.random(new Rng(seed), obstacles, 100, 20);
     Plan part = local.plan(task);
     Plan wider = optimal.plan(withClearance(task, 20 + ROUNDING_MM));
     Plan narrower = optimal.plan(withClearance(task, 20 - ROUNDING_MM));
-    // Only where a hair's breadth decides may the two see the floor differently.
+    // The two planners may differ only where rounding decides.
     boolean isClear = wider.getClass() == narrower.getClass();
-    Statistics.collect(isClear ? wider.getClass().getSimpleName() : "a hair's breadth");
+    Statistics.collect(isClear ? wider.getClass().getSimpleName() : "rounding decides");
     if (isClear) {
       assertThat(part.getClass()).isEqualTo(wider.getClass());
     }
@@ -50,7 +50,7 @@ class LocalPlannerTest {
   }
 
   @Example
-  void aClosedRoomIsSeenWithoutTheRestOfTheFloor() {
+  void aClosedRoomIsFoundWithoutTheWholeFloor() {
     List<Obstacle> all = new ArrayList<>();
     all.add(box(0, 0, 2_000, 2_000));
     for (int i = 0; i < 40; i++) {
@@ -69,7 +69,7 @@ class LocalPlannerTest {
   }
 
   @Example
-  void theCentreKeepsOutOfWhereItIsToldTo() {
+  void theCentreAvoidsKeepOutAreas() {
     Polygon bar =
         Polygon.of(
             new Point(1_900, 200),
@@ -86,12 +86,12 @@ class LocalPlannerTest {
         assertThat(bar.depthMm(at)).as("%s", at).isLessThan(1);
       }
     }
-    // It is not widened: the way leads along its border.
+    // The area is not widened: the path leads along its border.
     assertThat(path.points()).contains(new Point(1_900, 200));
   }
 
   @Example
-  void whereWhatItKeepsOutOfCutsTheFloorThereIsNoPath() {
+  void aKeepOutAreaAcrossTheFloorLeavesNoPath() {
     Polygon bar =
         Polygon.of(
             new Point(1_900, 0),
@@ -123,14 +123,7 @@ class LocalPlannerTest {
   }
 
   private static PlanTask withClearance(PlanTask task, double clearanceMm) {
-    return new PlanTask(
-        task.start(),
-        task.goal(),
-        task.bounds(),
-        task.obstacles(),
-        task.taken(),
-        task.bodyRadiusMm(),
-        clearanceMm);
+    return task.withClearanceMm(clearanceMm);
   }
 
   private static Point whole(Point point) {

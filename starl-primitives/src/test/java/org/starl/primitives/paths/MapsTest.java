@@ -19,8 +19,8 @@ import org.starl.random.Rng;
 
 /**
  * Maps of the public path-finding benchmarks (Stern and others, "Multi-agent pathfinding", SoCS
- * 2019), a metre a cell. A body narrower than a cell gets from one place to another exactly where
- * free cells with common sides lead there.
+ * 2019), with cells of one metre. For a body narrower than a cell, a path exists exactly where free
+ * cells with common sides connect the two places.
  */
 class MapsTest {
 
@@ -29,7 +29,7 @@ class MapsTest {
   @ParameterizedTest
   @ValueSource(
       strings = {"empty-48-48", "room-32-32-4", "random-64-64-20", "maze-32-32-4", "den312d"})
-  void aWayIsFoundExactlyWhereCellsLeadThere(String name) throws IOException {
+  void aPathIsFoundExactlyWhereCellsAreConnected(String name) throws IOException {
     boolean[][] free = read(name);
     Obstacles walls = walls(free);
     Rng rng = new Rng(1);
@@ -57,7 +57,7 @@ class MapsTest {
     return new PlanTask(middle(start), middle(goal), bounds, walls, List.of(), 300, 100);
   }
 
-  /** Skipped where the folder is absent; it is no part of the project. */
+  /** Reads a map; skips the test if the folder, which is not part of the project, is absent. */
   static boolean[][] read(String name) throws IOException {
     String shared = System.getProperty("starl.shared", "../../shared");
     java.nio.file.Path folder = java.nio.file.Path.of(shared).resolve("data/maps");
@@ -74,7 +74,7 @@ class MapsTest {
     return free;
   }
 
-  /** Each run of blocked cells in a row is one body. */
+  /** One body for each run of blocked cells in a row. */
   static Obstacles walls(boolean[][] free) {
     List<Obstacle> walls = new ArrayList<>();
     for (int row = 0; row < free.length; row++) {
@@ -116,7 +116,7 @@ class MapsTest {
     }
   }
 
-  /** Steps from cell to cell through common sides, or -1. */
+  /** The number of steps through common sides, or -1. */
   private static int cellsBetween(boolean[][] free, int[] start, int[] goal) {
     int[][] steps = new int[free.length][free[0].length];
     Deque<int[]> open = new ArrayDeque<>();

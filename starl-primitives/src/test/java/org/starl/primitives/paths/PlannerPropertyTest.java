@@ -11,10 +11,10 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** Random floors, checked by geometry and a search that share nothing with the planners. */
+/** Random floors, checked by geometry and a search that are independent of the planners. */
 class PlannerPropertyTest {
 
-  /** What rounding to whole mm and round corners drawn as chords may cost the planners. */
+  /** The larger margin due to rounding to whole mm, and to chords at round corners. */
   private static final double WIDER = 1.01;
 
   private static final double WIDER_MM = 5;
@@ -22,7 +22,7 @@ class PlannerPropertyTest {
   private final PathPlanner optimal = new OptimalPlanner();
 
   @Property(tries = 150)
-  void noPathComesNearerToAnythingThanTheClearance(
+  void everyPathKeepsTheClearance(
       @ForAll long seed, @ForAll @IntRange(min = 0, max = 14) int obstacles) {
     PlanTask task = task(seed, obstacles);
     for (PathPlanner planner : List.of(optimal, rrt(seed))) {
@@ -41,7 +41,7 @@ class PlannerPropertyTest {
   }
 
   @Property(tries = 100)
-  void theOptimalPathIsNeverLongerThanTheRandomOneAndFoundWheneverThatIs(
+  void theOptimalPlannerIsNeverWorseThanTheRandomOne(
       @ForAll long seed, @ForAll @IntRange(min = 0, max = 14) int obstacles) {
     PlanTask task = task(seed, obstacles);
     Plan random = rrt(seed).plan(task);
@@ -55,7 +55,7 @@ class PlannerPropertyTest {
   }
 
   @Property(tries = 60)
-  void theOptimalPlannerFindsAPathWheneverAGridSearchDoesAndNeverALongerOne(
+  void theOptimalPlannerIsNeverWorseThanAGridSearch(
       @ForAll long seed, @ForAll @IntRange(min = 3, max = 14) int obstacles) {
     PlanTask task = task(seed, obstacles);
     double marginMm = (task.bodyRadiusMm() + task.clearanceMm()) * WIDER + WIDER_MM;

@@ -12,7 +12,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
-/** Floors whose answer is known. */
+/** Floors with known answers. */
 class PlannerTest {
 
   private static final Point WEST = new Point(500, 1500);
@@ -24,14 +24,14 @@ class PlannerTest {
 
   @ParameterizedTest
   @MethodSource("planners")
-  void anEmptyFloorIsCrossedStraight(PathPlanner planner) {
+  void anEmptyFloorGivesAStraightPath(PathPlanner planner) {
     assertThat(planner.plan(Floors.task(WEST, EAST, 200)))
         .isEqualTo(new Plan.Found(new Path(List.of(WEST, EAST))));
   }
 
   @ParameterizedTest
   @MethodSource("planners")
-  void anEndInAnObstacleOrTooNearToItIsTold(PathPlanner planner) {
+  void anEndInOrCloseToAnObstacleIsBlocked(PathPlanner planner) {
     Obstacle block = block(400, 1400, 600, 1600);
     assertThat(planner.plan(Floors.task(WEST, EAST, 200, block)))
         .isEqualTo(blocked(Plan.End.START));
@@ -45,7 +45,7 @@ class PlannerTest {
 
   @ParameterizedTest
   @MethodSource("planners")
-  void anEndOffTheFloorIsTold(PathPlanner planner) {
+  void anEndOutsideTheFloorIsBlocked(PathPlanner planner) {
     assertThat(planner.plan(Floors.task(new Point(100, 1500), EAST, 200)))
         .isEqualTo(blocked(Plan.End.START));
     assertThat(planner.plan(Floors.task(WEST, new Point(3500, 3500), 200)))
@@ -53,7 +53,7 @@ class PlannerTest {
   }
 
   @Test
-  void anOptimalPathGoesRoundTheEndOfAWallOnTangentsAndAnArc() {
+  void anOptimalPathRoundAWallHasTangentsAndAnArc() {
     double marginMm = 200;
     Obstacle wall = Obstacle.wall(new Point(2000, -100), new Point(2000, 1800));
     double directMm = new Point(2000, 1800).distanceMm(WEST);
@@ -65,7 +65,7 @@ class PlannerTest {
   }
 
   @Test
-  void aWideMarginIsKeptRoundACornerThatIsDrawnAsChords() {
+  void aWideMarginIsKeptRoundACornerOfChords() {
     Obstacle wall = Obstacle.wall(new Point(2000, -100), new Point(2000, 500));
     PlanTask task = Floors.task(new Point(950, 950), new Point(3050, 950), 900, wall);
     Path path = found(new OptimalPlanner().plan(task));
@@ -81,7 +81,7 @@ class PlannerTest {
   }
 
   @Test
-  void aRoomWithoutADoorHasNoWayOutAndTheRandomPlannerOnlyGivesUp() {
+  void aClosedRoomHasNoPathAndTheRandomPlannerGivesUp() {
     Obstacle room =
         Obstacle.wall(
             new Point(100, 1000),
@@ -97,7 +97,7 @@ class PlannerTest {
 
   @ParameterizedTest
   @MethodSource("planners")
-  void whatOthersHaveTakenIsKeptOutOf(PathPlanner planner) {
+  void pathsAvoidTakenCapsules(PathPlanner planner) {
     Capsule taken = new Capsule(new Segment(new Point(2000, 0), new Point(2000, 2000)), 250);
     PlanTask task =
         new PlanTask(WEST, EAST, Floors.BOUNDS, Obstacles.NONE, List.of(taken), 165, 35);
@@ -109,7 +109,7 @@ class PlannerTest {
 
   @ParameterizedTest
   @MethodSource("planners")
-  void twoBodiesThatTouchAtACornerLeaveNoWayBetweenThem(PathPlanner planner) {
+  void twoBodiesThatTouchAtACornerLeaveNoGap(PathPlanner planner) {
     Obstacle low = block(1500, -100, 2000, 1500);
     Obstacle high = block(2000, 1500, 2500, 3100);
     Plan plan = planner.plan(Floors.task(WEST, EAST, 200, low, high));

@@ -13,7 +13,7 @@ import org.starl.geometry.Rectangle;
 import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
-/** Takes the straight way where it is free, and only there. */
+/** Uses the straight line exactly where it is free. */
 class StraightFirstTest {
 
   private static final Rectangle BOUNDS = new Rectangle(0, 0, 4_000, 4_000);
@@ -33,7 +33,7 @@ class StraightFirstTest {
   }
 
   @Property(tries = 300)
-  void aStraightWayKeepsTheMarginFromEverything(@ForAll long seed) {
+  void aStraightPathKeepsTheMargin(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Obstacles obstacles =
         Obstacles.of(
@@ -58,14 +58,14 @@ class StraightFirstTest {
   }
 
   @Test
-  void theEndsAreWholeMillimetres() {
+  void theEndsAreInWholeMillimetres() {
     Plan plan = plan(task(new Point(500.4, 600), new Point(900.6, 700), Obstacles.NONE, List.of()));
     assertThat(plan)
         .isEqualTo(new Plan.Found(new Path(List.of(new Point(500, 600), new Point(901, 700)))));
   }
 
   @Test
-  void theOtherPlannerDecidesWhereStartAndGoalAreEqual() {
+  void theOtherPlannerPlansIfStartAndGoalAreEqual() {
     Point here = new Point(500, 600);
     assertThat(plan(task(here, here, Obstacles.NONE, List.of()))).isEqualTo(OTHER);
   }

@@ -31,7 +31,7 @@ class TubeCodecTest {
   }
 
   @Property(tries = 500, edgeCases = EdgeCasesMode.NONE)
-  void damagedBytesAreReadAsSomethingOrRefusedAndNothingElse(@ForAll long seed) {
+  void damagedBytesAreReadOrRefused(@ForAll long seed) {
     Rng rng = new Rng(seed);
     byte[] damaged = bytes(message(rng));
     int at = rng.nextInt(damaged.length);
@@ -47,7 +47,7 @@ class TubeCodecTest {
   }
 
   @Test
-  void theLongestMessageFitsADatagramAndWhatIsStoredIsReadBack() {
+  void theLongestMessageFitsADatagramAndStoredBytesAreReadBack() {
     List<Point> line = new ArrayList<>();
     for (int i = 0; i < Tube.MAX_POINTS; i++) {
       line.add(new Point(-PlanTask.MAX_MM + i, PlanTask.MAX_MM - i));
@@ -63,7 +63,7 @@ class TubeCodecTest {
   }
 
   @Test
-  void tubesThatCannotBeAreRefused() {
+  void invalidTubesAreRefused() {
     byte[] noPoints = {1, 0, 0, 0, 0, 0, 0, 0, 1, 1, 0, 0, 1, 0, 0, 0};
     assertThatThrownBy(() -> codec.read(new WireReader(noPoints)))
         .isInstanceOf(WireFormatException.class);

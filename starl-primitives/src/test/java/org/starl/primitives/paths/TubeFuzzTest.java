@@ -8,7 +8,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.OneSpelling;
 import org.starl.sim.check.MalformedBytes;
 
-/** Any bytes as a message about tubes. */
+/** Decodes arbitrary bytes as a message about tubes. */
 public class TubeFuzzTest {
 
   private static final TubeCodec CODEC = new TubeCodec();
@@ -18,7 +18,7 @@ public class TubeFuzzTest {
   }
 
   @Test
-  void aMessageHasOneSpelling() {
+  void aMessageHasOneEncoding() {
     Tube tube = new Tube(List.of(new Point(1, 2), new Point(-300, 4), new Point(5, -600)), 250);
     Holding holding = new Holding(7L << 32, List.of(tube, tube), List.of(tube));
     List<byte[]> samples = new ArrayList<>();

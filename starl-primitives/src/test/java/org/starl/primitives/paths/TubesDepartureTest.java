@@ -15,7 +15,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** A robot that drives past another one, as near as it may, stops there, and is in nobody's way. */
+/** A robot stops as close as possible to another one, and the other one can still leave. */
 class TubesDepartureTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 8000, 8000);
@@ -23,7 +23,7 @@ class TubesDepartureTest {
       new TubeSettings(60, 1_000, 20_000, 200, 2_000, 200, 2_000);
   private static final long BOUND_NS = 600_000_000_000L;
 
-  /** When the one has stopped beside the other, and when the other must be gone. */
+  /** The time when the first robot has stopped, and the time when the other must have left. */
   private static final long STOPPED_MS = 60_000;
 
   private static final long GONE_MS = 120_000;
@@ -79,7 +79,7 @@ class TubesDepartureTest {
   }
 
   @Test
-  void whoStopsRightBesideAnotherOneLetsItLeave() {
+  void aRobotCanLeaveBesideAStoppedOne() {
     Simulation.Builder builder =
         Simulation.builder()
             .seed(1)

@@ -16,13 +16,13 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.world.Unsynced;
 
-/** Programs that crash between a grant and the way into it, and start anew. */
+/** Programs that crash between the grant of a tube and the entry into it, and restart. */
 class TubesRestartTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 6000, 6000);
   private static final long MS = 1_000_000;
 
-  /** Goes to one place, however often its program starts. */
+  /** Goes to one place after every start of its program. */
   private static final class Traveller extends LogicThread {
     Traveller(GlobalVarHolder gvh) {
       super(gvh);
@@ -40,8 +40,8 @@ class TubesRestartTest {
   }
 
   @Test
-  void whoHoldsItsOldPlaceAndItsNewWayStillGoesOn() {
-    // Storage is so slow that a crash falls between the note of the grant and that of what is left.
+  void aRestartedRobotWithTwoTubesContinues() {
+    // Storage is so slow that a crash falls between the writes of the grant and of the release.
     for (long atMs = 500; atMs <= 2_300; atMs += 150) {
       SimSettings settings = SimSettings.builder().set("stableDelay", "300ms").build();
       Simulation.Builder builder =

@@ -25,7 +25,7 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.world.Unsynced;
 
-/** Robots whose ways cross, on whole simulated robots, with the specification watching. */
+/** Simulated robots whose paths cross, checked by the specification. */
 class TubesSimulationTest {
 
   private static final Rectangle FLOOR = new Rectangle(0, 0, 8000, 8000);
@@ -34,7 +34,7 @@ class TubesSimulationTest {
   private static final long S = 1_000_000_000;
   private static final long BOUND_NS = 600_000_000_000L;
 
-  /** Goes to some places, one after the other; its results are how each try ended. */
+  /** Goes to several places in order; returns the result of each drive. */
   private static final class Traveller extends LogicThread {
     private final TubeSettings settings;
     private final int trips;
@@ -63,7 +63,7 @@ class TubesSimulationTest {
     }
   }
 
-  /** Goes to the place opposite. */
+  /** Goes to the opposite place. */
   private static final class Crosser extends LogicThread {
     private final TubeSettings settings;
 
@@ -116,7 +116,7 @@ class TubesSimulationTest {
 
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
-  void robotsThatCrossArriveInTubesOfTheirOwn(long seed) {
+  void crossingRobotsArriveInSeparateTubes(long seed) {
     int robots = 5;
     Simulation.Builder builder = ring(seed, weather("0.2", "10mm"));
     for (int i = 0; i < robots; i++) {
@@ -133,7 +133,7 @@ class TubesSimulationTest {
 
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
-  void robotsGoManyWaysWhileMessagesAreLost(long seed) {
+  void robotsReachManyGoalsDespiteMessageLoss(long seed) {
     int robots = 5;
     Simulation.Builder builder = ring(seed, weather("0.3", "20mm"));
     TubeSettings hasty = new TubeSettings(60, 1_000, 20_000, 200, 2_000, 200, 2_000);
@@ -151,10 +151,10 @@ class TubesSimulationTest {
     assertThat(countOf(result, "DONE NONE")).isGreaterThanOrEqualTo(8);
   }
 
-  /** Robots crash in mid-drive, some for good, some to come back with or without their last writes. */
+  /** Robots crash while driving, some for ever; some restart, with or without their last writes. */
   @ParameterizedTest
   @ValueSource(longs = {1, 2})
-  void whoCrashesKeepsItsTubeAndTheOthersGoRoundItOrAreTold(long seed) {
+  void aCrashedRobotKeepsItsTubeAndOthersAvoidItOrFail(long seed) {
     int robots = 5;
     SimSettings slowDisk =
         weather("0.1", "10mm").toBuilder()
@@ -194,7 +194,7 @@ class TubesSimulationTest {
   }
 
   @Test
-  void whoWasToldBeforeAnybodyHadAPlaceGetsThereOnceTheAirIsClear() {
+  void aDriveFailsDuringTotalLossAndSucceedsAfterIt() {
     int robots = 3;
     TubeSettings hasty = new TubeSettings(60, 1_000, 10_000, 200, 2_000, 200, 2_000);
     SimSettings deaf = weather("0", "0mm").toBuilder().set("faults", "loss(1,until=25s)").build();
@@ -214,7 +214,7 @@ class TubesSimulationTest {
   }
 
   @Test
-  void whileAMajorityIsGoneNothingMovesAndTheOthersAreTold() {
+  void withoutAMajorityNoRobotMovesAndAllFail() {
     int robots = 4;
     TubeSettings hasty = new TubeSettings(60, 1_000, 10_000, 200, 2_000, 200, 2_000);
     Simulation.Builder builder = ring(7, weather("0", "0mm"));
@@ -235,7 +235,7 @@ class TubesSimulationTest {
     assertThat(countOf(result, "FAIL DEADLINE")).isEqualTo(2);
   }
 
-  /** A planted bug: it asks for a tube, and then drives straight to its goal all the same. */
+  /** A planted bug: the robot requests a tube, but then drives straight to its goal. */
   @Test
   void aRobotThatLeavesItsTubeIsCaught() {
     Simulation.Builder builder = ring(3, weather("0", "0mm"));
@@ -245,7 +245,7 @@ class TubesSimulationTest {
     assertThat(result.spec().violations("Inside")).isPositive();
   }
 
-  /** A planted bug: a planner that takes a task and is never heard of again. */
+  /** A planted bug: the planner never returns. */
   @Test
   void aRobotThatNeverTellsIsCaught() {
     Simulation.Builder builder = ring(3, weather("0", "0mm"));
@@ -291,7 +291,7 @@ class TubesSimulationTest {
     assertThat(crossing(5)).isEqualTo(crossing(5)).isNotEqualTo(crossing(6));
   }
 
-  /** How many events the run had, and when it ended. */
+  /** The number of events of a run, and its end. */
   private static List<Long> crossing(long seed) {
     Simulation.Builder builder = ring(seed, weather("0.2", "10mm"));
     for (int i = 0; i < 3; i++) {

@@ -23,7 +23,7 @@ class TubesSpecTest {
   private final Monitors monitors = new Monitors(List.of(new TubesSpec(10 * S)));
 
   @Test
-  void tubesApartHold() {
+  void separateTubesSatisfyTheSpecification() {
     holds(1, A, X, "300@0,0>1000,0");
     holds(2, B, X, "300@0,601>1000,601;300@2000,0");
     assertThat(monitors.report().holds()).isTrue();
@@ -31,7 +31,7 @@ class TubesSpecTest {
   }
 
   @Test
-  void tubesThatMeetViolateTubesAlsoWithOneWhoCrashed() {
+  void tubesThatMeetViolateTubesEvenAfterACrash() {
     holds(1, A, X, "300@0,0>1000,0");
     monitors.observe(new Fault(2, A, Fault.CRASH, ""));
     holds(3, B, X, "300@500,-900>500,900");
@@ -39,7 +39,7 @@ class TubesSpecTest {
   }
 
   @Test
-  void whatWasGivenBackIsFreeAndAnotherInstanceIsAnotherMatter() {
+  void releasedTubesAreFreeAndInstancesAreIndependent() {
     holds(1, A, X, "300@0,0>1000,0");
     holds(2, A, X, "300@1000,0");
     holds(3, B, X, "300@0,0");
@@ -48,7 +48,7 @@ class TubesSpecTest {
   }
 
   @Test
-  void aBodyThatDrivesOutOfItsTubeViolatesInsideOnce() {
+  void aBodyThatLeavesItsTubeViolatesInsideOnce() {
     monitors.observe(new Joined(0, A, new Pose(0, 0, 0), 165));
     holds(0, A, X, "300@0,0>1000,0");
     monitors.observe(new Moved(0, A, new Pose(0, 0, StrictMath.PI / 2), 100, 0));
@@ -72,7 +72,7 @@ class TubesSpecTest {
   }
 
   @Test
-  void aRobotThatCrashesOwesNothing() {
+  void aCrashedRobotOwesNothing() {
     holds(0, A, X, "300@0,0");
     goTo(S, A);
     monitors.observe(new Fault(2 * S, A, Fault.CRASH, ""));

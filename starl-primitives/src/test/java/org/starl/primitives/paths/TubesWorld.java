@@ -15,8 +15,8 @@ import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Claimants and voters without robots: messages that are lost, doubled and overtaken at random,
- * writes that are flushed late, voters that crash and restart with what was flushed.
+ * Claimants and voters without robots: messages are lost, duplicated and reordered at random,
+ * writes are flushed late, and voters crash and restart with the flushed data.
  */
 final class TubesWorld {
 
@@ -25,10 +25,10 @@ final class TubesWorld {
   private static final int MESH_MM = 500;
   private static final long STEP_NS = 20_000_000;
 
-  /** A word and its answer, once more for what a grant makes it say, and as often again. */
+  /** Enough rounds for two messages with their answers, each with one repetition. */
   private static final int SETTLING = 4;
 
-  /** What a planted bug changes. */
+  /** The change of a planted bug. */
   record Bugs(int needed, boolean storesOnlyHeld, boolean votesBeforeFlush, boolean seesOnlyHeld) {
     static Bugs none(int robots) {
       return new Bugs(robots / 2 + 1, false, false, false);
@@ -72,16 +72,16 @@ final class TubesWorld {
     return monitors.report();
   }
 
-  /** Claims granted, without those of places to stand. */
+  /** The number of granted claims, without the first ones of discs. */
   int granted() {
     return granted;
   }
 
   /**
-   * Makes the network whole, so that every claim is decided, and lets each robot in turn claim what
-   * meets nobody's tube.
+   * Repairs the network, so that every claim is decided. Then each robot in turn claims a tube that
+   * meets no other tube.
    *
-   * @return how many of these are granted; all, unless somebody is stuck for good
+   * @return the number of granted claims; all, unless a robot is stuck for ever
    */
   int grantedOnceWhole() {
     settle();
@@ -97,7 +97,7 @@ final class TubesWorld {
     return granted - before;
   }
 
-  /** Time passes, and all that is said and written arrives. */
+  /** Lets time pass until all messages have arrived and all writes are flushed. */
   private void settle() {
     for (int i = 0; i < SETTLING; i++) {
       nowNs += TubeSettings.DEFAULT.maxResendNs();
@@ -171,7 +171,7 @@ final class TubesWorld {
       show();
     }
 
-    /** Holds one tube: its latest, or the place where it stands. */
+    /** Keeps one tube: the latest, or the disc at the robot's place. */
     void standStill() {
       List<Tube> held = claimant.holding().held();
       if (held.isEmpty()) {
@@ -182,7 +182,7 @@ final class TubesWorld {
       show();
     }
 
-    /** Asks for a way that leads nowhere: what it holds, nobody else can. */
+    /** Requests a tube at its own place, which no other robot can hold. */
     void askToStay() {
       List<Tube> held = claimant.holding().held();
       if (!held.isEmpty()) {
@@ -260,7 +260,7 @@ final class TubesWorld {
 
     @Override
     public void refused() {
-      // It will ask for something else.
+      // It will request another tube.
     }
 
     private void show() {

@@ -9,17 +9,17 @@ import net.jqwik.api.statistics.Statistics;
 import org.junit.jupiter.api.Test;
 import org.starl.primitives.paths.TubesWorld.Bugs;
 
-/** The claims' protocol by itself, as it is and with planted bugs. */
+/** The protocol of claims without robots, correct and with planted bugs. */
 class TubesWorldTest {
 
   private static final int ROBOTS = 5;
   private static final int STEPS = 4_000;
 
   @Property(tries = 30, edgeCases = EdgeCasesMode.NONE)
-  void noTwoTubesMeetWhateverTheNetworkAndTheVotersDo(@ForAll long seed) {
+  void noTwoTubesMeetUnderAnyFaults(@ForAll long seed) {
     TubesWorld world = new TubesWorld(seed, ROBOTS, Bugs.none(ROBOTS));
     assertThat(world.run(STEPS).violations()).isEmpty();
-    // A run in which nothing is granted tests nothing. By chance there is one in some five hundred.
+    // A run without a grant tests nothing; about one run in five hundred has none.
     Statistics.label("something is granted")
         .collect(world.granted() > 0)
         .coverage(tries -> tries.check(true).percentage(share -> share > 50));
@@ -43,7 +43,7 @@ class TubesWorldTest {
   }
 
   @Test
-  void aVoterThatLooksAtOneTubeOfEachOnlyIsCaught() {
+  void aVoterThatChecksOnlyOneTubePerRobotIsCaught() {
     assertThat(violations(new Bugs(ROBOTS / 2 + 1, false, false, true))).isPositive();
   }
 

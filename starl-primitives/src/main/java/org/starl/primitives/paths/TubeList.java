@@ -2,10 +2,10 @@ package org.starl.primitives.paths;
 
 import java.util.List;
 
-/** A list of tubes as the gvh and the trace show it. */
-record Holdings(List<Tube> tubes) {
+/** The value of the variable {@code held}: a list of tubes with its text for the trace. */
+record TubeList(List<Tube> tubes) {
 
-  Holdings {
+  TubeList {
     tubes = List.copyOf(tubes);
   }
 

@@ -2,8 +2,8 @@ package org.starl.primitives.paths;
 
 import java.util.Arrays;
 
-/** The corners on a line, in their order along it; its ends are the first and the last. */
-final class Touches {
+/** The corners on a segment, in order along it, between the segment's two ends. */
+final class TouchedCorners {
 
   private int px;
   private int py;
@@ -18,7 +18,7 @@ final class Touches {
     append(fromX, fromY);
   }
 
-  /** Adds a corner on the line, in its place. */
+  /** Inserts a corner in order. */
   void add(int cornerX, int cornerY) {
     append(cornerX, cornerY);
     for (int i = size - 1; i > 1 && fromStart(i - 1) > fromStart(i); i--) {

@@ -1,16 +1,16 @@
 package org.starl.primitives.mutex;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
 import org.starl.primitives.suspicion.Suspicion;
 
-/** The clock of one waiting request: when it is repeated, whom it suspects, when it is given up. */
-final class Patience {
+/** The timers of one waiting request: its repetitions, suspicions and deadline. */
+final class RequestTimers {
 
-  private static final long NS_PER_MS = 1_000_000;
-
-  /** Repetitions after which a later view is asked for: who says nothing may have left. */
+  /** Repetitions between queries for a later view, since a silent participant may have left. */
   private static final int RESENDS_PER_QUERY = 4;
 
   private final MutexTimes times;
@@ -21,7 +21,7 @@ final class Patience {
   private long resendNs;
   private int resends;
 
-  Patience(MutexTimes times) {
+  RequestTimers(MutexTimes times) {
     this.times = times;
     this.suspicion = new Suspicion(times.suspectMs() * NS_PER_MS);
   }
@@ -42,12 +42,12 @@ final class Patience {
     return nowNs >= deadlineNs;
   }
 
-  /** Whether to give up if only a ghost stands in the way. */
-  boolean isOverForGhosts(long nowNs) {
+  /** Whether to give up if only a ghost blocks the request. */
+  boolean isGhostTimeOver(long nowNs) {
     return nowNs - begunNs >= times.occupiedMs() * NS_PER_MS;
   }
 
-  /** Whether the request is to be repeated now. */
+  /** Whether the request must be repeated now; then computes the next repetition. */
   boolean resends(long nowNs) {
     if (nowNs < resendAtNs) {
       return false;
@@ -59,12 +59,12 @@ final class Patience {
     return true;
   }
 
-  /** Whether it is time to ask for a later view. */
-  boolean wantsNews() {
+  /** Whether to ask for a later view now. */
+  boolean isQueryDue() {
     return resends % RESENDS_PER_QUERY == 0;
   }
 
-  /** Which of {@code missing}, who are needed from now on at the latest, have been silent too long. */
+  /** The participants of {@code missing} that have been silent for too long. */
   List<ProcessId> silent(SortedSet<ProcessId> missing, long nowNs) {
     missing.forEach(peer -> suspicion.expect(peer, nowNs));
     return suspicion.suspects(nowNs);
@@ -74,7 +74,7 @@ final class Patience {
     suspicion.heard(peer, nowNs);
   }
 
-  /** Nothing is needed of anybody else any more. */
+  /** Ends the suspicion of all participants except {@code missing}. */
   void needsOnly(SortedSet<ProcessId> missing) {
     for (ProcessId peer : suspicion.expected()) {
       if (!missing.contains(peer)) {
