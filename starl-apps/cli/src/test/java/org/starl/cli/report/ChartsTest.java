@@ -18,7 +18,7 @@ class ChartsTest {
 
   private static Document sizes(List<Double> values) throws Exception {
     Html html = new Html().open("main");
-    new SizeCharts(html, "wait", "s", Spread.of(values)).write();
+    new SizeCharts(html, "wait", "s", Distribution.of(values)).write();
     return Parsed.page(html.close().page());
   }
 
@@ -40,8 +40,8 @@ class ChartsTest {
             .filter(tip -> tip.contains(" to ") && tip.contains(": "))
             .mapToInt(tip -> Integer.parseInt(tip.replaceAll(".*: (\\d+) \\(.*", "$1")))
             .sum();
-    Spread spread = Spread.of(values);
-    int below = spread.upTo(spread.shownUpTo());
+    Distribution spread = Distribution.of(values);
+    int below = spread.upTo(spread.chartLimit());
     assertThat(counted).isBetween(below, values.size());
     assertThat(page.getDocumentElement().getTextContent().contains("Left out"))
         .isEqualTo(below < values.size());
