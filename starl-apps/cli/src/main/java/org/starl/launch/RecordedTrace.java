@@ -55,7 +55,7 @@ record RecordedTrace(
    */
   static RecordedTrace read(String file) {
     if (!Files.isRegularFile(Path.of(file))) {
-      throw new BadInput(file + ": there is no such file" + EXPECTED);
+      throw new BadInput(file + ": no such file" + EXPECTED);
     }
     try (InputStream in =
             new BufferedInputStream(Files.newInputStream(Path.of(file)), BUFFER_BYTES);

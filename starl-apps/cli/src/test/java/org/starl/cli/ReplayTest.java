@@ -95,7 +95,7 @@ class ReplayTest {
 
   @Test
   void whatIsNoTraceOfThisStarlIsRefusedInOneLine() throws IOException {
-    isRefused(folder.resolve("none.trace"), "there is no such file");
+    isRefused(folder.resolve("none.trace"), "no such file");
     isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is no file");
     isRefused(Files.createFile(folder.resolve("empty.trace")), "expected the header");
     isRefused(

@@ -80,9 +80,9 @@ class RunTest {
     for (int car = 0; car < 4; car++) {
       assertThat(cli.out().get(1 + car))
           .startsWith("bot" + car + " (")
-          .contains(" came at ", "was registered at ", "waited ", "was across at ");
+          .contains(" came at ", "was registered at ", "waited ", "left the floor at ");
     }
-    assertThat(cli.out().get(5)).startsWith("4 of 4 robots got through in ");
+    assertThat(cli.out().get(5)).startsWith("4 of 4 robots finished in ");
     assertThat(cli.out().get(6)).contains("specifications held").contains("traffic_safety");
     assertThat(cli.out().get(7)).isEqualTo("picture: " + png);
     assertIsAPicture(png);

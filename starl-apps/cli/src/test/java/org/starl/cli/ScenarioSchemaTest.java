@@ -59,7 +59,7 @@ class ScenarioSchemaTest {
   private static RunRequest chosen(Path file) {
     RunOptions options = new RunOptions();
     new CommandLine(options).parseArgs(file.toString());
-    return options.chosen(Main.ALL);
+    return options.request(Main.ALL);
   }
 
   static List<Path> scenarioFiles() throws IOException {

@@ -12,7 +12,7 @@ class ViewTest {
   void withoutAScreenOneLineTellsHowToGetAPicture() {
     assumeThat(Window.isPossible()).as("this machine has a screen").isFalse();
     Cli cli = Cli.run("run", "hello", "--seed", "7", "--view");
-    assertThat(cli.status()).isEqualTo(ExitStatus.LACKING);
+    assertThat(cli.status()).isEqualTo(ExitStatus.MISSING_DEPENDENCY);
     assertThat(cli.err())
         .singleElement()
         .asString()

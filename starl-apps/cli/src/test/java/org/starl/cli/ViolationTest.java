@@ -154,7 +154,7 @@ class ViolationTest {
     assertThat(cli.status()).isZero();
     assertThat(cli.text())
         .containsPattern("runs +2\n")
-        .containsPattern("robots that got through +4\n")
+        .containsPattern("robots finished +4\n")
         .containsPattern("wait, median +[0-9.]+ s\n")
         .containsPattern("datagrams_sent a run, median +[0-9]+\n");
     assertThat(Files.exists(Path.of("out", "intersection-1.png"))).isFalse();
