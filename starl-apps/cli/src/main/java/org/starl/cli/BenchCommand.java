@@ -23,8 +23,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "bench",
     description =
-        "Measures a workload: runs it several times in this JVM, the first time cold, and prints its"
-            + " speed.",
+        "Measures a workload: runs it several times in this JVM, the first time cold, and prints"
+            + " its speed.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
 final class BenchCommand extends BaseCommand implements Callable<Integer> {

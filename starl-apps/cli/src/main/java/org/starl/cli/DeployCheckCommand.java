@@ -22,8 +22,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "check",
     description =
-        "Checks a deployment without running it: file, app, parameters, key and hosts. With --robot,"
-            + " also the device, address and port of that robot's machine.",
+        "Checks a deployment without running it: file, app, parameters, key and hosts. With"
+            + " --robot, also the device, address and port of that robot's machine.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy check crossing.yaml --robot bot0 --probe"})
 final class DeployCheckCommand extends BaseCommand implements Callable<Integer> {

@@ -24,9 +24,9 @@ import picocli.CommandLine.Parameters;
     name = "merge",
     description =
         "Merges the traces of a deployment's processes into one trace in causal order, and checks"
-            + " the app's specifications. Clock errors allow several orders of events, and measurement"
-            + " errors several places of bodies. A violation in all tried cases is reported as"
-            + " VIOLATED, a violation in only some of them as possible.",
+            + " the app's specifications. Clock errors allow several orders of events, and"
+            + " measurement errors several places of bodies. A violation in all tried cases is"
+            + " reported as VIOLATED, a violation in only some of them as possible.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy merge bot*.trace --out merged.trace"})
 final class DeployMergeCommand extends BaseCommand implements Callable<Integer> {

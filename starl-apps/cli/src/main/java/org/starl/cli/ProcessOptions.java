@@ -48,8 +48,8 @@ final class ProcessOptions {
       paramLabel = "WHO@WHEN",
       description =
           "With --processes: kill a robot's process (kill -9) at a time (bot2@12s), or after a"
-              + " variable of its trace first has a value ('bot2@app.location=MOVE_WAIT+1500ms'). May"
-              + " be repeated.")
+              + " variable of its trace first has a value ('bot2@app.location=MOVE_WAIT+1500ms')."
+              + " May be repeated.")
   private List<String> kills = new ArrayList<>();
 
   /**

@@ -29,8 +29,8 @@ import picocli.CommandLine.Option;
 @Command(
     name = "record",
     description =
-        "Writes a picture, an animation, an MCAP file or a table of a run. The run is simulated now,"
-            + " or read from a trace.",
+        "Writes a picture, an animation, an MCAP file or a table of a run. The run is simulated"
+            + " now, or read from a trace.",
     mixinStandardHelpOptions = true,
     footer = {
       "",

@@ -17,8 +17,8 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "replay",
     description =
-        "Shows a trace in a window. With --headless, repeats its run and compares the two traces line"
-            + " by line.",
+        "Shows a trace in a window. With --headless, repeats its run and compares the two traces"
+            + " line by line.",
     mixinStandardHelpOptions = true,
     footer = {
       "",

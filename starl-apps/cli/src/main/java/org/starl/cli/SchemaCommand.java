@@ -10,8 +10,9 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = "schema",
     description =
-        "Prints the JSON schema of scenario files or of deployment files. Editors use it to complete"
-            + " and check a file that begins with '# yaml-language-server: $$schema=FILE'.",
+        "Prints the JSON schema of scenario files or of deployment files. Editors use it to"
+            + " complete and check a file that begins with '# yaml-language-server:"
+            + " $$schema=FILE'.",
     mixinStandardHelpOptions = true,
     footer = {
       "",

@@ -152,8 +152,8 @@ final class TraceFile {
     if (isOfProcesses[0]) {
       throw new BadInput(
           name
-              + ": its robots were processes in real time, so it cannot be repeated; expected a trace"
-              + " of a simulation ('starl replay' without --headless shows this one)");
+              + ": its robots were processes in real time, so it cannot be repeated; expected a"
+              + " trace of a simulation ('starl replay' without --headless shows this one)");
     }
     Plan plan = plan();
     if (!interventions.isEmpty()) {

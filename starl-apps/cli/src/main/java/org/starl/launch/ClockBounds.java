@@ -49,8 +49,8 @@ final class ClockBounds {
         throw new BadInput(
             "the clock of machine "
                 + machines.get(a)
-                + " contradicts the messages and the other clocks; expected a larger --clock-error or"
-                + " --drift");
+                + " contradicts the messages and the other clocks; expected a larger --clock-error"
+                + " or --drift");
       }
     }
   }

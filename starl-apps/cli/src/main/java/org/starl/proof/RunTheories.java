@@ -97,8 +97,8 @@ public final class RunTheories implements SimObserver, Closeable {
     monitors.finish(endNs);
     if (theories.isEmpty()) {
       throw new BadInput(
-          "--pvs: this run has no primitive with a theory in pvs/: expected an app that uses a mutex,"
-              + " a registration, an agreement or an election");
+          "--pvs: this run has no primitive with a theory in pvs/: expected an app that uses a"
+              + " mutex, a registration, an agreement or an election");
     }
     StringBuilder text = new StringBuilder();
     for (RunTheory theory : theories.values()) {

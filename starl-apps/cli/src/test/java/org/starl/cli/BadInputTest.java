@@ -146,7 +146,7 @@ class BadInputTest {
 
   @ParameterizedTest
   @MethodSource("badArguments")
-  void isRefusedInOneLine(String line) {
+  void badArgumentsAreRefusedInOneLine(String line) {
     String[] parts = line.split(" [|] ");
     assertRefused(Cli.run(parts[0].split(" ")), Arrays.copyOfRange(parts, 1, parts.length));
   }
@@ -172,7 +172,7 @@ class BadInputTest {
   }
 
   @Test
-  void whatIsNoTextIsRefused() throws IOException {
+  void aFileThatIsNotTextIsRefused() throws IOException {
     Path binary = folder.resolve("picture.yaml");
     Files.write(binary, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, (byte) 0xFF});
     assertRefused(Cli.run("run", binary.toString()), "picture.yaml", "is no text", "expected");
@@ -197,7 +197,7 @@ class BadInputTest {
   }
 
   @Test
-  void nothingIsLeftBehind() throws IOException {
+  void aRefusedRunLeavesNoFiles() throws IOException {
     String trace = folder.resolve("a.trace").toString();
     String csv = folder.resolve("a.csv").toString();
     String png = folder.resolve("a.png").toString();

@@ -66,7 +66,7 @@ class RunTest {
   }
 
   @Test
-  void figure7IsToldTracedTabulatedAndDrawn() throws IOException {
+  void figure7HasStoryTraceTableAndPicture() throws IOException {
     Path trace = folder.resolve("a.trace");
     Path csv = folder.resolve("a.csv");
     Path png = folder.resolve("deep/er/a.png");
@@ -155,7 +155,7 @@ class RunTest {
   }
 
   @Test
-  void aScenarioFileSaysTheSameAsFlags() throws IOException {
+  void aScenarioFileEqualsItsOptions() throws IOException {
     Path yaml = folder.resolve("my.yaml");
     Files.writeString(
         yaml,
@@ -197,7 +197,7 @@ class RunTest {
   }
 
   @Test
-  void anUnfinishedRunSaysWho() {
+  void anUnfinishedRunNamesItsRobots() {
     Cli cli =
         Cli.run("run intersection --seed 7 --for 5s --png".concat(" " + file("a.png")).split(" "));
     assertThat(cli.status()).isEqualTo(1);

@@ -31,7 +31,7 @@ class ChartsTest {
   }
 
   @Property(tries = 200)
-  void barsCountEveryValueOnceUnlessTheChartSaysThatItIsLeftOut(
+  void barsCountEachValueOnceUnlessItIsLeftOut(
       @ForAll @Size(min = 1, max = 60) List<@DoubleRange(min = 0, max = 100) Double> values)
       throws Exception {
     Document page = sizes(values);
@@ -66,7 +66,7 @@ class ChartsTest {
   }
 
   @Example
-  void farStragglersAreToldAndDoNotSqueezeTheRest() throws Exception {
+  void farOutliersAreLeftOutAndCounted() throws Exception {
     List<Double> values = new ArrayList<>(IntStream.range(0, 200).mapToObj(i -> 1.0).toList());
     values.add(5000.0);
     String text = sizes(values).getDocumentElement().getTextContent();

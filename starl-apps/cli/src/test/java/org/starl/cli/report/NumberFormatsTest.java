@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 class NumberFormatsTest {
 
   @Test
-  void numbersHaveTheDigitsThatSaySomething() {
+  void numbersHaveTheirSignificantDigits() {
     assertThat(NumberFormats.number(12_345)).isEqualTo("12\u202F345");
     assertThat(NumberFormats.number(1234.4)).isEqualTo("1\u202F234");
     assertThat(NumberFormats.number(100)).isEqualTo("100");
@@ -20,7 +20,7 @@ class NumberFormatsTest {
   }
 
   @Test
-  void allAndNoneAreSaidOfAllAndNoneAlone() {
+  void onlyExactSharesAreWrittenAs0And100Percent() {
     assertThat(NumberFormats.percent(0, 5)).isEqualTo("0\u00A0%");
     assertThat(NumberFormats.percent(5, 5)).isEqualTo("100\u00A0%");
     assertThat(NumberFormats.percent(1, 100_000)).isEqualTo("0.1\u00A0%");
