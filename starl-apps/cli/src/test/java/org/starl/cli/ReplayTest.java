@@ -96,7 +96,7 @@ class ReplayTest {
   @Test
   void aFileThatIsNotATraceOfThisVersionIsRefusedInOneLine() throws IOException {
     isRefused(folder.resolve("none.trace"), "no such file");
-    isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is no file");
+    isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is not a file");
     isRefused(Files.createFile(folder.resolve("empty.trace")), "expected the header");
     isRefused(
         Files.writeString(folder.resolve("poem.trace"), "roses are red\n"), "expected the header");

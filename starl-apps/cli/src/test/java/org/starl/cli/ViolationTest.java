@@ -99,7 +99,7 @@ class ViolationTest {
         .containsExactly(
             "replay: ./starl run throwing --seed 3",
             "starl: throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
-                + " purpose (--stacktrace shows where)");
+                + " purpose (--stacktrace shows details)");
     assertThat(trace).isNotEmptyFile();
     assertThat(cli.out()).isEmpty();
   }
@@ -156,7 +156,7 @@ class ViolationTest {
         .containsPattern("runs +2\n")
         .containsPattern("robots finished +4\n")
         .containsPattern("wait, median +[0-9.]+ s\n")
-        .containsPattern("datagrams_sent a run, median +[0-9]+\n");
+        .containsPattern("datagrams_sent per run, median +[0-9]+\n");
     assertThat(Files.exists(Path.of("out", "intersection-1.png"))).isFalse();
   }
 }
