@@ -22,15 +22,15 @@ import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
 
 /**
- * {@code starl bench apps}: each app on each of its {@link Demo#inputs}, without faults and with
- * every fifth message lost: a table in Markdown, for the docs.
+ * {@code starl bench apps}: a campaign of each app on each of its {@link Demo#inputs}, without loss
+ * and with 20 % loss. Prints a table in Markdown, for the docs.
  */
 final class AppsTable {
 
-  /** As in {@code starl bench NAME}. */
+  /** The workload's name. */
   static final String NAME = "apps";
 
-  /** One line. */
+  /** One line for {@code starl list}. */
   static final String SUMMARY =
       "every app on every input of a folder, with and without loss: a table in Markdown";
 
@@ -43,7 +43,7 @@ final class AppsTable {
               + " | collisions of robots, median (most) | the code of 2014 |",
           "|---|---|---|---|---|---|---|---|---|---|");
 
-  /** One campaign. */
+  /** The result of one campaign. */
   private record Row(Demo demo, Input input, boolean isLossy, CampaignResult result) {
 
     String markdown() {
@@ -107,11 +107,11 @@ final class AppsTable {
   }
 
   /**
-   * Runs and prints it, each row as soon as it is there.
+   * Runs the campaigns; prints each row as soon as its campaign ends.
    *
-   * @param onlyApp of this app, or null for all
-   * @param onlyInput on inputs of this name, or null for all
-   * @return whether every run went well
+   * @param onlyApp only this app; null for all apps
+   * @param onlyInput only inputs of this name; null for all inputs
+   * @return whether every run was good
    */
   boolean print(Demos demos, @Nullable String onlyApp, @Nullable String onlyInput, boolean asJson)
       throws InterruptedException {
@@ -139,7 +139,7 @@ final class AppsTable {
     }
     for (Map.Entry<Input, Demo> run : chosen.entrySet()) {
       if (!Files.exists(run.getKey().path())) {
-        throw new BadInput(run.getKey().path() + ": no such input of " + run.getValue().name());
+        throw new BadInput(run.getKey().path() + ": missing input of " + run.getValue().name());
       }
       for (boolean isLossy : new boolean[] {false, true}) {
         Row row = row(run.getValue(), run.getKey(), isLossy);

@@ -5,7 +5,6 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.bench.Measurement;
@@ -17,23 +16,22 @@ import org.starl.input.BadInput;
 import org.starl.sim.view.ViewBench;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code starl bench}. */
 @Command(
     name = "bench",
     description =
-        "Runs a workload several times in this JVM, the first one cold, and tells how fast.",
+        "Measures a workload: runs it several times in this JVM, the first time cold, and prints"
+            + " its speed.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
-final class BenchCommand implements Callable<Integer> {
+final class BenchCommand extends BaseCommand implements Callable<Integer> {
 
   private static final String VIEW = "view";
 
-  /** Real time for each number of robots. */
+  /** Real seconds for each number of robots. */
   private static final double VIEW_S = 8;
 
   @Parameters(
@@ -45,45 +43,61 @@ final class BenchCommand implements Callable<Integer> {
   @Option(
       names = "--robots",
       paramLabel = "N",
-      description = "How many robots, 256 unless given; for mutex the most, 64 unless given.")
+      description =
+          "Number of robots (default: 256; view: 100, 1000 and 10000). Of mutex the largest number"
+              + " (default: 64).")
   private @Nullable String robots;
 
-  @Option(names = "--style", paramLabel = "STYLE", description = "blocking or step.")
+  @Option(
+      names = "--style",
+      paramLabel = "STYLE",
+      defaultValue = "blocking",
+      description = "blocking or step (default: ${DEFAULT-VALUE}).")
   private Workload.Style style = Workload.Style.BLOCKING;
 
-  @Option(names = "--runs", paramLabel = "N", description = "How many runs; 5 unless given.")
+  @Option(
+      names = "--runs",
+      paramLabel = "N",
+      defaultValue = "5",
+      description = "Number of runs (default: ${DEFAULT-VALUE}).")
   private String runs = "5";
 
-  @Option(names = "--seed", paramLabel = "S", description = "1 unless given.")
+  @Option(
+      names = "--seed",
+      paramLabel = "S",
+      defaultValue = "1",
+      description = "Seed of the runs (default: ${DEFAULT-VALUE}).")
   private String seed = "1";
 
   @Option(
       names = "--inputs",
       paramLabel = "FOLDER",
-      description = "Of apps: the folder with the apps' input files.")
+      description = "With apps: the folder with the apps' input files.")
   private @Nullable Path inputs;
 
-  @Option(names = "--seeds", paramLabel = "A..B", description = "Of apps; 1..200 unless given.")
+  @Option(
+      names = "--seeds",
+      paramLabel = "A..B",
+      defaultValue = "1..200",
+      description = "With apps: seeds of the runs (default: ${DEFAULT-VALUE}).")
   private String seeds = "1..200";
 
-  @Option(names = "--app", paramLabel = "APP", description = "Of apps: this one only.")
+  @Option(names = "--app", paramLabel = "APP", description = "With apps: only this app.")
   private @Nullable String app;
 
   @Option(
       names = "--input",
       paramLabel = "NAME",
-      description = "Of apps: on inputs of this name only, such as four.wpt.")
+      description = "With apps: only inputs of this name, such as four.wpt.")
   private @Nullable String input;
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() throws InterruptedException {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter out = out();
     if (name.equals(MutexCost.NAME)) {
-      showMutexCost(out, spec.commandLine().getErr());
+      showMutexCost(out, err());
       return ExitStatus.GOOD;
     }
     if (name.equals(VIEW)) {
@@ -91,7 +105,7 @@ final class BenchCommand implements Callable<Integer> {
       return ExitStatus.GOOD;
     }
     if (name.equals(AppsTable.NAME)) {
-      return showApps(out, spec) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+      return showApps(out) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     }
     Workload workload =
         Workloads.byName(name)
@@ -100,9 +114,9 @@ final class BenchCommand implements Callable<Integer> {
                     "no workload is called "
                         + BadInput.quote(name)
                         + ": expected b1, b2, mutex, view or apps"));
-    Carriers.chosen(null, spec.commandLine().getErr());
+    Carriers.select(null, err());
     int planned = (int) Numbers.whole("--runs", runs, 1, 1000);
-    ProgressLine progress = new ProgressLine(spec.commandLine().getErr(), "runs");
+    ProgressLine progress = new ProgressLine(err(), "runs");
     List<Measurement> taken =
         Measurement.take(
             workload,
@@ -118,16 +132,16 @@ final class BenchCommand implements Callable<Integer> {
     return ExitStatus.GOOD;
   }
 
-  private boolean showApps(PrintWriter out, CommandSpec spec) throws InterruptedException {
+  private boolean showApps(PrintWriter out) throws InterruptedException {
     if (inputs == null) {
       throw new BadInput("bench apps: expected --inputs FOLDER, the apps' input files");
     }
-    PrintWriter err = spec.commandLine().getErr();
-    return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.chosen(null, err), out, err)
-        .print(Main.demos(spec), app, input, json.isOn());
+    PrintWriter err = err();
+    return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.select(null, err), out, err)
+        .print(demos(), app, input, json.isOn());
   }
 
-  /** Pictures a second while b2 goes on beside it. */
+  /** Frames per second of the viewer while b2 runs beside it. */
   private void showView(PrintWriter out) throws InterruptedException {
     List<String> sizes = robots == null ? List.of("100", "1000", "10000") : List.of(robots);
     for (String size : sizes) {

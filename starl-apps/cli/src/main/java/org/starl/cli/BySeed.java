@@ -3,7 +3,7 @@ package org.starl.cli;
 import java.util.concurrent.atomic.AtomicReferenceArray;
 import org.jspecify.annotations.Nullable;
 
-/** What each run of a campaign gave; runs may end on several threads, in any order. */
+/** A value for each run of a campaign. Runs end on several threads, in any order. */
 final class BySeed<T> {
 
   private final long first;
@@ -18,7 +18,7 @@ final class BySeed<T> {
     values.set((int) (seed - first), value);
   }
 
-  /** Null if the run gave nothing. */
+  /** The value of a run, or null if it has none. */
   @Nullable T get(long seed) {
     return values.get((int) (seed - first));
   }

@@ -6,7 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
@@ -24,27 +23,26 @@ import org.starl.sim.kernel.CarrierKind;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code starl campaign}. */
 @Command(
     name = "campaign",
     description =
-        "Many runs on all cores; a table, and the first violation with its replay command.",
+        "Runs an app with many seeds, on all cores. Prints a table, and the first bad run with its"
+            + " replay command.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
-      "Example: starl campaign intersection --seeds 1..500 --loss 0.3 --delay 'uniform(10ms,200ms)'",
+      "Example: starl campaign intersection --seeds 1..500 --loss 0.3",
       "         starl campaign mutex --seeds 1..100 --chaos --shrink",
       "         starl campaign race --seeds 1..200 --loss 0.3 --report race.html"
     })
-final class CampaignCommand implements Callable<Integer> {
+final class CampaignCommand extends BaseCommand implements Callable<Integer> {
 
   private static final int MAX_THREADS = 1024;
 
-  /** Percentiles of the waits that are shown. */
+  /** The percentiles of waiting times to show. */
   private static final int[] WAITS = {50, 90, 95, 99, 100};
 
   @Mixin private RunOptions options = new RunOptions();
@@ -75,54 +73,50 @@ final class CampaignCommand implements Callable<Integer> {
   @Option(
       names = "--report",
       paramLabel = "FILE",
-      description =
-          "Write a page for a browser: charts, every run, stories and pictures of bad runs.")
+      description = "Write an HTML page: charts, every run, stories and pictures of bad runs.")
   private @Nullable String report;
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() throws InterruptedException, IOException {
     Seeds.Range range = Seeds.Range.of(seeds);
-    RunRequest chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
+    RunRequest request = options.request(demos());
     Campaign campaign = new Campaign(range.first(), range.last(), workers(), stop);
     // A request that cannot be planned for the first seed is bad input, not a failed run.
-    chosen.plan(range.first()).simulation().build();
+    request.plan(range.first()).simulation().build();
     try (ReportFile page = ReportFile.of(report, range)) {
-      return run(campaign, chosen, range, page);
+      return run(campaign, request, range, page);
     }
   }
 
   private int run(
-      Campaign campaign, RunRequest chosen, Seeds.Range range, @Nullable ReportFile page)
+      Campaign campaign, RunRequest request, Seeds.Range range, @Nullable ReportFile page)
       throws InterruptedException, IOException {
-    CommandSpec command = Objects.requireNonNull(spec);
-    PrintWriter out = command.commandLine().getOut();
-    PrintWriter err = command.commandLine().getErr();
-    CarrierKind carriers = Carriers.chosen(null, err);
+    PrintWriter out = out();
+    PrintWriter err = err();
+    CarrierKind carriers = Carriers.select(null, err);
     BySeed<Measures> measured = new BySeed<>(range);
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
-        campaign.run(seed -> run(chosen, seed, carriers, measured, page), progress::show);
+        campaign.run(seed -> run(request, seed, carriers, measured, page), progress::show);
     progress.end();
     Samples samples = new Samples(result, measured);
     CampaignResult.Run bad = result.firstBad();
     Shrinking.Shrunk shrunk =
         bad == null || !shrink
             ? null
-            : new Shrinking(Main.demos(command), chosen, bad.seed(), carriers).run(err);
+            : new Shrinking(demos(), request, bad.seed(), carriers).run(err);
     if (page != null) {
       page.write(
-          ReportFile.subject(chosen, typed(), range),
+          ReportFile.description(request, typed(), range),
           result,
-          seed -> plan(chosen, seed, carriers),
+          seed -> plan(request, seed, carriers),
           shrunk == null ? List.of() : shrunk.lines(),
           err);
     }
     if (json.isOn()) {
-      Map<String, Object> summary = summary(chosen, range, result, samples);
+      Map<String, Object> summary = summary(request, range, result, samples);
       if (shrunk != null) {
         summary.put("shrunk", shrunk.json());
       }
@@ -131,7 +125,7 @@ final class CampaignCommand implements Callable<Integer> {
       }
       out.println(Json.line(summary));
     } else {
-      table(chosen, result, samples).forEach(out::println);
+      table(request, result, samples).forEach(out::println);
       if (report != null) {
         out.println("report: " + report);
       }
@@ -140,16 +134,16 @@ final class CampaignCommand implements Callable<Integer> {
       return ExitStatus.GOOD;
     }
     err.println("seed " + bad.seed() + ": " + bad.outcome().detail());
-    err.println("replay: " + chosen.replay(bad.seed()));
+    err.println("replay: " + request.replay(bad.seed()));
     if (shrunk != null) {
       shrunk.lines().forEach(err::println);
     }
     return ExitStatus.VIOLATED;
   }
 
-  /** The command line as it was given. */
+  /** The command line as the user typed it. */
   private String typed() {
-    CommandLine root = Objects.requireNonNull(spec).root().commandLine();
+    CommandLine root = spec().root().commandLine();
     return Shell.starl(root.getParseResult().originalArgs());
   }
 
@@ -159,34 +153,34 @@ final class CampaignCommand implements Callable<Integer> {
         : (int) Numbers.whole("--threads", threads, 1, MAX_THREADS);
   }
 
-  private static Plan plan(RunRequest chosen, long seed, CarrierKind carriers) {
+  private static Plan plan(RunRequest request, long seed, CarrierKind carriers) {
     try {
-      Plan plan = chosen.plan(seed);
+      Plan plan = request.plan(seed);
       plan.simulation().carriers(carriers);
       return plan;
     } catch (BadInput e) {
-      throw of(seed, e);
+      throw planError(seed, e);
     }
   }
 
-  /** An error in planning this seed, although the first one could be planned. */
-  private static IllegalStateException of(long seed, BadInput error) {
+  /** An error in the plan of this seed, although the plan of the first seed was correct. */
+  private static IllegalStateException planError(long seed, BadInput error) {
     return new IllegalStateException("seed " + seed + ": " + error.getMessage(), error);
   }
 
   private static RunOutcome run(
-      RunRequest chosen,
+      RunRequest request,
       long seed,
       CarrierKind carriers,
       BySeed<Measures> measured,
       @Nullable ReportFile page) {
-    Plan plan = plan(chosen, seed, carriers);
+    Plan plan = plan(request, seed, carriers);
     MessageCounts messages = page == null ? null : ReportFile.watch(plan);
     SimResult result;
     try {
       result = plan.simulation().build().run();
     } catch (BadInput e) {
-      throw of(seed, e);
+      throw planError(seed, e);
     }
     if (page != null && messages != null) {
       page.put(seed, result, plan, messages);
@@ -199,27 +193,28 @@ final class CampaignCommand implements Callable<Integer> {
     return outcome.withFigures(figures);
   }
 
-  private static List<String> table(RunRequest chosen, CampaignResult result, Samples samples) {
+  private static List<String> table(RunRequest request, CampaignResult result, Samples samples) {
     Table table = new Table();
-    table.row(chosen.demo().name(), "");
+    table.row(request.demo().name(), "");
     table.row("runs", Long.toString(result.runs().size()));
     for (Verdict verdict : Verdict.values()) {
       table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
     }
-    table.row("robots that got through", Long.toString(samples.completed()));
+    table.row("robots finished", Long.toString(samples.completed()));
     samples.counts().forEach((what, count) -> table.row(what, Long.toString(count)));
     for (int percent : WAITS) {
       table.row("wait, " + name(percent), Outcome.seconds(samples.waitNs(percent)));
     }
     for (String figure : result.figures()) {
       for (int percent : new int[] {50, 100}) {
-        table.row(figure + " a run, " + name(percent), figure(result.percentile(figure, percent)));
+        table.row(
+            figure + " per run, " + name(percent), figure(result.percentile(figure, percent)));
       }
     }
     return table.lines();
   }
 
-  /** A whole number, or one with a digit behind the point. */
+  /** A whole number, or a number with one decimal. */
   private static String figure(double value) {
     return value == Math.rint(value)
         ? Long.toString((long) value)
@@ -227,9 +222,9 @@ final class CampaignCommand implements Callable<Integer> {
   }
 
   private static Map<String, Object> summary(
-      RunRequest chosen, Seeds.Range range, CampaignResult result, Samples samples) {
+      RunRequest request, Seeds.Range range, CampaignResult result, Samples samples) {
     Map<String, Object> summary = new LinkedHashMap<>();
-    summary.put("app", chosen.demo().name());
+    summary.put("app", request.demo().name());
     summary.put("seeds", range.first() + ".." + range.last());
     for (Verdict verdict : Verdict.values()) {
       summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
@@ -253,8 +248,8 @@ final class CampaignCommand implements Callable<Integer> {
   private static String name(int percent) {
     return switch (percent) {
       case 50 -> "median";
-      case 100 -> "most";
-      default -> percent + " % below";
+      case 100 -> "maximum";
+      default -> percent + "th percentile";
     };
   }
 }

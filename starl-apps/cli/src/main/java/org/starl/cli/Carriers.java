@@ -5,13 +5,13 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.sim.kernel.CarrierKind;
 
-/** Which carriers to run on. */
+/** Selects the carriers of blocking apps. */
 final class Carriers {
 
   private Carriers() {}
 
-  /** What the user wants, else the best; one line says why that is not the fast one. */
-  static CarrierKind chosen(@Nullable CarrierKind wanted, PrintWriter err) {
+  /** The wanted kind; without one the best kind, with a line if that is not the fast one. */
+  static CarrierKind select(@Nullable CarrierKind wanted, PrintWriter err) {
     String reason = CarrierKind.fallbackReason();
     if (wanted == null) {
       if (reason != null) {

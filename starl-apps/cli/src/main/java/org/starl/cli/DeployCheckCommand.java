@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.launch.DeploymentCheck;
@@ -16,20 +15,18 @@ import org.starl.robot.file.Wheels.Create;
 import org.starl.sim.SimulationPlan;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code starl deploy check}. */
 @Command(
     name = "check",
     description =
-        "Checks a deployment without running it: file, app and parameters, key, hosts; with --robot,"
-            + " also the device, address and port of that robot's machine.",
+        "Checks a deployment without running it: file, app, parameters, key and hosts. With"
+            + " --robot, also the device, address and port of that robot's machine.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy check crossing.yaml --robot bot0 --probe"})
-final class DeployCheckCommand implements Callable<Integer> {
+final class DeployCheckCommand extends BaseCommand implements Callable<Integer> {
 
   @Parameters(index = "0", paramLabel = "FILE", description = "A deployment file.")
   private String file = "";
@@ -37,29 +34,26 @@ final class DeployCheckCommand implements Callable<Integer> {
   @Option(
       names = "--robot",
       paramLabel = "NAME",
-      description = "The robot whose machine this is: its device, address and port are checked.")
+      description = "The robot of this machine: also check its device, address and port.")
   private @Nullable String robot;
 
   @Option(
       names = "--probe",
-      description = "Also connect to the TCP servers: the world and the Creates' serial servers.")
+      description = "Also connect to the TCP servers: the world, and the Creates' serial servers.")
   private boolean probes;
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() {
-    CommandSpec command = Objects.requireNonNull(spec);
     Deployment deployment = DeploymentFile.read(file);
-    RobotEntry here = entry(deployment, robot);
-    SimulationPlan blueprint = DeployedApp.of(deployment, Main.demos(command)).blueprint();
+    RobotEntry here = robot == null ? null : deployment.robot(robot);
+    SimulationPlan blueprint = DeployedApp.of(deployment, demos()).blueprint();
     DeploymentFile.key(deployment);
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
     problems.addAll(DeploymentCheck.ofMotion(deployment, blueprint.settings().motionParameters(0)));
-    PrintWriter out = command.commandLine().getOut();
-    PrintWriter err = command.commandLine().getErr();
+    PrintWriter out = out();
+    PrintWriter err = err();
     if (json.isOn()) {
       Map<String, Object> result = new LinkedHashMap<>();
       result.put("file", file);
@@ -74,11 +68,6 @@ final class DeployCheckCommand implements Callable<Integer> {
       }
     }
     return problems.isEmpty() ? ExitStatus.GOOD : ExitStatus.BAD_INPUT;
-  }
-
-  /** The robot that the user names, or null if none is named. */
-  static @Nullable RobotEntry entry(Deployment deployment, @Nullable String name) {
-    return name == null ? null : deployment.robot(name);
   }
 
   private static List<String> summary(Deployment deployment) {

@@ -1,17 +1,13 @@
 package org.starl.cli;
 
-import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
-import picocli.CommandLine.Spec;
 
 /** {@code starl deploy}. */
 @Command(
     name = "deploy",
     description =
-        "Runs an app on real robots that a deployment file describes; see docs/deployment.md.",
+        "Runs an app on real robots, as a deployment file describes; see docs/deployment.md.",
     mixinStandardHelpOptions = true,
     subcommands = {
       DeployCheckCommand.class,
@@ -20,12 +16,10 @@ import picocli.CommandLine.Spec;
       DeployWorldCommand.class
     },
     footer = {"", "Example: starl deploy check scenarios/deployment/crossing.yaml"})
-final class DeployCommand implements Runnable {
-
-  @Spec private @Nullable CommandSpec spec;
+final class DeployCommand extends BaseCommand implements Runnable {
 
   @Override
   public void run() {
-    throw new ParameterException(Objects.requireNonNull(spec).commandLine(), "no command");
+    throw new ParameterException(spec().commandLine(), "no command");
   }
 }

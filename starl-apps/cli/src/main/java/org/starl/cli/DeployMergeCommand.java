@@ -5,7 +5,6 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
@@ -17,22 +16,20 @@ import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code starl deploy merge}. */
 @Command(
     name = "merge",
     description =
-        "Merges the traces of a deployment's processes into one trace in causal order, and checks the"
-            + " app's specifications. Uncertain clocks allow several orders and measured bodies several"
-            + " places: a violation in all cases that are tried is VIOLATED, one in only some cases is"
-            + " possible.",
+        "Merges the traces of a deployment's processes into one trace in causal order, and checks"
+            + " the app's specifications. Clock errors allow several orders of events, and"
+            + " measurement errors several places of bodies. A violation in all tried cases is"
+            + " reported as VIOLATED, a violation in only some of them as possible.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy merge bot*.trace --out merged.trace"})
-final class DeployMergeCommand implements Callable<Integer> {
+final class DeployMergeCommand extends BaseCommand implements Callable<Integer> {
 
   private static final int SHOWN = 20;
 
@@ -45,7 +42,7 @@ final class DeployMergeCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "Where to write the merged trace, for 'starl replay'.")
+      description = "Write the merged trace to FILE, for 'starl replay'.")
   private @Nullable String out;
 
   @Option(
@@ -65,14 +62,11 @@ final class DeployMergeCommand implements Callable<Integer> {
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() throws IOException {
-    CommandSpec command = Objects.requireNonNull(spec);
     TraceMerge merge =
         TraceMerge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
-    Plan plan = TraceFile.open(files.get(0), Main.demos(command)).plan();
+    Plan plan = TraceFile.open(files.get(0), demos()).plan();
     SimulationPlan blueprint = plan.simulation().build().plan();
     TraceMerge.Result result;
     try (ObserverFile file = ObserverFile.of("--out", out, TraceRecorder::new)) {
@@ -80,12 +74,9 @@ final class DeployMergeCommand implements Callable<Integer> {
       observers.add(file.observer());
       result = merge.judge(blueprint, observers);
     }
-    if (json.isOn()) {
-      command.commandLine().getOut().println(Json.line(json(result)));
-    } else {
-      plan.story().lines().forEach(command.commandLine().getOut()::println);
-      lines(result).forEach(command.commandLine().getOut()::println);
-    }
+    List<String> lines = new ArrayList<>(plan.story().lines());
+    lines.addAll(lines(result));
+    json.print(out(), json(result), lines);
     return result.violations().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
@@ -115,9 +106,9 @@ final class DeployMergeCommand implements Callable<Integer> {
                     + Quantities.durationText(result.uncertaintyNs())));
     if (result.withinMm() > 0) {
       lines.add(
-          "bodies as measured, true within "
+          "bodies are measured, within "
               + Math.round(result.withinMm())
-              + " mm: also tried smaller, larger and moved to each side by that");
+              + " mm: also tried smaller, larger and shifted to each side by this distance");
     }
     result
         .lostMs()
@@ -126,10 +117,10 @@ final class DeployMergeCommand implements Callable<Integer> {
                 robot
                     + " was not measured for up to "
                     + Math.round(ms)
-                    + " ms at a time: a push in that time is not seen"));
+                    + " ms: a collision in such a gap is not seen"));
     result
         .dead()
-        .forEach(robot -> lines.add(robot + "'s trace is cut off: its process was killed"));
+        .forEach(robot -> lines.add(robot + "'s trace is incomplete: its process was killed"));
     result.violations().stream()
         .limit(SHOWN)
         .forEach(violation -> lines.add("VIOLATED: " + violation));

@@ -28,8 +28,7 @@ final class DeployOptions {
       names = "--folder",
       paramLabel = "DIR",
       defaultValue = ".",
-      description =
-          "The folder of the traces and of the robots' storage (default: ${DEFAULT-VALUE}).")
+      description = "The folder of the traces and the robots' storage (default: ${DEFAULT-VALUE}).")
   private String folder = ".";
 
   @Option(
@@ -37,16 +36,18 @@ final class DeployOptions {
       paramLabel = "N",
       defaultValue = "1",
       description =
-          "How many times a robot runs its app, each time as a new start of its program (default:"
-              + " ${DEFAULT-VALUE}). More than once only where the world is simulated and can put its"
-              + " body back.")
+          "Number of times that a robot runs its app, each time with a new start of its program"
+              + " (default: ${DEFAULT-VALUE}). Only simulated robots can run it more than once,"
+              + " because the world puts their bodies back.")
   private String rounds = "1";
 
   Deployment deployment() {
     return DeploymentFile.read(file);
   }
 
-  /** @throws BadInput if it is not a number from 1 */
+  /**
+   * @throws BadInput unless it is a number from 1 to 1000000
+   */
   int rounds() {
     return (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
   }
@@ -60,10 +61,16 @@ final class DeployOptions {
             Files.newOutputStream(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
       }
     }
-    throw new IOException(folder + " has " + MAX_STARTS + " traces of " + name + " already");
+    throw new IOException(
+        folder
+            + " has "
+            + MAX_STARTS
+            + " traces of "
+            + name
+            + " already; expected an empty --folder");
   }
 
-  /** One robot of the deployment, with a new trace, which is closed when its run ends. */
+  /** The run of one robot, with a new trace. The run closes the trace when it ends. */
   RobotRun robot(
       Deployment deployment,
       RobotEntry entry,

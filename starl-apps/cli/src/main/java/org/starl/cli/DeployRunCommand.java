@@ -1,9 +1,7 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.util.Objects;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.launch.RobotRun;
 import org.starl.launch.WheelGuard;
@@ -14,37 +12,40 @@ import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code starl deploy run}. */
 @Command(
     name = "run",
     description =
-        "Runs one robot of a deployment on this machine, in real time, until it is stopped. SIGTERM and"
-            + " ctrl-C stop the wheels first.",
+        "Runs one robot of a deployment on this machine, in real time, until it is stopped. SIGTERM"
+            + " and Ctrl-C stop the wheels first.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy run crossing.yaml --robot bot0"})
-final class DeployRunCommand implements Callable<Integer> {
+final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
 
   @Mixin private DeployOptions options = new DeployOptions();
 
-  @Option(names = "--robot", paramLabel = "NAME", required = true, description = "The robot.")
+  @Option(
+      names = "--robot",
+      paramLabel = "NAME",
+      required = true,
+      description = "The robot to run.")
   private String robot = "";
-
-  @Spec private @Nullable CommandSpec spec;
 
   @Override
   public Integer call() throws IOException {
-    CommandSpec command = Objects.requireNonNull(spec);
     Deployment deployment = options.deployment();
-    RobotEntry entry = Objects.requireNonNull(DeployCheckCommand.entry(deployment, robot));
-    DeployedApp app = DeployedApp.of(deployment, Main.demos(command));
+    RobotEntry entry = deployment.robot(robot);
+    DeployedApp app = DeployedApp.of(deployment, demos());
     app.blueprint();
     if (options.rounds() > 1 && !deployment.simulated().contains(entry)) {
       throw new BadInput(
-          "--rounds: " + options.rounds() + ": expected 1: nothing puts " + robot + " back");
+          "--rounds: "
+              + options.rounds()
+              + ": expected 1: no simulated world puts "
+              + robot
+              + " back");
     }
     if (!(entry.wheels() instanceof Create create)) {
       throw new BadInput(
@@ -53,13 +54,12 @@ final class DeployRunCommand implements Callable<Integer> {
               + entry.line()
               + ": robots."
               + robot
-              + ": is simulated; 'starl deploy world' runs it");
+              + ": this robot is simulated; run it with 'starl deploy world'");
     }
     Wheelbase.Source wheels =
         CreateWheelbase.of(
             robot, create, deployment.limits(), WheelGuard.links(create.port(), create.baud()));
-    RobotRun run =
-        options.robot(deployment, entry, app, wheels, command.commandLine().getOut()::println);
+    RobotRun run = options.robot(deployment, entry, app, wheels, out()::println);
     UntilStopped stop = new UntilStopped(run::stop);
     try {
       return run.run() == null ? ExitStatus.GOOD : ExitStatus.VIOLATED;

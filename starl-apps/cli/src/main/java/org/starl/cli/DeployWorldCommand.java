@@ -5,11 +5,9 @@ import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.Callable;
 import java.util.concurrent.LinkedBlockingQueue;
-import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.launch.RobotRun;
 import org.starl.launch.WorldServer;
@@ -18,41 +16,36 @@ import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Spec;
 
 /** {@code starl deploy world}. */
 @Command(
     name = "world",
     description =
         "Simulates the bodies of a deployment until it is stopped: one floor, a simulated Create at"
-            + " the far end of each serial link, a NatNet server in place of the cameras. Also runs the"
-            + " programs of the robots that are simulated without a Create.",
+            + " the far end of each serial link, and a NatNet server in place of the cameras. Also"
+            + " runs the programs of robots that are simulated without a Create.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy world mixed.yaml"})
-final class DeployWorldCommand implements Callable<Integer> {
+final class DeployWorldCommand extends BaseCommand implements Callable<Integer> {
 
   private static final String WORLD = "world";
 
   @Mixin private DeployOptions options = new DeployOptions();
 
-  @Spec private @Nullable CommandSpec spec;
-
-  /** Reasons to end; empty if the user stopped it. */
+  /** Reasons to end; the empty string if the user stopped it. */
   private final BlockingQueue<String> ends = new LinkedBlockingQueue<>();
 
   @Override
   public Integer call() throws IOException, InterruptedException {
-    CommandSpec command = Objects.requireNonNull(spec);
     Deployment deployment = options.deployment();
-    DeployedApp app = DeployedApp.of(deployment, Main.demos(command));
+    DeployedApp app = DeployedApp.of(deployment, demos());
     if (deployment.simulated().isEmpty()) {
       throw new BadInput(
           deployment.file()
               + ": no robot is simulated; expected one with 'kind: simulated' or 'simulatedAt:'");
     }
     options.rounds();
-    PrintWriter out = command.commandLine().getOut();
+    PrintWriter out = out();
     UntilStopped stop = new UntilStopped(() -> ends.add(""));
     try (OutputStream trace = options.trace(WORLD);
         WorldServer world =
@@ -65,7 +58,7 @@ final class DeployWorldCommand implements Callable<Integer> {
       out.println(WORLD + ": runs");
       String reason = runPrograms(deployment, app, world, out);
       if (!reason.isEmpty()) {
-        command.commandLine().getErr().println(WORLD + ": " + reason);
+        err().println(WORLD + ": " + reason);
       }
       return reason.isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     } finally {
@@ -73,7 +66,7 @@ final class DeployWorldCommand implements Callable<Integer> {
     }
   }
 
-  /** Runs the robots that are simulated without a Create until the end; why it ended. */
+  /** Runs the robots that are simulated without a Create; returns the reason of the end. */
   private String runPrograms(
       Deployment deployment, DeployedApp app, WorldServer world, PrintWriter out)
       throws IOException, InterruptedException {
@@ -96,7 +89,7 @@ final class DeployWorldCommand implements Callable<Integer> {
     }
   }
 
-  /** A robot that fails ends all, as in the simulator. */
+  /** Runs a robot. If it fails, the whole command ends, as in the simulator. */
   private void run(RobotRun robot, RobotEntry entry) {
     try {
       Throwable failure = robot.run();

@@ -13,14 +13,16 @@ import org.starl.sim.SimulationPlan;
 final class DeployedApp {
 
   private final Deployment deployment;
-  private final RunRequest chosen;
+  private final RunRequest request;
 
-  private DeployedApp(Deployment deployment, RunRequest chosen) {
+  private DeployedApp(Deployment deployment, RunRequest request) {
     this.deployment = deployment;
-    this.chosen = chosen;
+    this.request = request;
   }
 
-  /** @throws BadInput if the app or a parameter is unknown, or a value cannot be read */
+  /**
+   * @throws BadInput if the app or a parameter is unknown, or a value is invalid
+   */
   static DeployedApp of(Deployment deployment, Demos demos) {
     ScenarioFile file =
         new ScenarioFile(
@@ -29,14 +31,14 @@ final class DeployedApp {
   }
 
   /**
-   * Its robots, monitors and world, fresh ones at each call.
+   * Its robots, monitors and world, new ones at each call.
    *
-   * @throws BadInput if a value cannot be used, or its robots are not those of the deployment
+   * @throws BadInput if a value is invalid, or the deployment has other robots
    */
   SimulationPlan blueprint() {
     SimulationPlan blueprint;
     try {
-      blueprint = chosen.plan(deployment.seed()).simulation().build().plan();
+      blueprint = request.plan(deployment.seed()).simulation().build().plan();
     } catch (BadInput e) {
       throw new BadInput(deployment.where("app") + e.getMessage());
     }

@@ -9,9 +9,9 @@ import org.starl.robot.file.DeploymentFormat;
 import org.starl.sim.Setting;
 
 /**
- * The JSON schema of deployment files, for editors, made from the {@link DeploymentFormat} that reads them. It
- * accepts what {@code deploy check} accepts, except values that are quoted needlessly. It does not
- * know conditions between two values, or on the machine.
+ * The JSON schema of deployment files, for editors, made from the {@link DeploymentFormat} that
+ * reads them. It accepts the files that {@code deploy check} accepts, except values with needless
+ * quotes. It does not check conditions between two values or on the machine.
  */
 final class DeploymentSchema {
 
@@ -26,7 +26,8 @@ final class DeploymentSchema {
 
   Map<String, Object> json() {
     Map<String, Object> schema =
-        JsonSchema.document("StarL deployment", "What 'starl deploy' runs: an app on real robots.");
+        JsonSchema.document(
+            "StarL deployment", "A file for 'starl deploy': an app on real robots.");
     List<String> settings = RunRequest.known().stream().map(Setting::key).toList();
     schema.put("definitions", Map.of("setting", Map.of("enum", settings)));
     schema.putAll(JsonSchema.mapping(DeploymentFormat.FILE.fields()));

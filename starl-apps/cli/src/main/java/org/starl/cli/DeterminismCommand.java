@@ -3,24 +3,23 @@ package org.starl.cli;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.Determinism;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Spec;
 
 /** {@code starl verify-determinism}. */
 @Command(
     name = "verify-determinism",
-    description = "Runs twice and on both carriers; tells the first event that differs.",
+    description =
+        "Runs one seed several times, on virtual and on platform threads, and compares the traces."
+            + " Prints the first event that differs.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl verify-determinism intersection --seed 7"})
-final class DeterminismCommand implements Callable<Integer> {
+final class DeterminismCommand extends BaseCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
 
@@ -28,38 +27,33 @@ final class DeterminismCommand implements Callable<Integer> {
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() throws IOException {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    RunRequest chosen = options.chosen(Main.demos(spec));
+    RunRequest request = options.request(demos());
     long seedNumber = seed.value();
-    PrintWriter err = spec.commandLine().getErr();
-    Determinism check = Determinism.verify(() -> plan(chosen, seedNumber, err));
+    PrintWriter err = err();
+    Determinism check = Determinism.verify(() -> plan(request, seedNumber, err));
     Determinism.Difference difference = check.difference();
-    if (json.isOn()) {
-      Map<String, Object> result = new LinkedHashMap<>();
-      result.put("app", chosen.demo().name());
-      result.put("seed", seedNumber);
-      result.put("runs", check.runs());
-      result.put("lines", check.lines());
-      result.put("equal", check.holds());
-      result.put("difference", difference == null ? "" : difference.toString());
-      out.println(Json.line(result));
-    } else {
-      out.println(
-          chosen.demo().name() + ", seed " + seedNumber + ": " + String.join(", ", check.runs()));
-      out.println(
-          difference == null
-              ? "equal, byte by byte: " + check.lines() + " lines each"
-              : difference.toString());
-    }
+    Map<String, Object> result = new LinkedHashMap<>();
+    result.put("app", request.demo().name());
+    result.put("seed", seedNumber);
+    result.put("runs", check.runs());
+    result.put("lines", check.lines());
+    result.put("equal", check.holds());
+    result.put("difference", difference == null ? "" : difference.toString());
+    json.print(
+        out(),
+        result,
+        List.of(
+            request.demo().name() + ", seed " + seedNumber + ": " + String.join(", ", check.runs()),
+            difference == null
+                ? "equal, byte by byte: " + check.lines() + " lines each"
+                : difference.toString()));
     return check.holds() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  private static Simulation.Builder plan(RunRequest chosen, long seed, PrintWriter err) {
-    Simulation.Builder simulation = chosen.plan(seed).simulation();
+  private static Simulation.Builder plan(RunRequest request, long seed, PrintWriter err) {
+    Simulation.Builder simulation = request.plan(seed).simulation();
     RunProgress.of(simulation, err);
     return simulation;
   }

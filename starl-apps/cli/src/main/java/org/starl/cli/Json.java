@@ -6,14 +6,14 @@ import com.fasterxml.jackson.core.util.DefaultPrettyPrinter;
 import com.fasterxml.jackson.databind.ObjectMapper;
 import java.util.Map;
 
-/** Values as JSON. */
+/** Formats objects as JSON. */
 final class Json {
 
   private static final ObjectMapper MAPPER = new ObjectMapper();
 
   private Json() {}
 
-  /** The object on many lines, for people too. */
+  /** The object on several lines, indented. */
   static String lines(Map<String, ?> object) {
     DefaultIndenter indenter = new DefaultIndenter("  ", "\n");
     DefaultPrettyPrinter printer = new DefaultPrettyPrinter();
@@ -22,7 +22,7 @@ final class Json {
     try {
       return MAPPER.writer(printer).writeValueAsString(object);
     } catch (JsonProcessingException e) {
-      throw new IllegalArgumentException("no JSON: " + object, e);
+      throw new IllegalArgumentException("not JSON: " + object, e);
     }
   }
 
@@ -31,7 +31,7 @@ final class Json {
     try {
       return MAPPER.writeValueAsString(object);
     } catch (JsonProcessingException e) {
-      throw new IllegalArgumentException("no JSON: " + object, e);
+      throw new IllegalArgumentException("not JSON: " + object, e);
     }
   }
 }

@@ -1,14 +1,26 @@
 package org.starl.cli;
 
+import java.io.PrintWriter;
+import java.util.List;
+import java.util.Map;
 import picocli.CommandLine.Option;
 
-/** For programs that read what the command prints. */
+/** The option for machine-readable output. */
 final class JsonOption {
 
-  @Option(names = "--json", description = "Print JSON, one object a line, instead of text.")
+  @Option(names = "--json", description = "Print JSON, one object per line, instead of text.")
   private boolean json;
 
   boolean isOn() {
     return json;
+  }
+
+  /** Prints the object as JSON, or the lines as text. */
+  void print(PrintWriter out, Map<String, ?> object, List<String> lines) {
+    if (json) {
+      out.println(Json.line(object));
+    } else {
+      lines.forEach(out::println);
+    }
   }
 }

@@ -10,7 +10,7 @@ import org.starl.input.Form;
 import org.starl.input.Quantity;
 import org.starl.sim.fault.FaultGrammar;
 
-/** JSON schemas (draft 7) of {@link Form}s: maps, lists, texts and numbers as JSON has them. */
+/** Builds JSON schemas (draft 7) from {@link Form}s. A schema is a map, ready to print as JSON. */
 final class JsonSchema {
 
   static final String DESCRIPTION = "description";
@@ -34,7 +34,7 @@ final class JsonSchema {
 
   private JsonSchema() {}
 
-  /** The beginning of a schema file. */
+  /** The first fields of a schema file. */
   static Map<String, Object> document(String title, String meaning) {
     Map<String, Object> json = new LinkedHashMap<>();
     json.put("$schema", "http://json-schema.org/draft-07/schema#");
@@ -57,7 +57,7 @@ final class JsonSchema {
     return json;
   }
 
-  /** Adds the default as YAML would have it. */
+  /** Adds the default value with its YAML type. */
   static void putDefault(Map<String, Object> json, Form form, @Nullable String text) {
     if (text != null) {
       json.put("default", typed(form, text));
@@ -111,7 +111,7 @@ final class JsonSchema {
     return json;
   }
 
-  /** A number or a boolean is a text, too, unless it is quoted. */
+  /** A text. YAML reads text without quotes as a number or a boolean, if it looks like one. */
   private static Map<String, Object> anyText() {
     Map<String, Object> json = new LinkedHashMap<>();
     json.put(TYPE, List.of("string", "number", "boolean"));
@@ -159,7 +159,7 @@ final class JsonSchema {
     return json;
   }
 
-  // A version such as 4.1 is a number in YAML, unless it is quoted.
+  // YAML reads a version such as 4.1 as a number, unless it is quoted.
   private static List<Object> choices(Form.Choice choice) {
     List<Object> values = new ArrayList<>(choice.values());
     for (String value : choice.values()) {
@@ -170,7 +170,7 @@ final class JsonSchema {
     return values;
   }
 
-  // For each kind: its fields, and no others.
+  // Each kind has its own fields and no others.
   private static Map<String, Object> kinds(Form.Kinds kinds) {
     List<Object> rules = new ArrayList<>();
     kinds
@@ -198,9 +198,9 @@ final class JsonSchema {
     return json;
   }
 
-  // A text, or a list. YAML splits a list like [loss(0.1,from=bot1)] at each comma, so the rest of
-  // a
-  // fault is accepted too: from=bot1).
+  // A text or a list. YAML splits the list [loss(0.1,from=bot1)] at each comma. So the list may
+  // also
+  // have the rest of a fault, such as "from=bot1)".
   private static Map<String, Object> faults() {
     List<String> usages = new ArrayList<>();
     List<String> names = new ArrayList<>();
@@ -220,7 +220,7 @@ final class JsonSchema {
     list.put("items", part);
     Map<String, Object> json =
         described(
-            "what goes wrong, a fault a line; "
+            "the faults to inject, one per line; "
                 + FaultGrammar.TIMES
                 + ":\n"
                 + String.join("\n", usages));

@@ -6,8 +6,6 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
-import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
@@ -19,18 +17,16 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Spec;
 
 /** {@code starl list}. */
 @Command(
     name = "list",
     description =
-        "Apps and primitives with their scenarios and parameters, workloads, and settings: a line"
-            + " each.",
+        "Lists apps, primitives, scenarios, parameters, workloads, settings, faults and envelopes,"
+            + " one per line.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl list"})
-final class ListCommand implements Runnable {
+final class ListCommand extends BaseCommand implements Runnable {
 
   private static final Map<String, String> HEADINGS =
       Map.of(
@@ -39,18 +35,16 @@ final class ListCommand implements Runnable {
               "faults, for --fault and 'faults: [..]'; "
                   + FaultGrammar.TIMES
                   + "; WHO is a name, names (bot0+bot1), any, half or all:",
-          "envelope", "envelopes, for --set chaos=NAME; --chaos takes the app's own:");
+          "envelope", "envelopes, for --set chaos=NAME; --chaos uses the app's own:");
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   /**
-   * One thing that the command line knows by name.
+   * A line of the list.
    *
    * @param kind app, primitive, scenario, parameter, bench, setting, fault or envelope
-   * @param of the app that it belongs to, or empty
-   * @param defaultValue of a parameter or setting
+   * @param of the app of a scenario or parameter; else empty
+   * @param defaultValue of a parameter or setting; else empty
    */
   private record Item(String kind, String of, String name, String defaultValue, String what) {
 
@@ -80,10 +74,9 @@ final class ListCommand implements Runnable {
 
   @Override
   public void run() {
-    CommandSpec here = Objects.requireNonNull(spec);
-    PrintWriter out = here.commandLine().getOut();
+    PrintWriter out = out();
     String kind = "";
-    for (Item item : items(Main.demos(here).all())) {
+    for (Item item : items(demos().all())) {
       if (json.isOn()) {
         out.println(Json.line(item.json()));
         continue;

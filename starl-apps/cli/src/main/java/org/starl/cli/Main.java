@@ -49,13 +49,13 @@ import picocli.CommandLine.UnmatchedArgumentException;
     footer = {
       "",
       "Example: starl run intersection",
-      "Every test: starl test",
-      "Every proof: starl prove",
-      "The app for phones: starl apk"
+      "Run all tests: starl test",
+      "Check all proofs: starl prove",
+      "Build the app for phones: starl apk"
     })
 public final class Main implements Runnable {
 
-  /** The apps that StarL brings. */
+  /** The apps of this project. */
   static final Demos APPS =
       new Demos(
           List.of(
@@ -66,13 +66,13 @@ public final class Main implements Runnable {
               new RaceDemo(),
               new SearchDemo()));
 
-  /** These apps, and primitives with workloads of their own. */
+  /** The apps and the primitives, each primitive with its workload. */
   static final Demos ALL = APPS.plus(PrimitiveWorkloads.ALL);
 
   @Option(
       names = "--stacktrace",
       scope = ScopeType.INHERIT,
-      description = "Show where an error came from, for bug reports.")
+      description = "Print the stack trace of an error, for bug reports.")
   private boolean stacktrace;
 
   @Spec private @Nullable CommandSpec spec;
@@ -89,7 +89,7 @@ public final class Main implements Runnable {
     System.exit(run(out, err, args));
   }
 
-  /** Runs a command line, with the apps of the class path too, and returns its exit status. */
+  /** Runs a command line, including the apps on the class path; returns its exit status. */
   public static int run(PrintWriter out, PrintWriter err, String... args) {
     Demos demos;
     try {
@@ -101,7 +101,7 @@ public final class Main implements Runnable {
     return run(demos, out, err, args);
   }
 
-  /** The same, with other apps. */
+  /** Runs a command line with these apps. */
   static int run(Demos demos, PrintWriter out, PrintWriter err, String... args) {
     Main main = new Main(demos);
     CommandLine commandLine = new CommandLine(main);
@@ -119,9 +119,9 @@ public final class Main implements Runnable {
     return status;
   }
 
-  /** The apps that the command line of {@code spec} knows. */
-  static Demos demos(CommandSpec spec) {
-    return ((Main) spec.root().userObject()).demos;
+  /** The apps that this command line knows. */
+  Demos demos() {
+    return demos;
   }
 
   @Override
@@ -134,8 +134,9 @@ public final class Main implements Runnable {
   private static int refuse(ParameterException error, String[] args) {
     CommandSpec command = error.getCommandLine().getCommandSpec();
     String line = String.valueOf(error.getMessage()).lines().findFirst().orElse("bad arguments");
-    String help = "; 'starl" + (command.parent() == null ? "" : " " + command.name()) + " --help'";
-    error.getCommandLine().getErr().println("starl: " + line + hint(error) + help + " tells more");
+    String help =
+        "; see 'starl" + (command.parent() == null ? "" : " " + command.name()) + " --help'";
+    error.getCommandLine().getErr().println("starl: " + line + hint(error) + help);
     return ExitStatus.BAD_INPUT;
   }
 
@@ -160,13 +161,13 @@ public final class Main implements Runnable {
       err.println("starl: " + error.getMessage());
       return ExitStatus.BAD_INPUT;
     }
-    if (error instanceof Lacking) {
+    if (error instanceof MissingDependencyException) {
       err.println("starl: " + error.getMessage());
-      return ExitStatus.LACKING;
+      return ExitStatus.MISSING_DEPENDENCY;
     }
     String message = error.getMessage();
     String line = message == null ? error.toString() : message;
-    err.println("starl: " + line + (stacktrace ? "" : " (--stacktrace shows where)"));
+    err.println("starl: " + line + (stacktrace ? "" : " (--stacktrace shows details)"));
     return ExitStatus.VIOLATED;
   }
 }

@@ -18,25 +18,23 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code starl new}. */
 @Command(
     name = "new",
     description =
-        "Writes a project of your own into a new folder: an app, its scenario, a monitor, a test,"
-            + " builds for Maven and Gradle, and a tour.",
+        "Creates a project of your own in a new folder: an app, its scenario, a monitor, a test,"
+            + " builds for Maven and Gradle, and a guided tour.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl new my-robots"})
-final class NewCommand implements Callable<Integer> {
+final class NewCommand extends BaseCommand implements Callable<Integer> {
 
   private static final int LONGEST_NAME = 40;
   private static final Pattern NAME = Pattern.compile("[a-z][a-z0-9]*(-[a-z0-9]+)*");
 
-  /** What no package may be called, in Java or Kotlin. */
+  /** Reserved words of Java and Kotlin: no package can have such a name. */
   private static final Set<String> RESERVED =
       Set.of(
           ("abstract as assert boolean break byte case catch char class const continue default do"
@@ -50,24 +48,22 @@ final class NewCommand implements Callable<Integer> {
   @Parameters(
       index = "0",
       paramLabel = "NAME",
-      description = "Of the project, its folder and its app: my-robots.")
+      description = "Name of the project, its folder and its app, such as my-robots.")
   private String name = "";
 
   @Option(
       names = "--folder",
       paramLabel = "FOLDER",
-      description = "The new folder; NAME, where the command runs, unless given.")
+      description = "The new folder (default: NAME, in the current folder).")
   private @Nullable String folder;
 
-  @Option(names = "--kotlin", description = "In Kotlin instead of Java.")
+  @Option(names = "--kotlin", description = "Use Kotlin instead of Java.")
   private boolean isKotlin;
-
-  @Spec private @Nullable CommandSpec spec;
 
   @Override
   public Integer call() throws IOException {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    check(Main.demos(spec).names());
+    PrintWriter out = out();
+    check(demos().names());
     Map<String, ProjectTemplate.Written> files =
         new ProjectTemplate(name, isKotlin ? "kotlin" : "java").files();
     String shown = folder == null ? name : folder;
@@ -91,23 +87,23 @@ final class NewCommand implements Callable<Integer> {
     }
     if (RESERVED.contains(ProjectTemplate.packageName(name))) {
       throw new BadInput(
-          BadInput.quote(name) + ": is a word of the language; expected a name such as my-robots");
+          BadInput.quote(name) + ": is a reserved word; expected a name such as my-robots");
     }
     if (apps.contains(name)) {
       throw new BadInput(
-          BadInput.quote(name) + ": is an app or a primitive already; expected another name");
+          BadInput.quote(name) + ": an app or a primitive has this name; expected another name");
     }
   }
 
-  /** Writes all of it, or nothing: into a folder beside, which then takes its place. */
+  /** Writes all files or none: into a temporary folder beside, which is then renamed. */
   private static void write(Path project, String shown, Map<String, ProjectTemplate.Written> files)
       throws IOException {
     if (Files.exists(project, LinkOption.NOFOLLOW_LINKS) && !isEmptyFolder(project)) {
-      throw new BadInput(BadInput.quote(shown) + ": is there already; expected a new folder");
+      throw new BadInput(BadInput.quote(shown) + ": exists already; expected a new folder");
     }
     Path parent = Objects.requireNonNull(project.getParent());
     if (!Files.isDirectory(parent) || !Files.isWritable(parent)) {
-      throw new BadInput(parent + ": expected a folder that you may write to");
+      throw new BadInput(parent + ": expected a writable folder");
     }
     Path part = Files.createTempDirectory(parent, "." + project.getFileName() + ".part");
     try {

@@ -3,13 +3,13 @@ package org.starl.cli;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 
-/** Numbers that options give. */
+/** Parses the numbers of options. */
 final class Numbers {
 
   private Numbers() {}
 
   /**
-   * @throws BadInput that names the option, if {@code text} is no whole number in the range
+   * @throws BadInput with the option's name, unless {@code text} is a whole number in the range
    */
   static long whole(String option, String text, long min, long max) {
     try {

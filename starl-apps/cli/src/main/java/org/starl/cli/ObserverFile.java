@@ -7,7 +7,7 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.SimObserver;
 
-/** An observer that writes a file, if the user asked for one. */
+/** An observer that writes a file, if the user requested one; else it does nothing. */
 final class ObserverFile implements Closeable {
 
   private final SimObserver observer;
@@ -21,8 +21,8 @@ final class ObserverFile implements Closeable {
   }
 
   /**
-   * @param name of the file, or null for none
-   * @param maker of the observer that writes to the stream
+   * @param name of the file; null for none
+   * @param maker makes the observer that writes to the stream
    */
   static <T extends SimObserver & Closeable> ObserverFile of(
       String option, @Nullable String name, Function<OutputStream, T> maker) {

@@ -8,7 +8,7 @@ import org.starl.apps.Measures;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
 
-/** A run's result as the command line tells it. */
+/** A run's result as text and JSON. */
 final class Outcome {
 
   private static final double NS_PER_S = 1e9;
@@ -25,9 +25,9 @@ final class Outcome {
         measures.completed()
             + " of "
             + measures.came()
-            + " robots got through in "
+            + " robots finished in "
             + seconds(result.endNs())
-            + " simulated; "
+            + " of simulated time; "
             + result.network().sent()
             + " datagrams sent, "
             + result.network().lost()
@@ -39,7 +39,7 @@ final class Outcome {
     return lines;
   }
 
-  /** What held, where all did. */
+  /** The line for a run without violations. */
   static String held(SpecReport spec) {
     long checks = 0;
     for (String lemma : spec.lemmas()) {
@@ -52,7 +52,7 @@ final class Outcome {
         + String.join(" ", spec.lemmas());
   }
 
-  /** What went wrong; nothing if all is good. */
+  /** A line for each problem; empty if the run was good. */
   static List<String> complaints(SimResult result) {
     List<String> lines = new ArrayList<>();
     result.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));

@@ -14,18 +14,18 @@ import java.nio.file.StandardOpenOption;
 import org.starl.input.BadInput;
 
 /**
- * A file that appears whole or not at all: what is written goes beside it, under a name of its own,
- * and takes its place when closed. If nothing was written, nothing changes. What is there already
- * and is no file (a terminal, a pipe) is written to as it is.
+ * A file that is written completely or not at all: the output goes to a temporary file beside it,
+ * which is renamed on close. Without output, nothing changes. A device (a terminal, a pipe) is
+ * written directly.
  */
 final class OutputFile implements Closeable {
 
   private final Path target;
   private final Path written;
-  private final Counted out;
+  private final RecordingStream out;
 
   /**
-   * @param option for errors: {@code --trace}
+   * @param option the option's name, for errors: {@code --trace}
    */
   OutputFile(String option, String name) {
     try {
@@ -39,7 +39,7 @@ final class OutputFile implements Closeable {
       }
       if (isDevice) {
         written = target;
-        out = new Counted(Files.newOutputStream(target, StandardOpenOption.WRITE));
+        out = new RecordingStream(Files.newOutputStream(target, StandardOpenOption.WRITE));
         return;
       }
       if (!Files.isDirectory(folder)) {
@@ -47,8 +47,8 @@ final class OutputFile implements Closeable {
       }
       long process = ProcessHandle.current().pid();
       written = folder.resolve("." + target.getFileName() + "." + process + ".part");
-      out = new Counted(create(option, name, written));
-      // Where a person stops the run, nobody comes to close this.
+      out = new RecordingStream(create(option, name, written));
+      // If the user stops the run, close is not called.
       written.toFile().deleteOnExit();
     } catch (IOException | InvalidPathException e) {
       throw new BadInput(
@@ -57,7 +57,7 @@ final class OutputFile implements Closeable {
               + BadInput.quote(name)
               + ": cannot be written ("
               + e
-              + "); expected the name of a file in a folder that you may write to");
+              + "); expected the name of a file in a writable folder");
     }
   }
 
@@ -69,13 +69,13 @@ final class OutputFile implements Closeable {
           option
               + ": "
               + BadInput.quote(name)
-              + ": is being written already, as "
+              + ": another output writes this file already ("
               + part
-              + "; expected a file of its own");
+              + "); expected a file of its own");
     }
   }
 
-  /** Where to write; closed by {@link #close}, and may be closed before. */
+  /** The stream to write to. {@link #close} closes it; it may be closed before. */
   OutputStream stream() {
     return out;
   }
@@ -93,11 +93,11 @@ final class OutputFile implements Closeable {
     }
   }
 
-  /** Knows whether anything was written. */
-  private static final class Counted extends FilterOutputStream {
+  /** Records whether anything was written. */
+  private static final class RecordingStream extends FilterOutputStream {
     private boolean any;
 
-    Counted(OutputStream file) {
+    RecordingStream(OutputStream file) {
       super(new BufferedOutputStream(file));
     }
 

@@ -7,14 +7,14 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.record.Moment;
 import org.starl.sim.record.PictureRecorder;
 
-/** The picture of a run, for a file. */
+/** Writes one picture of a run to a file. */
 final class Picture implements Closeable {
 
   private final PictureRecorder recorder;
   private final OutputFile file;
 
   /**
-   * @param option for errors: {@code --png}
+   * @param option the option's name, for errors: {@code --png}
    */
   Picture(Plan plan, Moment moment, String option, String name) {
     recorder = new PictureRecorder(plan.obstacles(), plan.layer(), moment);
@@ -29,7 +29,7 @@ final class Picture implements Closeable {
     return recorder.hasPicture();
   }
 
-  /** Writes the file, after the run; none if an error ended the run before the picture. */
+  /** Writes the file after the run. Writes none if an error ended the run before the picture. */
   @Override
   public void close() throws IOException {
     try (file) {

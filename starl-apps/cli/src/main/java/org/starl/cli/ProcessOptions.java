@@ -39,27 +39,30 @@ final class ProcessOptions {
       names = "--rounds",
       paramLabel = "N",
       description =
-          "With --processes: how many times each robot runs its app, each time as a new start"
-              + " of its program (default: 1).")
+          "With --processes: number of times that each robot runs its app, each time with a new"
+              + " start of its program (default: 1).")
   private @Nullable String rounds;
 
   @Option(
       names = "--kill",
       paramLabel = "WHO@WHEN",
       description =
-          "With --processes: kill -9 a robot's process at a time (bot2@12s), or so long after a"
-              + " variable of its trace first has a value ('bot2@app.location=MOVE_WAIT+1500ms').")
+          "With --processes: kill a robot's process (kill -9) at a time (bot2@12s), or after a"
+              + " variable of its trace first has a value ('bot2@app.location=MOVE_WAIT+1500ms')."
+              + " May be repeated.")
   private List<String> kills = new ArrayList<>();
 
-  /** @throws BadInput if an option for processes is given without {@code --processes} */
+  /**
+   * @throws BadInput if an option for processes is given without {@code --processes}
+   */
   boolean areOn() {
     if (!on && (rounds != null || !kills.isEmpty())) {
-      throw new BadInput((rounds != null ? "--rounds" : "--kill") + ": expected --processes too");
+      throw new BadInput((rounds != null ? "--rounds" : "--kill") + " needs --processes");
     }
     return on;
   }
 
-  /** These options as words of a command line. */
+  /** The options as part of a command line. */
   String replay() {
     StringBuilder line = new StringBuilder(" --processes");
     if (rounds != null) {
@@ -69,7 +72,7 @@ final class ProcessOptions {
     return line.toString();
   }
 
-  /** Runs the robots of {@code blueprint}, which the options {@code words} describe. */
+  /** Runs the robots of {@code blueprint}; {@code words} are the options that make it. */
   LaunchResult run(SimulationPlan blueprint, List<String> words, PrintWriter err)
       throws IOException {
     LaunchSettings settings = settings(blueprint);
@@ -100,7 +103,8 @@ final class ProcessOptions {
       all.addAll(killsOf(fault, robots, rng));
     }
     if (blueprint.settings().get(Setting.CHAOS) != Envelope.NONE) {
-      throw new BadInput("--chaos: with --processes: expected --loss, --delay, --kill");
+      throw new BadInput(
+          "--chaos cannot be used with --processes; expected --loss, --delay or --kill");
     }
     int count = rounds == null ? 1 : (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
     return new LaunchSettings(count, all, limit(blueprint), LaunchSettings.DEFAULT_QUIET);

@@ -11,7 +11,7 @@ import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchResult.Death;
 import org.starl.sim.SimResult;
 
-/** The result of robots as processes, as the command line prints it. */
+/** The result of robots as processes, as text and JSON. */
 final class ProcessOutcome {
 
   private ProcessOutcome() {}
@@ -56,8 +56,8 @@ final class ProcessOutcome {
         + death.pid()
         + how
         + Outcome.seconds(death.atNs())
-        + (death.isPlanned() ? ", as asked" : "")
-        + ": its body stands where it was, and no robot may enter the zones that it may hold";
+        + (death.isPlanned() ? ", as requested" : "")
+        + ": its body stays where it was, and no robot may enter a zone that it may hold";
   }
 
   private static String why(LaunchResult result) {

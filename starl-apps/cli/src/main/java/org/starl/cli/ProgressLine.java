@@ -6,8 +6,8 @@ import java.util.function.LongSupplier;
 import picocli.CommandLine.Help.Ansi;
 
 /**
- * Tells how far long work is, how fast it goes and when it will be over: a bar that is drawn again
- * and again on a terminal, now and then a plain line elsewhere.
+ * Shows the progress, speed and remaining time of long work: on a terminal as a bar that is
+ * redrawn, elsewhere as up to ten plain lines.
  */
 final class ProgressLine {
 
@@ -16,7 +16,7 @@ final class ProgressLine {
   private static final double NS_PER_S = 1e9;
   private static final long REDRAW_NS = 100_000_000;
 
-  /** Before that, a rate says more of how the JVM warms up than of the work. */
+  /** Earlier, the rate would mostly measure the warm-up of the JVM. */
   private static final long RATE_FROM_NS = 2_000_000_000;
 
   private final PrintWriter err;
@@ -29,14 +29,14 @@ final class ProgressLine {
   private int drawnWidth;
 
   /**
-   * @param what is done, in the plural: {@code runs}
+   * @param what the units of work, in the plural: {@code runs}
    */
   ProgressLine(PrintWriter err, String what) {
     this(err, what, Ansi.AUTO.enabled(), System::nanoTime);
   }
 
   /**
-   * @param wallNs a clock that people live by
+   * @param wallNs the wall clock
    */
   ProgressLine(PrintWriter err, String what, boolean isTerminal, LongSupplier wallNs) {
     this.err = err;
@@ -47,7 +47,7 @@ final class ProgressLine {
     drawnNs = startNs - REDRAW_NS;
   }
 
-  /** Since the work began, on a clock that people live by. */
+  /** Wall-clock time since the work began. */
   long elapsedNs() {
     return wallNs.getAsLong() - startNs;
   }
@@ -83,7 +83,7 @@ final class ProgressLine {
     }
   }
 
-  /** After the last, once or more often: what is printed next begins on a line of its own. */
+  /** Ends the bar's line, if there is one. May be called repeatedly. */
   void end() {
     if (drawnWidth > 0) {
       err.println();
@@ -91,7 +91,7 @@ final class ProgressLine {
     }
   }
 
-  /** Over what was drawn before, which may have been longer. */
+  /** Overwrites the previous line, which may be longer. */
   private void draw(String line) {
     err.print("\r" + line + " ".repeat(Math.max(0, drawnWidth - line.length())));
     err.flush();
@@ -113,9 +113,9 @@ final class ProgressLine {
 
   private static String rate(double perS) {
     if (perS >= 1) {
-      return number(perS) + " a second";
+      return number(perS) + " per second";
     }
-    return perS >= 1.0 / 60 ? number(60 * perS) + " a minute" : number(3600 * perS) + " an hour";
+    return perS >= 1.0 / 60 ? number(60 * perS) + " per minute" : number(3600 * perS) + " per hour";
   }
 
   private static String number(double value) {

@@ -18,13 +18,13 @@ import org.jspecify.annotations.Nullable;
 import org.starl.Version;
 
 /**
- * The files of a user's own project, from resources beside this class. In them {@code @word@} stands
- * for a word, and a line that is nothing but {@code @part@} for a part, whole lines, which may differ
- * between languages or be empty.
+ * The files of a user's own project, from resources beside this class. In a template {@code @word@}
+ * stands for a word. A line that consists of {@code @part@} stands for a part: whole lines, which
+ * may differ between languages or be empty.
  */
 final class ProjectTemplate {
 
-  /** The file that is a program. */
+  /** The template of the executable file. */
   private static final String LAUNCHER = "launcher";
 
   private static final String FOLDER = "project/";
@@ -38,12 +38,12 @@ final class ProjectTemplate {
 
   /**
    * @param text of the file
-   * @param isProgram whether a shell may run it
+   * @param isProgram whether it is executable
    */
   record Written(String text, boolean isProgram) {}
 
   /**
-   * @param name of the project: lower case letters, digits, and dashes between them
+   * @param name of the project: lower-case letters and digits, with single dashes between
    * @param language java or kotlin
    */
   ProjectTemplate(String name, String language) {
@@ -97,7 +97,7 @@ final class ProjectTemplate {
     files.put(withWords(path), new Written(withWords(whole), resource.equals(LAUNCHER)));
   }
 
-  /** The lines that {@code line} stands for; itself if it is a word. */
+  /** The lines of a part; the line itself if it is a word. */
   private String part(MatchResult line) {
     if (words.containsKey(line.group(1))) {
       return line.group();
@@ -106,13 +106,15 @@ final class ProjectTemplate {
     return text == null ? "" : text;
   }
 
-  /** @throws IllegalStateException if a word is not known */
+  /**
+   * @throws IllegalStateException if a word is unknown
+   */
   private String withWords(String text) {
     return WORD.matcher(text)
         .replaceAll(match -> {
           String word = words.get(match.group(1));
           if (word == null) {
-            throw new IllegalStateException("a template says " + match.group());
+            throw new IllegalStateException("a template has the unknown word " + match.group());
           }
           return Matcher.quoteReplacement(withWords(word));
         });

@@ -5,7 +5,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintWriter;
 import java.util.Locale;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
@@ -24,17 +23,14 @@ import org.starl.sim.record.Moment;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code starl record}. */
 @Command(
     name = "record",
-    description = {
-      "Writes a picture of one moment, a moving picture, an MCAP file or a table of a run:",
-      "of one that is simulated now, or, without simulating, of one in a trace."
-    },
+    description =
+        "Writes a picture, an animation, an MCAP file or a table of a run. The run is simulated"
+            + " now, or read from a trace.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
@@ -43,24 +39,24 @@ import picocli.CommandLine.Spec;
       "         starl record intersection --seed 7 --mcap",
       "         starl record out/crossing.trace --gif --when violation"
     })
-final class RecordCommand implements Callable<Integer> {
+final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
   private static final String EXPECTED = "expected t=TIME (t=12s), end, best or violation";
   private static final String VIOLATION = "violation";
   private static final int MAX_WIDTH_PX = 4000;
   private static final long NS_PER_MS = 1_000_000;
 
-  /** What is written. */
-  private static final class What {
+  /** The kind of output. */
+  private static final class Output {
     @Option(
         names = "--png",
         arity = "0..1",
         fallbackValue = "",
         paramLabel = "WHEN",
-        description = "A picture; this is what is written unless something else is said.")
+        description = "A picture (the default).")
     private @Nullable String png;
 
-    @Option(names = "--gif", description = "A moving picture.")
+    @Option(names = "--gif", description = "An animation.")
     private boolean gif;
 
     @Option(
@@ -73,7 +69,7 @@ final class RecordCommand implements Callable<Integer> {
         arity = "0..1",
         fallbackValue = "",
         paramLabel = "TABLE",
-        description = "A table of positions (unless said otherwise), messages or variables.")
+        description = "A table: positions, messages or variables (default: positions).")
     private @Nullable String csv;
   }
 
@@ -81,44 +77,46 @@ final class RecordCommand implements Callable<Integer> {
 
   @Mixin private SeedOption seed = new SeedOption();
 
-  @ArgGroup private @Nullable What what;
+  @ArgGroup private @Nullable Output output;
 
   @Option(
       names = "--when",
       paramLabel = "WHEN",
       description =
-          "Of pictures: t=12s, end, best (when most is to be seen), or violation (the first, with"
-              + " what came before in a moving picture; nothing is written if there is none).")
+          "The moment of a picture: t=12s, end, best (the moment that shows most) or violation (the"
+              + " first one). With --gif only violation: the animation ends with it. Without a"
+              + " violation, nothing is written (default: best; with --gif the whole run).")
   private @Nullable String when;
 
   @Option(
       names = "--every",
       paramLabel = "TIME",
-      description = "Virtual time between two frames of a moving picture; 250ms unless given.")
+      defaultValue = "250ms",
+      description =
+          "Simulated time between two frames of an animation (default: ${DEFAULT-VALUE}).")
   private String every = "250ms";
 
   @Option(
       names = "--width",
       paramLabel = "PIXELS",
-      description = "Of a moving picture; 900 unless given.")
+      defaultValue = "900",
+      description = "Width of an animation in pixels (default: ${DEFAULT-VALUE}).")
   private String width = "900";
 
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "What to write to; out/APP-SEED.png, .gif, .mcap or .csv unless given.")
+      description = "The file to write (default: out/APP-SEED.png, .gif, .mcap or .csv).")
   private @Nullable String file;
-
-  @Spec private @Nullable CommandSpec spec;
 
   @Override
   public Integer call() throws IOException {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    PrintWriter err = spec.commandLine().getErr();
+    PrintWriter out = out();
+    PrintWriter err = err();
     String suffix = suffix();
     String wanted = when();
     Moment moment = moment(wanted);
-    Recordable run = run(Main.demos(spec), err);
+    Recordable run = run(demos(), err);
     String target = file == null ? defaultFile(run.app(), run.seed(), suffix) : file;
     Recorded recorded =
         switch (suffix) {
@@ -135,25 +133,25 @@ final class RecordCommand implements Callable<Integer> {
       return ExitStatus.GOOD;
     }
     Outcome.complaints(result).forEach(err::println);
-    err.println("replay: " + run.again());
+    err.println("replay: " + run.replay());
     return ExitStatus.VIOLATED;
   }
 
   private Recordable run(Demos demos, PrintWriter err) {
-    if (TraceFile.isOne(options.what())) {
+    if (TraceFile.isTrace(options.what())) {
       options.requireNoneFor(options.what());
       seed.requireNoneFor(options.what());
       return Recordable.of(TraceFile.open(options.what(), demos));
     }
-    RunRequest chosen = options.chosen(demos);
+    RunRequest request = options.request(demos);
     long seedNumber = seed.value();
-    Plan plan = chosen.plan(seedNumber);
-    plan.simulation().carriers(Carriers.chosen(null, err));
+    Plan plan = request.plan(seedNumber);
+    plan.simulation().carriers(Carriers.select(null, err));
     RunProgress.of(plan.simulation(), err);
-    return Recordable.of(chosen.demo().name(), seedNumber, plan, chosen.replay(seedNumber));
+    return Recordable.of(request.demo().name(), seedNumber, plan, request.replay(seedNumber));
   }
 
-  /** How the run went, and whether there was anything to write. */
+  /** The run's result, and whether a file was written. */
   private record Recorded(SimResult result, boolean isWritten) {}
 
   private static Recorded png(Recordable run, Moment moment, String target) throws IOException {
@@ -166,7 +164,7 @@ final class RecordCommand implements Callable<Integer> {
   private Recorded gif(Recordable run, String wanted, String target) throws IOException {
     boolean ofViolation = wanted.equals(VIOLATION);
     if (!ofViolation && when != null) {
-      throw new BadInput("--when " + when + ": of a moving picture, expected violation or nothing");
+      throw new BadInput("--when " + when + ": with --gif, expected violation or no --when");
     }
     GifRecorder recorder =
         new GifRecorder(
@@ -185,7 +183,7 @@ final class RecordCommand implements Callable<Integer> {
   }
 
   private Recorded csv(Recordable run, String target) throws IOException {
-    String wanted = what == null || what.csv == null ? "" : what.csv;
+    String wanted = output == null || output.csv == null ? "" : output.csv;
     return switch (wanted) {
       case "", "positions" -> table(run, target, PositionTable::new);
       case "messages" -> table(run, target, MessageTable::new);
@@ -204,20 +202,20 @@ final class RecordCommand implements Callable<Integer> {
   }
 
   private String suffix() {
-    if (what != null && what.gif) {
+    if (output != null && output.gif) {
       return "gif";
     }
-    if (what != null && what.csv != null) {
+    if (output != null && output.csv != null) {
       return "csv";
     }
-    return what != null && what.mcap ? "mcap" : "png";
+    return output != null && output.mcap ? "mcap" : "png";
   }
 
   /** {@code --png t=12s} is short for {@code --png --when t=12s}. */
   private String when() {
-    String png = what == null || what.png == null ? "" : what.png;
+    String png = output == null || output.png == null ? "" : output.png;
     if (!png.isEmpty() && when != null) {
-      throw new BadInput("--when: the moment is given by --png as well; expected one of the two");
+      throw new BadInput("--when: --png gives the moment as well; expected one of the two");
     }
     if (!png.isEmpty()) {
       return png;

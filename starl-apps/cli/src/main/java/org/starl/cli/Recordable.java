@@ -7,22 +7,22 @@ import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 
 /**
- * A run that can be recorded: one that is yet to take place, or one in a trace.
+ * A run to record: a simulation, or a trace.
  *
- * @param plan of it; what is painted into its pictures
- * @param show lets it pass before an observer, once
- * @param again the command line that shows it again
+ * @param plan of the run, with the obstacles and the layer for its pictures
+ * @param show shows the run to an observer; call once
+ * @param replay the command line that shows the run again
  */
 record Recordable(
-    String app, long seed, Plan plan, Function<SimObserver, SimResult> show, String again) {
+    String app, long seed, Plan plan, Function<SimObserver, SimResult> show, String replay) {
 
-  /** One that is simulated when it is shown. */
-  static Recordable of(String app, long seed, Plan plan, String again) {
+  /** A run that is simulated when it is shown. */
+  static Recordable of(String app, long seed, Plan plan, String replay) {
     return new Recordable(
-        app, seed, plan, observer -> plan.simulation().observer(observer).build().run(), again);
+        app, seed, plan, observer -> plan.simulation().observer(observer).build().run(), replay);
   }
 
-  /** One that is whole: nothing is written of a trace that ends in an error. */
+  /** A run in a trace. The trace must be complete, so that no file of a broken trace is written. */
   static Recordable of(TraceFile trace) {
     trace.requireWhole();
     return new Recordable(

@@ -1,83 +1,75 @@
 package org.starl.cli;
 
-import java.io.PrintWriter;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import org.starl.sim.check.Determinism;
 import org.starl.sim.check.ReplayCheck;
+import org.starl.trace.TraceHeader;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code starl replay}. */
 @Command(
     name = "replay",
     description =
-        "Shows a trace in a window; or runs its run again, and compares the two line by line.",
+        "Shows a trace in a window. With --headless, repeats its run and compares the two traces"
+            + " line by line.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl replay out/crossing.trace",
       "         starl replay out/crossing.trace --headless",
-      "where 'starl run intersection --seed 7 --trace out/crossing.trace' has made the trace."
+      "To make the trace: starl run intersection --seed 7 --trace out/crossing.trace"
     })
-final class ReplayCommand implements Callable<Integer> {
+final class ReplayCommand extends BaseCommand implements Callable<Integer> {
 
-  @Parameters(index = "0", paramLabel = "TRACE", description = "A trace, of 'run --trace'.")
+  @Parameters(
+      index = "0",
+      paramLabel = "TRACE",
+      description = "A trace, written by 'starl run --trace'.")
   private String file = "";
 
-  @Option(names = "--headless", description = "Without a window: only check that it replays.")
+  @Option(names = "--headless", description = "Repeat the run and compare, without a window.")
   private boolean headless;
 
   @Mixin private Viewing viewing = new Viewing();
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() {
-    CommandSpec command = Objects.requireNonNull(spec);
-    TraceFile trace = TraceFile.open(file, Main.demos(command));
-    return headless ? check(trace, command.commandLine().getOut()) : show(trace);
+    TraceFile trace = TraceFile.open(file, demos());
+    return headless ? check(trace) : show(trace);
   }
 
-  private int check(TraceFile trace, PrintWriter out) {
+  private int check(TraceFile trace) {
     ReplayCheck check = trace.replay();
     Determinism.Difference difference = check.difference();
     String failure = check.failure() == null ? "" : "the replay failed: " + check.failure();
-    if (json.isOn()) {
-      Map<String, Object> result = new LinkedHashMap<>();
-      result.put("trace", trace.name());
-      result.put("equal", check.isEqual());
-      result.put("lines", check.lines());
-      result.put("difference", difference == null ? failure : difference.toString());
-      out.println(Json.line(result));
-    } else {
-      out.println(
-          trace.name()
-              + ": "
-              + trace.header().scenario()
-              + ", seed "
-              + trace.header().scenarioSeed());
-      if (!failure.isEmpty()) {
-        out.println(failure);
-      }
-      out.println(
-          difference == null ? "equal: " + check.lines() + " lines" : difference.toString());
+    Map<String, Object> result = new LinkedHashMap<>();
+    result.put("trace", trace.name());
+    result.put("equal", check.isEqual());
+    result.put("lines", check.lines());
+    result.put("difference", difference == null ? failure : difference.toString());
+    List<String> lines = new ArrayList<>();
+    TraceHeader header = trace.header();
+    lines.add(trace.name() + ": " + header.scenario() + ", seed " + header.scenarioSeed());
+    if (!failure.isEmpty()) {
+      lines.add(failure);
     }
+    lines.add(difference == null ? "equal: " + check.lines() + " lines" : difference.toString());
+    json.print(out(), result, lines);
     return check.isEqual() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  /** Shows what is in the trace; nothing is run. */
+  /** Shows the trace; simulates nothing. */
   private int show(TraceFile trace) {
-    Viewing.demandScreen();
+    Viewing.requireDisplay();
     viewing.show(trace.reading());
     return ExitStatus.GOOD;
   }

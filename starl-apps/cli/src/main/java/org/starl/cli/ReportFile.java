@@ -13,12 +13,12 @@ import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
-import org.starl.cli.report.Claims;
+import org.starl.cli.report.CampaignDescription;
+import org.starl.cli.report.IllustratedRun;
+import org.starl.cli.report.LemmaDescriptions;
 import org.starl.cli.report.MessageCounts;
-import org.starl.cli.report.Pictured;
 import org.starl.cli.report.Report;
 import org.starl.cli.report.RunFacts;
-import org.starl.cli.report.Subject;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
@@ -26,24 +26,24 @@ import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
 
 /**
- * The page about a campaign, if the user asked for one: collects what it needs of each run, on any
- * thread, and is written whole once all is over, or not at all.
+ * The report page of a campaign. It collects the facts of each run, on any thread. After the
+ * campaign it writes the page completely or not at all.
  */
 final class ReportFile implements Closeable {
 
   private static final String OPTION = "--report";
 
-  /** Of each run some kilobytes are kept. */
-  private static final int MOST_RUNS = 100_000;
+  /** The report keeps some kilobytes for each run. */
+  private static final int MAX_RUNS = 100_000;
 
   private final OutputFile file;
   private final long first;
   private final BySeed<RunFacts> bySeed;
 
   private ReportFile(String name, Seeds.Range range) {
-    if (range.last() - range.first() >= MOST_RUNS) {
+    if (range.last() - range.first() >= MAX_RUNS) {
       throw new BadInput(
-          OPTION + ": a report of more than " + MOST_RUNS + " runs: expected fewer seeds");
+          OPTION + ": a report of more than " + MAX_RUNS + " runs: expected fewer seeds");
     }
     first = range.first();
     bySeed = new BySeed<>(range);
@@ -51,7 +51,7 @@ final class ReportFile implements Closeable {
   }
 
   /**
-   * Null if the user asked for none.
+   * The file of that name; null without a name.
    *
    * @throws BadInput if it cannot be written
    */
@@ -71,32 +71,33 @@ final class ReportFile implements Closeable {
   }
 
   /**
-   * Writes the page; runs some seeds again for their pictures.
+   * Writes the page. Runs some seeds again for their pictures.
    *
-   * @param plans a run each, with carriers
+   * @param plans makes the plan of a seed, including its carriers
    */
   void write(
-      Subject subject,
+      CampaignDescription description,
       CampaignResult result,
       LongFunction<Plan> plans,
       List<String> shrunk,
       PrintWriter err)
       throws IOException {
     SortedMap<Long, RunFacts> facts = Report.facts(result, bySeed::get);
-    List<Run> runs = Report.toPicture(result);
-    List<Pictured> pictured = new ArrayList<>();
+    List<Run> runs = Report.toIllustrate(result);
+    List<IllustratedRun> illustrated = new ArrayList<>();
     if (!runs.isEmpty()) {
-      ProgressLine progress = new ProgressLine(err, "runs taken again with pictures");
+      ProgressLine progress = new ProgressLine(err, "bad runs repeated for pictures");
       for (Run run : runs) {
         long momentNs = Report.momentNs(run, facts.get(run.seed()));
-        pictured.add(Pictured.of(run.seed(), plans, momentNs));
-        progress.show(pictured.size(), runs.size());
+        illustrated.add(IllustratedRun.of(run.seed(), plans, momentNs));
+        progress.show(illustrated.size(), runs.size());
       }
       progress.end();
     }
-    Pictured example = runs.isEmpty() ? Pictured.best(first, plans) : null;
-    Claims claims = Claims.of(plans.apply(first));
-    Report report = new Report(subject, result, facts, claims, example, pictured, shrunk);
+    IllustratedRun example = runs.isEmpty() ? IllustratedRun.best(first, plans) : null;
+    LemmaDescriptions descriptions = LemmaDescriptions.of(plans.apply(first));
+    Report report =
+        new Report(description, result, facts, descriptions, example, illustrated, shrunk);
     file.stream().write(report.page().getBytes(StandardCharsets.UTF_8));
   }
 
@@ -105,18 +106,18 @@ final class ReportFile implements Closeable {
     file.close();
   }
 
-  /** What is run, for the head of the page. */
-  static Subject subject(RunRequest chosen, String command, Seeds.Range range) {
+  /** The campaign, for the head of the page. */
+  static CampaignDescription description(RunRequest request, String command, Seeds.Range range) {
     Map<String, String> given = new LinkedHashMap<>();
-    for (Parameter parameter : chosen.demo().parameters()) {
-      String value = chosen.parameters().get(parameter.key());
+    for (Parameter parameter : request.demo().parameters()) {
+      String value = request.parameters().get(parameter.key());
       if (value != null && !value.equals(parameter.defaultValue())) {
         given.put(parameter.key(), value);
       }
     }
     List<String> faults = new ArrayList<>();
-    chosen.settings().get(Setting.FAULTS).faults().forEach(fault -> faults.add(fault.toString()));
-    chosen
+    request.settings().get(Setting.FAULTS).faults().forEach(fault -> faults.add(fault.toString()));
+    request
         .settings()
         .given()
         .forEach((setting, value) -> {
@@ -126,16 +127,16 @@ final class ReportFile implements Closeable {
             given.put(setting.key(), value);
           }
         });
-    Map<String, String> settings = new LinkedHashMap<>(chosen.parameters());
-    settings.putAll(chosen.plan(range.first()).simulation().settings().asText());
-    return new Subject(
-        chosen.demo().name(),
-        chosen.demo().summary(),
+    Map<String, String> settings = new LinkedHashMap<>(request.parameters());
+    settings.putAll(request.plan(range.first()).simulation().settings().asText());
+    return new CampaignDescription(
+        request.demo().name(),
+        request.demo().summary(),
         command,
         range.first() + ".." + range.last(),
         faults,
         given,
         settings,
-        chosen::replay);
+        request::replay);
   }
 }

@@ -4,16 +4,12 @@ import java.io.FileDescriptor;
 import java.io.FileOutputStream;
 import java.io.IOException;
 import java.nio.file.Path;
-import java.util.Objects;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.launch.RobotProcess;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** One robot of {@code starl run --processes}, which starts this command. */
 @Command(
@@ -21,7 +17,7 @@ import picocli.CommandLine.Spec;
     hidden = true,
     description = "One robot as a process; 'starl run --processes' starts this.",
     mixinStandardHelpOptions = true)
-final class RobotCommand implements Callable<Integer> {
+final class RobotCommand extends BaseCommand implements Callable<Integer> {
 
   static final String NAME = "robot";
 
@@ -38,14 +34,12 @@ final class RobotCommand implements Callable<Integer> {
   @Parameters(index = "3", description = "How many times its app runs.")
   private int rounds;
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() throws IOException {
-    RunRequest chosen = options.chosen(Main.demos(Objects.requireNonNull(spec)));
+    RunRequest request = options.request(demos());
     long seedNumber = seed.value();
     RobotProcess.run(
-        () -> chosen.plan(seedNumber).simulation().build().plan(),
+        () -> request.plan(seedNumber).simulation().build().plan(),
         new RobotId(robot),
         Path.of(folder),
         rounds,

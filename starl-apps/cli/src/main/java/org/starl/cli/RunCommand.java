@@ -5,7 +5,6 @@ import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
@@ -24,14 +23,13 @@ import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.record.Moment;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code starl run}. */
 @Command(
     name = "run",
-    description = "One run with all monitors on: prints its story and draws a picture.",
+    description =
+        "Runs an app or a primitive once, with all monitors. Prints its story and draws a picture.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
@@ -39,7 +37,7 @@ import picocli.CommandLine.Spec;
       "         starl run search --seed 7 --view",
       "         starl run intersection --seed 7 --pvs run.pvs && pvs/check run.pvs"
     })
-final class RunCommand implements Callable<Integer> {
+final class RunCommand extends BaseCommand implements Callable<Integer> {
 
   @Mixin private RunOptions options = new RunOptions();
 
@@ -51,19 +49,19 @@ final class RunCommand implements Callable<Integer> {
   @Option(
       names = "--csv",
       paramLabel = "FILE",
-      description = "Write every change of the true motion to FILE.")
+      description = "Write every change of the true motion to FILE, as a table.")
   private @Nullable String csv;
 
   @Option(
       names = "--csv-messages",
       paramLabel = "FILE",
-      description = "Write every message sent, delivered or dropped to FILE.")
+      description = "Write every message sent, delivered or dropped to FILE, as a table.")
   private @Nullable String csvMessages;
 
   @Option(
       names = "--csv-variables",
       paramLabel = "FILE",
-      description = "Write every new value of a variable to FILE.")
+      description = "Write every new value of a variable to FILE, as a table.")
   private @Nullable String csvVariables;
 
   @Option(
@@ -71,13 +69,13 @@ final class RunCommand implements Callable<Integer> {
       paramLabel = "FILE",
       description =
           "Write the run to FILE as PVS theories. pvs/check proves their obligations, unless a"
-              + " primitive did what its theory in pvs/ does not allow.")
+              + " primitive did a step that its theory in pvs/ does not allow.")
   private @Nullable String pvs;
 
   @Option(
       names = "--png",
       paramLabel = "FILE",
-      description = "File for the picture (default: out/APP-SEED.png).")
+      description = "Write the picture to FILE (default: out/APP-SEED.png).")
   private @Nullable String png;
 
   @Option(
@@ -104,36 +102,34 @@ final class RunCommand implements Callable<Integer> {
 
   @Mixin private JsonOption json = new JsonOption();
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public Integer call() throws IOException {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
-    PrintWriter err = spec.commandLine().getErr();
+    PrintWriter out = out();
+    PrintWriter err = err();
     if (view && processes.areOn()) {
       throw new BadInput(
           "--view cannot be used with --processes: robots as processes have no window");
     }
     if (view) {
-      Viewing.demandScreen();
+      Viewing.requireDisplay();
     }
-    RunRequest chosen = options.chosen(Main.demos(spec));
+    RunRequest request = options.request(demos());
     long seedNumber = seed.value();
-    Plan plan = chosen.plan(seedNumber);
-    String app = chosen.demo().name();
+    Plan plan = request.plan(seedNumber);
+    String app = request.demo().name();
     if (result != null && plan.story().products().isEmpty()) {
       throw new BadInput("--result cannot be used with " + app + ": it writes no result files");
     }
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
     boolean areProcesses = processes.areOn();
-    String again = chosen.replay(seedNumber);
+    String again = request.replay(seedNumber);
     String replay =
         areProcesses
-            ? "the same at other times: " + again + processes.replay()
+            ? "repeat, with other timing: " + again + processes.replay()
             : "replay: " + again;
     Ran ran;
     try {
-      ran = run(plan, pictureName, areProcesses, chosen.words(seedNumber), err);
+      ran = run(app, plan, pictureName, areProcesses, request.words(seedNumber), err);
     } catch (BadInput e) {
       throw e;
     } catch (RuntimeException e) {
@@ -141,13 +137,12 @@ final class RunCommand implements Callable<Integer> {
       throw e;
     }
     if (json.isOn()) {
-      Map<String, Object> object = ran.json(app, plan.story().measures());
-      object.put("picture", pictureName);
-      out.println(Json.line(object));
+      ran.json().put("picture", pictureName);
+      out.println(Json.line(ran.json()));
     } else {
       out.println(app + ", seed " + seedNumber);
       plan.story().lines().forEach(out::println);
-      ran.lines(plan.story().measures()).forEach(out::println);
+      ran.lines().forEach(out::println);
       out.println("picture: " + pictureName);
     }
     writeProducts(plan, out);
@@ -173,61 +168,36 @@ final class RunCommand implements Callable<Integer> {
     }
   }
 
-  /** The result of a run, simulated or as processes. */
-  private interface Ran {
-    List<String> lines(Measures measures);
+  /** The result of a run, simulated or as processes, for output. */
+  private record Ran(List<String> lines, Map<String, Object> json, boolean isGood) {
 
-    Map<String, Object> json(String app, Measures measures);
-
-    boolean isGood();
-  }
-
-  /**
-   * Simulated.
-   *
-   * @param isStopped whether the window was closed before the end
-   */
-  private record Simulated(SimResult result, boolean isStopped) implements Ran {
-    @Override
-    public List<String> lines(Measures measures) {
+    static Ran simulated(String app, SimResult result, Measures measures, boolean isStopped) {
       List<String> lines = new ArrayList<>(Outcome.lines(result, measures));
       if (isStopped) {
-        lines.add("stopped, because the window was closed");
+        lines.add("stopped: the window was closed");
       }
-      return lines;
+      return new Ran(
+          lines,
+          Outcome.json(app, result, measures),
+          isStopped ? result.spec().holds() : Outcome.isGood(result));
     }
 
-    @Override
-    public Map<String, Object> json(String app, Measures measures) {
-      return Outcome.json(app, result, measures);
-    }
-
-    @Override
-    public boolean isGood() {
-      return isStopped ? result.spec().holds() : Outcome.isGood(result);
-    }
-  }
-
-  private record Processes(LaunchResult result) implements Ran {
-    @Override
-    public List<String> lines(Measures measures) {
-      return ProcessOutcome.lines(result);
-    }
-
-    @Override
-    public Map<String, Object> json(String app, Measures measures) {
-      return ProcessOutcome.json(app, result, measures);
-    }
-
-    @Override
-    public boolean isGood() {
-      return result.isGood();
+    static Ran processes(String app, LaunchResult result, Measures measures) {
+      return new Ran(
+          ProcessOutcome.lines(result),
+          ProcessOutcome.json(app, result, measures),
+          result.isGood());
     }
   }
 
-  /** Runs it; the files that were asked for are written even if it fails. */
+  /** Runs the plan. The requested files are written even if the run fails. */
   private Ran run(
-      Plan plan, String pictureName, boolean areProcesses, List<String> words, PrintWriter err)
+      String app,
+      Plan plan,
+      String pictureName,
+      boolean areProcesses,
+      List<String> words,
+      PrintWriter err)
       throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
         ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
@@ -245,16 +215,17 @@ final class RunCommand implements Callable<Integer> {
           .observer(picture.recorder());
       if (areProcesses) {
         SimulationPlan blueprint = plan.simulation().build().plan();
-        return new Processes(processes.run(blueprint, words, err));
+        return Ran.processes(app, processes.run(blueprint, words, err), plan.story().measures());
       }
-      plan.simulation().carriers(Carriers.chosen(carrier, err));
+      plan.simulation().carriers(Carriers.select(carrier, err));
       if (view) {
         Viewing.Watched watched = viewing.run(plan);
-        return new Simulated(watched.result(), watched.isStopped());
+        return Ran.simulated(app, watched.result(), plan.story().measures(), watched.isStopped());
       }
       RunProgress progress = RunProgress.of(plan.simulation(), err);
       try {
-        return new Simulated(plan.simulation().build().run(), false);
+        SimResult simulated = plan.simulation().build().run();
+        return Ran.simulated(app, simulated, plan.story().measures(), false);
       } finally {
         progress.end();
       }

@@ -12,13 +12,15 @@ import org.starl.sim.Setting;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 
-/** The options of every command that runs an app: texts until {@link #chosen} parses them. */
+/** The options of every command that runs an app: texts until {@link #request} parses them. */
 final class RunOptions {
 
   @Parameters(
       index = "0",
       paramLabel = "APP|PRIMITIVE|FILE.yaml",
-      description = "An app or a primitive ('starl list' names them), or a scenario file.")
+      description =
+          "An app or a primitive ('starl list' names them), or a scenario file. 'starl record' also"
+              + " takes a trace.")
   private String what = "";
 
   @Option(
@@ -26,18 +28,23 @@ final class RunOptions {
       paramLabel = "FAULT",
       description =
           "A fault to inject: 'crash(bot2,at=12s,restart=5s)', 'loss(0.9,from=bot1)'; 'starl list'"
-              + " names them. May be repeated.")
+              + " shows all kinds. May be repeated.")
   private List<String> faults = new ArrayList<>();
 
   @Option(
       names = "--set",
       paramLabel = "KEY=VALUE",
-      description = "Any other setting or parameter; 'starl list' names them. May be repeated.")
+      description =
+          "Any other setting or parameter; 'starl list' shows them with their defaults. May be"
+              + " repeated.")
   private Map<String, String> sets = new LinkedHashMap<>();
 
   private final Map<Setting<?>, String> given = new LinkedHashMap<>();
 
-  @Option(names = "--robots", paramLabel = "N", description = "Number of robots.")
+  @Option(
+      names = "--robots",
+      paramLabel = "N",
+      description = "Number of robots (default: the app's).")
   void robots(@Nullable String text) {
     give(Setting.ROBOTS, text);
   }
@@ -46,8 +53,8 @@ final class RunOptions {
       names = "--for",
       paramLabel = "TIME",
       description =
-          "Simulated time after which the run ends, such as 60s. Some apps have a default of their"
-              + " own; all others end after 1200s.")
+          "Simulated time after which the run ends, such as 60s (default: the app's own limit, or"
+              + " 1200s).")
   void duration(@Nullable String text) {
     give(Setting.DURATION, text);
   }
@@ -80,7 +87,8 @@ final class RunOptions {
 
   @Option(
       names = "--ideal",
-      description = "Ideal motion: robots turn at once, drive exactly and pass through obstacles.")
+      description =
+          "Ideal motion: robots turn instantly, drive exactly and pass through obstacles.")
   void ideal(boolean on) {
     give(Setting.IDEAL_MOTION, on ? "true" : null);
   }
@@ -88,8 +96,9 @@ final class RunOptions {
   @Option(
       names = "--chaos",
       description =
-          "Random faults, drawn by seed from those that the app must tolerate. They come and go in"
-              + " the first part of the run ('--set chaosFor=60s'), then everything works again.")
+          "Inject random faults of the kinds that the app must tolerate, drawn from the seed. They"
+              + " occur in the first part of the run (its length: '--set chaosFor=60s'); after that"
+              + " everything works.")
   void chaos(boolean on) {
     give(Setting.CHAOS, on ? "true" : null);
   }
@@ -106,9 +115,9 @@ final class RunOptions {
   }
 
   /**
-   * A trace is of a run that has ended: no option can change it.
+   * Checks the options for a trace: no option can change its run.
    *
-   * @throws BadInput naming an option that was given
+   * @throws BadInput with the first given option
    */
   void requireNoneFor(String trace) {
     List<String> options = new ArrayList<>();
@@ -121,14 +130,14 @@ final class RunOptions {
   }
 
   /**
-   * The request of the scenario file, if any, and these options, for an app of {@code demos}. Options
-   * replace the file's values, {@code --set} replaces other options; {@code --fault} adds to the
-   * file's faults.
+   * The request of the scenario file, if any, and these options, for an app of {@code demos}.
+   * Options replace the file's values, {@code --set} replaces other options; {@code --fault} adds
+   * to the file's faults.
    *
    * @throws BadInput naming the option or the file's line, the value and what was expected
    */
-  RunRequest chosen(Demos demos) {
-    boolean isFile = ScenarioFile.isOne(what);
+  RunRequest request(Demos demos) {
+    boolean isFile = ScenarioFile.isScenario(what);
     ScenarioFile file = isFile ? ScenarioFile.read(what) : ScenarioFile.ofApp(what);
     RunRequest.Builder request = file.request(demos);
     faults.forEach(request::fault);

@@ -7,16 +7,16 @@ import org.starl.sim.Simulation;
 import org.starl.trace.TraceEvent;
 
 /**
- * Tells how far one long run is, in simulated time, of which it is known when it is over at the
- * latest. Of a run that is over soon it says nothing.
+ * Shows the progress of one long run, in simulated time up to its limit. Shows nothing for a run
+ * that takes less than 2 s.
  */
 final class RunProgress implements SimObserver {
 
   private static final long NS_PER_S = 1_000_000_000;
   private static final long QUIET_NS = 2 * NS_PER_S;
 
-  /** A look at the clock costs as much as a small event. */
-  private static final int LOOK_EVERY = 512;
+  /** Reading the clock costs as much as a small event. */
+  private static final int CHECK_EVERY = 512;
 
   private final ProgressLine line;
   private final long plannedS;
@@ -27,7 +27,7 @@ final class RunProgress implements SimObserver {
     plannedS = Math.max(1, endNs / NS_PER_S);
   }
 
-  /** Of a run that is about to be built, which it observes from now on. */
+  /** The progress of the run that {@code simulation} will build. */
   static RunProgress of(Simulation.Builder simulation, PrintWriter err) {
     ProgressLine line = new ProgressLine(err, "simulated seconds at most");
     RunProgress progress = new RunProgress(line, simulation.endNs());
@@ -38,7 +38,7 @@ final class RunProgress implements SimObserver {
   @Override
   public void observed(TraceEvent event) {
     events++;
-    if (events % LOOK_EVERY == 0 && line.elapsedNs() >= QUIET_NS) {
+    if (events % CHECK_EVERY == 0 && line.elapsedNs() >= QUIET_NS) {
       line.show(Math.min(event.timeNs() / NS_PER_S, plannedS), plannedS);
     }
   }
@@ -48,7 +48,7 @@ final class RunProgress implements SimObserver {
     end();
   }
 
-  /** What is printed next begins on a line of its own, also if an error ended the run. */
+  /** Ends the line; also call it after an error. */
   void end() {
     line.end();
   }

@@ -25,18 +25,18 @@ import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.view.ViewSettings;
 
 /**
- * A request to run an app: what options, a scenario file, a deployment file or a trace's header say,
- * parsed. Immutable; it renders the command line that makes the same request.
+ * A request to run an app, parsed from options, a scenario file, a deployment file or a trace
+ * header. Immutable. It can render the command line that makes the same request.
  *
- * @param parameters of the app, every one of them
- * @param settings that were given, over the app's defaults
+ * @param parameters of the app, all of them
+ * @param settings the given ones only; the app's defaults apply to the others
  */
 record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings settings) {
 
-  /** Time limit where neither the user nor the app sets one. */
-  private static final Duration LONGEST = Duration.ofMinutes(20);
+  /** Time limit if neither the user nor the app sets one. */
+  private static final Duration DEFAULT_LIMIT = Duration.ofMinutes(20);
 
-  /** The options that set a setting, in the order to show them. */
+  /** The option of each setting that has one, in the order to show them. */
   static final Map<Setting<?>, String> OPTIONS = new LinkedHashMap<>();
 
   static {
@@ -50,12 +50,12 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     OPTIONS.put(Setting.CHAOS, "--chaos");
   }
 
-  /** The settings that a user may give: the simulator's and the window's. */
+  /** The settings that a user can give: those of the simulator and of the window. */
   static List<Setting<?>> known() {
     return Stream.concat(Setting.all().stream(), ViewSettings.all().stream()).toList();
   }
 
-  /** The number of robots, where the user gave one. */
+  /** The number of robots, if the user gave one. */
   OptionalInt robots() {
     return settings.has(Setting.ROBOTS) ? OptionalInt.of(settings.robots()) : OptionalInt.empty();
   }
@@ -66,15 +66,15 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   }
 
   /**
-   * The simulation of one seed, a fresh one at each call.
+   * The plan for one seed, a new one at each call.
    *
-   * @throws BadInput if a value cannot be used
+   * @throws BadInput if a value is invalid
    */
   Plan plan(long seed) {
     Request request = new Request(seed, robots(), parameters);
     SimSettings defaults = demo.defaultSettings(request).build();
     if (defaults.get(Setting.DURATION).isZero()) {
-      defaults = defaults.with(Setting.DURATION, LONGEST);
+      defaults = defaults.with(Setting.DURATION, DEFAULT_LIMIT);
     }
     Plan plan = demo.plan(request, settings.over(defaults));
     plan.simulation().name(demo.name()).seed(seed);
@@ -85,7 +85,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     return plan;
   }
 
-  /** The command line that runs one seed of it. */
+  /** The command line that runs this request with one seed. */
   String replay(long seed) {
     List<String> words = new ArrayList<>(List.of("run"));
     words.addAll(words(seed));
@@ -131,7 +131,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     return isOn ? List.of(option) : List.of("--set", setting.key() + "=" + value);
   }
 
-  /** Collects what a user gives; later values replace earlier ones. */
+  /** Collects parameters and settings; later values replace earlier ones. */
   static final class Builder {
 
     private final Demo demo;
@@ -144,10 +144,10 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     }
 
     /**
-     * A request for the app of that name.
+     * A request for the app with this name.
      *
-     * @param where it stands, for errors: {@code my.yaml:1: }, or empty
-     * @param hint for errors, behind the names that look like it
+     * @param where the place of the name, for errors: {@code my.yaml:1: }, or empty
+     * @param hint for errors, after the similar names
      * @throws BadInput if no app has that name
      */
     static Builder of(Demos demos, String name, String where, String hint) {
@@ -164,9 +164,9 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
     }
 
     /**
-     * A setting or a parameter by its key.
+     * Sets a setting or a parameter.
      *
-     * @param where the value stands, for errors: {@code --set: }, {@code my.yaml:3: }
+     * @param where the place of the value, for errors: {@code --set: }, {@code my.yaml:3: }
      * @throws BadInput naming {@code where}, the key, the value and what was expected
      */
     Builder set(String where, String key, String value) {
@@ -182,7 +182,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
       return this;
     }
 
-    /** One more fault, besides those so far. */
+    /** Adds a fault. */
     Builder fault(String text) {
       try {
         FaultPlan one = new FaultPlan(List.of(FaultGrammar.parse(text)));

@@ -7,13 +7,13 @@ import java.util.TreeMap;
 import org.starl.apps.Measures;
 import org.starl.sim.check.CampaignResult;
 
-/** What the runs of a campaign measured, those that count. */
+/** The measures of all runs of a campaign. */
 final class Samples {
 
   private final List<Measures> runs = new ArrayList<>();
 
   /**
-   * @param bySeed of the runs that came to an end
+   * @param bySeed measures of the runs that ended without an exception
    */
   Samples(CampaignResult result, BySeed<Measures> bySeed) {
     for (CampaignResult.Run run : result.runs()) {
@@ -24,19 +24,19 @@ final class Samples {
     }
   }
 
-  /** Robots that did what they came for. */
+  /** Robots that completed their task. */
   long completed() {
     return runs.stream().mapToLong(Measures::completed).sum();
   }
 
-  /** Whatever else was counted, over all runs. */
+  /** All other counts, over all runs. */
   SortedMap<String, Long> counts() {
     SortedMap<String, Long> sums = new TreeMap<>();
     runs.forEach(run -> run.counts().forEach((what, count) -> sums.merge(what, count, Long::sum)));
     return sums;
   }
 
-  /** A percentile of all waits, in ns; 0 if there are none. */
+  /** A percentile of all waiting times, in ns; 0 if there are none. */
   long waitNs(int percent) {
     long[] waits =
         runs.stream()

@@ -12,7 +12,7 @@ import org.starl.input.Node;
 import org.starl.input.TextFile;
 
 /**
- * A scenario in YAML: {@code app:} and then any settings and parameters, one a line.
+ * A scenario in YAML: {@code app:}, then any settings and parameters, one per line.
  *
  * <pre>
  * app: intersection
@@ -23,9 +23,9 @@ import org.starl.input.TextFile;
  * faults: [crash(bot2,at=12s,restart=5s), loss(0.3,until=60s)]
  * </pre>
  *
- * @param file empty if there is none
- * @param values in the file's order, as text
- * @param lines on which the values stand, and the app
+ * @param file its name; empty if the user named an app instead
+ * @param values as text, in the file's order
+ * @param lines the line number of each value and of the app
  */
 record ScenarioFile(
     String file, String app, Map<String, String> values, Map<String, Integer> lines) {
@@ -36,7 +36,7 @@ record ScenarioFile(
   private static final String EXPECTED =
       "expected a scenario file with lines such as 'app: intersection'";
 
-  static boolean isOne(String what) {
+  static boolean isScenario(String what) {
     return what.endsWith(".yaml") || what.endsWith(".yml");
   }
 
@@ -44,13 +44,13 @@ record ScenarioFile(
     return new ScenarioFile("", app, Map.of(), Map.of());
   }
 
-  /** The beginning of an error in the value of {@code key}: {@code my.yaml:3: }. */
+  /** The first words of an error in the value of {@code key}: {@code my.yaml:3: }. */
   String where(String key) {
     return file.isEmpty() ? "" : file + ":" + lines.getOrDefault(key, 1) + ": ";
   }
 
   /**
-   * The request that it makes, for an app of {@code demos}.
+   * The request of this file, for an app of {@code demos}.
    *
    * @throws BadInput naming the file's line, the key, the value and what was expected
    */
@@ -61,7 +61,9 @@ record ScenarioFile(
     return request;
   }
 
-  /** @throws BadInput if it is missing, no text, no YAML, or not as above */
+  /**
+   * @throws BadInput if the file is missing, or is not text, YAML or a scenario
+   */
   static ScenarioFile read(String file) {
     Map<String, String> values = new LinkedHashMap<>();
     Map<String, Integer> lines = new LinkedHashMap<>();

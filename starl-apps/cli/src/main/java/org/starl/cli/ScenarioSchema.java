@@ -14,9 +14,9 @@ import org.starl.sim.Setting;
 import org.starl.sim.fault.Envelope;
 
 /**
- * The JSON schema of {@link ScenarioFile}, for editors: the apps, settings and parameters and the
- * values that they take. It accepts what a command accepts, except numbers and booleans in quotes. It
- * does not know conditions between two values.
+ * The JSON schema of {@link ScenarioFile}, for editors: the apps, settings and parameters, and
+ * their values. It accepts the files that a command accepts, except numbers and booleans in quotes.
+ * It does not check conditions between two values.
  */
 final class ScenarioSchema {
 
@@ -36,7 +36,7 @@ final class ScenarioSchema {
     Map<String, Object> schema =
         JsonSchema.document(
             "StarL scenario",
-            "What 'starl run FILE.yaml' runs: an app, and any settings and parameters of it.");
+            "A file for 'starl run FILE.yaml': an app, with any of its settings and parameters.");
     schema.put("type", "object");
     schema.put(JsonSchema.REQUIRED, List.of(ScenarioFile.APP));
     schema.put("definitions", Map.of("setting", Map.of("enum", List.copyOf(properties.keySet()))));
@@ -54,7 +54,7 @@ final class ScenarioSchema {
             .collect(Collectors.joining("\n")));
   }
 
-  /** The parameters of a deployment, whatever its app: settings with one value each. */
+  /** The parameters of a deployment of any app: settings with one value each. */
   static Map<String, Object> anyParameters() {
     Map<String, Object> properties = settings();
     properties.put(

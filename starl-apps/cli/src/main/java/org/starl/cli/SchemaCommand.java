@@ -1,28 +1,25 @@
 package org.starl.cli;
 
 import java.io.PrintWriter;
-import java.util.Objects;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.Demos;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Parameters;
-import picocli.CommandLine.Spec;
 
 /** {@code starl schema}. */
 @Command(
     name = "schema",
     description =
-        "The JSON schema of scenario files, or of deployment files: editors complete and check a file that"
-            + " begins with '# yaml-language-server: $$schema=FILE'.",
+        "Prints the JSON schema of scenario files or of deployment files. Editors use it to"
+            + " complete and check a file that begins with '# yaml-language-server:"
+            + " $$schema=FILE'.",
     mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl schema > scenario.schema.json",
       "         starl schema deployment > deployment.schema.json"
     })
-final class SchemaCommand implements Runnable {
+final class SchemaCommand extends BaseCommand implements Runnable {
 
   private static final String SCENARIO = "scenario";
   private static final String DEPLOYMENT = "deployment";
@@ -31,16 +28,14 @@ final class SchemaCommand implements Runnable {
       index = "0",
       arity = "0..1",
       paramLabel = "KIND",
-      description = "scenario, deployment; scenario unless given.")
+      defaultValue = SCENARIO,
+      description = "scenario or deployment (default: ${DEFAULT-VALUE}).")
   private String kind = SCENARIO;
-
-  @Spec private @Nullable CommandSpec spec;
 
   @Override
   public void run() {
-    CommandSpec here = Objects.requireNonNull(spec);
-    PrintWriter out = here.commandLine().getOut();
-    Demos demos = Main.demos(here);
+    PrintWriter out = out();
+    Demos demos = demos();
     out.println(
         Json.lines(
             switch (kind) {

@@ -4,17 +4,17 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import picocli.CommandLine.Option;
 
-/** The seed of a command that makes one run. */
+/** The seed option of commands that make one run. */
 final class SeedOption {
 
   @Option(
       names = "--seed",
       paramLabel = "S",
-      description = "Seed of the run (default: drawn, and printed).")
+      description = "Seed of the run (default: a random seed, which is printed).")
   private @Nullable String seed;
 
   /**
-   * A trace has the seed of its run.
+   * Checks the option for a trace, which has the seed of its run.
    *
    * @throws BadInput if a seed was given
    */
@@ -24,7 +24,7 @@ final class SeedOption {
     }
   }
 
-  /** The seed that was given, else a random one, another at each call. */
+  /** The given seed, or else a random seed, a new one at each call. */
   long value() {
     return Seeds.of(seed);
   }

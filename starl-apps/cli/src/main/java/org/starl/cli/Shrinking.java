@@ -22,12 +22,12 @@ import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 
-/** Shrinks a run of the command line, and says how to run what is left. */
+/** Shrinks a bad run, and gives the command line of the smaller one. */
 final class Shrinking {
 
   private static final int MOST_RUNS = 500;
 
-  /** What a {@link Trial} says in a way of its own. */
+  /** Settings that a {@link Trial} has as values of its own. */
   private static final Set<Setting<?>> OF_TRIAL =
       Set.of(Setting.ROBOTS, Setting.DURATION, Setting.FAULTS, Setting.CHAOS, Setting.CHAOS_FOR);
 
@@ -38,9 +38,9 @@ final class Shrinking {
   private final Trial from;
 
   /**
-   * What is left.
+   * The shrunk run.
    *
-   * @param words of the command that runs it, after {@code ./starl}
+   * @param words of its command line, after {@code ./starl}
    */
   record Shrunk(Trial from, Shrink.Result result, List<String> words) {
 
@@ -56,7 +56,7 @@ final class Shrinking {
               + from
               + " -> "
               + result.trial()
-              + (result.isSmallest() ? "" : " (there may be a smaller one)"),
+              + (result.isSmallest() ? "" : " (a smaller one may exist)"),
           "seed " + words.get(words.indexOf("--seed") + 1) + ": " + result.outcome().detail(),
           "replay: " + command());
     }
@@ -73,18 +73,18 @@ final class Shrinking {
     }
   }
 
-  Shrinking(Demos demos, RunRequest chosen, long seed, CarrierKind carriers) {
+  Shrinking(Demos demos, RunRequest request, long seed, CarrierKind carriers) {
     this.demos = demos;
     this.seed = seed;
     this.carriers = carriers;
-    Plan plan = chosen.plan(seed);
+    Plan plan = request.plan(seed);
     SimSettings settings = plan.simulation().settings();
-    SimSettings kept = chosen.settings();
+    SimSettings kept = request.settings();
     if (settings.get(Setting.CHAOS) == Envelope.HOSTILE) {
-      // Hostile chaos seals datagrams; its faults alone do not.
+      // Hostile chaos also seals datagrams; its faults alone would not.
       kept = kept.with(Setting.SEALED, true);
     }
-    whole = chosen.withSettings(kept);
+    whole = request.withSettings(kept);
     Simulation simulation = plan.simulation().build();
     from =
         new Trial(
@@ -97,28 +97,28 @@ final class Shrinking {
             settings.endNs());
   }
 
-  /** Shrinks, told line by line; then runs the command that it prints, to be sure of it. */
+  /** Shrinks the run, with a line for each trial; then checks the printed command by running it. */
   Shrunk run(PrintWriter err) {
     Shrink shrink =
         new Shrink(
-            trial -> outcome(chosen(trial).plan(seed)),
+            trial -> outcome(request(trial).plan(seed)),
             MOST_RUNS,
             (run, trial, outcome, isKept) ->
-                err.println("shrink " + run + ": " + trial + ": " + said(outcome, isKept)));
+                err.println("shrink " + run + ": " + trial + ": " + text(outcome, isKept)));
     Shrink.Result result = shrink.shrink(from);
     List<String> words = new ArrayList<>(List.of("run"));
-    words.addAll(chosen(result.trial()).words(seed));
+    words.addAll(request(result.trial()).words(seed));
     RunOutcome again = outcome(parsed(words));
     if (!again.equals(result.outcome())) {
       throw new IllegalStateException(
-          "'" + String.join(" ", words) + "' ends otherwise: " + again.detail());
+          "'" + String.join(" ", words) + "' ends differently: " + again.detail());
     }
     return new Shrunk(from, result, words);
   }
 
-  private static String said(RunOutcome outcome, boolean isKept) {
-    String how = outcome.isGood() ? "goes well" : outcome.detail();
-    return how + (isKept ? "" : " (not taken)");
+  private static String text(RunOutcome outcome, boolean isKept) {
+    String how = outcome.isGood() ? "good" : outcome.detail();
+    return how + (isKept ? "" : " (discarded)");
   }
 
   private RunOutcome outcome(Plan plan) {
@@ -129,7 +129,7 @@ final class Shrinking {
     }
   }
 
-  private RunRequest chosen(Trial trial) {
+  private RunRequest request(Trial trial) {
     SimSettings.Builder settings =
         whole.settings().only(setting -> trial.settings().contains(setting.key())).toBuilder();
     settings.duration(Duration.ofNanos(trial.endNs()));
@@ -144,11 +144,11 @@ final class Shrinking {
     return whole.withSettings(settings.build());
   }
 
-  /** What {@code starl run} makes of these words. */
+  /** The plan that {@code starl run} makes from these words. */
   private Plan parsed(List<String> words) {
     RunWords run = new RunWords();
     new CommandLine(run).parseArgs(words.subList(1, words.size()).toArray(String[]::new));
-    return run.options.chosen(demos).plan(run.seed.value());
+    return run.options.request(demos).plan(run.seed.value());
   }
 
   @Command(name = "run")

@@ -13,34 +13,32 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.serial.PseudoTerminal;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
-import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.Spec;
 
 /** {@code starl simulated-create}. */
 @Command(
     name = "simulated-create",
     description =
-        "Simulates an iRobot Create on an open floor, at a serial port (Linux, macOS) or a TCP port,"
-            + " until this command is ended. Prints each change of its wheels' speeds.",
+        "Simulates an iRobot Create on an open floor, at a serial port (Linux, macOS) or a TCP"
+            + " port, until it is stopped. Prints each change of its wheel speeds.",
     mixinStandardHelpOptions = true,
     footer = {"", "Example: starl simulated-create --pty create0"})
-final class SimulatedCreateCommand implements Runnable {
+final class SimulatedCreateCommand extends BaseCommand implements Runnable {
 
-  /** The robot's end of the line. */
+  /** The port of the simulated robot. */
   private static final class Line {
     @Option(
         names = "--pty",
         paramLabel = "NAME",
         required = true,
-        description = "The name of the serial port to make.")
+        description = "Name of the serial port to create.")
     private @Nullable String pty;
 
     @Option(
         names = "--tcp",
         paramLabel = "PORT",
         required = true,
-        description = "The port of the loopback interface to listen at; 0 for any free one.")
+        description = "Port of the loopback interface to listen on; 0 for any free port.")
     private int tcp;
   }
 
@@ -49,15 +47,14 @@ final class SimulatedCreateCommand implements Runnable {
 
   @Option(
       names = "--model",
+      paramLabel = "MODEL",
       defaultValue = "CREATE_2",
       description = "One of ${COMPLETION-CANDIDATES} (default: ${DEFAULT-VALUE}).")
   private CreateModel model = CreateModel.CREATE_2;
 
-  @Spec private @Nullable CommandSpec spec;
-
   @Override
   public void run() {
-    PrintWriter out = Objects.requireNonNull(spec).commandLine().getOut();
+    PrintWriter out = out();
     Line chosen = Objects.requireNonNull(line);
     try (CreateHost host =
         CreateHost.start(
@@ -70,7 +67,7 @@ final class SimulatedCreateCommand implements Runnable {
       out.flush();
       Thread.currentThread().join();
     } catch (IOException e) {
-      throw new Lacking("the port cannot be opened: " + e.getMessage());
+      throw new MissingDependencyException("the port cannot be opened: " + e.getMessage());
     } catch (InterruptedException e) {
       Thread.currentThread().interrupt();
     }
@@ -90,7 +87,7 @@ final class SimulatedCreateCommand implements Runnable {
   /** A floor without obstacles; prints each change of the wheels. */
   private static final class OpenFloor implements CreateBody {
     private final PrintWriter out;
-    private String told = "";
+    private String last = "";
 
     OpenFloor(PrintWriter out) {
       this.out = out;
@@ -99,8 +96,8 @@ final class SimulatedCreateCommand implements Runnable {
     @Override
     public void drive(double leftMmPerS, double rightMmPerS, long atNs) {
       String now = "wheels: left " + leftMmPerS + ", right " + rightMmPerS + " mm/s";
-      if (!now.equals(told)) {
-        told = now;
+      if (!now.equals(last)) {
+        last = now;
         out.println(now);
         out.flush();
       }

@@ -3,31 +3,26 @@ package org.starl.cli;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Names and values in two columns. */
+/** A text table of names and values: names to the left, values to the right. */
 final class Table {
 
-  private final List<String> names = new ArrayList<>();
-  private final List<String> values = new ArrayList<>();
+  private record Row(String name, String value) {}
+
+  private final List<Row> rows = new ArrayList<>();
 
   void row(String name, String value) {
-    names.add(name);
-    values.add(value);
+    rows.add(new Row(name, value));
   }
 
   List<String> lines() {
-    int nameWidth = 0;
-    int valueWidth = 0;
-    for (int i = 0; i < names.size(); i++) {
-      nameWidth = Math.max(nameWidth, names.get(i).length());
-      valueWidth = Math.max(valueWidth, values.get(i).length());
-    }
-    List<String> lines = new ArrayList<>();
-    for (int i = 0; i < names.size(); i++) {
-      String name = names.get(i);
-      String value = values.get(i);
-      int gap = nameWidth - name.length() + 2 + valueWidth - value.length();
-      lines.add((name + " ".repeat(gap) + value).stripTrailing());
-    }
-    return lines;
+    int nameWidth = rows.stream().mapToInt(row -> row.name().length()).max().orElse(0);
+    int valueWidth = rows.stream().mapToInt(row -> row.value().length()).max().orElse(0);
+    return rows.stream()
+        .map(row -> {
+          int width = nameWidth - row.name().length() + 2 + valueWidth;
+          return (row.name() + " ".repeat(width - row.value().length()) + row.value())
+              .stripTrailing();
+        })
+        .toList();
   }
 }

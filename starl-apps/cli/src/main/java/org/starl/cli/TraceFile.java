@@ -27,8 +27,8 @@ import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceReader;
 
 /**
- * A trace in a file, and the run that it is of. All errors are {@link BadInput}: the file is missing, or
- * no trace, or cut off, or of another version, or of an app that is not here.
+ * A trace file and its run. Every error is {@link BadInput}: the file is missing, is not a trace,
+ * is incomplete, or has another version or an unknown app.
  */
 final class TraceFile {
 
@@ -36,17 +36,17 @@ final class TraceFile {
 
   private final String name;
   private final TraceHeader header;
-  private final RunRequest chosen;
+  private final RunRequest request;
 
-  private TraceFile(String name, TraceHeader header, RunRequest chosen) {
+  private TraceFile(String name, TraceHeader header, RunRequest request) {
     this.name = name;
     this.header = header;
-    this.chosen = chosen;
+    this.request = request;
   }
 
-  /** Whether {@code what} means a trace, not an app or a scenario file. */
-  static boolean isOne(String what) {
-    return what.endsWith(".trace") || (!ScenarioFile.isOne(what) && isFile(what));
+  /** Whether {@code what} names a trace, not an app or a scenario file. */
+  static boolean isTrace(String what) {
+    return what.endsWith(".trace") || (!ScenarioFile.isScenario(what) && isFile(what));
   }
 
   private static boolean isFile(String what) {
@@ -66,17 +66,16 @@ final class TraceFile {
             name
                 + ": was written by StarL "
                 + BadInput.quote(header.starl())
-                + "; expected "
-                + Version.STARL
-                + ", which this is");
+                + "; expected this version, "
+                + Version.STARL);
       }
-      return new TraceFile(name, header, chosen(name, header, demos));
+      return new TraceFile(name, header, request(name, header, demos));
     } catch (IOException e) {
       throw unreadable(name, e);
     }
   }
 
-  private static RunRequest chosen(String name, TraceHeader header, Demos demos) {
+  private static RunRequest request(String name, TraceHeader header, Demos demos) {
     String where = name + ":1: ";
     RunRequest.Builder request = RunRequest.Builder.of(demos, header.scenario(), where, "");
     header.settings().forEach((key, value) -> request.set(where, key, value));
@@ -91,10 +90,10 @@ final class TraceFile {
     return header;
   }
 
-  /** Its run, a fresh one at each call: ready to be run again, but for what a person did to it. */
+  /** The plan of its run, a new one at each call, without the user's interventions. */
   Plan plan() {
     try {
-      Plan plan = chosen.plan(header.scenarioSeed());
+      Plan plan = request.plan(header.scenarioSeed());
       plan.simulation().behaviourSeed(header.behaviourSeed());
       return plan;
     } catch (BadInput e) {
@@ -102,12 +101,12 @@ final class TraceFile {
     }
   }
 
-  /** Reads all of it. */
+  /** Reads the whole trace to check that it is complete. */
   void requireWhole() {
     show(List.of(), List.of());
   }
 
-  /** Shows it to the observers, and to the monitors of its app; nothing is simulated. */
+  /** Shows the trace to the observers and to the app's monitors; simulates nothing. */
   SimResult show(List<? extends SimObserver> observers) {
     return show(monitors(), observers);
   }
@@ -116,7 +115,7 @@ final class TraceFile {
     return Monitors.of(plan().simulation().build().plan().monitors()).monitors();
   }
 
-  /** Ready to be read for somebody who watches, and checked by the monitors of its app meanwhile. */
+  /** A reading for the viewer; the app's monitors check it meanwhile. */
   TraceReading reading() {
     Plan plan = plan();
     Recording recording = new Recording(plan.obstacles(), plan.layer());
@@ -132,14 +131,14 @@ final class TraceFile {
   }
 
   /**
-   * Runs it again, with what a person did, and compares.
+   * Repeats the run, with the user's interventions, and compares the traces.
    *
-   * @throws BadInput if its robots were processes as well: then there is no running it again
+   * @throws BadInput if its robots were processes: such a run cannot be repeated
    */
   ReplayCheck replay() {
     List<Intervention> interventions = new ArrayList<>();
     boolean[] isOfProcesses = new boolean[1];
-    SimObserver look =
+    SimObserver finder =
         new SimObserver() {
           @Override
           public void observed(TraceEvent event) {
@@ -149,12 +148,12 @@ final class TraceFile {
             isOfProcesses[0] |= event instanceof TraceEvent.Fault fault && fault.isRealTime();
           }
         };
-    show(List.of(), List.of(look));
+    show(List.of(), List.of(finder));
     if (isOfProcesses[0]) {
       throw new BadInput(
           name
-              + ": its robots were processes in real time, which nobody can repeat; expected a trace"
-              + " of a simulation ('starl replay' without --headless shows this one)");
+              + ": its robots were processes in real time, so it cannot be repeated; expected a"
+              + " trace of a simulation ('starl replay' without --headless shows this one)");
     }
     Plan plan = plan();
     if (!interventions.isEmpty()) {
@@ -177,8 +176,8 @@ final class TraceFile {
     if (!Files.isRegularFile(path)) {
       throw new BadInput(
           name
-              + (Files.exists(path) ? ": is no file" : ": there is no such file")
-              + "; expected a trace, as 'starl run APP --trace FILE' writes it");
+              + (Files.exists(path) ? ": is not a file" : ": no such file")
+              + "; expected a trace, written by 'starl run APP --trace FILE'");
     }
     InputStream in = new BufferedInputStream(Files.newInputStream(path), BUFFER_BYTES);
     try {

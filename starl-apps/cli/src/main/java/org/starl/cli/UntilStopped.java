@@ -3,7 +3,7 @@ package org.starl.cli;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 
-/** Lets work end in order when this process is stopped from outside. */
+/** Ends work in order when this process is stopped by a signal. */
 final class UntilStopped {
 
   private static final long LIMIT_S = 10;
@@ -11,7 +11,9 @@ final class UntilStopped {
   private final CountDownLatch ended = new CountDownLatch(1);
   private final Thread hook;
 
-  /** @param stop makes the work end soon; called from another thread */
+  /**
+   * @param stop tells the work to end; called from another thread
+   */
   UntilStopped(Runnable stop) {
     hook = new Thread(() -> end(stop), "stopped");
     Runtime.getRuntime().addShutdownHook(hook);
@@ -28,7 +30,7 @@ final class UntilStopped {
     }
   }
 
-  /** The work has ended. */
+  /** Call this when the work has ended. */
   void ended() {
     ended.countDown();
   }

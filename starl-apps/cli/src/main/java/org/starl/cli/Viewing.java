@@ -10,32 +10,36 @@ import org.starl.sim.replay.TraceReading;
 import org.starl.sim.view.Window;
 import picocli.CommandLine.Option;
 
-/** A window on a run, or on a trace. */
+/** Shows a run or a trace in a window. */
 final class Viewing {
 
-  @Option(names = "--dark", description = "Of the window: dark at first; D changes it.")
+  @Option(names = "--dark", description = "Dark theme of the window; key D switches it.")
   private boolean dark;
 
-  /** What came of a run that somebody watched. */
+  /**
+   * The result of a run in a window.
+   *
+   * @param isStopped whether the window was closed before the end
+   */
   record Watched(SimResult result, boolean isStopped) {}
 
   /**
-   * Before anything is done that would be lost.
+   * Checks for a display. Call it before work that would be lost.
    *
-   * @throws Lacking if this machine has no screen
+   * @throws MissingDependencyException if this machine has no display
    */
-  static void demandScreen() {
+  static void requireDisplay() {
     if (!Window.isPossible()) {
-      throw new Lacking(
+      throw new MissingDependencyException(
           "no display for a window: run it in a desktop session, or under 'xvfb-run starl ...',"
-              + " or have pictures without one: 'starl record'");
+              + " or write pictures without one: 'starl record'");
     }
   }
 
   /**
-   * Shows a trace, as far as it is one, until the window is closed.
+   * Shows a trace, up to its first broken line, until the window is closed.
    *
-   * @throws BadInput afterwards, if it is broken somewhere
+   * @throws BadInput afterwards, if a line is broken
    */
   void show(TraceReading reading) {
     try (reading) {
@@ -48,7 +52,7 @@ final class Viewing {
     }
   }
 
-  /** Runs while somebody watches; closing the window ends the run. */
+  /** Runs the plan in a window; closing the window ends the run. */
   Watched run(Plan plan) {
     Recording recording = new Recording(plan.obstacles(), plan.layer().copy());
     LiveRun live = new LiveRun(plan.simulation(), recording);
@@ -68,7 +72,7 @@ final class Viewing {
     }
     SimResult result = live.result();
     if (result == null) {
-      throw new IllegalStateException("a run that ended without a result");
+      throw new IllegalStateException("the run ended without a result");
     }
     return new Watched(result, isStopped);
   }

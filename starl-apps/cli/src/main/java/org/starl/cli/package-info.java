@@ -1,6 +1,7 @@
 /**
- * The command line: one small class a command. Exit status 0: good; 1: a specification was violated
- * or a run did not finish; 2: bad input, told in one line; 3: something that the machine lacks.
+ * The command line: one small class for each command. Exit status 0: good; 1: a specification was
+ * violated, a run did not finish, or an error; 2: bad input, reported in one line; 3: the machine
+ * lacks something that the command needs.
  *
  * <p>May import: all other modules.
  */

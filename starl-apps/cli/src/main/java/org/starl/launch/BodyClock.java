@@ -5,13 +5,14 @@ import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
 /**
- * The clock of a robot with a simulated body in real time. It stands still while a piece of the strand
- * runs, so that an action has one time. The program reads it with {@link #nowNs}; the body is where it is
- * at {@link #shownNs}, the time that was read last. So a command takes effect at the time at which the
- * program gives it, as in the simulator, however long the machine took in between. Strand only.
+ * The clock of a robot with a simulated body in real time. It stands still while a piece of the
+ * strand runs, so that an action has one time. The program reads it with {@link #nowNs}; the body
+ * is where it is at {@link #shownNs}, the time that was read last. So a command takes effect at the
+ * time at which the program gives it, as in the simulator, however long the machine took in
+ * between. Strand only.
  *
- * <p>It is also the watchdog of the wheels: if the program does not read it for {@link #WATCHDOG_NS}, the
- * wheels stand from then until the next reading.
+ * <p>It is also the watchdog of the wheels: if the program does not read it for {@link
+ * #WATCHDOG_NS}, the wheels stand from then until the next reading.
  */
 final class BodyClock implements Clock {
 

@@ -13,10 +13,10 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Puts the events of several processes in one order: by time, but no event before its cause (Lamport,
- * "Time, clocks, and the ordering of events in a distributed system", 1978). The causes of an event are
- * the earlier events of its process and, for a delivery, the sending. Where a time contradicts this,
- * that event and the later ones of its process get a later time.
+ * Puts the events of several processes in one order: by time, but no event before its cause
+ * (Lamport, "Time, clocks, and the ordering of events in a distributed system", 1978). The causes
+ * of an event are the earlier events of its process and, for a delivery, the sending. Where a time
+ * contradicts this, that event and the later ones of its process get a later time.
  */
 final class CausalOrder {
 

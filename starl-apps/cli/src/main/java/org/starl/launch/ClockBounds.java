@@ -13,10 +13,11 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * The possible offsets between the clocks of several machines, as a system of difference constraints:
- * dates are right within an error, no message arrives before it is sent, and clocks drift apart at a
- * bounded rate. Processes of one machine share its clock. Shortest paths over the constraints give the
- * largest differences (Cormen et al., "Introduction to Algorithms", section on difference constraints).
+ * The possible offsets between the clocks of several machines, as a system of difference
+ * constraints: dates are right within an error, no message arrives before it is sent, and clocks
+ * drift apart at a bounded rate. Processes of one machine share its clock. Shortest paths over the
+ * constraints give the largest differences (Cormen et al., "Introduction to Algorithms", section on
+ * difference constraints).
  */
 final class ClockBounds {
 
@@ -31,14 +32,14 @@ final class ClockBounds {
    * @param driftPpm the largest drift between two clocks, in parts per million
    * @throws BadInput if no offsets satisfy all constraints
    */
-  ClockBounds(List<ProcessTrace> traces, long dateErrorNs, long driftPpm) {
-    machines = traces.stream().map(ProcessTrace::machine).distinct().toList();
+  ClockBounds(List<RecordedTrace> traces, long dateErrorNs, long driftPpm) {
+    machines = traces.stream().map(RecordedTrace::machine).distinct().toList();
     maxNs = new long[machines.size()][machines.size()];
     for (int a = 0; a < maxNs.length; a++) {
       Arrays.fill(maxNs[a], Long.MAX_VALUE / 4);
       maxNs[a][a] = 0;
     }
-    long longestNs = traces.stream().mapToLong(ProcessTrace::lastNs).max().orElse(0);
+    long longestNs = traces.stream().mapToLong(RecordedTrace::lastNs).max().orElse(0);
     long driftNs = (long) (longestNs * (driftPpm * PARTS));
     addDates(traces, 2 * dateErrorNs + driftNs);
     addMessages(traces, driftNs);
@@ -48,17 +49,17 @@ final class ClockBounds {
         throw new BadInput(
             "the clock of machine "
                 + machines.get(a)
-                + " contradicts the messages and the other clocks; expected a larger --clock-error or"
-                + " --drift");
+                + " contradicts the messages and the other clocks; expected a larger --clock-error"
+                + " or --drift");
       }
     }
   }
 
   /**
-   * Possible clock offsets, each as the start times of the traces on one axis: the middle first, then
-   * for each machine the two extremes. There is only one for one machine.
+   * Possible clock offsets, each as the start times of the traces on one axis: the middle first,
+   * then for each machine the two extremes. There is only one for one machine.
    */
-  List<long[]> candidates(List<ProcessTrace> traces) {
+  List<long[]> candidates(List<RecordedTrace> traces) {
     int count = machines.size();
     List<long[]> candidates = new ArrayList<>();
     long[] offsets = new long[count];
@@ -86,7 +87,7 @@ final class ClockBounds {
     return widest;
   }
 
-  private long[] starts(List<ProcessTrace> traces, long[] offsets) {
+  private long[] starts(List<RecordedTrace> traces, long[] offsets) {
     long[] starts =
         traces.stream()
             .mapToLong(trace -> offsets[machines.indexOf(trace.machine())] + trace.machineNs())
@@ -96,18 +97,18 @@ final class ClockBounds {
   }
 
   /** Equal dates mean equal times, within the error. */
-  private void addDates(List<ProcessTrace> traces, long errorNs) {
-    for (ProcessTrace a : traces) {
-      for (ProcessTrace b : traces) {
+  private void addDates(List<RecordedTrace> traces, long errorNs) {
+    for (RecordedTrace a : traces) {
+      for (RecordedTrace b : traces) {
         long differenceNs = (a.dateNs() - a.machineNs()) - (b.dateNs() - b.machineNs());
         constrain(a.machine(), b.machine(), differenceNs + errorNs);
       }
     }
   }
 
-  private void addMessages(List<ProcessTrace> traces, long driftNs) {
+  private void addMessages(List<RecordedTrace> traces, long driftNs) {
     Map<Message, Map<String, Long>> firstSentNs = new LinkedHashMap<>();
-    for (ProcessTrace trace : traces) {
+    for (RecordedTrace trace : traces) {
       for (TraceEvent event : trace.events()) {
         if (event instanceof Sent sent) {
           firstSentNs
@@ -116,7 +117,7 @@ final class ClockBounds {
         }
       }
     }
-    for (ProcessTrace trace : traces) {
+    for (RecordedTrace trace : traces) {
       for (TraceEvent event : trace.events()) {
         Map<String, Long> sentNs =
             event instanceof Delivered delivered ? firstSentNs.get(Message.of(delivered)) : null;

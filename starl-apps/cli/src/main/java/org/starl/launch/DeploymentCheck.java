@@ -24,9 +24,9 @@ import org.starl.robot.file.Wheels;
 import org.starl.robot.file.Wheels.Create;
 
 /**
- * Checks a deployment without running it: whether hosts have addresses; on the machine of one robot,
- * whether its device, address and port exist; on request, whether the TCP servers answer. Each problem is
- * one line.
+ * Checks a deployment without running it: whether hosts have addresses; on the machine of one
+ * robot, whether its device, address and port exist; on request, whether the TCP servers answer.
+ * Each problem is one line.
  */
 public final class DeploymentCheck {
 
@@ -60,8 +60,8 @@ public final class DeploymentCheck {
   }
 
   /**
-   * Checks whether robots can drive at all within the deployment's limits. Safety needs no check here:
-   * each command is checked when it is given, with the reaction included.
+   * Checks whether robots can drive at all within the deployment's limits. Safety needs no check
+   * here: each command is checked when it is given, with the reaction included.
    *
    * @param motion as the app has it
    */

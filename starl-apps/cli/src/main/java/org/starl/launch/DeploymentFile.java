@@ -19,7 +19,9 @@ public final class DeploymentFile {
 
   private DeploymentFile() {}
 
-  /** @throws BadInput if the file is missing, is not text or YAML, or describes no deployment */
+  /**
+   * @throws BadInput if the file is missing, is not text or YAML, or describes no deployment
+   */
   public static Deployment read(String file) {
     return parse(file, TextFile.bytes(Path.of(file), EXPECTED));
   }

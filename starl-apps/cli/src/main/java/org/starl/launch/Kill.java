@@ -8,9 +8,9 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * When to kill a process: {@code bot2@12s}, 12 s after the begin; {@code bot2@app.location=MOVE_WAIT},
- * when that variable of its trace first has that value; {@code bot2@app.location=MOVE_WAIT+1500ms}, 1.5 s
- * after that.
+ * When to kill a process: {@code bot2@12s}, 12 s after the begin; {@code
+ * bot2@app.location=MOVE_WAIT}, when that variable of its trace first has that value; {@code
+ * bot2@app.location=MOVE_WAIT+1500ms}, 1.5 s after that.
  *
  * @param variable {@code SOURCE.NAME=VALUE}, or null for a time of the run
  * @param afterNs after the variable first has that value, or after the begin
@@ -20,7 +20,9 @@ public record Kill(RobotId who, @Nullable String variable, long afterNs) {
   private static final String EXPECTED =
       "expected WHO@WHEN, such as bot2@12s or bot2@app.location=MOVE_WAIT+1500ms";
 
-  /** @throws BadInput if {@code text} has none of these forms */
+  /**
+   * @throws BadInput if {@code text} has none of these forms
+   */
   public static Kill parse(String text) {
     int at = text.indexOf('@');
     if (at < 0 || !RobotId.isValid(text.substring(0, at))) {

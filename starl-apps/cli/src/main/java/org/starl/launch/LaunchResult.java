@@ -8,7 +8,8 @@ import org.starl.sim.SimResult;
 /**
  * The result of robots that ran as processes.
  *
- * @param run as of a simulation, over the merged trace; {@code unfinished} has only robots that live
+ * @param run as of a simulation, over the merged trace; {@code unfinished} has only robots that
+ *     live
  * @param rounds how many times each robot's app came to its end
  * @param deaths processes that ended before the run did, in order of time
  * @param errors bugs that ended a process, with their stack traces

@@ -9,8 +9,8 @@ import java.util.List;
  * @param rounds how many times each robot runs its app, from 1
  * @param kills processes to kill
  * @param limit longest time of the run
- * @param quiet after a death, the run ends when no robot has done anything new for this time: the rest
- *     wait for what the dead robot may hold
+ * @param quiet after a death, the run ends when no robot has done anything new for this time: the
+ *     rest wait for what the dead robot may hold
  */
 public record LaunchSettings(int rounds, List<Kill> kills, Duration limit, Duration quiet) {
 

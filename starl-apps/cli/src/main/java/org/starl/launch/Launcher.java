@@ -36,8 +36,8 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Runs each robot of a blueprint as a process of its own, once. No process outlives {@link #close} or
- * this process.
+ * Runs each robot of a blueprint as a process of its own, once. No process outlives {@link #close}
+ * or this process.
  */
 public final class Launcher implements AutoCloseable {
 
@@ -71,8 +71,8 @@ public final class Launcher implements AutoCloseable {
   /**
    * Starts the processes.
    *
-   * @param command starts a robot's process when the robot's name, folder and rounds are appended; the
-   *     process calls {@link RobotProcess#run} with an equal blueprint
+   * @param command starts a robot's process when the robot's name, folder and rounds are appended;
+   *     the process calls {@link RobotProcess#run} with an equal blueprint
    * @param console takes lines for people, as things happen
    * @throws IOException if a process cannot be started, or a folder cannot be made
    */
@@ -192,7 +192,7 @@ public final class Launcher implements AutoCloseable {
   }
 
   private LaunchResult result() {
-    List<ProcessTrace> traces = robots.values().stream().map(Robot::trace).toList();
+    List<RecordedTrace> traces = robots.values().stream().map(Robot::trace).toList();
     SortedMap<RobotId, Integer> rounds = new TreeMap<>();
     robots.forEach((id, robot) -> rounds.put(id, robot.rounds));
     TraceMerge.Result merged =
@@ -372,7 +372,9 @@ public final class Launcher implements AutoCloseable {
       lost = newLost;
     }
 
-    /** The child's time lies between the parent's command and the parent's reading of the answer. */
+    /**
+     * The child's time lies between the parent's command and the parent's reading of the answer.
+     */
     private void checkClock(long childNs, long parentNs) {
       if (childNs < 0 || childNs > parentNs) {
         throw new IllegalStateException(
@@ -431,8 +433,8 @@ public final class Launcher implements AutoCloseable {
     }
 
     /** All processes have the clock of this machine, from the same origin. */
-    ProcessTrace trace() {
-      return new ProcessTrace(
+    RecordedTrace trace() {
+      return new RecordedTrace(
           id.name(), id, "this", 0, 0, blueprint.header(), events, lastNs, isComplete, true);
     }
 

@@ -16,9 +16,9 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Checks the app's specifications over the events of one robot, as they happen: only the lemmas that
- * this robot can violate alone ({@link Monitor#perRobotLemmas}). The monitors do not see where its body was
- * measured: a measurement's error must not stop a robot. Strand only.
+ * Checks the app's specifications over the events of one robot, as they happen: only the lemmas
+ * that this robot can violate alone ({@link Monitor#perRobotLemmas}). The monitors do not see where
+ * its body was measured: a measurement's error must not stop a robot. Strand only.
  */
 public final class LocalSpecs implements SimObserver {
 

@@ -17,10 +17,10 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Bodies of a deployment that are in no simulated world: the robots' traces have them as measured. The
- * true bodies are within a bound of that. Several cases are tried: a smaller body is certainly inside
- * the true one, a larger one covers it, and bodies moved to each side are for monitors that look at
- * centres.
+ * Bodies of a deployment that are in no simulated world: the robots' traces have them as measured.
+ * The true bodies are within a bound of that. Several cases are tried: a smaller body is certainly
+ * inside the true one, a larger one covers it, and bodies moved to each side are for monitors that
+ * look at centres.
  */
 final class MeasuredBodies {
 
@@ -54,10 +54,10 @@ final class MeasuredBodies {
   private final SortedMap<RobotId, Double> lostMs = new TreeMap<>();
 
   // A program that starts again measures a body that is already on the floor.
-  private final Map<RobotId, ProcessTrace> first = new TreeMap<>();
+  private final Map<RobotId, RecordedTrace> first = new TreeMap<>();
 
-  MeasuredBodies(List<ProcessTrace> traces) {
-    for (ProcessTrace trace : traces) {
+  MeasuredBodies(List<RecordedTrace> traces) {
+    for (RecordedTrace trace : traces) {
       for (TraceEvent event : trace.events()) {
         if (event instanceof Joined joined && trace.hasTrueBodies()) {
           trulyKnown.add(joined.robot());
@@ -89,7 +89,7 @@ final class MeasuredBodies {
   }
 
   /** The events of a trace, with its measured bodies in this case. */
-  List<TraceEvent> events(ProcessTrace trace, Deviation deviation) {
+  List<TraceEvent> events(RecordedTrace trace, Deviation deviation) {
     List<TraceEvent> events = new ArrayList<>();
     boolean isOnFloor = false;
     for (TraceEvent event : trace.events()) {
@@ -97,7 +97,7 @@ final class MeasuredBodies {
         events.add(event);
       } else if (!trulyKnown.contains(event.robot())) {
         TraceEvent deviated = deviated(event, deviation);
-        ProcessTrace start = first.get(event.robot());
+        RecordedTrace start = first.get(event.robot());
         boolean isAgain = isOnFloor || start == null || !start.name().equals(trace.name());
         events.add(
             isAgain && deviated instanceof Joined again

@@ -9,9 +9,9 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
 
 /**
- * The main loop of one robot in real time. Its app runs for several rounds, each another incarnation:
- * a new start of the program over the same stable storage. After the last round the robot goes on
- * answering messages until it is stopped.
+ * The main loop of one robot in real time. Its app runs for several rounds, each another
+ * incarnation: a new start of the program over the same stable storage. After the last round the
+ * robot goes on answering messages until it is stopped.
  */
 abstract class RobotMain {
 

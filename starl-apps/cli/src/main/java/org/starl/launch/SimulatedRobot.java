@@ -32,8 +32,8 @@ import org.starl.sim.world.World;
 
 /**
  * One incarnation of a robot's program in its process: on the strand, radio and storage of the real
- * platform, with wheels and fixes of a simulated body. The body is alone in its world: bodies of other
- * processes do not touch it.
+ * platform, with wheels and fixes of a simulated body. The body is alone in its world: bodies of
+ * other processes do not touch it.
  */
 final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, AutoCloseable {
 

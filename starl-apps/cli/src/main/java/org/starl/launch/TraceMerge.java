@@ -26,16 +26,16 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceHeader;
 
 /**
- * The traces of several processes as one trace, judged by the app's specifications. Uncertain clocks
- * allow several orders of events, and measured bodies several places. A violation in all cases that are
- * tried is certain; a violation in only some of them is possible.
+ * The traces of several processes as one trace, judged by the app's specifications. Uncertain
+ * clocks allow several orders of events, and measured bodies several places. A violation in all
+ * cases that are tried is certain; a violation in only some of them is possible.
  *
- * <p>No progress is owed: the merged trace begins with a fault of the world that never ends, because a
- * machine that does other work as well promises no times. Safety is judged exactly.
+ * <p>No progress is owed: the merged trace begins with a fault of the world that never ends,
+ * because a machine that does other work as well promises no times. Safety is judged exactly.
  */
 public final class TraceMerge {
 
-  private final List<ProcessTrace> traces;
+  private final List<RecordedTrace> traces;
   private final ClockBounds bounds;
   private final MeasuredBodies bodies;
 
@@ -67,7 +67,7 @@ public final class TraceMerge {
   private record Case(List<TraceEvent> events, long endNs) {}
 
   /** Traces of one run on machines whose clocks differ by at most this. */
-  TraceMerge(List<ProcessTrace> traces, long dateErrorNs, long driftPpm) {
+  TraceMerge(List<RecordedTrace> traces, long dateErrorNs, long driftPpm) {
     this.traces = List.copyOf(traces);
     bounds = new ClockBounds(traces, dateErrorNs, driftPpm);
     bodies = new MeasuredBodies(traces);
@@ -81,10 +81,10 @@ public final class TraceMerge {
    * @throws BadInput if one cannot be read, they are not of one deployment, or clocks contradict
    */
   public static TraceMerge of(List<String> files, long dateErrorNs, long driftPpm) {
-    List<ProcessTrace> traces = new ArrayList<>();
+    List<RecordedTrace> traces = new ArrayList<>();
     for (String file : files) {
-      ProcessTrace trace = ProcessTrace.read(file);
-      for (ProcessTrace before : traces) {
+      RecordedTrace trace = RecordedTrace.read(file);
+      for (RecordedTrace before : traces) {
         if (!isOfOneRun(trace.header(), before.header())) {
           throw new BadInput(
               file + ":1: its header differs; expected the header of " + before.name());
@@ -159,7 +159,7 @@ public final class TraceMerge {
     order.add(List.of(new Fault(0, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME)), 0);
     long endNs = 0;
     for (int i = 0; i < starts.length; i++) {
-      ProcessTrace trace = traces.get(i);
+      RecordedTrace trace = traces.get(i);
       List<TraceEvent> events = bodies.events(trace, deviation);
       if (isDead(trace)) {
         events.add(new Fault(trace.lastNs(), trace.robot(), Fault.CRASH, ""));
@@ -200,7 +200,7 @@ public final class TraceMerge {
   }
 
   /** Whether its process was killed, and this robot's program was not started again. */
-  private boolean isDead(ProcessTrace trace) {
+  private boolean isDead(RecordedTrace trace) {
     return !trace.isComplete()
         && !trace.isOfWorld()
         && traces.stream()
@@ -208,8 +208,8 @@ public final class TraceMerge {
                 other -> other.robot().equals(trace.robot()) && other.dateNs() > trace.dateNs());
   }
 
-  private static Set<RobotId> robots(List<ProcessTrace> traces) {
-    return traces.stream().map(ProcessTrace::robot).collect(Collectors.toCollection(TreeSet::new));
+  private static Set<RobotId> robots(List<RecordedTrace> traces) {
+    return traces.stream().map(RecordedTrace::robot).collect(Collectors.toCollection(TreeSet::new));
   }
 
   /** The same violation may have other times and words in another order of events. */

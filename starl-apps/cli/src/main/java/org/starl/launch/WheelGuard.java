@@ -18,15 +18,18 @@ import org.starl.robot.file.Wheels.Port;
 import org.starl.robot.serial.SerialLink;
 
 /**
- * A process between a robot's program and its Create. A Create has no watchdog: when the driver's process
- * is killed or frozen, it keeps its last command. The guard owns the Create's port and passes bytes both
- * ways between the port and its standard input and output. It stops the wheels when its input is silent,
- * which a driver never is, and when its input ends, for any reason. If the guard itself is killed, the
- * driver starts another one.
+ * A process between a robot's program and its Create. A Create has no watchdog: when the driver's
+ * process is killed or frozen, it keeps its last command. The guard owns the Create's port and
+ * passes bytes both ways between the port and its standard input and output. It stops the wheels
+ * when its input is silent, which a driver never is, and when its input ends, for any reason. If
+ * the guard itself is killed, the driver starts another one.
  */
 public final class WheelGuard {
 
-  /** Both wheels 0 mm/s, then passive mode. Sent repeatedly: a command cut off before may swallow one. */
+  /**
+   * Both wheels 0 mm/s, then passive mode. Sent repeatedly: a command cut off before may swallow
+   * one.
+   */
   private static final byte[] HALT = {(byte) 145, 0, 0, 0, 0, (byte) 128};
 
   /** The length of the stop command in {@link #HALT}. */
@@ -83,8 +86,8 @@ public final class WheelGuard {
   }
 
   /**
-   * Runs a guard. If the port cannot be opened or is lost, its exit status is 1 and its last line on
-   * standard error is the reason.
+   * Runs a guard. If the port cannot be opened or is lost, its exit status is 1 and its last line
+   * on standard error is the reason.
    *
    * @param args the port, as {@link Port} writes it, and the baud rate
    */

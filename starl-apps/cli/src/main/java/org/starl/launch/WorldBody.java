@@ -13,8 +13,8 @@ import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
 
 /**
- * A body in the {@link WorldServer}: a simulated Create moves and feels with it, and cameras see it.
- * It belongs to the world's strand; Creates and programs use it from their own threads.
+ * A body in the {@link WorldServer}: a simulated Create moves and feels with it, and cameras see
+ * it. It belongs to the world's strand; Creates and programs use it from their own threads.
  */
 final class WorldBody extends SimulatedBody implements CreateBody {
 

@@ -16,14 +16,15 @@ import org.starl.robot.realtime.RealStrand;
 import org.starl.sim.RobotSpec;
 
 /**
- * A deployed robot's body in a {@link WorldServer}: asks the server, over TCP, to put it on the floor
- * and to take it off. All else is as the robot knows it. Strand only.
+ * A deployed robot's body in a {@link WorldServer}: asks the server, over TCP, to put it on the
+ * floor and to take it off. All else is as the robot knows it. Strand only.
  */
 final class WorldClient implements OneRobotControl.Body, AutoCloseable {
 
   /**
-   * The protocol: a robot sends its name, then each side sends words, as {@link DataOutputStream#writeUTF}
-   * writes strings. So a reader never takes more than 64 KiB at a time from an untrusted connection.
+   * The protocol: a robot sends its name, then each side sends words, as {@link
+   * DataOutputStream#writeUTF} writes strings. So a reader never takes more than 64 KiB at a time
+   * from an untrusted connection.
    */
   enum Word {
     /** Robot to world: put me on the floor at my start, once there is room. */
@@ -35,7 +36,9 @@ final class WorldClient implements OneRobotControl.Body, AutoCloseable {
     /** World to robot: you are off the floor. */
     LIFTED;
 
-    /** @throws IOException if the next string is not a word; it is not repeated in the message */
+    /**
+     * @throws IOException if the next string is not a word; it is not repeated in the message
+     */
     static Word read(DataInputStream in) throws IOException {
       String text = in.readUTF();
       return Arrays.stream(values())

@@ -45,12 +45,12 @@ import org.starl.sim.world.World;
 import org.starl.trace.TraceEvent.Fault;
 
 /**
- * The simulated bodies of a deployment: one floor with all of them, a simulated Create at the far end
- * of each serial link, and a NatNet server in place of the cameras. Its trace has the true bodies, by
- * which specifications are judged.
+ * The simulated bodies of a deployment: one floor with all of them, a simulated Create at the far
+ * end of each serial link, and a NatNet server in place of the cameras. Its trace has the true
+ * bodies, by which specifications are judged.
  *
- * <p>The bodies belong to the server's strand; a body moves in closed form from one command to the next.
- * Robots ask for their place on the floor by {@link WorldClient}.
+ * <p>The bodies belong to the server's strand; a body moves in closed form from one command to the
+ * next. Robots ask for their place on the floor by {@link WorldClient}.
  */
 public final class WorldServer implements AutoCloseable {
 
@@ -81,7 +81,8 @@ public final class WorldServer implements AutoCloseable {
    * @param out takes the trace of the bodies
    * @param console takes lines for people, from any thread
    * @param onFailure is told, from any thread, of an error that ends it early
-   * @throws IOException if an address or a device cannot be opened; its message is one line for people
+   * @throws IOException if an address or a device cannot be opened; its message is one line for
+   *     people
    */
   public WorldServer(
       Deployment deployment,

@@ -12,8 +12,8 @@ import org.starl.id.ProcessId;
 
 /**
  * Names the constants of one theory: a PVS identifier for each thing, unique, and as close to the
- * thing's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of the
- * first start of bot1 and its second one, is {@code bot1_1_2}.
+ * thing's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of
+ * the first start of bot1 and its second one, is {@code bot1_1_2}.
  */
 final class Identifiers {
 
@@ -30,7 +30,9 @@ final class Identifiers {
                       + " table then theorem theory true type var when where with xor")
                   .split(" ")));
 
-  /** Names in the theories' own text: states, steps and their lemmas, bound variables, the library. */
+  /**
+   * Names in the theories' own text: states, steps and their lemmas, bound variables, the library.
+   */
   private static final Pattern OURS =
       Pattern.compile(
           "[sa]_\\d+|(reached|step|result)_\\d+(_\\d+)?|begins|run_.*|[xi]|[A-Z]\\w*_decls|emptyset"

@@ -29,8 +29,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Writes a run as PVS theories when it is closed, one for each instance of a mutex, a registration, an
- * agreement or an election. For {@code starl run --pvs FILE}.
+ * Writes a run as PVS theories when it is closed, one for each instance of a mutex, a registration,
+ * an agreement or an election. For {@code starl run --pvs FILE}.
  */
 public final class RunTheories implements SimObserver, Closeable {
 
@@ -97,8 +97,8 @@ public final class RunTheories implements SimObserver, Closeable {
     monitors.finish(endNs);
     if (theories.isEmpty()) {
       throw new BadInput(
-          "--pvs: this run has no primitive with a theory in pvs/: expected an app that uses a mutex,"
-              + " a registration, an agreement or an election");
+          "--pvs: this run has no primitive with a theory in pvs/: expected an app that uses a"
+              + " mutex, a registration, an agreement or an election");
     }
     StringBuilder text = new StringBuilder();
     for (RunTheory theory : theories.values()) {

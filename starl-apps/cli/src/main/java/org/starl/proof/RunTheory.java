@@ -155,9 +155,9 @@ final class RunTheory {
   }
 
   /**
-   * Rewriting proves it, unless a step sets a constant function to the value that it has already: then
-   * the proof needs a case for the point that is set. The point is the action's first argument of a type
-   * parameter; a registration's {@code decide} has none, and adds list {@code number}.
+   * Rewriting proves it, unless a step sets a constant function to the value that it has already:
+   * then the proof needs a case for the point that is set. The point is the action's first argument
+   * of a type parameter; a registration's {@code decide} has none, and adds list {@code number}.
    */
   private String proofOfStep(int n, Action action) {
     String place =

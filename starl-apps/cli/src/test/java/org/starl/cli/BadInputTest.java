@@ -117,13 +117,13 @@ class BadInputTest {
       app: intersection\\nrobots: !!int + | :2: robots: | expected one value
       app: hello\\nfaults: [!!int +] | :2: faults: | expected one value
       app: intersection\\n# eight\\nrobots: 8\\nrobots: 9 | :4: | robots | once
-      robots: 4 | has no 'app:' | with lines such as
+      robots: 4 | has no 'app:' | lines such as
       app: intersection\\ndebrs: 2 | :2: | 'debrs' | did you mean debris?
       app: crossroads | :1: | 'crossroads' | expected one of
-      - app\\n- intersection | :1: | with lines such as
-      intersection | :1: | with lines such as
+      - app\\n- intersection | :1: | lines such as
+      intersection | :1: | lines such as
       app: intersection\\n---\\napp: hello | expected one document
-      app: "intersection | is not YAML | with lines such as
+      app: "intersection | is not YAML | lines such as
       app: hello\\nfaults: [loss(0.1), crush(bot1)] | :2: faults='crush(bot1)' | did you mean crash?
       app: hello\\nfaults: [[loss(0.1)]] | :2: faults: | expected a list of faults
       app: hello\\nfaults: [sight]\\nfaults: [sight] | :3: faults: | once
@@ -146,7 +146,7 @@ class BadInputTest {
 
   @ParameterizedTest
   @MethodSource("badArguments")
-  void isRefusedInOneLine(String line) {
+  void badArgumentsAreRefusedInOneLine(String line) {
     String[] parts = line.split(" [|] ");
     assertRefused(Cli.run(parts[0].split(" ")), Arrays.copyOfRange(parts, 1, parts.length));
   }
@@ -172,7 +172,7 @@ class BadInputTest {
   }
 
   @Test
-  void whatIsNoTextIsRefused() throws IOException {
+  void aFileThatIsNotTextIsRefused() throws IOException {
     Path binary = folder.resolve("picture.yaml");
     Files.write(binary, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, (byte) 0xFF});
     assertRefused(Cli.run("run", binary.toString()), "picture.yaml", "is no text", "expected");
@@ -180,7 +180,7 @@ class BadInputTest {
     Files.write(zeros, new byte[100]);
     assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "is no text", "expected");
     Files.write(zeros, new byte[0]);
-    assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "with lines such as");
+    assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "lines such as");
     Path inner = Files.createDirectory(folder.resolve("folder.yaml"));
     assertRefused(Cli.run("run", inner.toString()), "folder.yaml", "is a folder", "expected");
   }
@@ -197,7 +197,7 @@ class BadInputTest {
   }
 
   @Test
-  void nothingIsLeftBehind() throws IOException {
+  void aRefusedRunLeavesNoFiles() throws IOException {
     String trace = folder.resolve("a.trace").toString();
     String csv = folder.resolve("a.csv").toString();
     String png = folder.resolve("a.png").toString();

@@ -17,7 +17,9 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** {@code starl deploy check} and {@code starl keygen}: one line for every error, and no key shown. */
+/**
+ * {@code starl deploy check} and {@code starl keygen}: one line for every error, and no key shown.
+ */
 @Tag("realtime")
 class DeployCheckTest {
 

@@ -61,7 +61,7 @@ class FaultsTest {
   }
 
   @Test
-  void theHeaderSaysTheSameAgain() throws IOException {
+  void aFaultInAHeaderReadsBackEqual() throws IOException {
     Traced first = run("hello", "--seed", "3", "--fault", CRASH, "--fault", "noise(all,9mm)");
     List<String> args = new ArrayList<>(List.of("hello", "--seed", "3"));
     first

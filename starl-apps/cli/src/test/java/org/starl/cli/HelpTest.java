@@ -32,7 +32,7 @@ class HelpTest {
         "new",
         "bench"
       })
-  void everyCommandHelpsWithAnExample(String command) {
+  void everyHelpTextHasAnExample(String command) {
     Cli cli = Cli.run(command, "--help");
     assertThat(cli.status()).isZero();
     assertThat(cli.err()).isEmpty();
@@ -41,7 +41,7 @@ class HelpTest {
   }
 
   @Test
-  void theWholeHelpsToo() {
+  void theMainCommandHasHelpAndVersion() {
     Cli cli = Cli.run("--help");
     assertThat(cli.status()).isZero();
     assertThat(cli.text()).contains("list", "run", "campaign", "Example: starl run intersection");
@@ -91,7 +91,7 @@ class HelpTest {
   }
 
   @Test
-  void benchTellsWhatAnEntryCostsBesideTheTheory() throws IOException {
+  void benchComparesTheCostOfAnEntryWithTheory() throws IOException {
     Cli table = Cli.run("bench", "mutex", "--robots", "4");
     assertThat(table.status()).as("%s", table).isZero();
     assertThat(table.out()).hasSize(4);

@@ -91,7 +91,7 @@ class NewCommandTest {
   }
 
   @Test
-  void itsScenarioIsRightForEditorsAndCommands() throws IOException {
+  void itsScenarioIsValidForEditorsAndCommands() throws IOException {
     String schema = project.run("schema").text();
     assertThat(
             JsonSchemaFactory.getInstance(VersionFlag.V7)
@@ -121,7 +121,7 @@ class NewCommandTest {
   }
 
   @Test
-  void itsDeploymentIsRight(@TempDir Path temporary) throws IOException {
+  void itsDeploymentIsValid(@TempDir Path temporary) throws IOException {
     UserProject copy = copy(temporary).compiled();
     String file = copy.root().resolve("deployment.yaml").toString();
     Cli keygen = copy.run("keygen", copy.root().resolve(NAME + ".key").toString());
@@ -132,7 +132,7 @@ class NewCommandTest {
   }
 
   @Test
-  void theChangeOfTheTourIsRightAndQuicker(@TempDir Path temporary) throws IOException {
+  void theChangeOfTheTourIsCorrectAndFaster(@TempDir Path temporary) throws IOException {
     UserProject changed = copy(temporary);
     changed.edit(APP, blocks().get(0), blocks().get(1));
     changed.compiled();
@@ -149,7 +149,7 @@ class NewCommandTest {
   }
 
   @Test
-  void theBugOfTheTourIsFoundAsItSays(@TempDir Path temporary) throws IOException {
+  void theBugOfTheTourIsFoundAsDescribed(@TempDir Path temporary) throws IOException {
     UserProject broken = copy(temporary);
     breakIt(broken);
     assertThat(broken.test(TEST_CLASS)).isEmpty();
@@ -162,7 +162,7 @@ class NewCommandTest {
   }
 
   @Test
-  void whatTheTourMendsStaysMended(@TempDir Path temporary) throws IOException {
+  void theFixOfTheTourStaysCorrect(@TempDir Path temporary) throws IOException {
     UserProject mended = copy(temporary);
     mended.edit(TEST, blocks().get(4).strip(), blocks().get(3).strip());
     mended.compiled();
@@ -170,7 +170,7 @@ class NewCommandTest {
   }
 
   @Test
-  void anAppWhoseNameIsTakenIsToldInALine(@TempDir Path temporary) throws IOException {
+  void anAppWithATakenNameIsRefusedInOneLine(@TempDir Path temporary) throws IOException {
     UserProject other = copy(temporary);
     other.edit("src/main/java/myrobots/MyRobotsDemo.java", "return \"" + NAME, "return \"hello");
     other.compiled();
@@ -182,7 +182,7 @@ class NewCommandTest {
   }
 
   @Test
-  void theLauncherIsAProgram() {
+  void theLauncherIsExecutable() {
     assertThat(Files.isExecutable(project.root().resolve(NAME))).isTrue();
   }
 
@@ -204,7 +204,7 @@ class NewCommandTest {
         "aaaaaaaaaabbbbbbbbbbccccccccccdddddddddde",
         "räuber"
       })
-  void aNameThatCannotBeIsToldInALine(String name, @TempDir Path empty) throws IOException {
+  void anInvalidNameIsRefusedInOneLine(String name, @TempDir Path empty) throws IOException {
     Cli cli = Cli.run("new", name, "--folder", empty.resolve("x").toString());
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(cli.err()).hasSize(1);
@@ -213,7 +213,7 @@ class NewCommandTest {
   }
 
   @Test
-  void whatIsThereIsLeftAlone(@TempDir Path there) throws IOException {
+  void anExistingFolderIsLeftUnchanged(@TempDir Path there) throws IOException {
     Files.writeString(there.resolve("mine"), "mine");
     for (Path taken : List.of(there, there.resolve("mine"), there.resolve("no/where"))) {
       Cli cli = Cli.run("new", NAME, "--folder", taken.toString());
@@ -227,7 +227,7 @@ class NewCommandTest {
   }
 
   @Test
-  void anEmptyFolderIsTaken(@TempDir Path empty) throws IOException {
+  void anEmptyFolderIsUsed(@TempDir Path empty) throws IOException {
     assertThat(Cli.run("new", NAME, "--folder", empty.toString()).status()).isZero();
     assertThat(empty.resolve("pom.xml")).exists();
   }

@@ -23,7 +23,7 @@ class OutputFileTest {
   }
 
   @Test
-  void itIsThereOnceClosed() throws IOException {
+  void aFileAppearsWhenClosed() throws IOException {
     Path path = folder.resolve("new/a.txt");
     try (OutputFile file = new OutputFile("--out", path.toString())) {
       file.stream().write('x');
@@ -38,7 +38,7 @@ class OutputFileTest {
   }
 
   @Test
-  void whereNothingIsWrittenNothingChanges() throws IOException {
+  void withoutOutputTheFileStaysUnchanged() throws IOException {
     Path old = Files.writeString(folder.resolve("old.txt"), "old");
     write(old, "");
     assertThat(old).hasContent("old");

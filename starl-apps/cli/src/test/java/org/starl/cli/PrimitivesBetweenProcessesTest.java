@@ -20,9 +20,10 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The primitives' workloads, which campaigns simulate, between processes in real time with a fifth of all
- * copies lost: the same robots under the same specifications. The machine decides how long a run takes,
- * but every run must come to its end and be safe. Most of a run is waiting, so several run at a time.
+ * The primitives' workloads, which campaigns simulate, between processes in real time with a fifth
+ * of all copies lost: the same robots under the same specifications. The machine decides how long a
+ * run takes, but every run must come to its end and be safe. Most of a run is waiting, so several
+ * run at a time.
  */
 @Tag("realtime")
 class PrimitivesBetweenProcessesTest {

@@ -44,7 +44,7 @@ class ProcessesTest {
     Cli cli = Cli.run(hello("--kill", "bot0@motion.motionflag=MOVING"));
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.text())
-        .contains("bot1: DONE", "bot0's process ", " was killed at ", "as asked", "safe: ")
+        .contains("bot1: DONE", "bot0's process ", " was killed at ", "as requested", "safe: ")
         .contains("2 processes came 1 time to the end");
     assertThat(cli.err()).anyMatch(line -> line.startsWith("bot0 is process "));
   }
@@ -122,16 +122,16 @@ class ProcessesTest {
   @CsvSource(
       delimiter = '|',
       value = {
-        "run hello --rounds 2 | --rounds: expected --processes too",
-        "run hello --kill bot0@2s | --kill: expected --processes too",
+        "run hello --rounds 2 | --rounds needs --processes",
+        "run hello --kill bot0@2s | --kill needs --processes",
         "run hello --processes --kill bot0 | --kill: 'bot0': expected WHO@WHEN",
         "run hello --processes --kill bot9@2s | --kill: 'bot9@2s': expected one of [bot0",
         "run hello --processes --rounds 0 | --rounds: ",
         "run hello --processes --fault stuck(bot0,at=2s) | expected crash(NAME,at=TIME)",
         "run hello --processes --fault crash(bot0,at=2s,restart=1s) | without restart",
-        "run hello --processes --chaos | --chaos: ",
+        "run hello --processes --chaos | --chaos cannot ",
       })
-  void optionsThatProcessesLackAreRefused(String line, String expected) {
+  void optionsWithoutEffectOnProcessesAreRefused(String line, String expected) {
     List<String> words = new ArrayList<>(List.of(line.split(" ")));
     words.addAll(List.of("--png", folder.resolve("a.png").toString()));
     Cli cli = Cli.run(words.toArray(String[]::new));

@@ -14,7 +14,7 @@ class ProgressLineTest {
   private long nowNs;
 
   @Test
-  void plainLinesComeTenTimesAndSayHowLongItTakes() {
+  void tenPlainLinesShowTheRemainingTime() {
     ProgressLine line = line(false);
     for (int finished = 1; finished <= 200; finished++) {
       nowNs += S / 2;
@@ -23,13 +23,13 @@ class ProgressLineTest {
     line.end();
     assertThat(out.toString().lines())
         .hasSize(10)
-        .contains("20 of 200 runs, 0 bad; 2.0 a second, 1 min 30 s left")
-        .contains("100 of 200 runs, 1 bad; 2.0 a second, 50 s left")
-        .contains("200 of 200 runs, 2 bad; 2.0 a second");
+        .contains("20 of 200 runs, 0 bad; 2.0 per second, 1 min 30 s left")
+        .contains("100 of 200 runs, 1 bad; 2.0 per second, 50 s left")
+        .contains("200 of 200 runs, 2 bad; 2.0 per second");
   }
 
   @Test
-  void slowWorkIsCountedByTheHour() {
+  void slowWorkHasARatePerHour() {
     ProgressLine line = line(false);
     nowNs += 90 * S;
     line.show(1, 10, 0);
@@ -37,12 +37,12 @@ class ProgressLineTest {
     line.show(2, 10, 0);
     assertThat(out.toString().lines())
         .containsExactly(
-            "1 of 10 runs, 0 bad; 40 an hour, 13 min 30 s left",
-            "2 of 10 runs, 0 bad; 0.7 an hour, 11 h 12 min left");
+            "1 of 10 runs, 0 bad; 40 per hour, 13 min 30 s left",
+            "2 of 10 runs, 0 bad; 0.7 per hour, 11 h 12 min left");
   }
 
   @Test
-  void aTerminalSeesOneLineThatIsDrawnNoMoreThanTenTimesASecond() {
+  void aTerminalShowsOneLineRedrawnAtMostTenTimesPerSecond() {
     ProgressLine line = line(true);
     for (int finished = 1; finished <= 1000; finished++) {
       nowNs += S / 100;
@@ -52,7 +52,7 @@ class ProgressLineTest {
     assertThat(out.toString().lines()).hasSize(101 + 1);
     assertThat(out.toString())
         .endsWith(
-            "\r[##############################] 1000 of 1000 runs, 0 bad; 100 a second"
+            "\r[##############################] 1000 of 1000 runs, 0 bad; 100 per second"
                 + " ".repeat(", 1 s left".length() - "0".length())
                 + System.lineSeparator());
   }

@@ -48,7 +48,7 @@ class RecordTest {
   }
 
   @Test
-  void nothingIsWrittenOfAViolationThatDoesNotCome() {
+  void withoutAViolationNoPictureIsWritten() {
     for (String kind : new String[] {"--png", "--gif"}) {
       Path file = folder.resolve("none" + kind);
       Cli cli =

@@ -76,7 +76,7 @@ class ReplayTest {
   }
 
   @Test
-  void theFirstLineThatDiffersIsTold() throws IOException {
+  void theFirstDifferentLineIsReported() throws IOException {
     int[] number = new int[1];
     Path other =
         changed(lines -> {
@@ -94,9 +94,9 @@ class ReplayTest {
   }
 
   @Test
-  void whatIsNoTraceOfThisStarlIsRefusedInOneLine() throws IOException {
-    isRefused(folder.resolve("none.trace"), "there is no such file");
-    isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is no file");
+  void aFileThatIsNotATraceOfThisVersionIsRefusedInOneLine() throws IOException {
+    isRefused(folder.resolve("none.trace"), "no such file");
+    isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is not a file");
     isRefused(Files.createFile(folder.resolve("empty.trace")), "expected the header");
     isRefused(
         Files.writeString(folder.resolve("poem.trace"), "roses are red\n"), "expected the header");
@@ -117,7 +117,7 @@ class ReplayTest {
   }
 
   @Test
-  void whatIsBrokenIsRefusedWithItsLine() throws IOException {
+  void aBrokenLineIsRefusedWithItsNumber() throws IOException {
     isRefused(changed(lines -> lines.subList(0, 100)), "no line of kind end");
     String text = Files.readString(trace);
     isRefused(
@@ -144,7 +144,7 @@ class ReplayTest {
   }
 
   @Test
-  void aRunOfProcessesCannotBeRunAgain() throws IOException {
+  void aRunOfProcessesCannotBeRepeated() throws IOException {
     Path other =
         changed(lines -> {
           lines.add(
@@ -166,7 +166,7 @@ class ReplayTest {
   }
 
   @Test
-  void ofATraceAllIsRecordedThatARunGives() throws IOException {
+  void aTraceGivesTheSameRecordingsAsItsRun() throws IOException {
     String file = trace.toString();
     for (String kind : List.of("--gif", "--mcap", "--png")) {
       Cli cli = cli("record", file, kind, "--out", out("x" + kind));
@@ -264,7 +264,7 @@ class ReplayTest {
   }
 
   @Test
-  void whatSomebodyDidToARunIsDoneAgain() throws Exception {
+  void interventionsAreRepeated() throws Exception {
     Path plain = folder.resolve("plain.trace");
     String png = folder.resolve("a.png").toString();
     String[] run = {"--seed", "7", "--set", "scenario=figure7", "--set", "debris=1"};

@@ -146,7 +146,7 @@ class ReportTest {
   }
 
   @Test
-  void foulTextsAreShownAndDoNothing() throws Exception {
+  void hostileTextsAreShownEscaped() throws Exception {
     Cli cli = campaign(FOUL, "foul<b>", "1..3", "--set", "why=" + HOSTILE);
     assertThat(cli.status()).isEqualTo(1);
     String text = Files.readString(file());
@@ -177,7 +177,7 @@ class ReportTest {
   }
 
   @Test
-  void whatDidNotGoWellIsToldAndSeenWithItsReplay() throws Exception {
+  void badRunsHaveStoryPicturesAndReplay() throws Exception {
     campaign(FOUL, "foul<b>", "1..7");
     Document page = Parsed.page(Files.readString(file()));
     List<Element> articles = Parsed.elements(page, "article");
@@ -190,7 +190,7 @@ class ReportTest {
       assertThat(article.getElementsByTagName("img").getLength()).isPositive();
       boolean isThrown = Integer.parseInt(seed) % 5 == 2;
       assertThat(article.getElementsByTagName("ol").getLength()).isEqualTo(isThrown ? 0 : 1);
-      assertThat(article.getTextContent()).doesNotContain("ended otherwise");
+      assertThat(article.getTextContent()).doesNotContain("ended differently");
     }
     assertThat(articles.get(0).getTextContent())
         .contains("violated")
@@ -234,7 +234,7 @@ class ReportTest {
   }
 
   @Test
-  void aPageThatCannotBeWrittenIsToldBeforeTheCampaignBegins() throws IOException {
+  void anUnwritablePageIsRefusedBeforeTheCampaign() throws IOException {
     Path noFolder = Files.createFile(folder.resolve("file"));
     for (Path bad : List.of(folder, noFolder.resolve("report.html"))) {
       Cli cli = Cli.run("campaign", "hello", "--seeds", "1..100000", "--report", bad.toString());
@@ -249,14 +249,14 @@ class ReportTest {
   }
 
   @Test
-  void aCampaignThatEndsInTheMiddleLeavesNothing() throws IOException {
+  void anAbortedCampaignLeavesNoFile() throws IOException {
     assertThatThrownBy(() -> campaign(FOUL, "foul<b>", "99..99"))
         .isInstanceOf(StackOverflowError.class);
     assertThat(files()).isEmpty();
   }
 
   @Test
-  void jsonNamesThePageBesideIt() throws IOException {
+  void jsonNamesTheReportFile() throws IOException {
     Cli cli = campaign(Main.ALL, "hello", "1..3", "--json");
     assertThat(cli.out()).hasSize(1);
     assertThat(new ObjectMapper().readTree(cli.out().get(0)).get("report").asText())
@@ -265,7 +265,7 @@ class ReportTest {
   }
 
   @Test
-  void everyLemmaOfEveryAppSaysInWordsWhatItIs() {
+  void everyLemmaOfEveryAppHasADescription() {
     for (Demo demo : Main.ALL.all()) {
       Plan plan = new RunRequest.Builder(demo).build().plan(1);
       for (Monitor monitor : Monitors.of(plan.simulation().build().plan().monitors()).monitors()) {

@@ -31,27 +31,27 @@ class RunProgressTest {
   }
 
   @Test
-  void aLongRunIsToldOfInSimulatedTime() {
+  void aLongRunShowsItsSimulatedTime() {
     run(false, S / 2);
     assertThat(out.toString().lines())
         .containsExactly(
-            "20 of 200 simulated seconds at most; 2.0 a second, 1 min 30 s left",
-            "40 of 200 simulated seconds at most; 2.0 a second, 1 min 20 s left",
-            "60 of 200 simulated seconds at most; 2.0 a second, 1 min 10 s left",
-            "80 of 200 simulated seconds at most; 2.0 a second, 1 min 0 s left",
-            "100 of 200 simulated seconds at most; 2.0 a second, 50 s left",
+            "20 of 200 simulated seconds at most; 2.0 per second, 1 min 30 s left",
+            "40 of 200 simulated seconds at most; 2.0 per second, 1 min 20 s left",
+            "60 of 200 simulated seconds at most; 2.0 per second, 1 min 10 s left",
+            "80 of 200 simulated seconds at most; 2.0 per second, 1 min 0 s left",
+            "100 of 200 simulated seconds at most; 2.0 per second, 50 s left",
             "next");
   }
 
   @Test
-  void aShortRunIsNotToldOf() {
+  void aShortRunShowsNoProgress() {
     run(false, S / 100);
     run(true, S / 100);
     assertThat(out.toString().lines()).containsExactly("next", "next");
   }
 
   @Test
-  void whatComesNextBeginsOnALineOfItsOwn() {
+  void outputAfterTheProgressBeginsANewLine() {
     run(true, S / 2);
     assertThat(out.toString()).contains("[###############...............] 100 of 200");
     assertThat(out.toString().lines().reduce((a, b) -> b)).contains("next");

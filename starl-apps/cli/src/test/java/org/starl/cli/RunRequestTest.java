@@ -22,7 +22,7 @@ final class RunRequestTest {
     CommandLine line = new CommandLine(options);
     line.addMixin("seed", new SeedOption());
     line.parseArgs(words.toArray(String[]::new));
-    return options.chosen(Main.ALL);
+    return options.request(Main.ALL);
   }
 
   @ParameterizedTest

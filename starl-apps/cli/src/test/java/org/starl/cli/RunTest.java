@@ -66,7 +66,7 @@ class RunTest {
   }
 
   @Test
-  void figure7IsToldTracedTabulatedAndDrawn() throws IOException {
+  void figure7HasStoryTraceTableAndPicture() throws IOException {
     Path trace = folder.resolve("a.trace");
     Path csv = folder.resolve("a.csv");
     Path png = folder.resolve("deep/er/a.png");
@@ -82,7 +82,7 @@ class RunTest {
           .startsWith("bot" + car + " (")
           .contains(" came at ", "was registered at ", "waited ", "left the floor at ");
     }
-    assertThat(cli.out().get(5)).startsWith("4 of 4 robots got through in ");
+    assertThat(cli.out().get(5)).startsWith("4 of 4 robots finished in ");
     assertThat(cli.out().get(6)).contains("specifications held").contains("traffic_safety");
     assertThat(cli.out().get(7)).isEqualTo("picture: " + png);
     assertIsAPicture(png);
@@ -155,7 +155,7 @@ class RunTest {
   }
 
   @Test
-  void aScenarioFileSaysTheSameAsFlags() throws IOException {
+  void aScenarioFileEqualsItsOptions() throws IOException {
     Path yaml = folder.resolve("my.yaml");
     Files.writeString(
         yaml,
@@ -197,7 +197,7 @@ class RunTest {
   }
 
   @Test
-  void anUnfinishedRunSaysWho() {
+  void anUnfinishedRunNamesItsRobots() {
     Cli cli =
         Cli.run("run intersection --seed 7 --for 5s --png".concat(" " + file("a.png")).split(" "));
     assertThat(cli.status()).isEqualTo(1);

@@ -59,7 +59,7 @@ class ScenarioSchemaTest {
   private static RunRequest chosen(Path file) {
     RunOptions options = new RunOptions();
     new CommandLine(options).parseArgs(file.toString());
-    return options.chosen(Main.ALL);
+    return options.request(Main.ALL);
   }
 
   static List<Path> scenarioFiles() throws IOException {
@@ -93,7 +93,7 @@ class ScenarioSchemaTest {
   }
 
   @Test
-  void theScenarioThatTheDocumentationShowsIsRight() throws IOException {
+  void theScenarioOfTheDocumentationIsValid() throws IOException {
     String page = Files.readString(ROOT.resolve("docs/scenarios.md"));
     String block = page.substring(page.indexOf("```yaml\n") + 8, page.indexOf("\n```\n"));
     assertThat(errors(block)).isEmpty();
@@ -112,7 +112,7 @@ class ScenarioSchemaTest {
 
   @ParameterizedTest
   @MethodSource("settings")
-  void aSettingTakesWhatItsReaderTakes(Setting<?> setting) throws IOException {
+  void aSettingAcceptsTheValuesOfItsReader(Setting<?> setting) throws IOException {
     int taken = 0;
     for (String value : String.join(" ", VALUES).split(" ")) {
       boolean isChaos = setting.equals(Setting.CHAOS);
@@ -162,7 +162,7 @@ class ScenarioSchemaTest {
         "faults: crash(bot2,at=12s,restart=5s); loss(0.3)",
         "faults: []"
       })
-  void faultsAreTakenAsPeopleWriteThem(String faults) throws IOException {
+  void faultsAreAcceptedInEveryNotation(String faults) throws IOException {
     assertThat(errors("app: hello\n" + faults + "\n")).isEmpty();
   }
 
@@ -183,7 +183,7 @@ class ScenarioSchemaTest {
         "app: hello\nfaults: crush(bot2)",
         "app: hello\nfaults:\n  a: b"
       })
-  void whatNoCommandWouldTakeIsMarked(String yaml) throws IOException {
+  void valuesThatCommandsRefuseAreInvalid(String yaml) throws IOException {
     assertThat(errors(yaml + "\n")).isNotEmpty();
   }
 }

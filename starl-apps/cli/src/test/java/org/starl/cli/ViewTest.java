@@ -9,10 +9,10 @@ import org.starl.sim.view.Window;
 class ViewTest {
 
   @Test
-  void withoutAScreenOneLineTellsHowToGetAPicture() {
+  void withoutADisplayOneLineNamesTheAlternatives() {
     assumeThat(Window.isPossible()).as("this machine has a screen").isFalse();
     Cli cli = Cli.run("run", "hello", "--seed", "7", "--view");
-    assertThat(cli.status()).isEqualTo(ExitStatus.LACKING);
+    assertThat(cli.status()).isEqualTo(ExitStatus.MISSING_DEPENDENCY);
     assertThat(cli.err())
         .singleElement()
         .asString()

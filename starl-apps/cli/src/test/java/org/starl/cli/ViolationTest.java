@@ -54,7 +54,7 @@ class ViolationTest {
   }
 
   @Test
-  void aCampaignTellsTheFirstViolationAndHowToReplayIt() {
+  void aCampaignReportsTheFirstViolationWithItsReplay() {
     Cli cli =
         Cli.run(
             BROKEN,
@@ -76,7 +76,7 @@ class ViolationTest {
   }
 
   @Test
-  void recordTellsItToo() {
+  void recordReportsTheViolation() {
     Path png = folder.resolve("a.png");
     Cli cli = Cli.run(BROKEN, "record", "broken", "--seed", "3", "--out", png.toString());
     assertThat(cli.status()).isEqualTo(1);
@@ -86,7 +86,7 @@ class ViolationTest {
   }
 
   @Test
-  void aRunThatThrowsKeepsItsTraceAndSaysHowToReplayIt() {
+  void aThrowingRunKeepsItsTraceAndReplay() {
     Path trace = folder.resolve("a.trace");
     Cli cli =
         Cli.run(
@@ -99,7 +99,7 @@ class ViolationTest {
         .containsExactly(
             "replay: ./starl run throwing --seed 3",
             "starl: throwing, seed 3: at 1000000000 ns: java.lang.IllegalStateException: thrown on"
-                + " purpose (--stacktrace shows where)");
+                + " purpose (--stacktrace shows details)");
     assertThat(trace).isNotEmptyFile();
     assertThat(cli.out()).isEmpty();
   }
@@ -154,9 +154,9 @@ class ViolationTest {
     assertThat(cli.status()).isZero();
     assertThat(cli.text())
         .containsPattern("runs +2\n")
-        .containsPattern("robots that got through +4\n")
+        .containsPattern("robots finished +4\n")
         .containsPattern("wait, median +[0-9.]+ s\n")
-        .containsPattern("datagrams_sent a run, median +[0-9]+\n");
+        .containsPattern("datagrams_sent per run, median +[0-9]+\n");
     assertThat(Files.exists(Path.of("out", "intersection-1.png"))).isFalse();
   }
 }

@@ -11,7 +11,10 @@ import org.starl.id.RobotId;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
 
-/** One of two robots as a process, of which the second has a bug; arguments as the launcher appends them. */
+/**
+ * One of two robots as a process, of which the second has a bug; arguments as the launcher appends
+ * them.
+ */
 final class FaultyMain {
 
   private FaultyMain() {}

@@ -5,7 +5,9 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.sim.check.MalformedBytes;
 
-/** Any line as a command to a robot's process: a command that is written as it was read, or refused. */
+/**
+ * Any line as a command to a robot's process: a command that is written as it was read, or refused.
+ */
 public class ParentCommandFuzzTest {
 
   public static void fuzzerTestOneInput(byte[] input) {

@@ -5,30 +5,30 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * An axis from 0 to {@code steps} times {@code step}, with a tick at each step.
+ * A chart axis from 0 to {@code steps} times {@code step}, with a tick at each step.
  *
- * @param label what it measures, with the unit
- * @param step a 1, 2 or 5 with zeros
+ * @param label the quantity, with its unit
+ * @param step 1, 2 or 5 times a power of 10
  */
 record Axis(String label, double step, int steps) {
 
   /**
-   * One that reaches {@code most}.
+   * An axis that covers 0 to {@code most}.
    *
-   * @param fewest about so many steps
-   * @param isWhole whether it counts something
+   * @param fewest approximate number of steps
+   * @param isWhole whether steps are at least 1, because the values are counts
    */
   static Axis upTo(String label, double most, int fewest, boolean isWhole) {
     double step = most > 0 ? nice(most / fewest) : 1;
     if (isWhole) {
       step = Math.max(1, step);
     }
-    // What the division loses must not add a step.
+    // A rounding error of the division must not add a step.
     int steps = (int) Math.max(1, Math.ceil(most / step - 1e-9));
     return new Axis(label, step, steps);
   }
 
-  /** The smallest 1, 2 or 5 with zeros that is not below {@code value}. */
+  /** The smallest 1, 2 or 5 times a power of 10 that is not below {@code value}. */
   static double nice(double value) {
     double power = 1;
     while (power > value) {
@@ -45,7 +45,7 @@ record Axis(String label, double step, int steps) {
     return rounded(10, power);
   }
 
-  /** Without what repeated division has left: 0.1, not 0.10000000000000002. */
+  /** Without the rounding error of repeated division: 0.1, not 0.10000000000000002. */
   private static double rounded(int factor, double power) {
     double value = factor * power;
     return value >= 1
@@ -65,14 +65,14 @@ record Axis(String label, double step, int steps) {
     return ticks;
   }
 
-  /** A value as the ticks are written. */
+  /** A value with as many decimals as the ticks need. */
   String text(double value) {
     int digits = 0;
     for (double s = step; s < 0.999 && digits < 6; s *= 10) {
       digits++;
     }
     return digits == 0
-        ? Say.count(Math.round(value))
+        ? NumberFormats.count(Math.round(value))
         : String.format(Locale.ROOT, "%." + digits + "f", value);
   }
 }

@@ -6,7 +6,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.sim.check.CampaignResult;
 
-/** Every number that runs have, and how it is spread over them. */
+/** Each figure's distribution over the runs, totals, and all settings. */
 final class FiguresPart {
 
   private static final double[] PERCENTILES = {0, 50, 95, 100};
@@ -21,24 +21,20 @@ final class FiguresPart {
 
   void write() {
     CampaignResult result = report.result();
-    html.open("section").element("h2", "Figures of a run");
+    html.open("section").element("h2", "Figures per run");
     html.open("div", "class", "charts");
     if (!result.figures().isEmpty()) {
-      html.open("div", "class", "wide").open("table");
-      html.element("caption", "Each over all runs").open("thead").open("tr");
-      html.element("th", "figure", "scope", "col");
-      for (String head : List.of("least", "median", "95\u00A0%", "most")) {
-        html.element("th", head, "scope", "col", "class", "n");
-      }
-      html.close().close().open("tbody");
+      html.table(
+          "", "Over all runs", List.of("figure", "minimum", "median", "95\u00A0%", "maximum"));
       for (String figure : result.figures()) {
         html.open("tr").open("th", "scope", "row").element("code", figure).close();
         for (double percent : PERCENTILES) {
-          html.element("td", Say.number(result.percentile(figure, percent)), "class", "n");
+          html.element(
+              "td", NumberFormats.number(result.percentile(figure, percent)), "class", "n");
         }
         html.close();
       }
-      html.close().close().close();
+      html.endTable();
     }
     counts();
     html.close();
@@ -56,19 +52,18 @@ final class FiguresPart {
     if (sums.isEmpty()) {
       return;
     }
-    html.open("div", "class", "wide").open("table").element("caption", "Counted in all runs");
-    html.open("tbody");
+    html.table("", "Totals over all runs", List.of("name", "total"));
     sums.forEach((what, count) -> {
       html.open("tr").element("th", what, "scope", "row");
-      html.element("td", Say.count(count), "class", "n").close();
+      html.element("td", NumberFormats.count(count), "class", "n").close();
     });
-    html.close().close().close();
+    html.endTable();
   }
 
   private void settings() {
     html.open("details").element("summary", "All settings");
     html.open("div", "class", "wide").open("table").open("tbody");
-    for (Map.Entry<String, String> setting : report.subject().settings().entrySet()) {
+    for (Map.Entry<String, String> setting : report.description().settings().entrySet()) {
       html.open("tr").open("th", "scope", "row").element("code", setting.getKey()).close();
       html.element("td", setting.getValue()).close();
     }

@@ -6,7 +6,7 @@ import java.util.Map;
 import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
 
-/** The verdict, what was run, and the key figures. */
+/** The verdict, the campaign's description and the key figures. */
 final class HeadPart {
 
   private final Html html;
@@ -22,17 +22,19 @@ final class HeadPart {
     int runs = report.result().runs().size();
     long bad = report.bad().size();
     if (bad == 0) {
-      return runs == 1 ? "its run went well" : "all " + Say.count(runs) + " runs went well";
+      return runs == 1
+          ? "its run went well"
+          : "all " + NumberFormats.count(runs) + " runs went well";
     }
     List<String> how = new ArrayList<>();
     for (Verdict verdict : List.of(Verdict.VIOLATED, Verdict.FAILED, Verdict.UNFINISHED)) {
       if (report.count(verdict) > 0) {
-        how.add(Say.count(report.count(verdict)) + " " + Page.of(verdict));
+        how.add(NumberFormats.count(report.count(verdict)) + " " + Page.of(verdict));
       }
     }
-    return Say.count(bad)
+    return NumberFormats.count(bad)
         + " of "
-        + Say.count(runs, "run")
+        + NumberFormats.count(runs, "run")
         + " did not go well ("
         + String.join(", ", how)
         + ")";
@@ -41,35 +43,35 @@ final class HeadPart {
   void write() {
     boolean isGood = report.bad().isEmpty();
     html.open("header");
-    html.open("h1").text(report.subject().app()).close();
-    html.element("p", report.subject().summary(), "class", "summary");
+    html.open("h1").text(report.description().app()).close();
+    html.element("p", report.description().summary(), "class", "summary");
     html.open("p", "class", isGood ? "verdict good" : "verdict bad");
     html.element("span", isGood ? "\u2713" : "\u2717", "aria-hidden", "true", "class", "sign");
-    html.text(" " + Say.upper(verdict(report)) + ".").close();
-    ran();
+    html.text(" " + NumberFormats.capitalized(verdict(report)) + ".").close();
+    description();
     figures();
     example();
     html.close();
   }
 
-  private void ran() {
-    Subject subject = report.subject();
+  private void description() {
+    CampaignDescription description = report.description();
     html.open("dl", "class", "ran");
-    html.element("dt", "Command").open("dd").command(subject.command());
+    html.element("dt", "Command").open("dd").command(description.command());
     html.close();
-    html.element("dt", "Seeds").element("dd", subject.seeds());
+    html.element("dt", "Seeds").element("dd", description.seeds());
     html.element("dt", "Faults").open("dd");
-    if (subject.faults().isEmpty()) {
-      html.text("none asked for");
+    if (description.faults().isEmpty()) {
+      html.text("none requested");
     } else {
       html.open("ul");
-      subject.faults().forEach(fault -> html.open("li").element("code", fault).close());
+      description.faults().forEach(fault -> html.open("li").element("code", fault).close());
       html.close();
     }
     html.close();
-    if (!subject.given().isEmpty()) {
+    if (!description.given().isEmpty()) {
       html.element("dt", "Settings").open("dd").open("ul");
-      for (Map.Entry<String, String> setting : subject.given().entrySet()) {
+      for (Map.Entry<String, String> setting : description.given().entrySet()) {
         html.open("li").element("code", setting.getKey() + "=" + setting.getValue()).close();
       }
       html.close().close();
@@ -81,27 +83,33 @@ final class HeadPart {
     html.open("ul", "class", "figures");
     int runs = report.result().runs().size();
     long good = report.count(Verdict.GOOD);
-    figure(Say.count(good) + " of " + Say.count(runs), "runs went well");
+    figure(NumberFormats.count(good) + " of " + NumberFormats.count(runs), "runs went well");
     long came = report.facts().values().stream().mapToLong(run -> run.measures().came()).sum();
     long done = report.facts().values().stream().mapToLong(run -> run.measures().completed()).sum();
     if (came > 0) {
-      figure(Say.count(done) + " of " + Say.count(came), "did what they came for");
+      figure(
+          NumberFormats.count(done) + " of " + NumberFormats.count(came),
+          "robots completed their task");
     }
-    Spread waits =
-        Spread.ofAll(
+    Distribution waits =
+        Distribution.ofAll(
             report.facts().values().stream()
                 .map(run -> run.measures().waitsNs().stream().map(ns -> ns / 1e9).toList())
                 .toList());
     if (!waits.isEmpty()) {
-      figure(Say.measured("s", waits.percentile(50)), "waited, median");
-      figure(Say.measured("s", waits.percentile(95)), "waited, 95 % up to");
+      figure(NumberFormats.measured("s", waits.percentile(50)), "waiting time, median");
+      figure(NumberFormats.measured("s", waits.percentile(95)), "waiting time, 95th percentile");
     }
     if (report.result().samples("end_s") > 0) {
-      figure(Say.measured("s", report.result().percentile("end_s", 50)), "a run, median");
+      figure(
+          NumberFormats.measured("s", report.result().percentile("end_s", 50)),
+          "simulated time of a run, median");
     }
     long checks = report.lemmas().values().stream().mapToLong(RunFacts.Checks::checks).sum();
     if (checks > 0) {
-      figure(Say.count(checks), "checks of " + Say.count(report.lemmas().size(), "specification"));
+      figure(
+          NumberFormats.count(checks),
+          "checks of " + NumberFormats.count(report.lemmas().size(), "specification"));
     }
     html.close();
   }
@@ -111,7 +119,7 @@ final class HeadPart {
   }
 
   private void example() {
-    Pictured example = report.example();
+    IllustratedRun example = report.example();
     if (example == null || example.shots().isEmpty()) {
       return;
     }
@@ -121,10 +129,9 @@ final class HeadPart {
         "src",
         example.shots().get(0).address(),
         "alt",
-        "The floor, the robots, and what each does, at one moment of the run of seed "
+        "The floor and the robots with their states, at one moment of the run with seed "
             + example.seed());
-    html.element(
-        "figcaption", "Seed " + example.seed() + ", at the moment when most is to be seen.");
+    html.element("figcaption", "Seed " + example.seed() + ", at the moment that shows most.");
     html.close();
   }
 }

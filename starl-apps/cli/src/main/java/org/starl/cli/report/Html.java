@@ -2,52 +2,22 @@ package org.starl.cli.report;
 
 import java.util.ArrayDeque;
 import java.util.Deque;
+import java.util.List;
 import java.util.Set;
 
 /**
- * Writes a page that parses as HTML and as XML alike. Every text and every attribute's value is
- * escaped; what cannot stand in XML at all becomes U+FFFD.
+ * Writes a page that parses as HTML and as XML. Every text and every attribute's value is escaped.
+ * Characters that XML does not allow become U+FFFD.
  */
 final class Html {
 
-  private static final Set<String> ON_LINES =
+  /** Elements that begin on a new line. */
+  private static final Set<String> ON_OWN_LINE =
       Set.of(
-          "head",
-          "body",
-          "meta",
-          "title",
-          "style",
-          "script",
-          "header",
-          "main",
-          "section",
-          "article",
-          "footer",
-          "h1",
-          "h2",
-          "h3",
-          "p",
-          "div",
-          "figure",
-          "figcaption",
-          "table",
-          "thead",
-          "tbody",
-          "tr",
-          "ul",
-          "ol",
-          "li",
-          "dl",
-          "dt",
-          "dd",
-          "details",
-          "svg",
-          "g",
-          "rect",
-          "path",
-          "line",
-          "circle",
-          "nav");
+          ("head body meta title style script header main section article footer h1 h2 h3 p div"
+                  + " figure figcaption table thead tbody tr ul ol li dl dt dd details svg g rect"
+                  + " path line circle nav")
+              .split(" "));
 
   private static final char REPLACEMENT = '\uFFFD';
 
@@ -57,7 +27,7 @@ final class Html {
   /**
    * Opens an element; {@link #close} closes it.
    *
-   * @param attributes names and values in turn; an empty {@code class} is left out
+   * @param attributes names and values, alternating; an empty {@code class} is left out
    */
   Html open(String tag, String... attributes) {
     begin(tag, attributes);
@@ -72,12 +42,12 @@ final class Html {
     return this;
   }
 
-  /** An element with nothing but text. */
+  /** An element that contains only text. */
   Html element(String tag, String text, String... attributes) {
     return open(tag, attributes).text(text).close();
   }
 
-  /** An element that never has content: {@code meta}, {@code img}, shapes of a drawing. */
+  /** An element without content: {@code meta}, {@code img}, shapes of a drawing. */
   Html empty(String tag, String... attributes) {
     begin(tag, attributes);
     page.append("/>");
@@ -90,9 +60,9 @@ final class Html {
   }
 
   /**
-   * Style or script of this package.
+   * A style or script of this package.
    *
-   * @throws IllegalArgumentException if HTML and XML would read it in two ways
+   * @throws IllegalArgumentException if HTML and XML would read it differently
    */
   Html code(String tag, String code) {
     if (code.indexOf('<') >= 0 || code.indexOf('&') >= 0 || code.contains("]]>")) {
@@ -103,7 +73,7 @@ final class Html {
     return close();
   }
 
-  /** A command line to paste: lines end between its words, not behind their hyphens. */
+  /** A command line to paste. Lines break between its words, not after their hyphens. */
   Html command(String command) {
     open("code", "class", "command");
     String[] words = command.split(" ", -1);
@@ -116,6 +86,24 @@ final class Html {
     return close();
   }
 
+  /**
+   * Opens a table with a caption and a row of headings, in its scrollable frame; {@link #endTable}
+   * closes it. All columns but the first are numbers.
+   */
+  Html table(String cssClass, String caption, List<String> headings) {
+    open("div", "class", "wide").open("table", "class", cssClass).element("caption", caption);
+    open("thead").open("tr").element("th", headings.get(0), "scope", "col");
+    for (String heading : headings.subList(1, headings.size())) {
+      element("th", heading, "scope", "col", "class", "n");
+    }
+    return close().close().open("tbody");
+  }
+
+  /** Closes the table's body, the table and its frame. */
+  Html endTable() {
+    return close().close().close();
+  }
+
   /** The whole page. */
   String page() {
     if (!open.isEmpty()) {
@@ -125,7 +113,7 @@ final class Html {
   }
 
   private void begin(String tag, String... attributes) {
-    if (ON_LINES.contains(tag)) {
+    if (ON_OWN_LINE.contains(tag)) {
       page.append('\n');
     }
     page.append('<').append(tag);
@@ -149,14 +137,14 @@ final class Html {
         case '>' -> page.append("&gt;");
         case '"' -> page.append("&quot;");
         case '\'' -> page.append("&#39;");
-        default -> page.appendCodePoint(mayStandInXml(c) ? c : REPLACEMENT);
+        default -> page.appendCodePoint(isAllowedInXml(c) ? c : REPLACEMENT);
       }
       i += Character.charCount(c);
     }
   }
 
-  /** As XML 1.0, section 2.2 has it, without carriage returns and the C1 controls. */
-  private static boolean mayStandInXml(int c) {
+  /** XML 1.0, section 2.2, without carriage returns and the C1 controls. */
+  private static boolean isAllowedInXml(int c) {
     if (c < ' ') {
       return c == '\t' || c == '\n';
     }

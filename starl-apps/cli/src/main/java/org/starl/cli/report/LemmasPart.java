@@ -1,9 +1,9 @@
 package org.starl.cli.report;
 
 import java.util.List;
-import org.starl.cli.report.Claims.Claim;
+import org.starl.cli.report.LemmaDescriptions.Description;
 
-/** What was checked, how often, and what it says. */
+/** The specifications: meaning, number of checks and violations. */
 final class LemmasPart {
 
   private final Html html;
@@ -21,8 +21,8 @@ final class LemmasPart {
     html.open("section").element("h2", "What was checked");
     html.open("div", "class", "wide").open("table", "class", "lemmas").open("thead").open("tr");
     html.element("th", "specification", "scope", "col");
-    html.element("th", "what it says", "scope", "col");
-    for (String head : List.of("checks", "violations", "in runs")) {
+    html.element("th", "meaning", "scope", "col");
+    for (String head : List.of("checks", "violations", "runs with violations")) {
       html.element("th", head, "scope", "col", "class", "n");
     }
     html.close().close().open("tbody");
@@ -39,19 +39,19 @@ final class LemmasPart {
     html.open("tr", "class", inRuns > 0 ? "bad" : "good");
     html.open("th", "scope", "row").element("code", lemma).close();
     html.open("td");
-    for (Claim claim : report.claims().of(lemma)) {
+    for (Description description : report.lemmaDescriptions().of(lemma)) {
       html.open("div");
-      html.text(claim.text());
-      if (!claim.monitor().isEmpty()) {
-        html.text(claim.text().isEmpty() ? "" : " ");
-        html.element("span", claim.monitor(), "class", "note");
+      html.text(description.text());
+      if (!description.monitor().isEmpty()) {
+        html.text(description.text().isEmpty() ? "" : " ");
+        html.element("span", description.monitor(), "class", "note");
       }
       html.close();
     }
     html.close();
-    String count = checks.checks() == 0 ? "never" : Say.count(checks.checks());
+    String count = checks.checks() == 0 ? "never" : NumberFormats.count(checks.checks());
     html.element("td", count, "class", "n");
-    html.element("td", Say.count(checks.violations()), "class", "n");
-    html.element("td", Say.count(inRuns), "class", "n").close();
+    html.element("td", NumberFormats.count(checks.violations()), "class", "n");
+    html.element("td", NumberFormats.count(inRuns), "class", "n").close();
   }
 }

@@ -6,10 +6,10 @@ import java.util.TreeMap;
 import org.starl.sim.SimObserver;
 import org.starl.trace.TraceEvent;
 
-/** Counts a run's messages by channel, and what came to nothing by its cause. */
+/** Counts a run's messages by channel, and the dropped copies by cause. */
 public final class MessageCounts implements SimObserver {
 
-  /** What went over one channel. */
+  /** The counts of one channel. */
   static final class Channel {
     private long sent;
     private long sentBytes;
@@ -42,7 +42,7 @@ public final class MessageCounts implements SimObserver {
       case TraceEvent.Delivered delivered -> channel(delivered.channel()).delivered++;
       case TraceEvent.Dropped lost -> dropped.merge(lost.why(), 1L, Long::sum);
       default -> {
-        // No message.
+        // not a message
       }
     }
   }
@@ -51,12 +51,12 @@ public final class MessageCounts implements SimObserver {
     return channels;
   }
 
-  /** How many copies, by the cause. */
+  /** The number of dropped copies, by cause. */
   SortedMap<String, Long> dropped() {
     return dropped;
   }
 
-  /** Takes over what another run counted. */
+  /** Adds the counts of another run. */
   void add(MessageCounts other) {
     for (Map.Entry<String, Channel> entry : other.channels.entrySet()) {
       Channel sum = channel(entry.getKey());

@@ -4,7 +4,7 @@ import java.util.List;
 import java.util.Map;
 import org.starl.sim.net.NetStatistics;
 
-/** What went over the air, by channel, and what came to nothing, by its cause. */
+/** The messages by channel, and the dropped copies by cause. */
 final class MessagesPart {
 
   private static final double BYTES_PER_KB = 1e3;
@@ -26,20 +26,20 @@ final class MessagesPart {
     html.open("section").element("h2", "Messages");
     html.element(
         "p",
-        Say.count(net.sent())
+        NumberFormats.count(net.sent())
             + " datagrams were sent in "
-            + Say.count(runs, "run")
+            + NumberFormats.count(runs, "run")
             + " ("
-            + Say.number(Math.rint((double) net.sent() / runs))
+            + NumberFormats.number(Math.rint((double) net.sent() / runs))
             + " a run, "
-            + Say.with("bytes", Math.rint((double) net.sentBytes() / net.sent()))
-            + " each). Of a datagram every recipient gets a copy, or loses it: "
-            + Say.count(net.delivered())
+            + NumberFormats.number("bytes", Math.rint((double) net.sentBytes() / net.sent()))
+            + " each). Each recipient of a datagram has its own copy: "
+            + NumberFormats.count(net.delivered())
             + " copies arrived, "
-            + Say.count(net.lost())
+            + NumberFormats.count(net.lost())
             + " ("
-            + Say.percent(net.lost(), net.lost() + net.delivered())
-            + ") were lost on the air.");
+            + NumberFormats.percent(net.lost(), net.lost() + net.delivered())
+            + ") were lost.");
     MessageCounts messages = report.messages();
     html.open("div", "class", "charts");
     channels(messages);
@@ -70,16 +70,16 @@ final class MessagesPart {
             .mapToLong(MessageCounts.Channel::sent)
             .max()
             .orElse(1);
-    head("By channel", List.of("channel", "sent", "", "kB", "received"));
+    html.table("bars", "By channel", List.of("channel", "sent", "", "kB", "received"));
     for (Map.Entry<String, MessageCounts.Channel> entry : messages.channels().entrySet()) {
       MessageCounts.Channel channel = entry.getValue();
       html.open("tr").open("th", "scope", "row").element("code", entry.getKey()).close();
-      html.element("td", Say.count(channel.sent()), "class", "n");
+      html.element("td", NumberFormats.count(channel.sent()), "class", "n");
       bar(channel.sent(), most);
-      html.element("td", Say.number(channel.sentBytes() / BYTES_PER_KB), "class", "n");
-      html.element("td", Say.count(channel.delivered()), "class", "n").close();
+      html.element("td", NumberFormats.number(channel.sentBytes() / BYTES_PER_KB), "class", "n");
+      html.element("td", NumberFormats.count(channel.delivered()), "class", "n").close();
     }
-    html.close().close().close();
+    html.endTable();
   }
 
   private void causes(MessageCounts messages) {
@@ -87,29 +87,19 @@ final class MessagesPart {
       return;
     }
     long most = messages.dropped().values().stream().mapToLong(Long::longValue).max().orElse(1);
-    head("Copies that came to nothing", List.of("cause", "copies", ""));
+    html.table("bars", "Copies not delivered", List.of("cause", "copies", ""));
     messages
         .dropped()
         .forEach((why, count) -> {
           html.open("tr").open("th", "scope", "row").element("code", why).close();
-          html.element("td", Say.count(count), "class", "n");
+          html.element("td", NumberFormats.count(count), "class", "n");
           bar(count, most);
           html.close();
         });
-    html.close().close().close();
+    html.endTable();
   }
 
-  private void head(String caption, List<String> columns) {
-    html.open("div", "class", "wide").open("table", "class", "bars").element("caption", caption);
-    html.open("thead").open("tr");
-    html.element("th", columns.get(0), "scope", "col");
-    columns
-        .subList(1, columns.size())
-        .forEach(column -> html.element("th", column, "scope", "col", "class", "n"));
-    html.close().close().open("tbody");
-  }
-
-  /** The number stands beside it. */
+  /** A bar in a cell of its own. Screen readers skip it: the number is in another cell. */
   private void bar(long value, long most) {
     html.open("td", "class", "bar", "aria-hidden", "true");
     html.open("svg", "viewBox", "0 0 100 10", "preserveAspectRatio", "none");

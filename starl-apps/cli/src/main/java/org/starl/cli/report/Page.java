@@ -10,7 +10,7 @@ import java.util.Base64;
 import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
 
-/** The frame of the page, and its parts in their order. */
+/** The frame of the page, with its parts in order. */
 final class Page {
 
   private final Report report;
@@ -43,7 +43,7 @@ final class Page {
     return html.page();
   }
 
-  /** Nothing runs or is shown but what the page brings, whatever is in its texts. */
+  /** The policy lets the browser use only the page's own style, script and images. */
   private void head(String style) {
     html.open("head").empty("meta", "charset", "utf-8");
     html.empty(
@@ -58,7 +58,7 @@ final class Page {
             + "'");
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
-    html.element("title", report.subject().app() + ": " + HeadPart.verdict(report));
+    html.element("title", report.description().app() + ": " + HeadPart.verdict(report));
     html.code("style", style).close();
   }
 
@@ -67,10 +67,10 @@ final class Page {
       if (sampled.isEmpty()) {
         continue;
       }
-      html.open("section").element("h2", Say.upper(sampled.name()));
+      html.open("section").element("h2", NumberFormats.capitalized(sampled.name()));
       switch (sampled.kind()) {
         case SIZES ->
-            new SizeCharts(html, sampled.name(), sampled.unit(), Spread.ofAll(sampled.runs()))
+            new SizeCharts(html, sampled.name(), sampled.unit(), Distribution.ofAll(sampled.runs()))
                 .write();
         case TIMES -> new TimeChart(html, sampled.name(), sampled.runs()).write();
       }
@@ -110,7 +110,7 @@ final class Page {
   private static String resource(String name) {
     try (InputStream in = Page.class.getResourceAsStream(name)) {
       if (in == null) {
-        throw new IllegalStateException("resource " + name + " is not there");
+        throw new IllegalStateException("missing resource " + name);
       }
       return new String(in.readAllBytes(), StandardCharsets.UTF_8);
     } catch (IOException e) {

@@ -3,8 +3,8 @@ package org.starl.cli.report;
 import java.util.Locale;
 
 /**
- * A chart: a figure with its title, two axes with ticks and units, and a field to draw on. It is as
- * wide as its place, and small enough for a phone. What a chart tells stands in a table as well.
+ * A chart: a figure with a title, two axes with ticks and units, and a field to draw on. It scales
+ * to the width of its container. A table beside each chart has the same numbers.
  */
 final class Plot {
 
@@ -44,7 +44,7 @@ final class Plot {
         "role",
         "img",
         "aria-label",
-        title + ". Across: " + x.label() + ". Upwards: " + y.label() + ". " + note);
+        title + ". Horizontal: " + x.label() + ". Vertical: " + y.label() + ". " + note);
     axes();
   }
 
@@ -85,7 +85,7 @@ final class Plot {
     return TOP + FIELD_HEIGHT * (1 - Math.min(value, y.max()) / y.max());
   }
 
-  /** Both as a path has them. */
+  /** The position as text for an SVG path. */
   String at(double xValue, double yValue) {
     return px(xOf(xValue)) + " " + px(yOf(yValue));
   }
@@ -99,7 +99,7 @@ final class Plot {
     html.empty("path", "d", path, "class", cssClass);
   }
 
-  /** From the ground up to {@code height}, between two values, a little apart from others. */
+  /** A bar from 0 to {@code height}, between two values, with a small gap to its neighbours. */
   void bar(double from, double to, double height) {
     double left = xOf(from) + 0.5;
     double width = Math.max(1, xOf(to) - left - 0.5);
@@ -118,7 +118,7 @@ final class Plot {
         px(yOf(0) - top));
   }
 
-  /** Tells {@code tip} to whoever points anywhere between two values. */
+  /** A tooltip for the field between two values. */
   void tip(double from, double to, String tip) {
     html.open(
         "rect",
@@ -135,7 +135,7 @@ final class Plot {
     html.element("title", tip).close();
   }
 
-  /** A dot with its text on the right or, where there is no room, on the left. */
+  /** A dot with its text on the right or, if there is no room, on the left. */
   void mark(double atX, double atY, String text) {
     double cx = xOf(atX);
     double cy = yOf(atY);

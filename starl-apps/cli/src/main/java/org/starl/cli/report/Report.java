@@ -16,35 +16,35 @@ import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome.Verdict;
 
 /**
- * What there is to tell of a campaign. Equal campaigns have equal reports.
+ * The contents of a campaign's report page. Equal campaigns have equal reports.
  *
- * @param subject what was run
+ * @param description the campaign's app, seeds and settings
  * @param result how each run ended
- * @param facts of the runs that came to an end, by seed; of those that are in the result
- * @param claims what the lemmas say
- * @param example a run to be looked at where all went well; may be null
- * @param pictured some of the runs that did not go well, told and seen
- * @param shrunk lines about what is left of the first of them; empty if it was not shrunk
+ * @param facts facts of each run of {@code result} that ended without an exception, by seed
+ * @param lemmaDescriptions the checked lemmas in words
+ * @param example a run to show where all runs went well; may be null
+ * @param illustrated some of the bad runs, with stories and pictures
+ * @param shrunk lines about the shrunk first bad run; empty if it was not shrunk
  */
 public record Report(
-    Subject subject,
+    CampaignDescription description,
     CampaignResult result,
     SortedMap<Long, RunFacts> facts,
-    Claims claims,
-    @Nullable Pictured example,
-    List<Pictured> pictured,
+    LemmaDescriptions lemmaDescriptions,
+    @Nullable IllustratedRun example,
+    List<IllustratedRun> illustrated,
     List<String> shrunk) {
 
-  /** Of so many runs that did not go well a page has story and pictures. */
-  public static final int MOST_PICTURED = 10;
+  /** At most this many bad runs have a story and pictures on the page. */
+  public static final int MAX_ILLUSTRATED = 10;
 
   public Report {
     facts = new TreeMap<>(facts);
-    pictured = List.copyOf(pictured);
+    illustrated = List.copyOf(illustrated);
     shrunk = List.copyOf(shrunk);
   }
 
-  /** The facts of the runs of {@code result}; {@code bySeed} gives null for those that threw. */
+  /** The facts of the runs of {@code result}; {@code bySeed} returns null for runs that threw. */
   public static SortedMap<Long, RunFacts> facts(
       CampaignResult result, LongFunction<@Nullable RunFacts> bySeed) {
     SortedMap<Long, RunFacts> facts = new TreeMap<>();
@@ -58,26 +58,26 @@ public record Report(
   }
 
   /**
-   * The runs to be pictured: the first of each way of going wrong, then others, in the order of their
-   * seeds.
+   * The runs to illustrate, ordered by seed: the first bad run of each kind, then further bad runs
+   * up to {@link #MAX_ILLUSTRATED}.
    */
-  public static List<Run> toPicture(CampaignResult result) {
+  public static List<Run> toIllustrate(CampaignResult result) {
     Set<Run> chosen = new LinkedHashSet<>();
-    Set<String> ways = new LinkedHashSet<>();
+    Set<String> kinds = new LinkedHashSet<>();
     List<Run> bad = bad(result);
     for (Run run : bad) {
-      if (ways.add(run.outcome().verdict() + " " + run.outcome().what())) {
+      if (kinds.add(run.outcome().verdict() + " " + run.outcome().what())) {
         chosen.add(run);
       }
     }
     chosen.addAll(bad);
     return chosen.stream()
-        .limit(MOST_PICTURED)
+        .limit(MAX_ILLUSTRATED)
         .sorted((a, b) -> Long.compare(a.seed(), b.seed()))
         .toList();
   }
 
-  /** When a run went wrong; beyond its end if that is not known. */
+  /** The time of a run's problem; after its end if that time is unknown. */
   public static long momentNs(Run run, @Nullable RunFacts facts) {
     if (run.outcome().atNs() >= 0) {
       return run.outcome().atNs();
@@ -109,7 +109,7 @@ public record Report(
     return sum;
   }
 
-  /** How often each lemma was checked, over all runs. */
+  /** Checks and violations of each lemma, over all runs. */
   SortedMap<String, RunFacts.Checks> lemmas() {
     SortedMap<String, RunFacts.Checks> sums = new TreeMap<>();
     facts
@@ -120,7 +120,7 @@ public record Report(
     return sums;
   }
 
-  /** One name's samples, run by run; of a run that has none, none. */
+  /** The samples of one name, a list for each run that has them. */
   record Sampled(String name, Sample.Kind kind, String unit, List<List<Double>> runs) {
 
     boolean isEmpty() {
@@ -128,7 +128,7 @@ public record Report(
     }
   }
 
-  /** In the order in which the runs name them. */
+  /** Ordered by their first occurrence in the runs. */
   List<Sampled> samples() {
     Map<String, Sampled> byName = new LinkedHashMap<>();
     for (RunFacts run : facts.values()) {

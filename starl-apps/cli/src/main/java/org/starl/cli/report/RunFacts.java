@@ -13,11 +13,11 @@ import org.starl.sim.net.NetStatistics;
 import org.starl.spec.SpecReport;
 
 /**
- * What a page keeps of one run that came to an end; small, whatever the run was like.
+ * The facts that a report keeps of one run that ended without an exception; a few kilobytes.
  *
- * @param lemmas what was checked, by its name
- * @param violations the first few
- * @param violated how often a lemma did not hold
+ * @param lemmas checks of each lemma, by its name
+ * @param violations the first few violations
+ * @param violated number of all violations
  */
 public record RunFacts(
     Measures measures,
@@ -31,7 +31,7 @@ public record RunFacts(
 
   private static final int KEPT_VIOLATIONS = 8;
 
-  /** How often a lemma was looked at, and did not hold. */
+  /** How often a lemma was checked and violated. */
   record Checks(long checks, long violations) {
 
     Checks plus(Checks other) {
@@ -46,9 +46,9 @@ public record RunFacts(
   }
 
   /**
-   * Of a run that has ended.
+   * The facts of a run that has ended.
    *
-   * @param messages that observed it
+   * @param messages an observer of the run
    */
   public static RunFacts of(SimResult result, Story story, MessageCounts messages) {
     SpecReport spec = result.spec();

@@ -10,13 +10,13 @@ import java.util.stream.Collectors;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
 
-/** A line for each run. */
+/** A table with a row for each run. */
 final class RunsPart {
 
-  /** A browser still sorts so many in no time. */
-  static final int MOST_ROWS = 5_000;
+  /** A browser sorts this many rows without delay. */
+  static final int MAX_ROWS = 5_000;
 
-  /** Columns of numbers: a figure and its heading. */
+  /** Columns of numbers: the figure and its heading. */
   private static final List<List<String>> FIGURES =
       List.of(
           List.of("end_s", "simulated time, s"),
@@ -27,28 +27,29 @@ final class RunsPart {
 
   private final Html html;
   private final Report report;
-  private final Set<Long> told;
+  private final Set<Long> illustrated;
 
   RunsPart(Html html, Report report) {
     this.html = html;
     this.report = report;
-    told = report.pictured().stream().map(Pictured::seed).collect(Collectors.toSet());
+    illustrated =
+        report.illustrated().stream().map(IllustratedRun::seed).collect(Collectors.toSet());
   }
 
   void write() {
     List<Run> rows = rows();
     html.open("section").element("h2", "Every run");
-    html.open("p").text("One of them again: ");
-    html.command(report.subject().replay().apply(report.result().runs().get(0).seed()));
+    html.open("p").text("To repeat one run: ");
+    html.command(report.description().replay().apply(report.result().runs().get(0).seed()));
     html.close();
     if (rows.size() < report.result().runs().size()) {
       html.element(
           "p",
-          "Of "
-              + Say.count(report.result().runs().size(), "run")
-              + " the table has "
-              + Say.count(rows.size())
-              + ": those that did not go well first, then by seed.",
+          "The table has "
+              + NumberFormats.count(rows.size())
+              + " of "
+              + NumberFormats.count(report.result().runs().size(), "run")
+              + ". Runs that did not go well have precedence.",
           "class",
           "note");
     }
@@ -59,7 +60,7 @@ final class RunsPart {
     FIGURES.forEach(figure -> head(figure.get(1), "n"));
     head("violations", "n");
     if (!report.bad().isEmpty()) {
-      html.element("th", "what was wrong", "scope", "col");
+      html.element("th", "problem", "scope", "col");
     }
     html.element("th", "replay", "scope", "col");
     html.close().close().open("tbody");
@@ -73,13 +74,13 @@ final class RunsPart {
 
   private List<Run> rows() {
     List<Run> runs = report.result().runs();
-    if (runs.size() <= MOST_ROWS) {
+    if (runs.size() <= MAX_ROWS) {
       return runs;
     }
     Set<Run> chosen = new LinkedHashSet<>(report.bad());
     chosen.addAll(runs);
     SortedMap<Long, Run> bySeed = new TreeMap<>();
-    chosen.stream().limit(MOST_ROWS).forEach(run -> bySeed.put(run.seed(), run));
+    chosen.stream().limit(MAX_ROWS).forEach(run -> bySeed.put(run.seed(), run));
     return new ArrayList<>(bySeed.values());
   }
 
@@ -87,7 +88,7 @@ final class RunsPart {
     RunOutcome outcome = run.outcome();
     html.open("tr", "class", outcome.isGood() ? "good" : "bad");
     html.open("th", "scope", "row", "data-v", Long.toString(run.seed()));
-    if (told.contains(run.seed())) {
+    if (illustrated.contains(run.seed())) {
       html.element("a", Long.toString(run.seed()), "href", "#" + BadRunsPart.anchor(run.seed()));
     } else {
       html.text(Long.toString(run.seed()));
@@ -98,17 +99,19 @@ final class RunsPart {
     html.close();
     for (List<String> figure : FIGURES) {
       Double value = outcome.figures().get(figure.get(0));
-      number(value == null ? "" : Say.number(value), value == null ? "-1" : value.toString());
+      number(
+          value == null ? "" : NumberFormats.number(value),
+          value == null ? "-1" : value.toString());
     }
     RunFacts facts = report.facts().get(run.seed());
     number(
-        facts == null ? "" : Say.count(facts.violated()),
+        facts == null ? "" : NumberFormats.count(facts.violated()),
         facts == null ? "-1" : Long.toString(facts.violated()));
     if (!report.bad().isEmpty()) {
       html.element("td", outcome.detail(), "class", "detail");
     }
     html.open("td", "class", "replay");
-    html.element("code", report.subject().replay().apply(run.seed()), "class", "command");
+    html.element("code", report.description().replay().apply(run.seed()), "class", "command");
     html.close().close();
   }
 

@@ -3,7 +3,7 @@ package org.starl.cli.report;
 import java.util.ArrayList;
 import java.util.List;
 
-/** How values are spread: a histogram, the share below each value, and percentiles. */
+/** The distribution of values: a histogram, the cumulative share and percentiles. */
 final class SizeCharts {
 
   private static final int FEWEST_BINS = 8;
@@ -16,19 +16,19 @@ final class SizeCharts {
   private final Html html;
   private final String name;
   private final String unit;
-  private final Spread spread;
+  private final Distribution values;
   private final double shown;
 
   /**
-   * @param name what the values are
-   * @param spread not empty
+   * @param name of the values, in the plural
+   * @param values not empty
    */
-  SizeCharts(Html html, String name, String unit, Spread spread) {
+  SizeCharts(Html html, String name, String unit, Distribution values) {
     this.html = html;
     this.name = name;
     this.unit = unit;
-    this.spread = spread;
-    shown = spread.shownUpTo();
+    this.values = values;
+    shown = values.chartLimit();
   }
 
   void write() {
@@ -49,10 +49,10 @@ final class SizeCharts {
     Plot plot =
         new Plot(
             html,
-            "How they are spread",
-            "Each bar is " + Say.with(unit, bins.get(0).to()) + " wide." + stragglers(),
+            "Distribution",
+            "Each bar is " + NumberFormats.number(unit, bins.get(0).to()) + " wide." + leftOut(),
             across,
-            Axis.upTo("how many", most, Y_STEPS, true));
+            Axis.upTo("count", most, Y_STEPS, true));
     for (Bin bin : bins) {
       if (bin.count() > 0) {
         plot.bar(bin.from(), bin.to(), bin.count());
@@ -62,29 +62,29 @@ final class SizeCharts {
       plot.tip(
           bin.from(),
           bin.to(),
-          Say.number(bin.from())
+          NumberFormats.number(bin.from())
               + " to "
-              + Say.with(unit, bin.to())
+              + NumberFormats.number(unit, bin.to())
               + ": "
-              + Say.count(bin.count())
+              + NumberFormats.count(bin.count())
               + " ("
-              + Say.percent(bin.count(), spread.count())
+              + NumberFormats.percent(bin.count(), values.count())
               + ")");
     }
     plot.end();
   }
 
-  /** Of equal, round widths, by half the rule of Freedman and Diaconis, within reason. */
+  /** Bins of one round width: half the Freedman-Diaconis rule, with 8 to 30 bins. */
   private List<Bin> bins() {
-    double quartiles = spread.percentile(75) - spread.percentile(25);
-    double width = quartiles / StrictMath.cbrt(spread.count());
+    double quartiles = values.percentile(75) - values.percentile(25);
+    double width = quartiles / StrictMath.cbrt(values.count());
     double least = Axis.nice(Math.max(shown, Double.MIN_NORMAL) / MOST_BINS);
     double greatest = Axis.nice(Math.max(shown, Double.MIN_NORMAL) / FEWEST_BINS);
     width = shown == 0 ? 1 : Math.min(greatest, Math.max(least, width > 0 ? Axis.nice(width) : 0));
     List<Bin> bins = new ArrayList<>();
     for (int i = 0; i == 0 || i * width <= shown; i++) {
       double to = (i + 1) * width;
-      bins.add(new Bin(i * width, to, spread.below(to) - spread.below(i * width)));
+      bins.add(new Bin(i * width, to, values.below(to) - values.below(i * width)));
     }
     return bins;
   }
@@ -93,37 +93,37 @@ final class SizeCharts {
     Plot plot =
         new Plot(
             html,
-            "Share at or below each value",
-            "Of " + Say.count(spread.count()) + " in all." + stragglers(),
+            "Cumulative share",
+            NumberFormats.count(values.count(), "value") + "." + leftOut(),
             Axis.upTo(axisLabel(), shown, X_STEPS, false),
             Axis.upTo("% of all", 100, 5, true));
     plot.path(curve(plot), "curve");
     for (int percent : new int[] {50, 95}) {
-      double value = spread.percentile(percent);
+      double value = values.percentile(percent);
       if (value <= shown) {
-        String what = percent == 50 ? "half up to " : percent + " % up to ";
-        plot.mark(value, percent, what + Say.measured(unit, value));
+        String what = percent == 50 ? "median " : percent + " % up to ";
+        plot.mark(value, percent, what + NumberFormats.measured(unit, value));
       }
     }
     for (int i = 0; i < 50; i++) {
       double from = shown * i / 50;
       double to = shown * (i + 1) / 50;
-      String share = Say.percent(spread.upTo(to), spread.count());
-      plot.tip(from, to, share + " up to " + Say.measured(unit, to));
+      String share = NumberFormats.percent(values.upTo(to), values.count());
+      plot.tip(from, to, share + " up to " + NumberFormats.measured(unit, to));
     }
     plot.end();
   }
 
   private String curve(Plot plot) {
     StringBuilder path = new StringBuilder("M" + plot.at(0, 0));
-    int drawn = spread.upTo(shown);
+    int drawn = values.upTo(shown);
     int step = Math.max(1, drawn / CURVE_POINTS);
     double share = 0;
     for (int i = step; i <= drawn + step - 1; i += step) {
       int rank = Math.min(i, drawn);
-      double value = spread.percentile(100.0 * (rank - 0.5) / spread.count());
+      double value = values.percentile(100.0 * (rank - 0.5) / values.count());
       path.append('L').append(plot.at(value, share));
-      share = 100.0 * rank / spread.count();
+      share = 100.0 * rank / values.count();
       path.append('L').append(plot.at(value, share));
     }
     return path.append('L').append(plot.at(shown, share)).toString();
@@ -133,35 +133,34 @@ final class SizeCharts {
     return unit.equals("s") ? "seconds" : unit.isEmpty() ? name : unit;
   }
 
-  private String stragglers() {
-    int left = spread.count() - spread.upTo(shown);
+  private String leftOut() {
+    int left = values.count() - values.upTo(shown);
     return left == 0
         ? ""
         : " Left out: "
-            + Say.count(left)
+            + NumberFormats.count(left)
             + " of "
-            + Say.count(spread.count())
+            + NumberFormats.count(values.count())
             + ", above "
-            + Say.measured(unit, shown)
+            + NumberFormats.measured(unit, shown)
             + ".";
   }
 
   private void table() {
-    html.open("div", "class", "wide").open("table", "class", "numbers");
-    html.element("caption", Say.upper(name) + (unit.isEmpty() ? "" : ", in " + unit));
-    html.open("thead").open("tr");
-    html.element("th", "how many", "scope", "col").element("th", "least", "scope", "col");
+    List<String> headings = new ArrayList<>(List.of("count", "minimum"));
     for (double percent : PERCENTILES) {
-      String head = percent == 50 ? "median" : Say.number(percent) + "\u00A0%";
-      html.element("th", head, "scope", "col");
+      headings.add(percent == 50 ? "median" : NumberFormats.number(percent) + "\u00A0%");
     }
-    html.element("th", "most", "scope", "col").element("th", "mean", "scope", "col");
-    html.close().close().open("tbody").open("tr");
-    html.element("td", Say.count(spread.count())).element("td", Say.measured(spread.least()));
+    headings.addAll(List.of("maximum", "mean"));
+    String caption = NumberFormats.capitalized(name) + (unit.isEmpty() ? "" : ", in " + unit);
+    html.table("numbers", caption, headings).open("tr");
+    html.element("td", NumberFormats.count(values.count()))
+        .element("td", NumberFormats.measured(values.minimum()));
     for (double percent : PERCENTILES) {
-      html.element("td", Say.measured(spread.percentile(percent)));
+      html.element("td", NumberFormats.measured(values.percentile(percent)));
     }
-    html.element("td", Say.measured(spread.most())).element("td", Say.measured(spread.mean()));
-    html.close().close().close().close();
+    html.element("td", NumberFormats.measured(values.maximum()))
+        .element("td", NumberFormats.measured(values.mean()));
+    html.close().endTable();
   }
 }

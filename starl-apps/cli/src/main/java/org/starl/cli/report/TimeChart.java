@@ -5,7 +5,7 @@ import java.util.Arrays;
 import java.util.List;
 import org.starl.sim.check.Percentile;
 
-/** How many of something there were by when, run by run: the middle run, and most of the others. */
+/** The number of events so far over time: the median run, and the middle 80 % of the runs. */
 final class TimeChart {
 
   private static final int STEPS = 160;
@@ -14,23 +14,23 @@ final class TimeChart {
 
   private final Html html;
   private final String name;
-  private final List<Spread> runs;
-  private final Spread all;
+  private final List<Distribution> runs;
+  private final Distribution all;
   private final double shown;
 
   /**
-   * @param name what happened
-   * @param times of each run; at least one somewhere
+   * @param name of the events, in the plural
+   * @param times of each run; at least one run has one
    */
   TimeChart(Html html, String name, List<List<Double>> times) {
     this.html = html;
     this.name = name;
-    runs = times.stream().map(Spread::of).toList();
-    all = Spread.ofAll(times);
-    shown = all.shownUpTo();
+    runs = times.stream().map(Distribution::of).toList();
+    all = Distribution.ofAll(times);
+    shown = all.chartLimit();
   }
 
-  /** How many there were by {@code atS}, in each run, in order. */
+  /** The number of events until {@code atS} in each run, ascending. */
   private int[] counts(double atS) {
     int[] counts = runs.stream().mapToInt(run -> run.upTo(atS)).toArray();
     Arrays.sort(counts);
@@ -58,10 +58,10 @@ final class TimeChart {
     Plot plot =
         new Plot(
             html,
-            "How many by when",
+            "Count over time",
             note(),
             across,
-            Axis.upTo("so far in a run", Math.max(1, most), Y_STEPS, true));
+            Axis.upTo("count in a run", Math.max(1, most), Y_STEPS, true));
     if (runs.size() > 1) {
       plot.path(
           steps(plot, across, counts, 90, false) + steps(plot, across, counts, 10, true) + "Z",
@@ -80,29 +80,31 @@ final class TimeChart {
     String note =
         runs.size() == 1
             ? "One run."
-            : "Line: the median of " + Say.count(runs.size(), "run") + ". Band: 8 runs of 10.";
+            : "Line: the median of "
+                + NumberFormats.count(runs.size(), "run")
+                + ". Band: the middle 80 % of the runs.";
     int left = all.count() - all.upTo(shown);
     return left == 0
         ? note
         : note
             + " Beyond the chart: "
-            + Say.count(left)
+            + NumberFormats.count(left)
             + " of "
-            + Say.count(all.count())
+            + NumberFormats.count(all.count())
             + ", up to "
-            + Say.measured("s", all.most())
+            + NumberFormats.measured("s", all.maximum())
             + ".";
   }
 
   private String tip(double atS, int[] counts) {
     return "at "
-        + Say.measured("s", atS)
+        + NumberFormats.measured("s", atS)
         + ": "
         + rank(counts, 50)
         + " in the median run"
         + (runs.size() == 1
             ? ""
-            : ", " + rank(counts, 10) + " to " + rank(counts, 90) + " in most");
+            : ", " + rank(counts, 10) + " to " + rank(counts, 90) + " in 80 % of the runs");
   }
 
   private static String steps(
@@ -129,23 +131,20 @@ final class TimeChart {
 
   private void table() {
     Axis across = Axis.upTo("", shown, X_STEPS, false);
-    html.open("div", "class", "wide").open("table", "class", "numbers");
-    html.element("caption", Say.upper(name) + " so far in a run");
-    html.open("thead").open("tr");
-    for (String head : List.of("by", "10 % of runs", "median", "90 % of runs", "all runs")) {
-      html.element("th", head, "scope", "col");
-    }
-    html.close().close().open("tbody");
+    html.table(
+        "numbers",
+        NumberFormats.capitalized(name) + " so far in a run",
+        List.of("until", "10 % of runs", "median", "90 % of runs", "all runs"));
     for (double tick : across.ticks()) {
       if (tick > 0) {
         int[] counts = counts(tick);
         html.open("tr").element("td", across.text(tick) + "\u00A0s");
         for (int percent : new int[] {10, 50, 90}) {
-          html.element("td", Say.count(rank(counts, percent)));
+          html.element("td", NumberFormats.count(rank(counts, percent)));
         }
-        html.element("td", Say.count(all.upTo(tick))).close();
+        html.element("td", NumberFormats.count(all.upTo(tick))).close();
       }
     }
-    html.close().close().close();
+    html.endTable();
   }
 }

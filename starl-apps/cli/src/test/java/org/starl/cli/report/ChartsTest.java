@@ -18,7 +18,7 @@ class ChartsTest {
 
   private static Document sizes(List<Double> values) throws Exception {
     Html html = new Html().open("main");
-    new SizeCharts(html, "wait", "s", Spread.of(values)).write();
+    new SizeCharts(html, "wait", "s", Distribution.of(values)).write();
     return Parsed.page(html.close().page());
   }
 
@@ -31,7 +31,7 @@ class ChartsTest {
   }
 
   @Property(tries = 200)
-  void barsCountEveryValueOnceUnlessTheChartSaysThatItIsLeftOut(
+  void barsCountEachValueOnceUnlessItIsLeftOut(
       @ForAll @Size(min = 1, max = 60) List<@DoubleRange(min = 0, max = 100) Double> values)
       throws Exception {
     Document page = sizes(values);
@@ -40,8 +40,8 @@ class ChartsTest {
             .filter(tip -> tip.contains(" to ") && tip.contains(": "))
             .mapToInt(tip -> Integer.parseInt(tip.replaceAll(".*: (\\d+) \\(.*", "$1")))
             .sum();
-    Spread spread = Spread.of(values);
-    int below = spread.upTo(spread.shownUpTo());
+    Distribution spread = Distribution.of(values);
+    int below = spread.upTo(spread.chartLimit());
     assertThat(counted).isBetween(below, values.size());
     assertThat(page.getDocumentElement().getTextContent().contains("Left out"))
         .isEqualTo(below < values.size());
@@ -66,7 +66,7 @@ class ChartsTest {
   }
 
   @Example
-  void farStragglersAreToldAndDoNotSqueezeTheRest() throws Exception {
+  void farOutliersAreLeftOutAndCounted() throws Exception {
     List<Double> values = new ArrayList<>(IntStream.range(0, 200).mapToObj(i -> 1.0).toList());
     values.add(5000.0);
     String text = sizes(values).getDocumentElement().getTextContent();

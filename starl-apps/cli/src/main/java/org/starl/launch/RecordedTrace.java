@@ -31,7 +31,7 @@ import org.starl.trace.TraceReader;
  * @param isComplete whether the process ended in order; else it was killed
  * @param hasTrueBodies whether its bodies are where they truly were; else where they were measured
  */
-record ProcessTrace(
+record RecordedTrace(
     String name,
     RobotId robot,
     String machine,
@@ -46,14 +46,16 @@ record ProcessTrace(
   private static final int BUFFER_BYTES = 1 << 16;
   private static final String EXPECTED = "; expected a trace of 'starl deploy run'";
 
-  ProcessTrace {
+  RecordedTrace {
     events = List.copyOf(events);
   }
 
-  /** @throws BadInput if the file is missing, or is not a trace of a deployment */
-  static ProcessTrace read(String file) {
+  /**
+   * @throws BadInput if the file is missing, or is not a trace of a deployment
+   */
+  static RecordedTrace read(String file) {
     if (!Files.isRegularFile(Path.of(file))) {
-      throw new BadInput(file + ": there is no such file" + EXPECTED);
+      throw new BadInput(file + ": no such file" + EXPECTED);
     }
     try (InputStream in =
             new BufferedInputStream(Files.newInputStream(Path.of(file)), BUFFER_BYTES);
@@ -65,7 +67,7 @@ record ProcessTrace(
     }
   }
 
-  private static ProcessTrace read(String file, TraceReader reader) throws IOException {
+  private static RecordedTrace read(String file, TraceReader reader) throws IOException {
     List<TraceEvent> events = new ArrayList<>();
     Action clock = null;
     boolean isComplete = false;
@@ -90,7 +92,7 @@ record ProcessTrace(
     }
     String machine = clock.args().get(0);
     try {
-      return new ProcessTrace(
+      return new RecordedTrace(
           file,
           clock.robot(),
           machine.equals(MachineClock.UNKNOWN) ? file : machine,

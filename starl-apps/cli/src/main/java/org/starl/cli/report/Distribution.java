@@ -5,29 +5,29 @@ import java.util.Collection;
 import java.util.List;
 import org.starl.sim.check.Percentile;
 
-/** Many values, in order. */
-final class Spread {
+/** Values in ascending order. */
+final class Distribution {
 
-  /** Beyond so many times the 99th percentile, stragglers would squeeze everything else. */
-  private static final double STRAGGLES = 1.6;
+  /** Charts leave out values if the maximum is above the 99th percentile by this factor. */
+  private static final double OUTLIER_FACTOR = 1.6;
 
-  private static final int FEW = 20;
+  private static final int MIN_COUNT = 20;
 
   private final double[] sorted;
 
-  private Spread(double[] sorted) {
+  private Distribution(double[] sorted) {
     this.sorted = sorted;
   }
 
-  static Spread of(Collection<Double> values) {
+  static Distribution of(Collection<Double> values) {
     return ofAll(List.of(values));
   }
 
-  static Spread ofAll(Collection<? extends Collection<Double>> parts) {
+  static Distribution ofAll(Collection<? extends Collection<Double>> parts) {
     double[] all =
         parts.stream().flatMap(Collection::stream).mapToDouble(Double::doubleValue).toArray();
     Arrays.sort(all);
-    return new Spread(all);
+    return new Distribution(all);
   }
 
   int count() {
@@ -43,11 +43,11 @@ final class Spread {
     return sorted[Percentile.index(sorted.length, percent)];
   }
 
-  double least() {
+  double minimum() {
     return sorted[0];
   }
 
-  double most() {
+  double maximum() {
     return sorted[sorted.length - 1];
   }
 
@@ -59,7 +59,7 @@ final class Spread {
     return sum / sorted.length;
   }
 
-  /** How many lie at or below {@code limit}. */
+  /** The number of values at or below {@code limit}. */
   int upTo(double limit) {
     int from = 0;
     int to = sorted.length;
@@ -74,14 +74,15 @@ final class Spread {
     return from;
   }
 
-  /** How many lie below {@code limit}. */
+  /** The number of values below {@code limit}. */
   int below(double limit) {
     return upTo(Math.nextDown(limit));
   }
 
-  /** Up to where a chart shows the values: all of them, but for a few far stragglers. */
-  double shownUpTo() {
-    double most = percentile(99);
-    return count() >= FEW && most > 0 && most() > STRAGGLES * most ? most : most();
+  /** The largest value that a chart shows: the maximum, or less if there are a few far outliers. */
+  double chartLimit() {
+    double high = percentile(99);
+    boolean hasOutliers = count() >= MIN_COUNT && high > 0 && maximum() > OUTLIER_FACTOR * high;
+    return hasOutliers ? high : maximum();
   }
 }

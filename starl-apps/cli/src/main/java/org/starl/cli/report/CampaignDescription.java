@@ -7,18 +7,18 @@ import java.util.Map;
 import java.util.function.LongFunction;
 
 /**
- * What a campaign was of.
+ * A campaign: its app, seeds and settings.
  *
  * @param app its name
  * @param summary the app in one line
- * @param command as it was given
+ * @param command as the user typed it
  * @param seeds {@code 1..200}
- * @param faults that were asked for, each as text
- * @param given settings and parameters that were asked for, by key
- * @param settings all of them, by key
+ * @param faults requested faults, each as text
+ * @param given requested settings and parameters, by key
+ * @param settings all settings and parameters, by key
  * @param replay the command that runs one seed again
  */
-public record Subject(
+public record CampaignDescription(
     String app,
     String summary,
     String command,
@@ -28,7 +28,7 @@ public record Subject(
     Map<String, String> settings,
     LongFunction<String> replay) {
 
-  public Subject {
+  public CampaignDescription {
     faults = List.copyOf(faults);
     given = Collections.unmodifiableMap(new LinkedHashMap<>(given));
     settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));

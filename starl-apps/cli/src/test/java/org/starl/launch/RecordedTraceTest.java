@@ -19,7 +19,7 @@ import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.Simulation;
 import org.starl.trace.TraceEvent.Action;
 
-class ProcessTraceTest {
+class RecordedTraceTest {
 
   private static final RobotId BOT0 = new RobotId("bot0");
 
@@ -40,8 +40,8 @@ class ProcessTraceTest {
     }
   }
 
-  private ProcessTrace read() {
-    return ProcessTrace.read(file.toString());
+  private RecordedTrace read() {
+    return RecordedTrace.read(file.toString());
   }
 
   private void change(int line, String to) throws IOException {

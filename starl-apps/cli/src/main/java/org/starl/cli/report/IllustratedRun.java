@@ -16,41 +16,41 @@ import org.starl.sim.record.Moment;
 import org.starl.sim.record.PictureRecorder;
 
 /**
- * One run of a campaign, run once more to be told and seen.
+ * One run of a campaign, run again to get its story and pictures.
  *
- * @param story in lines; empty if an error ended the run
- * @param shots in the order of their times
+ * @param story in lines; empty if an exception ended the run
+ * @param shots ordered by time
  * @param outcome how it ended this time
  */
-public record Pictured(long seed, List<String> story, List<Shot> shots, RunOutcome outcome) {
+public record IllustratedRun(long seed, List<String> story, List<Shot> shots, RunOutcome outcome) {
 
   private static final int FLOOR_PX = 440;
   private static final int WHOLE_PX = 1100;
   private static final long NS_PER_S = 1_000_000_000;
 
-  /** Seconds before what went wrong. */
+  /** Pictures this many seconds before the problem. */
   private static final int[] BEFORE_S = {8, 4, 2, 1};
 
   /**
-   * A picture as the address of an image.
+   * A picture as a data URL.
    *
-   * @param timeNs from the start of the run; -1 if the picture says it
-   * @param isWhole whether the legend is on it, and not the floor alone
+   * @param timeNs since the start of the run; -1 if the picture shows its time itself
+   * @param isWhole whether it has the legend, not only the floor
    */
   record Shot(long timeNs, boolean isWhole, String address) {}
 
-  public Pictured {
+  public IllustratedRun {
     story = List.copyOf(story);
     shots = List.copyOf(shots);
   }
 
   /**
-   * Runs a seed again, with pictures of {@code momentNs} and of the seconds before it.
+   * Runs a seed again, with pictures of {@code momentNs} and the seconds before it.
    *
-   * @param plans makes the run, with carriers of the caller's choice; an error is a failed run
-   * @param momentNs beyond the run's end: the end
+   * @param plans makes the plan, including its carriers; an exception counts as a failed run
+   * @param momentNs the run's end if it is later
    */
-  public static Pictured of(long seed, LongFunction<Plan> plans, long momentNs) {
+  public static IllustratedRun of(long seed, LongFunction<Plan> plans, long momentNs) {
     List<Shot> shots = new ArrayList<>();
     try {
       Plan plan = plans.apply(seed);
@@ -58,25 +58,25 @@ public record Pictured(long seed, List<String> story, List<Shot> shots, RunOutco
       plan.simulation().observer(film);
       try {
         RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
-        return new Pictured(seed, plan.story().lines(), shots(film), outcome);
+        return new IllustratedRun(seed, plan.story().lines(), shots(film), outcome);
       } catch (RuntimeException e) {
         shots = shots(film);
         throw e;
       }
     } catch (RuntimeException e) {
-      return new Pictured(seed, List.of(), shots, RunOutcome.failed(e));
+      return new IllustratedRun(seed, List.of(), shots, RunOutcome.failed(e));
     }
   }
 
-  /** Runs a seed again, with a picture of when most is to be seen. */
-  public static Pictured best(long seed, LongFunction<Plan> plans) {
+  /** Runs a seed again, with a picture of the moment that shows most. */
+  public static IllustratedRun best(long seed, LongFunction<Plan> plans) {
     Plan plan = plans.apply(seed);
     PictureRecorder recorder =
         new PictureRecorder(plan.obstacles(), plan.layer(), new Moment.Best());
     plan.simulation().observer(recorder);
     RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
     Shot shot = new Shot(-1, true, address(recorder::writePng));
-    return new Pictured(seed, plan.story().lines(), List.of(shot), outcome);
+    return new IllustratedRun(seed, plan.story().lines(), List.of(shot), outcome);
   }
 
   private static List<Long> timesNs(long momentNs) {

@@ -2,16 +2,16 @@ package org.starl.cli.report;
 
 import java.util.Locale;
 
-/** Numbers as people read them. */
-final class Say {
+/** Formats numbers for readers. */
+final class NumberFormats {
 
-  /** Between groups of three digits: narrow, and no line ends there. */
+  /** Between groups of three digits: a narrow no-break space. */
   private static final char GROUP = '\u202F';
 
-  /** Between a number and its unit. */
+  /** Between a number and its unit: a no-break space. */
   private static final char GAP = '\u00A0';
 
-  private Say() {}
+  private NumberFormats() {}
 
   /** {@code 12 345}. */
   static String count(long value) {
@@ -23,7 +23,7 @@ final class Say {
     return count(value) + GAP + one + (value == 1 ? "" : "s");
   }
 
-  /** Three digits, and none behind the point that says nothing. */
+  /** Three significant digits, without trailing zeros after the point. */
   static String number(double value) {
     if (value == Math.rint(value) && Math.abs(value) < 1e15) {
       return count((long) value);
@@ -34,7 +34,7 @@ final class Say {
     return digits == 0 ? text : text.replaceAll("\\.?0+$", "");
   }
 
-  /** What was measured, to a tenth, or finer where it is below 1. */
+  /** A measured value, to one decimal, or two or three below 1. */
   static String measured(double value) {
     if (value == 0 || value >= 1000) {
       return count(Math.round(value));
@@ -48,12 +48,12 @@ final class Say {
     return unit.isEmpty() ? measured(value) : measured(value) + GAP + unit;
   }
 
-  /** {@code 5 s}, of a round number. */
-  static String with(String unit, double value) {
+  /** {@code 5 s}, as {@link #number(double)}. */
+  static String number(String unit, double value) {
     return unit.isEmpty() ? number(value) : number(value) + GAP + unit;
   }
 
-  /** {@code 3.2 %}; neither 0 nor 100 unless it is so. */
+  /** {@code 3.2 %}. Only an exact 0 or 100 is written as such. */
   static String percent(long part, long whole) {
     if (whole == 0 || part == 0 || part == whole) {
       return (part == 0 ? "0" : "100") + GAP + "%";
@@ -62,7 +62,7 @@ final class Say {
     return String.format(Locale.ROOT, "%.1f", percent) + GAP + "%";
   }
 
-  static String upper(String text) {
+  static String capitalized(String text) {
     return text.isEmpty() ? text : Character.toUpperCase(text.charAt(0)) + text.substring(1);
   }
 }
