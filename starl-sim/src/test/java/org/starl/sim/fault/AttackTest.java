@@ -51,7 +51,7 @@ class AttackTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"forge(all,5ms)", "replay(all,5ms)", "flood(all,5ms)"})
-  void withAKeyEveryBeatIsHeardOnceAndNothingElse(String attack) {
+  void withAKeyEveryBeatIsReceivedOnceAndNothingElse(String attack) {
     ProbeRun run = ProbeRun.sealed(attack);
     for (int from = 0; from < 3; from++) {
       for (int to = 0; to < 3; to++) {

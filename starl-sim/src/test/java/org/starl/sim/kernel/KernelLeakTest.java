@@ -14,7 +14,7 @@ import org.starl.platform.Timer;
 class KernelLeakTest {
 
   @Test
-  void manyRunsOfParkedRobotsLeaveNothingOnTheHeap() {
+  void runsWithParkedRobotsDoNotLeakMemory() {
     List<WeakReference<Object>> apps = new ArrayList<>();
     for (int run = 0; run < 2000; run++) {
       apps.add(runOfParkedRobots(CarrierKind.VIRTUAL, 200));
@@ -46,7 +46,7 @@ class KernelLeakTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAppThatHasEndedIsForgotten(CarrierKind kind) {
+  void anEndedAppIsReleased(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       WeakReference<Object> app = endedApp(kernel);
       System.gc();
@@ -55,7 +55,7 @@ class KernelLeakTest {
   }
 
   @Test
-  void aTimerThatIsSetAMillionTimesIsOneEvent() {
+  void aTimerSetAMillionTimesIsOneEvent() {
     try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
       SimStrand robot = kernel.strand("robot0");
       Timer timer = robot.timer(() -> {});

@@ -23,7 +23,7 @@ class SceneTest {
   }
 
   @Test
-  void ofThoseWhoHaveLeftOnlyTheLastAreKept() {
+  void onlyTheLastRemovedRobotsAreKept() {
     joins(0, 100);
     for (int i = 0; i < 50; i++) {
       joins(2 * i, i);
@@ -39,7 +39,7 @@ class SceneTest {
   }
 
   @Test
-  void aRobotKeepsItsNumberWhileOthersComeAndGo() {
+  void aRobotKeepsItsNumberWhileOthersJoinAndLeave() {
     joins(0, 7);
     joins(1, 3);
     int number = scene.number(bot(3));
@@ -52,7 +52,7 @@ class SceneTest {
   }
 
   @Test
-  void whoComesBackIsNotForgotten() {
+  void aReturningRobotIsKept() {
     joins(0, 1);
     scene.observe(new TraceEvent.Left(1, bot(1)));
     joins(2, 1);

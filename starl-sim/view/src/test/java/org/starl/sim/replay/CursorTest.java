@@ -75,7 +75,7 @@ class CursorTest {
   }
 
   @Property(tries = 20)
-  void whereverItComesFromItSeesWhatAFoldFromTheStartSees(
+  void everyJumpGivesTheStateOfASequentialRead(
       @ForAll @IntRange(max = 5) int seed,
       @ForAll @Size(min = 3, max = 12) List<@IntRange(max = 31_000) Integer> timesMs) {
     Recording recording = recorded(seed);
@@ -93,7 +93,7 @@ class CursorTest {
   }
 
   @Property(tries = 20)
-  void itStepsByEventsForwardsAndBackwards(
+  void itStepsForwardsAndBackwardsByEvents(
       @ForAll @IntRange(max = 5) int seed,
       @ForAll @Size(min = 3, max = 12) List<@IntRange(max = 1_000_000) Integer> places) {
     Recording recording = recorded(seed);
@@ -110,7 +110,7 @@ class CursorTest {
   }
 
   @Test
-  void howeverLongTheRunThereAreFewCheckpoints() {
+  void theNumberOfCheckpointsIsBounded() {
     Recording recording = new Recording(Obstacles.NONE, new Counting());
     RobotId robot = new RobotId("bot0");
     for (int i = 0; i < 500_000; i++) {
@@ -125,7 +125,7 @@ class CursorTest {
   }
 
   @Test
-  void whatHappenedStandsOnTheTimeline() {
+  void eventsAreMarkedOnTheTimeline() {
     Recording recording = recorded(1);
     assertThat(recording.marks())
         .extracting(Mark::kind)
@@ -137,7 +137,7 @@ class CursorTest {
   }
 
   @Test
-  void aRunThatIsTooLongForTheMemoryIsRefusedBeforeThereIsNone() {
+  void aRunTooLongForTheMemoryIsRefusedInTime() {
     Recording recording = new Recording(Obstacles.NONE, Layer.NONE, 20_000);
     assertThatThrownBy(() -> Wander.simulation(1).observer(recording).build().run())
         .hasMessageContaining("too many events to be kept")
@@ -145,7 +145,7 @@ class CursorTest {
   }
 
   @Test
-  void eventsAreKeptAsTheyWere() {
+  void eventsAreKeptUnchanged() {
     List<TraceEvent> events = new ArrayList<>();
     Recording recording = new Recording(Obstacles.NONE, Layer.NONE);
     SimObserver all =

@@ -114,7 +114,7 @@ class LiveRunTest {
   }
 
   @Test
-  void watchingChangesNothing() throws Exception {
+  void watchingDoesNotChangeTheRun() throws Exception {
     assertThat(live(Wander.simulation(4), List.of())).isEqualTo(plain(Wander.simulation(4)));
   }
 
@@ -137,7 +137,7 @@ class LiveRunTest {
   }
 
   @Property(tries = 25)
-  void whateverAPersonDoesTheRunReplaysToTheSameBytes(
+  void aRunWithInteractionsReplaysToTheSameBytes(
       @ForAll @IntRange(max = 1000) int seed, @ForAll("plans") List<Deed> deeds) throws Exception {
     String trace = live(Wander.simulation(seed), deeds);
     assertThat(interventions(trace)).hasSizeBetween(1, deeds.size());
@@ -154,7 +154,7 @@ class LiveRunTest {
   }
 
   @Test
-  void itGoesNoFartherThanItMayAndADeedHappensThere() throws Exception {
+  void theRunPausesAtItsLimitAndAnInteractionHappensThere() throws Exception {
     Recording recording = recording();
     try (LiveRun run = new LiveRun(Wander.simulation(1), recording)) {
       run.start();
@@ -178,7 +178,7 @@ class LiveRunTest {
   }
 
   @Test
-  void aRunThatWasStoppedReplaysToTheSameEnd() throws Exception {
+  void aStoppedRunReplaysToTheSameEnd() throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TraceRecorder recorder = new TraceRecorder(out);
     LiveRun run = new LiveRun(Wander.simulation(6).observer(recorder), recording());
@@ -193,7 +193,7 @@ class LiveRunTest {
   }
 
   @Test
-  void whoIsPointedAtDrivesThere() throws Exception {
+  void aRobotDrivesToThePointItReceives() throws Exception {
     String trace = live(Wander.simulation(2), List.of(new Deed(3_000, "point 1234,2345")));
     assertThat(trace.lines().filter(line -> line.contains("1234.0,2345.0")))
         .isNotEmpty()
@@ -201,7 +201,7 @@ class LiveRunTest {
   }
 
   @Test
-  void whatCannotBeDoneIsRefusedAndLeavesNoTrace() throws Exception {
+  void aRefusedInteractionIsNotTraced() throws Exception {
     String plain = plain(Wander.simulation(3));
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TraceRecorder recorder = new TraceRecorder(out);
@@ -228,7 +228,7 @@ class LiveRunTest {
   }
 
   @Test
-  void noThreadIsLeftBehind() throws Exception {
+  void noThreadOutlivesTheRun() throws Exception {
     for (int i = 0; i < 5; i++) {
       LiveRun run = new LiveRun(Wander.simulation(i), recording());
       run.start();

@@ -86,7 +86,7 @@ public class TraceFuzzTest {
   }
 
   @Test
-  void aTraceIsReadAsItIsWrittenOrRefused() {
+  void anyTraceIsReadUnchangedOrRefused() {
     RobotId bot = new RobotId("bot0");
     TraceHeader header =
         new TraceHeader("0.1.0", "walk", 7, -8, Map.of("loss", "0.1"), List.of(bot));

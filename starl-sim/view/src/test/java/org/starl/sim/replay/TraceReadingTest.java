@@ -74,7 +74,7 @@ class TraceReadingTest {
   }
 
   @Test
-  void allOfItIsThereBeforeTheSpecificationsHaveLookedAtAny() throws InterruptedException {
+  void theWholeTraceIsAvailableBeforeItIsChecked() throws InterruptedException {
     CountDownLatch isRead = new CountDownLatch(1);
     CountDownLatch mayLook = new CountDownLatch(1);
     try (TraceReading reading =
@@ -102,7 +102,7 @@ class TraceReadingTest {
   }
 
   @Test
-  void whatIsFoundLaterIsMarkedWhereItHappened() throws InterruptedException {
+  void violationsFoundLaterAreMarkedAtTheirTime() throws InterruptedException {
     try (TraceReading reading =
         reading(TraceReadingTest::crashing, () -> List.of(new Slow(new CountDownLatch(0))))) {
       reading.start();
@@ -119,7 +119,7 @@ class TraceReadingTest {
   }
 
   @Test
-  void whatStandsBeforeABrokenLineIsShownAndChecked() throws InterruptedException {
+  void linesBeforeABrokenLineAreShownAndChecked() throws InterruptedException {
     try (TraceReading reading =
         reading(
             TraceReadingTest::brokenAfterCrash, () -> List.of(new Slow(new CountDownLatch(0))))) {
@@ -138,7 +138,7 @@ class TraceReadingTest {
   }
 
   @Test
-  void whoClosesItDoesNotWaitForTheSpecifications() throws InterruptedException {
+  void closingDoesNotWaitForTheChecks() throws InterruptedException {
     CountDownLatch isRead = new CountDownLatch(1);
     CountDownLatch mayLook = new CountDownLatch(1);
     TraceReading reading =

@@ -64,7 +64,7 @@ class ContentTest {
 
   @ParameterizedTest
   @ValueSource(booleans = {false, true})
-  void everythingIsPaintedInItsTheme(boolean isDark) throws Exception {
+  void everyElementIsPaintedInItsTheme(boolean isDark) throws Exception {
     SwingUtilities.invokeAndWait(() -> {
       Content.setLook(isDark);
       Session session = new Session(recording(), null);
@@ -81,7 +81,7 @@ class ContentTest {
   }
 
   @Test
-  void everyCommandHasAKeyOfItsOwn() throws Exception {
+  void everyCommandHasItsOwnKey() throws Exception {
     SwingUtilities.invokeAndWait(() -> {
       Content.setLook(false);
       Content content = new Content(new Session(recording(), null), () -> {});
@@ -96,7 +96,7 @@ class ContentTest {
   }
 
   @Test
-  void keysDoWhatTheySay() throws Exception {
+  void keysRunTheirCommands() throws Exception {
     SwingUtilities.invokeAndWait(() -> {
       Content.setLook(false);
       Session session = new Session(recording(), null);
@@ -118,7 +118,7 @@ class ContentTest {
   }
 
   @Test
-  void whileSpecificationsHaveNotLookedAtAllItSaysSo() {
+  void theViewShowsThatChecksAreIncomplete() {
     Recording recording = recording();
     assertThat(TransportBar.openText(recording)).isEmpty();
     TraceReading reading = new TraceReading(recording, observers -> {}, List::of);
@@ -133,7 +133,7 @@ class ContentTest {
   }
 
   @Test
-  void everyFaultOfTheMenuIsOne() {
+  void everyFaultOfTheMenuIsValid() {
     assertThat(Interventions.faults(Runs.A))
         .allSatisfy(item -> assertThat(FaultGrammar.parse(item.fault())).isNotNull());
     String link = Interventions.link(Runs.A, Runs.B).fault();

@@ -28,7 +28,7 @@ class InspectionTest {
   }
 
   @Test
-  void aRobotsStateIsItsBodyAndItsVariablesByPrimitive() {
+  void theStateOfARobotIsItsBodyAndItsVariablesByPrimitive() {
     Session session = new Session(recording(), null);
     session.playback().seek(5);
     assertThat(Inspection.state(session.scene(), A))
@@ -45,7 +45,7 @@ class InspectionTest {
   }
 
   @Test
-  void itsMessagesAreThoseUpToNowTheLatestFirst() {
+  void messagesUpToTheCurrentTimeAreListedLatestFirst() {
     Recording recording = recording();
     assertThat(Inspection.messages(recording, recording.size(), A))
         .extracting(Inspection.Line::what)
@@ -57,7 +57,7 @@ class InspectionTest {
   }
 
   @Test
-  void itsLogIsWhatItDidAndWrote() {
+  void theLogListsActionsAndLogMessages() {
     Recording recording = recording();
     assertThat(Inspection.log(recording, recording.size(), A))
         .extracting(Inspection.Line::text)

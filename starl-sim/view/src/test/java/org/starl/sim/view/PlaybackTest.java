@@ -18,7 +18,7 @@ class PlaybackTest {
   }
 
   @Test
-  void playsSoManySimulatedSecondsInARealOne() {
+  void theSpeedIsSimulatedSecondsPerRealSecond() {
     Playback playback = new Playback(Runs.seconds(100), 5);
     playback.play();
     for (int i = 0; i < 10; i++) {
@@ -29,14 +29,14 @@ class PlaybackTest {
   }
 
   @Test
-  void standsStillWhilePaused() {
+  void timeDoesNotAdvanceWhilePaused() {
     Playback playback = new Playback(Runs.seconds(10), 1);
     playback.tick(TICK_NS);
     assertThat(playback.nowNs()).isZero();
   }
 
   @Test
-  void endsAtTheEndAndPlaysAgainFromTheBeginning() {
+  void playbackStopsAtTheEndAndRestartsFromTheBeginning() {
     Playback playback = new Playback(Runs.seconds(3), Playback.NO_LIMIT);
     playback.play();
     playback.tick(TICK_NS);
@@ -48,7 +48,7 @@ class PlaybackTest {
   }
 
   @Test
-  void stepsBackToWhatWasSeenBefore() {
+  void steppingBackShowsTheEarlierState() {
     Playback playback = new Playback(Runs.seconds(10), 1);
     playback.seek(7 * SECOND_NS);
     playback.stepTime(-3 * SECOND_NS);
@@ -60,7 +60,7 @@ class PlaybackTest {
   }
 
   @Test
-  void stepsNeitherBeforeTheBeginningNorBeyondTheEnd() {
+  void stepsStayBetweenBeginningAndEnd() {
     Playback playback = new Playback(Runs.seconds(3), 1);
     for (int i = 0; i < 5; i++) {
       playback.stepEvents(-1);
@@ -76,7 +76,7 @@ class PlaybackTest {
   }
 
   @Test
-  void goesFromViolationToViolationAndBack() {
+  void jumpsMoveToTheNextOrPreviousViolation() {
     Recording recording =
         Runs.plain()
             .violates(2 * SECOND_NS, "one")
@@ -99,7 +99,7 @@ class PlaybackTest {
   }
 
   @Test
-  void aStepBeyondWhatARunHasReachedWaitsForIt() {
+  void aStepBeyondTheReachedTimeWaitsForTheRun() {
     Runs run = Runs.plain();
     Playback playback = new Playback(run.recording(), 1);
     playback.stepTime(2 * SECOND_NS);
@@ -118,7 +118,7 @@ class PlaybackTest {
   }
 
   @Test
-  void speedsGoUpAndDownTheLadderAndStayOnIt() {
+  void speedsStayOnTheListOfSpeeds() {
     Playback playback = new Playback(Runs.seconds(1), 3);
     playback.faster();
     assertThat(playback.speed()).isEqualTo(5);
@@ -135,7 +135,7 @@ class PlaybackTest {
   }
 
   @Test
-  void manyEventsDoNotMakeAPictureWait() {
+  void manyEventsDoNotDelayAFrame() {
     Runs run = Runs.plain();
     for (int i = 0; i < 100_000; i++) {
       run.says(1 + i, Runs.A, "x");

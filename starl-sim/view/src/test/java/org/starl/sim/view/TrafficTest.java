@@ -30,7 +30,7 @@ class TrafficTest {
   }
 
   @Test
-  void aMessageIsUnderWayBetweenSendingAndHandling() {
+  void aMessageIsInFlightBetweenSendingAndHandling() {
     Traffic traffic = new Traffic(RECORDING);
     assertThat(at(traffic, 99)).isEmpty();
     Flight half = at(traffic, 150).get(0);
@@ -42,7 +42,7 @@ class TrafficTest {
   }
 
   @Test
-  void whatIsLostIsSeenToBeLost() {
+  void lostMessagesAreShownAsLost() {
     Traffic traffic = new Traffic(RECORDING);
     assertThat(at(traffic, 350)).extracting(Flight::state).containsExactly(Flight.State.UNDER_WAY);
     Flight lost = at(traffic, 410).get(0);
@@ -51,7 +51,7 @@ class TrafficTest {
   }
 
   @Test
-  void onlyWhatIsAskedForIsShown() {
+  void onlySelectedMessagesAreShown() {
     Traffic traffic = new Traffic(RECORDING);
     traffic.only("geocast/g");
     assertThat(at(traffic, 150)).isEmpty();
@@ -65,7 +65,7 @@ class TrafficTest {
   }
 
   @Test
-  void ofARunThatGoesOnWhatHasNoEndYetIsShown() {
+  void messagesInFlightOfALiveRunAreShown() {
     Recording young =
         Runs.plain().happens(new Sent(100 * MS, A, "bot1", "m", 1, 9, "Hi")).recording();
     List<Flight> flights = new Traffic(young).at(110 * MS, young.size(), 0, null);

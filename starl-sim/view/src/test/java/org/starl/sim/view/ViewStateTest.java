@@ -24,14 +24,14 @@ class ViewStateTest {
   }
 
   @Test
-  void allThatIsThereIsSeenAtFirst() {
+  void theInitialViewShowsEverything() {
     assertThat(view.viewport().shows(new Point(0, 0), 0)).isTrue();
     assertThat(view.viewport().shows(new Point(1000, 0), 0)).isTrue();
     assertThat(view.viewport().centre().xMm()).isCloseTo(500, within(1e-9));
   }
 
   @Test
-  void whatIsUnderTheMouseStaysThereWhenItZooms() {
+  void zoomingKeepsThePointUnderTheMouse() {
     Point before = view.viewport().toWorld(120, 80);
     view.zoom(3, 120, 80);
     arrange();
@@ -43,7 +43,7 @@ class ViewStateTest {
   }
 
   @Test
-  void theFloorIsDraggedWithTheMouse() {
+  void draggingTheMouseMovesTheFloor() {
     Point before = view.viewport().toWorld(100, 100);
     view.pan(30, -20);
     arrange();
@@ -51,7 +51,7 @@ class ViewStateTest {
   }
 
   @Test
-  void aClickOnABodySelectsItAndOneBesideItDoesNot() {
+  void onlyAClickOnABodySelectsIt() {
     double x = view.viewport().xPx(new Point(1000, 0));
     double y = view.viewport().yPx(new Point(1000, 0));
     assertThat(view.robotAt(session.scene(), x, y)).isEqualTo(Runs.B);
@@ -59,7 +59,7 @@ class ViewStateTest {
   }
 
   @Test
-  void tabGoesRound() {
+  void tabSelectsTheRobotsInTurn() {
     view.selectNeighbour(session.scene(), true);
     assertThat(view.selected()).isEqualTo(Runs.A);
     view.selectNeighbour(session.scene(), true);
@@ -70,7 +70,7 @@ class ViewStateTest {
   }
 
   @Test
-  void whoIsFollowedStaysInTheMiddle() {
+  void aFollowedRobotStaysInTheMiddle() {
     view.select(Runs.B);
     view.follow(true);
     arrange();
@@ -80,7 +80,7 @@ class ViewStateTest {
   }
 
   @Test
-  void theRunsSettingsSayWhatIsShownAndHowFast() {
+  void settingsOfTheRunChooseLayersAndSpeed() {
     Recording recording =
         new Runs(
                 Map.of(
