@@ -24,14 +24,14 @@ class BuildParityTest {
   }
 
   @Test
-  void aVersionThatDriftsIsTold() {
+  void differentVersionsAreReported() {
     assertThat(differencesWith(CATALOG, "picocli = \"", "picocli = \"9."))
         .anyMatch(line -> line.startsWith("version picocli: Maven has "))
         .anyMatch(line -> line.startsWith("Gradle alone has Dependency[module=starl-apps/cli"));
   }
 
   @Test
-  void aScopeThatDriftsIsTold() {
+  void differentScopesAreReported() {
     assertThat(
             differencesWith(
                 "starl-apps/cli/build.gradle.kts",
@@ -42,25 +42,25 @@ class BuildParityTest {
   }
 
   @Test
-  void whatIsOnlyForCompilingStaysSo() {
+  void compileOnlyDependenciesStayCompileOnly() {
     assertThat(differencesWith("starl-sim/build.gradle.kts", "compileOnly(", "implementation("))
         .anyMatch(line -> line.startsWith("Maven alone has ") && line.contains("scope=provided"));
   }
 
   @Test
-  void settingsThatDoNotReadThePomAreRefused() {
+  void gradleSettingsMustReadThePom() {
     assertThatThrownBy(() -> differencesWith("settings.gradle.kts", "pom.xml\")", "other.xml\")"))
         .hasMessageContaining("does not include the modules of pom.xml");
   }
 
   @Test
-  void anotherReleaseOfJavaIsTold() {
+  void aDifferentJavaReleaseIsReported() {
     assertThat(differencesWith("build.gradle.kts", "release.set(21)", "release.set(17)"))
         .contains("Java release: Maven has 21, Gradle 17");
   }
 
   @Test
-  void aLineThatIsNotUnderstoodIsRefused() {
+  void anUnknownLineIsRefused() {
     assertThatThrownBy(() ->
             differencesWith("starl-sim/build.gradle.kts", "api(libs.jspecify)", "api(\"a:b:1\")"))
         .hasMessageContaining("not understood: api(\"a:b:1\")");

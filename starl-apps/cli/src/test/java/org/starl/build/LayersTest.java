@@ -24,7 +24,7 @@ class LayersTest {
   }
 
   @Test
-  void everyModuleIsSeen() {
+  void everyModuleIsChecked() {
     assertThat(SHIPPED)
         .extracting(c -> c.getPackageName())
         .contains(
@@ -37,7 +37,7 @@ class LayersTest {
 
   @ParameterizedTest
   @MethodSource("laws")
-  void theLawHolds(Layers.Law law) {
+  void everyClassObeysTheLayers(Layers.Law law) {
     ArchRule rule = law.rule();
     assertThat(rule.allowEmptyShould(true).evaluate(SHIPPED).getFailureReport().getDetails())
         .isEmpty();
@@ -45,7 +45,7 @@ class LayersTest {
 
   @ParameterizedTest
   @MethodSource("laws")
-  void aClassThatBreaksTheLawIsFound(Layers.Law law) {
+  void violationsAreFound(Layers.Law law) {
     JavaClasses wrong = new ClassFileImporter().importClasses(law.brokenBy());
     assertThat(law.rule().evaluate(wrong).hasViolation()).isTrue();
   }

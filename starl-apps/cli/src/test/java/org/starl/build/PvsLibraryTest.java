@@ -54,14 +54,14 @@ class PvsLibraryTest {
   }
 
   @Test
-  void everyTheoryBeginsWithWhatItSays() {
+  void everyTheoryBeginsWithADescription() {
     for (String theory : library.theories()) {
       assertThat(library.head(theory)).as("head of pvs/%s.pvs", theory).hasSizeGreaterThan(80);
     }
   }
 
   @Test
-  void everyLemmaAndActionThatIsCitedExists() {
+  void everyCitedLemmaAndActionExists() {
     List<String> wrong = new ArrayList<>();
     for (SourceFile file : repository.textFiles()) {
       Matcher cited = CITATION.matcher(file.path().contains("/test/") ? "" : file.text());
@@ -84,7 +84,7 @@ class PvsLibraryTest {
   }
 
   @Test
-  void everyLemmaThatIsSaidToBeProvedIsThere() {
+  void everyLemmaRecordedAsProvedExists() {
     List<String> wrong = new ArrayList<>();
     Matcher row = ROW_OF_SPECIFICATIONS.matcher(repository.text("docs/specifications.md"));
     int rows = 0;

@@ -38,12 +38,12 @@ class TidyTest {
   }
 
   @Test
-  void everyPackageSaysWhatItIsFor() {
+  void everyPackageHasADescription() {
     assertThat(TextRules.packagesWithoutInfo(FILES)).isEmpty();
   }
 
   @Test
-  void theTreeIsReadWhole() {
+  void theWholeTreeIsRead() {
     assertThat(FILES).extracting(SourceFile::path).contains("starl", "pom.xml", "README.md");
     assertThat(FILES).filteredOn(SourceFile::isMain).hasSizeGreaterThan(100);
     assertThat(FILES).extracting(SourceFile::path).noneMatch(path -> path.contains("/target/"));
@@ -51,7 +51,7 @@ class TidyTest {
 
   @ParameterizedTest
   @MethodSource("rules")
-  void everyRuleFindsWhatIsWrong(Rule rule) {
+  void everyRuleFindsItsViolations(Rule rule) {
     assertThat(rule.findings(rule.wrong())).isNotEmpty();
   }
 

@@ -45,7 +45,7 @@ class AppsTableTest {
   }
 
   @Test
-  void everyInputIsThereAndCanBePlanned() {
+  void everyInputExistsAndCanBePlanned() {
     for (Demo demo : Main.APPS.all()) {
       List<Input> inputs = demo.inputs(DATA);
       for (Input input : inputs) {

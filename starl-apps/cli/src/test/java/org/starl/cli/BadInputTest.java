@@ -146,13 +146,13 @@ class BadInputTest {
 
   @ParameterizedTest
   @MethodSource("badArguments")
-  void isRefusedInOneLine(String line) {
+  void badInputIsRefusedInOneLine(String line) {
     String[] parts = line.split(" [|] ");
     assertRefused(Cli.run(parts[0].split(" ")), Arrays.copyOfRange(parts, 1, parts.length));
   }
 
   @Test
-  void noCommandIsRefused() {
+  void aMissingCommandIsRefused() {
     assertRefused(Cli.run(), "no command", "starl --help");
   }
 
@@ -172,7 +172,7 @@ class BadInputTest {
   }
 
   @Test
-  void whatIsNoTextIsRefused() throws IOException {
+  void binaryFilesAreRefused() throws IOException {
     Path binary = folder.resolve("picture.yaml");
     Files.write(binary, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, (byte) 0xFF});
     assertRefused(Cli.run("run", binary.toString()), "picture.yaml", "is no text", "expected");
@@ -197,7 +197,7 @@ class BadInputTest {
   }
 
   @Test
-  void nothingIsLeftBehind() throws IOException {
+  void noFileIsLeftBehind() throws IOException {
     String trace = folder.resolve("a.trace").toString();
     String csv = folder.resolve("a.csv").toString();
     String png = folder.resolve("a.png").toString();
@@ -233,7 +233,7 @@ class BadInputTest {
   }
 
   @Test
-  void stacktraceShowsWhere() {
+  void theStacktraceOptionShowsTheOrigin() {
     Cli cli = Cli.run("run", "intersection", "--robots", "13", "--stacktrace");
     assertThat(cli.status()).isEqualTo(2);
     assertThat(cli.err()).anyMatch(line -> line.contains("at org.starl.apps.intersection."));

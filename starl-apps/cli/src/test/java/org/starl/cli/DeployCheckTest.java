@@ -136,7 +136,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void aRobotThatCannotBeginEndsItsWorldWithTheReason() throws IOException {
+  void aRobotThatFailsToStartEndsTheWorldWithItsReason() throws IOException {
     try (DatagramSocket taken = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       String simulated =
           GOOD.replace("key: my.key", "key: my.key\nworld: 127.0.0.1:" + freeTcpPort())
@@ -168,7 +168,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void aMissingDeviceIsAProblemOnItsRobotsMachine() throws IOException {
+  void aMissingDeviceIsAProblemOnTheRobotsMachine() throws IOException {
     assertRefused(check(GOOD, "--robot", "bot1"), "robots.bot1.chassis.port", "no such device");
     assertRefused(check(GOOD, "--robot", "bot9"), "has no robot 'bot9'", "bot0, bot1");
   }
@@ -179,7 +179,7 @@ class DeployCheckTest {
   }
 
   @Test
-  void aKeyIsNotReplacedNorReadIfOthersMayReadIt() throws IOException {
+  void aKeyReadableByOthersIsRefusedAndNeverReplaced() throws IOException {
     check(GOOD);
     Path key = folder.resolve("my.key");
     byte[] before = Files.readAllBytes(key);

@@ -238,7 +238,7 @@ class DeploymentSchemaTest {
 
   @ParameterizedTest
   @MethodSource("places")
-  void aFileWithEverythingIsRight(Place place) throws IOException {
+  void aFileWithAllFieldsIsValid(Place place) throws IOException {
     Map<String, Object> file = full(place.kind());
     assertThat(at(file, place.path()).keySet())
         .containsExactlyElementsOf(place.fields().stream().map(Field::key).toList());
@@ -249,7 +249,7 @@ class DeploymentSchemaTest {
 
   @ParameterizedTest
   @MethodSource("places")
-  void whatIsNoFieldIsRefusedAndTheOthersAreNamed(Place place) throws IOException {
+  void anUnknownFieldIsRefusedWithTheKnownFields(Place place) throws IOException {
     Map<String, Object> file = full(place.kind());
     at(file, place.path()).put("zzz", "1");
 
@@ -262,7 +262,7 @@ class DeploymentSchemaTest {
 
   @ParameterizedTest
   @MethodSource("spots")
-  void aFieldTakesWhatItsReaderTakes(Spot spot) throws IOException {
+  void theSchemaAcceptsTheValuesThatTheReaderAccepts(Spot spot) throws IOException {
     int taken = 0;
     int refused = 0;
     for (String value : VALUES) {
@@ -308,7 +308,7 @@ class DeploymentSchemaTest {
 
   @ParameterizedTest
   @MethodSource("spots")
-  void whatIsLeftOutIsMissedByBothOrByNone(Spot spot) throws IOException {
+  void schemaAndReaderRequireTheSameFields(Spot spot) throws IOException {
     Map<String, Object> file = full(spot.place().kind());
     at(file, spot.place().path()).remove(spot.field().key());
     // What no field knows of: the two lines below need each other.
@@ -325,7 +325,7 @@ class DeploymentSchemaTest {
 
   @ParameterizedTest
   @MethodSource("spots")
-  void everyFieldSaysWhatItMeansAndWhatItUsuallyIs(Spot spot) throws IOException {
+  void everyFieldHasADescriptionAndAValidDefault(Spot spot) throws IOException {
     Field<?> field = spot.field();
     assertThat(field.meaning()).isNotBlank().doesNotEndWith(".");
     if (field.key().matches(".*(Ms|Mm|Rad|MmPerS)")) {
@@ -371,7 +371,7 @@ class DeploymentSchemaTest {
 
   @ParameterizedTest
   @MethodSource("deployments")
-  void everyDeploymentIsRightForEditorsAndCommands(Path file) throws IOException {
+  void everyDeploymentFileIsValidForSchemaAndReader(Path file) throws IOException {
     String text = Files.readString(file);
     assertThat(text)
         .startsWith("# yaml-language-server: $schema=../../docs/deployment.schema.json\n");
@@ -381,7 +381,7 @@ class DeploymentSchemaTest {
   }
 
   @Test
-  void noOtherKindOfFileHasASchema() {
+  void anUnknownKindOfSchemaIsRefused() {
     Cli cli = Cli.run("schema", "picture");
 
     assertThat(cli.status()).isEqualTo(2);

@@ -62,7 +62,7 @@ class EveryDemoReplaysTest {
 
   @ParameterizedTest
   @MethodSource("runs")
-  void itReplaysAndLooksTheSameFromEverywhere(List<String> words) throws IOException {
+  void everyDemoReplaysIdentically(List<String> words) throws IOException {
     Path file = folder.resolve("a.trace");
     List<String> run = new ArrayList<>(List.of("run"));
     run.addAll(words);

@@ -46,7 +46,7 @@ class FaultsTest {
   }
 
   @Test
-  void faultsHappenAndStandInTheHeader() throws IOException {
+  void faultsAreAppliedAndWrittenInTheHeader() throws IOException {
     Traced traced = run("hello", "--seed", "3", "--fault", CRASH, "--fault", STUCK);
     assertThat(traced.header().settings()).containsEntry("faults", CRASH + "; " + STUCK);
     assertThat(traced.faults())
@@ -61,7 +61,7 @@ class FaultsTest {
   }
 
   @Test
-  void theHeaderSaysTheSameAgain() throws IOException {
+  void theFaultsOfTheHeaderAreReadBack() throws IOException {
     Traced first = run("hello", "--seed", "3", "--fault", CRASH, "--fault", "noise(all,9mm)");
     List<String> args = new ArrayList<>(List.of("hello", "--seed", "3"));
     first
@@ -76,7 +76,7 @@ class FaultsTest {
   }
 
   @Test
-  void aScenarioFileHasFaultsToo() throws IOException {
+  void aScenarioFileMayHaveFaults() throws IOException {
     List<String> faults =
         List.of(
             "faults: [" + CRASH + ", " + STUCK + "]",
@@ -94,7 +94,7 @@ class FaultsTest {
   }
 
   @Test
-  void chaosIsTheAppsOwn() throws IOException {
+  void chaosUsesTheEnvelopeOfTheApp() throws IOException {
     Traced flag = run("hello", "--seed", "3", "--chaos", "--set", "chaosFor=3s");
     assertThat(flag.header().settings()).containsEntry("chaos", "spatial");
     assertThat(flag.faults()).isNotEmpty().noneMatch(line -> line.contains("crash"));
@@ -108,7 +108,7 @@ class FaultsTest {
   }
 
   @Test
-  void theReplayCommandCarriesThem() {
+  void theReplayCommandContainsTheFaults() {
     // Nobody comes anywhere on wheels that are stuck for good.
     Cli cli =
         Cli.run(

@@ -32,7 +32,7 @@ class HelpTest {
         "new",
         "bench"
       })
-  void everyCommandHelpsWithAnExample(String command) {
+  void theHelpOfEveryCommandHasAnExample(String command) {
     Cli cli = Cli.run(command, "--help");
     assertThat(cli.status()).isZero();
     assertThat(cli.err()).isEmpty();
@@ -41,7 +41,7 @@ class HelpTest {
   }
 
   @Test
-  void theWholeHelpsToo() {
+  void theMainCommandHasAHelpText() {
     Cli cli = Cli.run("--help");
     assertThat(cli.status()).isZero();
     assertThat(cli.text()).contains("list", "run", "campaign", "Example: starl run intersection");
@@ -50,7 +50,7 @@ class HelpTest {
   }
 
   @Test
-  void listHasALineForEach() {
+  void listHasALineForEachApp() {
     Cli cli = Cli.run("list");
     assertThat(cli.status()).isZero();
     for (Demo demo : Main.ALL.all()) {
@@ -79,7 +79,7 @@ class HelpTest {
         "b1 --robots 10 --style step",
         "b2 --robots 10 --style blocking"
       })
-  void benchMeasures(String args) throws IOException {
+  void benchPrintsMeasurements(String args) throws IOException {
     Cli cli = Cli.run(("bench --runs 1 --json " + args).split(" "));
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.out()).hasSize(1);
@@ -91,7 +91,7 @@ class HelpTest {
   }
 
   @Test
-  void benchTellsWhatAnEntryCostsBesideTheTheory() throws IOException {
+  void benchComparesTheCostOfAnEntryWithTheTheory() throws IOException {
     Cli table = Cli.run("bench", "mutex", "--robots", "4");
     assertThat(table.status()).as("%s", table).isZero();
     assertThat(table.out()).hasSize(4);
@@ -105,7 +105,7 @@ class HelpTest {
   }
 
   @Test
-  void determinismIsVerified() throws IOException {
+  void verifyChecksDeterminism() throws IOException {
     Cli cli = Cli.run("verify-determinism", "hello", "--seed", "7");
     assertThat(cli.status()).as("%s", cli).isZero();
     assertThat(cli.text()).contains("hello, seed 7: ", "equal, byte by byte: ");
@@ -117,7 +117,7 @@ class HelpTest {
   }
 
   @Test
-  void listAsJsonHasAnObjectForEach() throws IOException {
+  void listAsJsonHasAnObjectForEachApp() throws IOException {
     Cli plain = Cli.run("list");
     Cli json = Cli.run("list", "--json");
     assertThat(json.status()).isZero();

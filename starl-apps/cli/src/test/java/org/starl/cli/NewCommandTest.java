@@ -71,12 +71,12 @@ class NewCommandTest {
   }
 
   @Test
-  void itsTestPasses() throws IOException {
+  void theTestOfANewAppPasses() throws IOException {
     assertThat(project.test(TEST_CLASS)).isEmpty();
   }
 
   @Test
-  void itsCommandLineRunsItsAppAndKnowsAllOthers(@TempDir Path out) throws IOException {
+  void theCommandLineOfANewAppRunsAllApps(@TempDir Path out) throws IOException {
     Cli run = project.run("run", NAME, "--seed", "7", "--png", out.resolve("a.png").toString());
     assertThat(run.status()).as("%s", run).isZero();
     assertThat(run.text()).contains("bot3: visits: 2", "4 of 4 robots", "alone_at_the_dock");
@@ -91,7 +91,7 @@ class NewCommandTest {
   }
 
   @Test
-  void itsScenarioIsRightForEditorsAndCommands() throws IOException {
+  void theScenarioOfANewAppIsValidForSchemaAndReader() throws IOException {
     String schema = project.run("schema").text();
     assertThat(
             JsonSchemaFactory.getInstance(VersionFlag.V7)
@@ -104,7 +104,7 @@ class NewCommandTest {
   }
 
   @Test
-  void itsTheoryHasTheLocationsOfItsAppAndTheGuardOfItsTour() throws IOException {
+  void theTheoryOfANewAppHasItsLocationsAndGuard() throws IOException {
     String theory = project.text("dock.pvs");
     assertThat(names(theory, "Location: TYPE = \\{([^}]*)}"))
         .isNotEmpty()
@@ -121,7 +121,7 @@ class NewCommandTest {
   }
 
   @Test
-  void itsDeploymentIsRight(@TempDir Path temporary) throws IOException {
+  void theDeploymentOfANewAppIsValid(@TempDir Path temporary) throws IOException {
     UserProject copy = copy(temporary).compiled();
     String file = copy.root().resolve("deployment.yaml").toString();
     Cli keygen = copy.run("keygen", copy.root().resolve(NAME + ".key").toString());
@@ -132,7 +132,7 @@ class NewCommandTest {
   }
 
   @Test
-  void theChangeOfTheTourIsRightAndQuicker(@TempDir Path temporary) throws IOException {
+  void theChangeOfTheTutorialIsCorrectAndFaster(@TempDir Path temporary) throws IOException {
     UserProject changed = copy(temporary);
     changed.edit(APP, blocks().get(0), blocks().get(1));
     changed.compiled();
@@ -149,7 +149,7 @@ class NewCommandTest {
   }
 
   @Test
-  void theBugOfTheTourIsFoundAsItSays(@TempDir Path temporary) throws IOException {
+  void theBugOfTheTutorialIsFound(@TempDir Path temporary) throws IOException {
     UserProject broken = copy(temporary);
     breakIt(broken);
     assertThat(broken.test(TEST_CLASS)).isEmpty();
@@ -162,7 +162,7 @@ class NewCommandTest {
   }
 
   @Test
-  void whatTheTourMendsStaysMended(@TempDir Path temporary) throws IOException {
+  void theFixOfTheTutorialHolds(@TempDir Path temporary) throws IOException {
     UserProject mended = copy(temporary);
     mended.edit(TEST, blocks().get(4).strip(), blocks().get(3).strip());
     mended.compiled();
@@ -170,7 +170,7 @@ class NewCommandTest {
   }
 
   @Test
-  void anAppWhoseNameIsTakenIsToldInALine(@TempDir Path temporary) throws IOException {
+  void anExistingAppNameIsRefusedInOneLine(@TempDir Path temporary) throws IOException {
     UserProject other = copy(temporary);
     other.edit("src/main/java/myrobots/MyRobotsDemo.java", "return \"" + NAME, "return \"hello");
     other.compiled();
@@ -182,7 +182,7 @@ class NewCommandTest {
   }
 
   @Test
-  void theLauncherIsAProgram() {
+  void theLauncherIsExecutable() {
     assertThat(Files.isExecutable(project.root().resolve(NAME))).isTrue();
   }
 
@@ -204,7 +204,7 @@ class NewCommandTest {
         "aaaaaaaaaabbbbbbbbbbccccccccccdddddddddde",
         "räuber"
       })
-  void aNameThatCannotBeIsToldInALine(String name, @TempDir Path empty) throws IOException {
+  void anInvalidAppNameIsRefusedInOneLine(String name, @TempDir Path empty) throws IOException {
     Cli cli = Cli.run("new", name, "--folder", empty.resolve("x").toString());
     assertThat(cli.status()).isEqualTo(ExitStatus.BAD_INPUT);
     assertThat(cli.err()).hasSize(1);
@@ -213,7 +213,7 @@ class NewCommandTest {
   }
 
   @Test
-  void whatIsThereIsLeftAlone(@TempDir Path there) throws IOException {
+  void existingFilesAreNotReplaced(@TempDir Path there) throws IOException {
     Files.writeString(there.resolve("mine"), "mine");
     for (Path taken : List.of(there, there.resolve("mine"), there.resolve("no/where"))) {
       Cli cli = Cli.run("new", NAME, "--folder", taken.toString());
@@ -227,13 +227,13 @@ class NewCommandTest {
   }
 
   @Test
-  void anEmptyFolderIsTaken(@TempDir Path empty) throws IOException {
+  void anEmptyFolderIsUsed(@TempDir Path empty) throws IOException {
     assertThat(Cli.run("new", NAME, "--folder", empty.toString()).status()).isZero();
     assertThat(empty.resolve("pom.xml")).exists();
   }
 
   @Test
-  void itsVersionsAreThoseOfTheBuild() throws IOException {
+  void versionsOfANewAppAreThoseOfTheBuild() throws IOException {
     Properties words = new Properties();
     Path template = Path.of("src/main/resources/org/starl/cli/project/words.properties");
     try (Reader reader = Files.newBufferedReader(template)) {

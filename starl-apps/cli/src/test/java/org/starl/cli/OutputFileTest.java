@@ -23,7 +23,7 @@ class OutputFileTest {
   }
 
   @Test
-  void itIsThereOnceClosed() throws IOException {
+  void theFileExistsAfterClose() throws IOException {
     Path path = folder.resolve("new/a.txt");
     try (OutputFile file = new OutputFile("--out", path.toString())) {
       file.stream().write('x');
@@ -38,7 +38,7 @@ class OutputFileTest {
   }
 
   @Test
-  void whereNothingIsWrittenNothingChanges() throws IOException {
+  void withoutAWriteTheFileIsUnchanged() throws IOException {
     Path old = Files.writeString(folder.resolve("old.txt"), "old");
     write(old, "");
     assertThat(old).hasContent("old");
@@ -47,7 +47,7 @@ class OutputFileTest {
   }
 
   @Test
-  void aLinkIsWrittenThrough() throws IOException {
+  void aSymbolicLinkIsFollowed() throws IOException {
     Path old = Files.writeString(folder.resolve("old.txt"), "old");
     Path link = Files.createSymbolicLink(folder.resolve("link"), old);
     write(link, "new");
@@ -56,7 +56,7 @@ class OutputFileTest {
   }
 
   @Test
-  void aDeviceStaysADevice() throws IOException {
+  void aDeviceIsNotReplaced() throws IOException {
     Path device = Path.of("/dev/null");
     assumeTrue(Files.isWritable(device), "skipped: no /dev/null here");
     write(device, "text");

@@ -78,7 +78,7 @@ class PrimitivesBetweenProcessesTest {
   }
 
   @Test
-  void eachRoundIsANewStartOverTheSameStorage() throws Exception {
+  void eachRoundRestartsTheProcessesOnTheSameStorage() throws Exception {
     assertThat(result("rounds").text())
         .contains("3 processes came 6 times to the end of the app", "safe: ");
   }

@@ -131,7 +131,7 @@ class ProcessesTest {
         "run hello --processes --fault crash(bot0,at=2s,restart=1s) | without restart",
         "run hello --processes --chaos | --chaos: ",
       })
-  void optionsThatProcessesLackAreRefused(String line, String expected) {
+  void optionsUnsupportedForProcessesAreRefused(String line, String expected) {
     List<String> words = new ArrayList<>(List.of(line.split(" ")));
     words.addAll(List.of("--png", folder.resolve("a.png").toString()));
     Cli cli = Cli.run(words.toArray(String[]::new));

@@ -14,7 +14,7 @@ class ProgressLineTest {
   private long nowNs;
 
   @Test
-  void plainLinesComeTenTimesAndSayHowLongItTakes() {
+  void plainOutputHasTenLinesWithTheRemainingTime() {
     ProgressLine line = line(false);
     for (int finished = 1; finished <= 200; finished++) {
       nowNs += S / 2;
@@ -29,7 +29,7 @@ class ProgressLineTest {
   }
 
   @Test
-  void slowWorkIsCountedByTheHour() {
+  void slowWorkIsReportedPerHour() {
     ProgressLine line = line(false);
     nowNs += 90 * S;
     line.show(1, 10, 0);
@@ -42,7 +42,7 @@ class ProgressLineTest {
   }
 
   @Test
-  void aTerminalSeesOneLineThatIsDrawnNoMoreThanTenTimesASecond() {
+  void aTerminalLineIsRedrawnAtMostTenTimesASecond() {
     ProgressLine line = line(true);
     for (int finished = 1; finished <= 1000; finished++) {
       nowNs += S / 100;

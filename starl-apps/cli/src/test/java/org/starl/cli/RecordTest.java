@@ -20,7 +20,7 @@ class RecordTest {
   @TempDir private Path folder;
 
   @Test
-  void aMovingPictureHasAFrameForEachStepOfTheRun() throws IOException {
+  void anAnimationHasAFrameForEachStepOfTheRun() throws IOException {
     Path gif = folder.resolve("a.gif");
     Cli cli =
         Cli.run(
@@ -48,7 +48,7 @@ class RecordTest {
   }
 
   @Test
-  void nothingIsWrittenOfAViolationThatDoesNotCome() {
+  void noFileIsWrittenWithoutAViolation() {
     for (String kind : new String[] {"--png", "--gif"}) {
       Path file = folder.resolve("none" + kind);
       Cli cli =
@@ -70,7 +70,7 @@ class RecordTest {
 
   /** As the format's specification has it: the magic, records behind their lengths, the magic. */
   @Test
-  void anMcapFileIsMadeOfWholeRecords() throws IOException {
+  void anMcapFileConsistsOfCompleteRecords() throws IOException {
     Path mcap = folder.resolve("a.mcap");
     Cli cli = Cli.run("record", "hello", "--seed", "1", "--mcap", "--out", mcap.toString());
     assertThat(cli.status()).isZero();

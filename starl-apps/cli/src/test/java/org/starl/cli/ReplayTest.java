@@ -76,7 +76,7 @@ class ReplayTest {
   }
 
   @Test
-  void theFirstLineThatDiffersIsTold() throws IOException {
+  void theFirstDifferingLineIsReported() throws IOException {
     int[] number = new int[1];
     Path other =
         changed(lines -> {
@@ -94,7 +94,7 @@ class ReplayTest {
   }
 
   @Test
-  void whatIsNoTraceOfThisStarlIsRefusedInOneLine() throws IOException {
+  void foreignFilesAndTracesAreRefusedInOneLine() throws IOException {
     isRefused(folder.resolve("none.trace"), "there is no such file");
     isRefused(Files.createDirectory(folder.resolve("dir.trace")), "is no file");
     isRefused(Files.createFile(folder.resolve("empty.trace")), "expected the header");
@@ -117,7 +117,7 @@ class ReplayTest {
   }
 
   @Test
-  void whatIsBrokenIsRefusedWithItsLine() throws IOException {
+  void aBrokenTraceIsRefusedWithItsLine() throws IOException {
     isRefused(changed(lines -> lines.subList(0, 100)), "no line of kind end");
     String text = Files.readString(trace);
     isRefused(
@@ -144,7 +144,7 @@ class ReplayTest {
   }
 
   @Test
-  void aRunOfProcessesCannotBeRunAgain() throws IOException {
+  void aRunOfProcessesCannotBeReplayed() throws IOException {
     Path other =
         changed(lines -> {
           lines.add(
@@ -166,7 +166,7 @@ class ReplayTest {
   }
 
   @Test
-  void ofATraceAllIsRecordedThatARunGives() throws IOException {
+  void recordingATraceGivesTheSameFilesAsRecordingTheRun() throws IOException {
     String file = trace.toString();
     for (String kind : List.of("--gif", "--mcap", "--png")) {
       Cli cli = cli("record", file, kind, "--out", out("x" + kind));
@@ -264,7 +264,7 @@ class ReplayTest {
   }
 
   @Test
-  void whatSomebodyDidToARunIsDoneAgain() throws Exception {
+  void interactionsWithARunAreReplayed() throws Exception {
     Path plain = folder.resolve("plain.trace");
     String png = folder.resolve("a.png").toString();
     String[] run = {"--seed", "7", "--set", "scenario=figure7", "--set", "debris=1"};

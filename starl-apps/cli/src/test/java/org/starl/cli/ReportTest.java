@@ -146,7 +146,7 @@ class ReportTest {
   }
 
   @Test
-  void foulTextsAreShownAndDoNothing() throws Exception {
+  void hostileTextsAreEscaped() throws Exception {
     Cli cli = campaign(FOUL, "foul<b>", "1..3", "--set", "why=" + HOSTILE);
     assertThat(cli.status()).isEqualTo(1);
     String text = Files.readString(file());
@@ -177,7 +177,7 @@ class ReportTest {
   }
 
   @Test
-  void whatDidNotGoWellIsToldAndSeenWithItsReplay() throws Exception {
+  void badRunsAreReportedWithPictureAndReplayCommand() throws Exception {
     campaign(FOUL, "foul<b>", "1..7");
     Document page = Parsed.page(Files.readString(file()));
     List<Element> articles = Parsed.elements(page, "article");
@@ -203,7 +203,7 @@ class ReportTest {
   }
 
   @Test
-  void everySeedHasALineWithItsReplay() throws Exception {
+  void everySeedHasALineWithItsReplayCommand() throws Exception {
     Cli cli = campaign(Main.ALL, "hello", "5..44");
     assertThat(cli.status()).isZero();
     assertThat(cli.out()).endsWith("report: " + file());
@@ -224,7 +224,7 @@ class ReportTest {
   }
 
   @Test
-  void theSameCampaignMakesTheSamePageOnAnyNumberOfThreads() throws IOException {
+  void aCampaignGivesTheSamePageOnAnyNumberOfThreads() throws IOException {
     campaign(FOUL, "foul<b>", "1..4", "--threads", "1");
     String one = Files.readString(file());
     campaign(FOUL, "foul<b>", "1..4", "--threads", "3");
@@ -234,7 +234,7 @@ class ReportTest {
   }
 
   @Test
-  void aPageThatCannotBeWrittenIsToldBeforeTheCampaignBegins() throws IOException {
+  void anUnwritablePageIsReportedBeforeTheCampaignBegins() throws IOException {
     Path noFolder = Files.createFile(folder.resolve("file"));
     for (Path bad : List.of(folder, noFolder.resolve("report.html"))) {
       Cli cli = Cli.run("campaign", "hello", "--seeds", "1..100000", "--report", bad.toString());
@@ -249,7 +249,7 @@ class ReportTest {
   }
 
   @Test
-  void aCampaignThatEndsInTheMiddleLeavesNothing() throws IOException {
+  void anAbortedCampaignWritesNoPage() throws IOException {
     assertThatThrownBy(() -> campaign(FOUL, "foul<b>", "99..99"))
         .isInstanceOf(StackOverflowError.class);
     assertThat(files()).isEmpty();
@@ -265,7 +265,7 @@ class ReportTest {
   }
 
   @Test
-  void everyLemmaOfEveryAppSaysInWordsWhatItIs() {
+  void everyLemmaOfEveryAppHasADescription() {
     for (Demo demo : Main.ALL.all()) {
       Plan plan = new RunRequest.Builder(demo).build().plan(1);
       for (Monitor monitor : Monitors.of(plan.simulation().build().plan().monitors()).monitors()) {

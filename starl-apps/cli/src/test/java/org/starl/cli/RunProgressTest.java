@@ -31,7 +31,7 @@ class RunProgressTest {
   }
 
   @Test
-  void aLongRunIsToldOfInSimulatedTime() {
+  void aLongRunReportsItsSimulatedTime() {
     run(false, S / 2);
     assertThat(out.toString().lines())
         .containsExactly(
@@ -44,14 +44,14 @@ class RunProgressTest {
   }
 
   @Test
-  void aShortRunIsNotToldOf() {
+  void aShortRunReportsNoProgress() {
     run(false, S / 100);
     run(true, S / 100);
     assertThat(out.toString().lines()).containsExactly("next", "next");
   }
 
   @Test
-  void whatComesNextBeginsOnALineOfItsOwn() {
+  void laterOutputBeginsOnANewLine() {
     run(true, S / 2);
     assertThat(out.toString()).contains("[###############...............] 100 of 200");
     assertThat(out.toString().lines().reduce((a, b) -> b)).contains("next");

@@ -36,7 +36,7 @@ final class RunRequestTest {
         "mutex --set drawTrails=true --set trailLength=7 --set busy=3s --chaos --set chaos=off",
         "race --set faults=slow(bot0,0.5);partition(bot0|bot1,at=1s,for=2s) --set robots=2"
       })
-  void itsCommandLineMakesTheSameRequest(String words) {
+  void theCommandLineOfARequestGivesTheSameRequest(String words) {
     RunRequest request = request(List.of(words.split(" ")));
     RunRequest again = request(request.words(7));
     assertThat(again).isEqualTo(request);
@@ -45,7 +45,7 @@ final class RunRequestTest {
   }
 
   @Test
-  void aScenarioFileAndOptionsMakeTheSameRequest() throws IOException {
+  void aScenarioFileAndOptionsGiveTheSameRequest() throws IOException {
     Path file = folder.resolve("my.yaml");
     Files.writeString(
         file, "app: race\nmessageLoss: 0.3\nchaos: yes\nfaults: [crash(bot1,at=2s)]\n");
@@ -63,7 +63,7 @@ final class RunRequestTest {
   }
 
   @Test
-  void settingsOfTheWindowReachTheTracesHeader() {
+  void settingsOfTheWindowAreWrittenInTheHeader() {
     RunRequest request = request(List.of("hello", "--set", "drawTrails=yes"));
     var header = request.plan(1).simulation().build().plan().header();
     assertThat(header.settings())

@@ -66,7 +66,7 @@ class RunTest {
   }
 
   @Test
-  void figure7IsToldTracedTabulatedAndDrawn() throws IOException {
+  void figure7IsPrintedTracedTabulatedAndDrawn() throws IOException {
     Path trace = folder.resolve("a.trace");
     Path csv = folder.resolve("a.csv");
     Path png = folder.resolve("deep/er/a.png");
@@ -138,7 +138,7 @@ class RunTest {
   }
 
   @Test
-  void theSeedAloneDecides() throws IOException {
+  void aRunDependsOnlyOnItsSeed() throws IOException {
     byte[] first = trace("1", "hello", "--seed", "7", "--carrier", "platform");
     assertThat(trace("2", "hello", "--seed", "7", "--carrier", "platform")).isEqualTo(first);
     assertThat(trace("3", "hello", "--seed", "8", "--carrier", "platform")).isNotEqualTo(first);
@@ -155,7 +155,7 @@ class RunTest {
   }
 
   @Test
-  void aScenarioFileSaysTheSameAsFlags() throws IOException {
+  void aScenarioFileGivesTheSameRunAsOptions() throws IOException {
     Path yaml = folder.resolve("my.yaml");
     Files.writeString(
         yaml,
@@ -178,7 +178,7 @@ class RunTest {
   }
 
   @Test
-  void jsonHoldsTheResult() throws IOException {
+  void jsonContainsTheResult() throws IOException {
     String png = file("a.png");
     Cli cli = Cli.run("run", "intersection", "--seed", "7", "--png", png, "--json");
     assertThat(cli.out()).hasSize(1);
@@ -197,7 +197,7 @@ class RunTest {
   }
 
   @Test
-  void anUnfinishedRunSaysWho() {
+  void anUnfinishedRunNamesTheUnfinishedRobots() {
     Cli cli =
         Cli.run("run intersection --seed 7 --for 5s --png".concat(" " + file("a.png")).split(" "));
     assertThat(cli.status()).isEqualTo(1);
@@ -207,13 +207,13 @@ class RunTest {
   }
 
   @Test
-  void aDrawnSeedIsPrinted() {
+  void aRandomSeedIsPrinted() {
     Cli cli = Cli.run("run", "hello", "--png", file("a.png"));
     assertThat(cli.out().get(0)).matches("hello, seed [0-9]+");
   }
 
   @Test
-  void recordDrawsTheMomentAskedFor() throws IOException {
+  void recordDrawsTheRequestedMoment() throws IOException {
     List<byte[]> pictures = new ArrayList<>();
     for (String when : List.of("t=0s", "t=12s", "end", "best")) {
       Path png = folder.resolve(when + ".png");

@@ -78,7 +78,7 @@ class ScenarioSchemaTest {
 
   @ParameterizedTest
   @MethodSource("scenarioFiles")
-  void everyScenarioFileIsRightForEditorsAndCommands(Path file) throws IOException {
+  void everyScenarioFileIsValidForSchemaAndReader(Path file) throws IOException {
     assertThat(file.toString()).endsWith(".yaml");
     String text = Files.readString(file);
     assertThat(text).startsWith(FIRST_LINE + "\n");
@@ -93,7 +93,7 @@ class ScenarioSchemaTest {
   }
 
   @Test
-  void theScenarioThatTheDocumentationShowsIsRight() throws IOException {
+  void theScenarioOfTheDocumentationIsValid() throws IOException {
     String page = Files.readString(ROOT.resolve("docs/scenarios.md"));
     String block = page.substring(page.indexOf("```yaml\n") + 8, page.indexOf("\n```\n"));
     assertThat(errors(block)).isEmpty();
@@ -112,7 +112,7 @@ class ScenarioSchemaTest {
 
   @ParameterizedTest
   @MethodSource("settings")
-  void aSettingTakesWhatItsReaderTakes(Setting<?> setting) throws IOException {
+  void theSchemaAcceptsTheValuesThatTheReaderAccepts(Setting<?> setting) throws IOException {
     int taken = 0;
     for (String value : String.join(" ", VALUES).split(" ")) {
       boolean isChaos = setting.equals(Setting.CHAOS);
@@ -143,7 +143,7 @@ class ScenarioSchemaTest {
 
   @ParameterizedTest
   @MethodSource("demos")
-  void anAppTakesItsParametersDefaultsAndNoOtherParameter(Demo demo) throws IOException {
+  void theSchemaAcceptsOnlyTheParametersOfTheApp(Demo demo) throws IOException {
     StringBuilder yaml = new StringBuilder("app: " + demo.name() + "\n");
     for (Parameter parameter : demo.parameters()) {
       String value = parameter.defaultValue();
@@ -162,7 +162,7 @@ class ScenarioSchemaTest {
         "faults: crash(bot2,at=12s,restart=5s); loss(0.3)",
         "faults: []"
       })
-  void faultsAreTakenAsPeopleWriteThem(String faults) throws IOException {
+  void theSchemaAcceptsAllSpellingsOfFaults(String faults) throws IOException {
     assertThat(errors("app: hello\n" + faults + "\n")).isEmpty();
   }
 
@@ -183,7 +183,7 @@ class ScenarioSchemaTest {
         "app: hello\nfaults: crush(bot2)",
         "app: hello\nfaults:\n  a: b"
       })
-  void whatNoCommandWouldTakeIsMarked(String yaml) throws IOException {
+  void theSchemaRefusesInvalidValues(String yaml) throws IOException {
     assertThat(errors(yaml + "\n")).isNotEmpty();
   }
 }

@@ -96,7 +96,7 @@ class ShrinkingTest {
   }
 
   @Test
-  void aRunOfChaosShrinksToTheOneFaultThatMattersAndThePrintedCommandFailsAlike() {
+  void aChaosRunShrinksToTheCausalFaultAndThePrintedCommandReproducesIt() {
     String[] args =
         "campaign fragile --seeds 1..8 --robots 6 --loss 0.1 --chaos --shrink".split(" ");
     Cli cli = Cli.run(FRAGILE, args);
@@ -116,7 +116,7 @@ class ShrinkingTest {
   }
 
   @Test
-  void aScenarioFileShrinksToACommandWithoutIt() throws IOException {
+  void aScenarioFileShrinksToACommandWithoutTheFile() throws IOException {
     Path file =
         Files.writeString(
             folder.resolve("my.yaml"),
@@ -134,7 +134,7 @@ class ShrinkingTest {
   }
 
   @Test
-  void thereIsNothingToShrinkWhereAllGoesWell() {
+  void aGoodRunIsNotShrunk() {
     Cli cli = Cli.run(FRAGILE, "campaign fragile --seeds 1..2 --shrink".split(" "));
     assertThat(cli.status()).isZero();
     assertThat(cli.err()).noneMatch(line -> line.startsWith("shr"));

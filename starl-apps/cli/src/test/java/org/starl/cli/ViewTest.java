@@ -9,7 +9,7 @@ import org.starl.sim.view.Window;
 class ViewTest {
 
   @Test
-  void withoutAScreenOneLineTellsHowToGetAPicture() {
+  void withoutAScreenOneLineSuggestsARecording() {
     assumeThat(Window.isPossible()).as("this machine has a screen").isFalse();
     Cli cli = Cli.run("run", "hello", "--seed", "7", "--view");
     assertThat(cli.status()).isEqualTo(ExitStatus.LACKING);

@@ -54,7 +54,7 @@ class ViolationTest {
   }
 
   @Test
-  void aCampaignTellsTheFirstViolationAndHowToReplayIt() {
+  void aCampaignReportsTheFirstViolationAndItsReplayCommand() {
     Cli cli =
         Cli.run(
             BROKEN,
@@ -76,7 +76,7 @@ class ViolationTest {
   }
 
   @Test
-  void recordTellsItToo() {
+  void recordReportsTheViolation() {
     Path png = folder.resolve("a.png");
     Cli cli = Cli.run(BROKEN, "record", "broken", "--seed", "3", "--out", png.toString());
     assertThat(cli.status()).isEqualTo(1);
@@ -86,7 +86,7 @@ class ViolationTest {
   }
 
   @Test
-  void aRunThatThrowsKeepsItsTraceAndSaysHowToReplayIt() {
+  void aFailedRunKeepsItsTraceAndPrintsItsReplayCommand() {
     Path trace = folder.resolve("a.trace");
     Cli cli =
         Cli.run(
@@ -124,7 +124,7 @@ class ViolationTest {
   }
 
   @Test
-  void aGoodCampaignIsTheSameOnAnyNumberOfThreads() throws IOException {
+  void aGoodCampaignHasTheSameResultOnAnyNumberOfThreads() throws IOException {
     List<String> texts = new ArrayList<>();
     for (String threads : List.of("1", "2", "5")) {
       Cli cli =

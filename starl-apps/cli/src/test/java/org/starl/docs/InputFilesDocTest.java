@@ -39,7 +39,7 @@ class InputFilesDocTest {
   }
 
   @Test
-  void eachLineThatIsSaidToBeRefusedPrintsItsMessage() throws IOException {
+  void eachRefusedLinePrintsItsMessage() throws IOException {
     Map<String, String> refused = rows(REFUSED);
     assertThat(refused).hasSizeGreaterThan(15);
     refused.forEach((line, message) ->
@@ -50,7 +50,7 @@ class InputFilesDocTest {
   }
 
   @Test
-  void eachFileThatIsSaidToBeRefusedPrintsItsMessage(@TempDir Path folder) throws IOException {
+  void eachRefusedFilePrintsItsMessage(@TempDir Path folder) throws IOException {
     Path picture = folder.resolve("picture.wpt");
     Files.write(picture, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0});
     List<String> messages = new ArrayList<>();
@@ -65,7 +65,7 @@ class InputFilesDocTest {
   }
 
   @Test
-  void theExampleIsReadAsThePageSays() throws IOException {
+  void theExampleIsReadAsDescribed() throws IOException {
     StringBuilder example = new StringBuilder();
     for (String line : Files.readString(PAGE).split("\n", -1)) {
       if (line.startsWith("    ") && example.indexOf("Hidden") < 0) {

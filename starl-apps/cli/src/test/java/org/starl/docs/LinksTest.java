@@ -29,7 +29,7 @@ class LinksTest {
 
   @ParameterizedTest
   @MethodSource("pages")
-  void everyFileThatAPageLinksExists(Path page) throws IOException {
+  void everyLinkedFileExists(Path page) throws IOException {
     assertThat(LINK.matcher(Files.readString(page)).results().map(match -> match.group(1)).toList())
         .allSatisfy(link -> assertThat(page.resolveSibling(link)).exists());
   }

@@ -70,7 +70,7 @@ class PaperMapTest {
   }
 
   @Test
-  void everyRowNamesItsTestOrSaysNotYet() {
+  void everyRowNamesItsTestOrIsMarkedAsOpen() {
     assertThat(rows()).hasSizeGreaterThan(60);
     for (String row : rows()) {
       String[] cells = row.split("\\|", -1);
@@ -91,7 +91,7 @@ class PaperMapTest {
   }
 
   @Test
-  void noPrimitiveAndNoAppIsForgotten() throws IOException {
+  void everyPrimitiveAndAppHasARow() throws IOException {
     String map = String.join("\n", lines);
     for (String parent :
         List.of(

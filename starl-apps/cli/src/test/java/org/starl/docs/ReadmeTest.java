@@ -35,7 +35,7 @@ class ReadmeTest {
 
   @ParameterizedTest
   @MethodSource("shown")
-  void theCodeIsTheOneThatRuns(String type, Path file) throws IOException {
+  void theCodeOfThePageIsTested(String type, Path file) throws IOException {
     List<String> blocks =
         JAVA.matcher(readme())
             .results()

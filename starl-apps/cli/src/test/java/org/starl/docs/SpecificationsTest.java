@@ -131,14 +131,14 @@ class SpecificationsTest {
   }
 
   @Test
-  void everyLemmaOfEveryMonitorHasItsPlantedBugAndNoOtherHas() throws IOException {
+  void exactlyTheLemmasOfMonitorsHavePlantedBugs() throws IOException {
     List<String> lemmas = lemmas();
     assertThat(lemmas).hasSizeGreaterThan(30).doesNotHaveDuplicates();
     assertThat(rows()).extracting(Row::of).containsExactlyInAnyOrderElementsOf(lemmas);
   }
 
   @Test
-  void everyTestThatIsNamedIsThereAndNamesTheLemma() throws IOException {
+  void everyNamedTestExistsAndNamesItsLemma() throws IOException {
     for (Row row : rows()) {
       String test = "";
       String monitor = "";

@@ -31,7 +31,7 @@ class ViewerDocTest {
   }
 
   @Test
-  void theCodeIsTheOneThatRuns() throws IOException {
+  void theCodeOfThePageIsTested() throws IOException {
     String page = Files.readString(Path.of("../../docs/viewer.md"));
     String shown = page.substring(page.indexOf("```java\n") + 8);
     shown = shown.substring(0, shown.indexOf("```"));
@@ -54,7 +54,7 @@ class ViewerDocTest {
   }
 
   @Test
-  void itDrivesToThePlaceThatIsSent() {
+  void theRobotDrivesToTheReceivedPoint() {
     Scene scene = new Scene(Obstacles.NONE);
     Simulation.builder()
         .name("errand")

@@ -29,7 +29,7 @@ class WheelGuardTest {
   private static final int LIMIT_MS = 60_000;
 
   @Test
-  void bytesPassBothWaysAndTheWheelsStopWhenTheProgramEnds() throws Exception {
+  void bytesPassInBothDirectionsAndTheWheelsStopWhenTheProgramEnds() throws Exception {
     try (Ends ends = new Ends()) {
       ends.drive();
       ends.line.getOutputStream().write("bump".getBytes(StandardCharsets.US_ASCII));

@@ -28,13 +28,13 @@ class IdentifiersTest {
     "x, n_x",
     "emptyset, n_emptyset"
   })
-  void aNameIsCloseToTheThingsOwn(String thing, String name) {
+  void anIdentifierResemblesItsOriginalName(String thing, String name) {
     assertThat(identifiers.of(thing)).isEqualTo(name).matches("[A-Za-z][A-Za-z0-9_]*");
     assertThat(identifiers.of(thing)).isEqualTo(name);
   }
 
   @Test
-  void noTwoThingsShareAName() {
+  void identifiersAreUnique() {
     identifiers.take("PIDS");
     List<Object> things =
         List.of("a-b", "a.b", "a_b", new RobotId("a_b"), "a_b_2", "PIDS", new RobotId("PIDS"));
@@ -43,7 +43,7 @@ class IdentifiersTest {
   }
 
   @Test
-  void anIdNamesItsStartAndItsNumberInThatStart() {
+  void anIdContainsItsIncarnationAndSequenceNumber() {
     RobotId bot = new RobotId("bot-1");
     assertThat(identifiers.of(new ProcessId(bot, 3))).isEqualTo("bot_1_3");
     assertThat(identifiers.of(new ProcessId(bot, (2L << 32) + 5))).isEqualTo("bot_1_2_5");

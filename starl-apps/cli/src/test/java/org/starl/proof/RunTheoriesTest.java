@@ -208,7 +208,7 @@ class RunTheoriesTest {
   }
 
   @Test
-  void aDeviatingStepIsTheLastOneSoThatPvsRejectsIt() throws IOException {
+  void theDeviatingStepIsLastAndPvsRejectsIt() throws IOException {
     acts("b", "mutex/x", "do_mutex", "b#1", "1", "1", "A", "");
     acts("b", "mutex/x", "od_mutex", "b#1", "1", "B");
     acts("b", "mutex/x", "release", "b#1", "1", "B", "");

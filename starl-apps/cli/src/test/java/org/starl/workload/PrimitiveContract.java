@@ -52,7 +52,7 @@ abstract class PrimitiveContract {
   }
 
   @Test
-  void chaosViolatesNothingAndAfterItEveryRobotIsServed() {
+  void underChaosNoLemmaIsViolatedAndLaterEveryRobotIsServed() {
     String chaos = envelope().toString();
     for (long seed = 1; seed <= seeds(); seed++) {
       Runs.Ended ended = run(seed, Map.of("chaos", chaos));
@@ -66,7 +66,7 @@ abstract class PrimitiveContract {
   }
 
   @Test
-  void permanentLossAndDelayViolateNothing() {
+  void permanentLossAndDelayViolateNoLemma() {
     Map<String, String> foul =
         Map.of("messageLoss", "0.3", "messageDelay", "exponential(50ms)", "busy", "5s");
     Runs.Ended ended = run(1, foul);

@@ -61,7 +61,7 @@ class DexedCodeTest {
   }
 
   @Test
-  void aRunOnDexedCodeIsTheSameToTheByte() throws ReflectiveOperationException, IOException {
+  void aRunOfDexedCodeGivesTheSameTrace() throws ReflectiveOperationException, IOException {
     OwnClasses returned = new OwnClasses(DexedCodeTest::returned);
     byte[] again = trace(returned);
     assertThat(returned.needed()).filteredOn(dexed.classes()::containsKey).hasSizeGreaterThan(200);
@@ -72,7 +72,7 @@ class DexedCodeTest {
   }
 
   @Test
-  void theApkRefersToNothingThatAndroid8Lacks() throws IOException {
+  void theApkRefersOnlyToMembersOfAndroid8() throws IOException {
     assertThat(ofTheApk()).hasSizeGreaterThan(1000);
     SortedSet<String> missing = Links.missing(dexed.classes(), ofTheApk(), Android8.shapes());
     assertThat(missing).containsExactlyElementsOf(ASKED_BEFORE);
@@ -92,7 +92,7 @@ class DexedCodeTest {
   }
 
   @Test
-  void whatAndroid8LacksIsFound() throws IOException {
+  void missingMembersOfAndroid8AreFound() throws IOException {
     String name = AsksForMore.class.getName().replace('.', '/');
     SortedMap<String, byte[]> alone = new TreeMap<>();
     alone.put(name, OwnClasses.compiled(name));

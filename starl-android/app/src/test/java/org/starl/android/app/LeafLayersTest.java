@@ -48,7 +48,7 @@ class LeafLayersTest {
   }
 
   @Test
-  void theLeafTakesWhatThePhoneHas() {
+  void theAppUsesOnlyAllowedDependencies() {
     var leaf =
         new ClassFileImporter()
             .withImportOption(new ImportOption.DoNotIncludeTests())
@@ -58,7 +58,7 @@ class LeafLayersTest {
   }
 
   @Test
-  void aClassThatTakesMoreIsFound() {
+  void aForbiddenDependencyIsFound() {
     var wrong = new ClassFileImporter().importClasses(TakesTheCommandLinesReader.class);
     assertThat(LAW.evaluate(wrong).hasViolation()).isTrue();
   }

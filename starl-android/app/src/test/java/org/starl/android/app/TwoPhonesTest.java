@@ -238,7 +238,7 @@ public final class TwoPhonesTest {
   }
 
   @Test
-  public void bothCrossAndTheirTracesKeepTheSpecifications()
+  public void bothRobotsCrossAndTheirTracesSatisfyTheSpecifications()
       throws IOException, InterruptedException {
     loadDeploymentAndKey();
     List<RobotService> services = new ArrayList<>();

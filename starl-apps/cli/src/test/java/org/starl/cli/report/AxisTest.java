@@ -24,7 +24,7 @@ class AxisTest {
   }
 
   @Example
-  void whatIsCountedHasNoHalves() {
+  void countsHaveIntegerTicks() {
     assertThat(Axis.upTo("n", 2, 5, true).ticks()).containsExactly(0.0, 1.0, 2.0);
     assertThat(Axis.upTo("n", 0, 5, true).ticks()).containsExactly(0.0, 1.0);
   }

@@ -31,7 +31,7 @@ class ChartsTest {
   }
 
   @Property(tries = 200)
-  void barsCountEveryValueOnceUnlessTheChartSaysThatItIsLeftOut(
+  void everyValueIsCountedInOneBarOrReportedAsOmitted(
       @ForAll @Size(min = 1, max = 60) List<@DoubleRange(min = 0, max = 100) Double> values)
       throws Exception {
     Document page = sizes(values);
@@ -51,7 +51,7 @@ class ChartsTest {
   }
 
   @Example
-  void percentilesStandInTheTable() throws Exception {
+  void theTableHasThePercentiles() throws Exception {
     List<Double> values = IntStream.rangeClosed(1, 100).mapToObj(i -> i / 10.0).toList();
     assertThat(cells(sizes(values)))
         .containsExactly(
@@ -59,14 +59,14 @@ class ChartsTest {
   }
 
   @Example
-  void equalValuesAndNothingButZeroCanBeDrawn() throws Exception {
+  void equalValuesAndZerosCanBeDrawn() throws Exception {
     assertThat(cells(sizes(List.of(0.0, 0.0)))).contains("2", "0");
     assertThat(cells(sizes(List.of(3.0, 3.0, 3.0)))).contains("3", "3.0");
     assertThat(cells(sizes(List.of(1e-12)))).contains("1");
   }
 
   @Example
-  void farStragglersAreToldAndDoNotSqueezeTheRest() throws Exception {
+  void outliersAreReportedAndDoNotCompressTheAxis() throws Exception {
     List<Double> values = new ArrayList<>(IntStream.range(0, 200).mapToObj(i -> 1.0).toList());
     values.add(5000.0);
     String text = sizes(values).getDocumentElement().getTextContent();
@@ -74,7 +74,7 @@ class ChartsTest {
   }
 
   @Example
-  void timesAreCountedRunByRun() throws Exception {
+  void timesAreCountedPerRun() throws Exception {
     Html html = new Html().open("main");
     List<List<Double>> runs =
         List.of(List.of(5.0, 15.0), List.of(9.0, 25.0), List.of(12.0), List.of(), List.of(1.0));

@@ -13,7 +13,7 @@ class HtmlTest {
 
   /** What is not allowed in XML is taken away first; how is another test's business. */
   @Property
-  void anyTextComesBackAsItWas(@ForAll String text) throws Exception {
+  void anyTextIsReadBack(@ForAll String text) throws Exception {
     String allowed = text.replaceAll("[^\\t\\n -~\\u00A0-\\uD7FF\\uE000-\\uFDCF]", "");
     Document page =
         Parsed.page(new Html().open("p", "title", allowed).text(allowed).close().page());
@@ -23,24 +23,24 @@ class HtmlTest {
   }
 
   @Property
-  void anyTextAtAllParses(@ForAll String text) throws Exception {
+  void anyTextGivesAValidDocument(@ForAll String text) throws Exception {
     Parsed.page(new Html().open("p", "title", text).text(text).close().page());
   }
 
   @Example
-  void whatCannotStandInXmlIsReplaced() {
+  void invalidXmlCharactersAreReplaced() {
     String text = "a\u0000b\u001Fc\rd\uD800e\uFFFEf\u0085g\uD83E\uDD16h";
     assertThat(new Html().element("p", text).page())
         .contains("a\uFFFDb\uFFFDc\uFFFDd\uFFFDe\uFFFDf\uFFFDg\uD83E\uDD16h");
   }
 
   @Example
-  void anElementThatIsStillOpenIsToldOf() {
+  void anUnclosedElementIsReported() {
     assertThatThrownBy(() -> new Html().open("p").page()).hasMessageContaining("[p]");
   }
 
   @Example
-  void codeThatTwoParsersWouldReadInTwoWaysIsRefused() {
+  void codeWithMarkupIsRefused() {
     assertThatThrownBy(() -> new Html().code("script", "a < b")).hasMessageContaining("script");
   }
 }

@@ -7,7 +7,7 @@ import org.junit.jupiter.api.Test;
 class SayTest {
 
   @Test
-  void numbersHaveTheDigitsThatSaySomething() {
+  void numbersHaveTheirSignificantDigits() {
     assertThat(Say.number(12_345)).isEqualTo("12\u202F345");
     assertThat(Say.number(1234.4)).isEqualTo("1\u202F234");
     assertThat(Say.number(100)).isEqualTo("100");
@@ -20,7 +20,7 @@ class SayTest {
   }
 
   @Test
-  void allAndNoneAreSaidOfAllAndNoneAlone() {
+  void onlyExactRatiosAreShownAsAllOrNone() {
     assertThat(Say.percent(0, 5)).isEqualTo("0\u00A0%");
     assertThat(Say.percent(5, 5)).isEqualTo("100\u00A0%");
     assertThat(Say.percent(1, 100_000)).isEqualTo("0.1\u00A0%");
