@@ -220,7 +220,7 @@ class CrashTest {
                         })
                     .build()
                 ::run)
-        .hasMessageContaining("bot0 has crashed already");
+        .hasMessageContaining("bot0 has already crashed");
   }
 
   @Test
