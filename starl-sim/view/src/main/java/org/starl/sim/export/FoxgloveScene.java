@@ -31,7 +31,7 @@ final class FoxgloveScene {
     this.json = json;
   }
 
-  /** A {@code foxglove.SceneUpdate} that changes nothing yet. */
+  /** A {@code foxglove.SceneUpdate} without changes so far. */
   ObjectNode update() {
     ObjectNode update = json.createObjectNode();
     update.putArray("deletions");
@@ -39,7 +39,7 @@ final class FoxgloveScene {
     return update;
   }
 
-  /** A {@code foxglove.SceneUpdate} that takes away what {@code id} stands for. */
+  /** A {@code foxglove.SceneUpdate} that deletes the entity {@code id}. */
   ObjectNode deletion(long timeNs, String id) {
     ObjectNode update = update();
     ObjectNode deletion = update.withArray("deletions").addObject();

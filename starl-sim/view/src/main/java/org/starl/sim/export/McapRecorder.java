@@ -145,7 +145,7 @@ public final class McapRecorder implements SimObserver, Closeable {
 
   @Override
   public void violated(SpecReport.Violation violation) {
-    // What a specification finds may lie in the past; a file's times do not go back.
+    // A violation may be found later than it happened; times in the file must not decrease.
     log(lastNs, Level.ERROR, "specification", violation.toString());
   }
 

@@ -40,7 +40,7 @@ final class BodyPainter {
     page.draw(line);
   }
 
-  /** Over a robot whose program has crashed. */
+  /** Drawn over a robot whose program has crashed. */
   void paintCross(Graphics2D page, double xPx, double yPx, double radiusPx, Theme theme) {
     double arm = 0.9 * radiusPx;
     page.setColor(theme.alarm());

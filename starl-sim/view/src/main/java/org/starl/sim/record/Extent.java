@@ -10,7 +10,7 @@ public final class Extent {
   private double xMaxMm = Double.NEGATIVE_INFINITY;
   private double yMaxMm = Double.NEGATIVE_INFINITY;
 
-  /** What a picture of {@code scene} shows: all that stands or ever moved there, and its corners. */
+  /** The area of a picture of {@code scene}: all past and present objects, and its corners. */
   public static Extent of(Scene scene, Layer layer) {
     Extent extent = scene.extent().copy();
     layer.corners().forEach(extent::add);

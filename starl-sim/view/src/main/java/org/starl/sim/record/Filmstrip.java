@@ -55,7 +55,7 @@ public final class Filmstrip implements SimObserver {
       write(image, widthPx, out);
     }
 
-    /** Writes the floor alone as PNG, so many pixels wide and high. */
+    /** Writes only the floor as PNG, with the given width and height in pixels. */
     public void writeFloorPng(int widthPx, OutputStream out) throws IOException {
       int sidePx = Math.min(image.getWidth(), image.getHeight());
       write(image.getSubimage(0, 0, sidePx, sidePx), widthPx, out);
@@ -88,14 +88,14 @@ public final class Filmstrip implements SimObserver {
     }
   }
 
-  /** Takes what is left of the pictures as all stands now: for a run that an error ended. */
+  /** Takes the remaining pictures of the current state, after an error has ended the run. */
   public void cut() {
     if (hasNext()) {
       take(Math.min(next(), scene.nowNs()));
     }
   }
 
-  /** What was taken, in order; nothing for times that the run did not come to. */
+  /** The pictures, in order; without those for times that the run did not reach. */
   public List<Frame> frames() {
     return Collections.unmodifiableList(frames);
   }

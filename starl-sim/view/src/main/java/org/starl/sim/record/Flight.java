@@ -14,7 +14,7 @@ import org.starl.id.RobotId;
 public record Flight(
     RobotId from, RobotId to, String channel, String text, long sentNs, double share, State state) {
 
-  /** How it stands with a datagram. */
+  /** The state of a datagram. */
   public enum State {
     UNDER_WAY,
     /** A moment ago. */

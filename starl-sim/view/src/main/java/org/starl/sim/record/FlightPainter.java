@@ -47,7 +47,7 @@ final class FlightPainter {
     }
   }
 
-  /** Where there are so many that nobody could tell one arc from another. */
+  /** Paints many flights, whose single arcs are not distinguishable, without antialiasing. */
   private static void plainly(
       Graphics2D page, List<Flight> flights, Scene scene, Viewport viewport, Look look) {
     Object before = page.getRenderingHint(RenderingHints.KEY_ANTIALIASING);
@@ -107,7 +107,7 @@ final class FlightPainter {
     return new Ellipse2D.Double(x - radiusPx, y - radiusPx, 2 * radiusPx, 2 * radiusPx);
   }
 
-  /** Bent to one side, lest those there and those back lie on each other. */
+  /** Bent to one side, so that arcs of opposite directions do not overlap. */
   private record Arc(double x0, double y0, double x1, double y1) {
 
     /** From edge to edge of two discs; from middle to middle if they are too near. */

@@ -72,7 +72,7 @@ final class Labels {
     haloed(page, text, left, y, look.theme().ink(), look.theme().paper());
   }
 
-  /** Text that can be read whatever lies below it. */
+  /** Text that is readable on every background. */
   static void haloed(Graphics2D page, String text, double x, double y, Color ink, Color paper) {
     page.setColor(Theme.faded(paper, 190));
     for (int dx = -1; dx <= 1; dx++) {

@@ -15,7 +15,7 @@ import org.starl.trace.TraceEvent;
  */
 public interface Layer {
 
-  /** Draws nothing: pictures show robots and obstacles alone. */
+  /** A layer without content: pictures show only robots and obstacles. */
   Layer NONE =
       new Layer() {
         @Override
@@ -59,12 +59,12 @@ public interface Layer {
     return "";
   }
 
-  /** Points that belong into the picture whether anybody ever goes there or not. */
+  /** Points that every picture must include. */
   default List<Point> corners() {
     return List.of();
   }
 
-  /** How much there is to see: a picture of the best moment is taken where this is greatest. */
+  /** The amount of content: the best picture is taken where this is greatest. */
   default double interest(Scene scene) {
     return scene.robots().stream().filter(robot -> scene.pose(robot).isPresent()).count();
   }

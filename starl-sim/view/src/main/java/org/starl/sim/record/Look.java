@@ -14,7 +14,7 @@ import org.starl.id.RobotId;
  */
 public final class Look {
 
-  /** Of pictures in files. */
+  /** The look of pictures in files. */
   public static final Look FILE =
       new Look(
           Theme.LIGHT,
@@ -130,7 +130,7 @@ public final class Look {
     return pixelMm;
   }
 
-  /** Of a robot that is on the floor or was. */
+  /** The colour of a robot that is or was on the floor. */
   public Color robot(Scene scene, RobotId robot) {
     return theme.robot(scene.number(robot));
   }

@@ -12,13 +12,13 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 
-/** Paints what stands in the way; many obstacles once, until something changes. */
+/** Paints obstacles. A picture of many obstacles is cached until they change. */
 final class ObstaclePainter {
 
   private static final int MANY = 150;
   private static final double LINE_MM = 14;
 
-  /** What the kept picture is of. Obstacles only go, so how many there are tells which. */
+  /** The state of the cached picture. Obstacles only disappear, so their number identifies it. */
   private record Key(
       Viewport viewport, Theme theme, boolean walls, boolean hidden, int count, double scale) {}
 

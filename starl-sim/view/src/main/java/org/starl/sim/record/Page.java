@@ -45,7 +45,7 @@ final class Page {
     page.setFont(new Font(Font.SANS_SERIF, Font.BOLD, 15));
     page.drawString(title, x, y);
     page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 12));
-    // Who is there comes first.
+    // Robots on the floor come first.
     List<RobotId> robots = new ArrayList<>(scene.robots());
     robots.sort(Comparator.comparing(robot -> scene.pose(robot).isEmpty()));
     y += LINE_PX + ENTRY_GAP_PX;

@@ -86,7 +86,7 @@ public final class Painter {
     Labels.paint(page, scene, viewport, look, shown);
   }
 
-  /** How many of them are in the picture. */
+  /** Paints the robots and returns the number of visible ones. */
   private int robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     int[] shown = new int[1];
     double[] mostPx = new double[1];
@@ -120,7 +120,7 @@ public final class Painter {
     });
   }
 
-  /** In the device's own pixels, so that sprites are copied and not scaled. */
+  /** In device pixels, so that sprites are copied without scaling. */
   private void many(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
     Graphics2D device = (Graphics2D) page.create();
     AffineTransform at = page.getTransform();
@@ -150,7 +150,7 @@ public final class Painter {
     device.dispose();
   }
 
-  /** On single robots: who has crashed, whom the picture is about. */
+  /** Marks of single robots: crashed, selected or involved. */
   private void marks(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     for (RobotId robot : scene.down()) {
       scene

@@ -51,7 +51,7 @@ public final class PictureRecorder implements SimObserver {
         // Taken when the run has finished.
       }
       case Moment.Violation violation -> {
-        // Taken when one is told.
+        // The picture is taken when a violation is reported.
       }
     }
     scene.observe(event);

@@ -32,12 +32,12 @@ public final class Scene {
   private static final int KEPT_GONE = 12;
   private static final int KEPT_BUMPS = 64;
 
-  // As the motion automaton traces it.
+  // The motion flag in the motion automaton's trace.
   private static final String MOTION = "motion";
   private static final String FAILED = "failed";
   private static final String BUMPED = "bumped into something";
 
-  /** A robot ran into something, and says so. */
+  /** A collision reported by a robot. */
   public record Bump(long timeNs, RobotId robot, Point at) {}
 
   /** A variable of a robot with its latest value. */
@@ -165,7 +165,7 @@ public final class Scene {
       bodies.forEach(
           trailNs,
           (robot, pose, radiusMm, isMoving) -> {
-            // Both are in order, and who is on the floor has a trail.
+            // Both are in order, and every robot on the floor has a trail.
             Map.Entry<RobotId, Trail> entry = all.next();
             while (!entry.getKey().equals(robot)) {
               entry = all.next();
@@ -198,7 +198,7 @@ public final class Scene {
     return numbers.getOrDefault(robot, 0);
   }
 
-  /** Where a robot's body is; empty if it is not on the floor. */
+  /** The position of a robot's body; empty if the robot is off the floor. */
   public Optional<Pose> pose(RobotId robot) {
     return bodies.isOnFloor(robot) ? Optional.of(bodies.poseAt(robot, nowNs)) : Optional.empty();
   }
@@ -227,22 +227,22 @@ public final class Scene {
     return down.contains(robot);
   }
 
-  /** Whose programs have crashed and were not started again, in order. */
+  /** The robots whose programs have crashed and not restarted, in order. */
   Set<RobotId> down() {
     return Collections.unmodifiableSet(down);
   }
 
-  /** Where robots ran into something, oldest first; the last 64. */
+  /** The places of collisions, oldest first; the last 64. */
   public List<Bump> bumps() {
     return List.copyOf(bumps);
   }
 
-  /** All that stands or ever moved there; grows on as the scene does. */
+  /** The extent of all past and present objects; it grows with the scene. */
   Extent extent() {
     return extent;
   }
 
-  /** Where a robot's body has been, every 100 ms of its movement. */
+  /** The past positions of a robot's body, one per 100 ms of movement. */
   public List<Point> trail(RobotId robot) {
     Trail trail = trails.get(robot);
     return trail == null ? Collections.emptyList() : trail;

@@ -17,7 +17,7 @@ final class Sprites {
   private double radiusPx;
   private int sizePx;
 
-  /** Of bodies of this size, in device pixels; what was made for another is forgotten. */
+  /** Prepares sprites for bodies of this size, in device pixels; discards those of another size. */
   void prepare(Theme newTheme, double newRadiusPx) {
     if (newTheme != theme || newRadiusPx != radiusPx) {
       theme = newTheme;

@@ -10,7 +10,7 @@ import java.util.List;
  */
 public final class Theme {
 
-  // Twelve hues that can be told apart on paper (after Tol's and Okabe and Ito's palettes).
+  // Twelve hues that can be distinguished on paper (after Tol's and Okabe and Ito's palettes).
   private static final int[] ON_LIGHT = {
     0x0072B2, 0xD55E00, 0x009E73, 0xCC79A7, 0xE69F00, 0x56B4E9,
     0x882255, 0x117733, 0x999933, 0x332288, 0xAA4499, 0x44AA99
@@ -88,12 +88,12 @@ public final class Theme {
     return ink;
   }
 
-  /** Text and lines that stand back. */
+  /** Secondary text and lines. */
   public Color muted() {
     return muted;
   }
 
-  /** Ground that belongs to nobody; a little off the paper. */
+  /** Neutral ground; slightly different from the paper. */
   public Color floor() {
     return floor;
   }
@@ -118,7 +118,7 @@ public final class Theme {
     return hidden;
   }
 
-  /** What is wrong, or to be found. */
+  /** Errors and search targets. */
   public Color alarm() {
     return alarm;
   }
@@ -128,12 +128,12 @@ public final class Theme {
     return gold;
   }
 
-  /** As an outline of something filled with {@code colour}. */
+  /** The outline colour of a shape filled with {@code colour}. */
   public Color edge(Color colour) {
     return isDark ? mixed(colour, Color.WHITE, 0.25) : colour.darker();
   }
 
-  /** The same, if it can be told from the paper; else nearer to the ink. */
+  /** The colour itself if it contrasts with the paper; otherwise nearer to the ink. */
   public Color visible(Color colour) {
     return Math.abs(luma(colour) - luma(paper)) < LEAST_CONTRAST
         ? mixed(colour, ink, 0.45)

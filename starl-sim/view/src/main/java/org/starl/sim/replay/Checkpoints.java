@@ -18,7 +18,7 @@ final class Checkpoints {
   private static final int MOST = 96;
   private static final int LEAST = 8;
 
-  /** They do not stand nearer than so many events for each robot. */
+  /** The minimum number of events between checkpoints, per robot. */
   private static final int EVENTS_A_ROBOT = 8;
 
   /** A scene of many robots is large. */

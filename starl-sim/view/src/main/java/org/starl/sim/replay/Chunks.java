@@ -42,7 +42,7 @@ final class Chunks<T> {
     return size;
   }
 
-  // Nothing but what add() took lies there.
+  // Only elements stored by add() are here.
   @SuppressWarnings("unchecked")
   T get(int index) {
     if (index < 0 || index >= size) {
@@ -51,7 +51,7 @@ final class Chunks<T> {
     return (T) chunks[index >>> SHIFT][index & (CHUNK - 1)];
   }
 
-  /** What is there now. */
+  /** A snapshot of the current elements. */
   List<T> view() {
     return new View(size);
   }

@@ -22,7 +22,7 @@ final class Compactor {
   private static final int MOTION_BYTES = 96;
   private static final int LIST_BYTES = 48;
 
-  // When there are too many, it begins anew: what is about comes again soon.
+  // When the table is full, it is cleared: current strings are added again soon.
   private final Map<String, String> texts = new LinkedHashMap<>();
   private long bytes;
 

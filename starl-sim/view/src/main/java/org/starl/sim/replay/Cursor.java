@@ -42,22 +42,22 @@ public final class Cursor {
     go(number + 1, recording.timeNs(number));
   }
 
-  /** Where it stands, in ns from the start of the run. */
+  /** The current time, in ns from the start of the run. */
   public long nowNs() {
     return nowNs;
   }
 
-  /** How many events came before: the number of the next one. */
+  /** The number of events before the cursor, which is the index of the next one. */
   public int index() {
     return index;
   }
 
-  /** What is seen; valid until the cursor moves. */
+  /** The scene at the cursor; valid until the cursor moves. */
   public Scene scene() {
     return scene;
   }
 
-  /** What the app draws; valid until the cursor moves. */
+  /** The app's layer at the cursor; valid until the cursor moves. */
   public Layer layer() {
     return layer;
   }

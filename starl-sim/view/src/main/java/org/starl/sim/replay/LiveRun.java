@@ -35,7 +35,7 @@ public final class LiveRun implements AutoCloseable {
   private volatile @Nullable SimResult result;
   private volatile @Nullable RuntimeException failure;
 
-  /** Something to be done to the run, and who waits for it. */
+  /** A requested intervention, and the future of its caller. */
   private record Wish(Consumer<RunController> what, CompletableFuture<Long> whenDone) {}
 
   /**
@@ -92,7 +92,7 @@ public final class LiveRun implements AutoCloseable {
     return recording.isOver();
   }
 
-  /** What came of the run; null before its end, and if an error ended it. */
+  /** The result of the run; null before its end, and if an error ended it. */
   public @Nullable SimResult result() {
     return result;
   }

@@ -8,7 +8,7 @@ package org.starl.sim.replay;
  */
 public record Mark(long timeNs, int index, Kind kind, String text) {
 
-  /** What it is. */
+  /** The kind of the mark. */
   public enum Kind {
     /** A specification does not hold. */
     VIOLATION,

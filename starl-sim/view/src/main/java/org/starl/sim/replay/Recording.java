@@ -23,7 +23,7 @@ import org.starl.trace.TraceHeader;
  */
 public final class Recording implements SimObserver {
 
-  /** Of what Java may use; the rest is for the run, and for those who look. */
+  /** The fraction of Java's memory for the recording; the rest is for the run and the viewers. */
   private static final double SHARE_OF_MEMORY = 0.6;
 
   private static final int ALL = Integer.MAX_VALUE;
@@ -116,14 +116,14 @@ public final class Recording implements SimObserver {
     over(result.endNs());
   }
 
-  /** Nothing more will happen until {@code timeNs}: time goes on though no event tells so. */
+  /** Advances the time to {@code timeNs} without an event. */
   public void reached(long timeNs) {
     if (timeNs > endNs) {
       endNs = timeNs;
     }
   }
 
-  /** The run ended so: from now on nothing happens. */
+  /** Ends the recording with the run's result. */
   public void over(long timeNs) {
     reached(timeNs);
     isOver = true;
@@ -186,12 +186,12 @@ public final class Recording implements SimObserver {
     return header != null;
   }
 
-  /** Of the world, hidden ones included. */
+  /** The obstacles of the world, hidden ones included. */
   public Obstacles obstacles() {
     return obstacles;
   }
 
-  /** How many events there are so far. */
+  /** The number of events so far. */
   public int size() {
     return events.size();
   }
@@ -220,7 +220,7 @@ public final class Recording implements SimObserver {
     return from;
   }
 
-  /** How far the run has come; its end, once it is over. */
+  /** The time that the run has reached; its end, once it is over. */
   public long endNs() {
     return endNs;
   }
@@ -230,7 +230,7 @@ public final class Recording implements SimObserver {
     return isOver;
   }
 
-  /** The error that ended the run, or the reading of it, in one line; empty if there is none. */
+  /** The error of the run or of the reader, in one line; empty if there is none. */
   public String failure() {
     return failure;
   }
@@ -243,17 +243,17 @@ public final class Recording implements SimObserver {
     return checked == ALL;
   }
 
-  /** How many events the specifications have looked at. */
+  /** The number of events that the specifications have checked. */
   public int checked() {
     return Math.min(checked, size());
   }
 
-  /** What stands on the timeline so far, in the order in which it was found. */
+  /** The marks of the timeline so far, in the order in which they were found. */
   public List<Mark> marks() {
     return marks.view();
   }
 
-  /** What robots have written so far, in order; nothing in a recording of a trace. */
+  /** The log lines so far, in order; none in a recording of a trace. */
   public List<LogLine> logs() {
     return logs.view();
   }

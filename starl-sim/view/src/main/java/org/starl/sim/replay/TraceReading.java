@@ -49,7 +49,7 @@ public final class TraceReading implements AutoCloseable {
     thread.start();
   }
 
-  /** What it fills. */
+  /** The recording that is filled. */
   public Recording recording() {
     return recording;
   }
@@ -87,7 +87,7 @@ public final class TraceReading implements AutoCloseable {
       read();
       check();
     } catch (CancellationException e) {
-      // Nobody watches any more; what is there stays.
+      // The reading was closed; the recording keeps its events.
       recording.over(recording.endNs());
     } catch (RuntimeException e) {
       failed("The specifications could not be checked: ", e);
@@ -125,7 +125,7 @@ public final class TraceReading implements AutoCloseable {
       recording.checked(index + 1);
     }
     if (failure == null) {
-      // Of a run that is cut off nobody knows what it still owes.
+      // Pending deadlines of a truncated run cannot be judged.
       checks.finish(recording.endNs());
       checks.newViolations().forEach(recording::violated);
     }

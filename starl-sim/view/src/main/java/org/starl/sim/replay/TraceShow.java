@@ -101,7 +101,7 @@ public final class TraceShow {
       }
       case TraceEvent.Left left -> onFloor.remove(left.robot());
       default -> {
-        // Of any robot at any time.
+        // Valid for every robot at every time.
       }
     }
   }
@@ -120,7 +120,7 @@ public final class TraceShow {
       case TraceEvent.Delivered message -> delivered++;
       case TraceEvent.Dropped message -> dropped++;
       default -> {
-        // Says nothing of messages.
+        // An event without message.
       }
     }
   }

@@ -43,7 +43,7 @@ final class Command extends AbstractAction {
     return String.valueOf(getValue(Action.NAME));
   }
 
-  /** As people write it; empty for none. */
+  /** The key as displayed; empty if there is none. */
   String keys() {
     return keys;
   }

@@ -20,7 +20,7 @@ final class Commands {
   private static final double ZOOM = 1.25;
   private static final double PAN_PX = 60;
 
-  /** What only the window itself can do. */
+  /** The commands that only the window can execute. */
   interface Owner {
     void sendPoint();
 

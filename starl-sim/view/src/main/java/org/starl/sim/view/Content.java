@@ -28,7 +28,7 @@ import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Theme;
 
-/** All that stands in a window, and what its commands do. It needs no screen to be built. */
+/** The components of a window and the effects of its commands. Needs no screen. */
 final class Content {
 
   private static final int SIDE_PX = 380;
@@ -158,7 +158,7 @@ final class Content {
     read();
   }
 
-  /** Shows how things stand. */
+  /** Shows the current state. */
   void read() {
     floor.surface().repaint();
     timeline.surface().repaint();

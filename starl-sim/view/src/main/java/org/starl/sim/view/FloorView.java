@@ -26,7 +26,7 @@ import org.starl.sim.replay.Mark;
 /** The floor: drag it, turn the wheel over it, click a robot. */
 final class FloorView {
 
-  /** What a click that is no drag asks for. */
+  /** Receives clicks that are not drags. */
   interface Clicks {
     /** The right button, or the left one with the control key held. */
     void menu(MouseEvent event);
@@ -66,7 +66,7 @@ final class FloorView {
   }
 
   private void paint(Graphics2D page, int widthPx, int heightPx) {
-    // In memory: there the painter is fast, whatever the screen is.
+    // The painter draws into memory, which is fast on every screen.
     double scale = page.getTransform().getScaleX();
     int wide = (int) Math.ceil(widthPx * scale);
     int high = (int) Math.ceil(heightPx * scale);
@@ -119,7 +119,7 @@ final class FloorView {
     page.drawString(text, (float) x + 4, (float) y - 5);
   }
 
-  /** What is wrong, or that it is over. */
+  /** The error text, or that the run is over. */
   private void banner(Graphics2D page, int widthPx, int heightPx) {
     Theme theme = session.view().look().theme();
     Mark violation = session.violation();
@@ -156,7 +156,7 @@ final class FloorView {
     page.drawString(shown, (float) left + 12, topPx + 17.5f);
   }
 
-  /** Of the banner, to write on it. */
+  /** The text colour of the banner. */
   private static double luma(Color colour) {
     return 0.299 * colour.getRed() + 0.587 * colour.getGreen() + 0.114 * colour.getBlue();
   }

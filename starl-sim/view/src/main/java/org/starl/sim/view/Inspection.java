@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
-/** What there is to know of one robot at a moment of a recording; found when somebody asks. */
+/** The state of one robot at a moment of a recording; computed on demand. */
 final class Inspection {
 
   private static final int MOST_LINES = 60;
@@ -74,7 +74,7 @@ final class Inspection {
     return String.format(Locale.ROOT, "%.0f mm", mm);
   }
 
-  /** What it sent and received of late, the latest first. */
+  /** The robot's recent messages, latest first. */
   static List<Line> messages(Recording recording, int index, RobotId robot) {
     List<Line> lines = new ArrayList<>();
     int least = Math.max(0, index - MOST_EVENTS);
@@ -99,7 +99,7 @@ final class Inspection {
     return lines;
   }
 
-  /** What kind of message comes first, for there is little room. */
+  /** The kind of message comes first, because space is short. */
   private static Line message(long timeNs, String whom, String channel, String message) {
     int end = 0;
     while (end < message.length() && Character.isJavaIdentifierPart(message.charAt(end))) {
@@ -109,7 +109,7 @@ final class Inspection {
     return new Line(timeNs, whom, text, channel + "\n" + message);
   }
 
-  /** What it did of late, by the names of the paper, and what its program wrote; the latest first. */
+  /** The robot's recent actions, by their names in the paper, and log lines; latest first. */
   static List<Line> log(Recording recording, int index, RobotId robot) {
     List<Line> lines = new ArrayList<>();
     int least = Math.max(0, index - MOST_EVENTS);

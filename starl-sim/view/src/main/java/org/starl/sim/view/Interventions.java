@@ -16,7 +16,7 @@ import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.sim.replay.LiveRun;
 
-/** What a person does to a run that goes on: by menu, or in so many words. */
+/** A person's interventions in a live run: by menu or as text. */
 final class Interventions {
 
   private static final int MOST_LINKS = 24;
@@ -38,7 +38,7 @@ final class Interventions {
   /** A fault with what a menu calls it. */
   record Item(String title, String fault) {}
 
-  /** What can go wrong with one robot. */
+  /** The faults of one robot. */
   static List<Item> faults(RobotId robot) {
     return List.of(
         new Item("Crash", "crash(" + robot + ")"),
@@ -52,7 +52,7 @@ final class Interventions {
         new Item("Something parks before it for 10 s", "block(" + robot + ",for=10s)"));
   }
 
-  /** What can go wrong between two. */
+  /** The faults between two robots. */
   static Item link(RobotId from, RobotId to) {
     return new Item(
         "To " + to + ": all is lost for 10 s", "loss(1,from=" + from + ",to=" + to + ",for=10s)");
@@ -160,7 +160,7 @@ final class Interventions {
     }
   }
 
-  /** Whom a point would go to; null, and why, if nobody. */
+  /** The robot that would receive a point; if there is none, null and the reason. */
   private @Nullable RobotId addressee() {
     if (!isLive()) {
       return null;

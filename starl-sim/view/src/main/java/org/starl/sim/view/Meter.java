@@ -1,6 +1,6 @@
 package org.starl.sim.view;
 
-/** How fast something goes that is counted, over the last second or so. */
+/** The rate of a counter, averaged over about the last second. */
 final class Meter {
 
   private static final long SPAN_NS = 500_000_000;
@@ -11,7 +11,7 @@ final class Meter {
   private double rate;
 
   /**
-   * The count stands there now.
+   * Sets the current count.
    *
    * @param realNs of any clock that goes on
    */

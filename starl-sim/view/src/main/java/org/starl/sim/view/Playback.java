@@ -14,7 +14,7 @@ import org.starl.sim.replay.Recording;
  */
 final class Playback {
 
-  /** As fast as it goes. */
+  /** As fast as possible. */
   static final double NO_LIMIT = Double.POSITIVE_INFINITY;
 
   /** Simulated seconds in a real one, from slow to fast. */
@@ -57,7 +57,7 @@ final class Playback {
     return cursor.nowNs();
   }
 
-  /** How many events have happened before now. */
+  /** The number of events before the current time. */
   int index() {
     return cursor.index();
   }
@@ -70,7 +70,7 @@ final class Playback {
     return speed;
   }
 
-  /** Whether there is nothing later, and there will not be. */
+  /** Whether the current time is the final end of the run. */
   boolean isAtEnd() {
     return recording.isOver() && nowNs() >= recording.endNs();
   }
@@ -168,7 +168,7 @@ final class Playback {
     return awaitedEvents > 0 ? recording.endNs() + leadNs : nowNs();
   }
 
-  /** Where a tick must end lest the window stand still. */
+  /** The time at which a tick must end so that the window remains responsive. */
   private long furthestNs() {
     int last = index() + EVENTS_A_TICK;
     return last < recording.size() ? recording.timeNs(last) : recording.endNs();
@@ -211,7 +211,7 @@ final class Playback {
     }
   }
 
-  /** To what stands on the timeline; stops playing. */
+  /** Jumps to a mark of the timeline and stops playing. */
   void toMark(Mark mark) {
     pause();
     awaitedNs = -1;
@@ -241,7 +241,7 @@ final class Playback {
     return isAfter ? mark.index() < best.index() : mark.index() > best.index();
   }
 
-  /** The latest violation that has happened by now; null if there is none. */
+  /** The latest violation up to the current time; null if there is none. */
   @Nullable Mark violation() {
     Mark latest = null;
     for (Mark mark : recording.marks()) {

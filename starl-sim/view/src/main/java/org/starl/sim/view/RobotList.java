@@ -60,7 +60,7 @@ final class RobotList {
     return pane;
   }
 
-  /** Shows who is there now. */
+  /** Shows the robots that are present now. */
   void read() {
     List<RobotId> robots = session.scene().robots();
     int wanted = linesOf(robots);

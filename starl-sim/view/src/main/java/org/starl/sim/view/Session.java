@@ -13,10 +13,10 @@ import org.starl.sim.replay.Recording;
 /** All that a window shows: a recording, where in it one is, and how it is looked at. */
 final class Session {
 
-  /** Real time that a run may be ahead of who watches it: a few pictures. */
+  /** Real time by which a run may be ahead of the viewer: a few frames. */
   private static final long LEAD_NS = 150_000_000;
 
-  /** What has arrived is shown for so much real time, but within limits of the run's. */
+  /** Real time during which arrivals are shown, limited in simulated time. */
   private static final long LINGER_NS = 70_000_000;
 
   private static final long LEAST_LINGER_NS = 15_000_000;
@@ -90,12 +90,12 @@ final class Session {
     meter.read(realNs, recording.isOver() ? playback.index() : recording.size());
   }
 
-  /** What is under way now, as far as it is to be shown. */
+  /** The datagrams in flight now that are to be shown. */
   List<Flight> flights() {
     if (!view.shows(Part.MESSAGES)) {
       return List.of();
     }
-    // What stands still is to be a moment, not a while.
+    // While time is stopped, a moment is shown instead of a span.
     double speed = playback.isPlaying() ? Math.min(playback.speed(), 1e3) : 0;
     long lingerNs = (long) Math.max(LEAST_LINGER_NS, Math.min(MOST_LINGER_NS, LINGER_NS * speed));
     return traffic.at(playback.nowNs(), playback.index(), lingerNs, view.selected());
@@ -107,7 +107,7 @@ final class Session {
     return header.scenario() + ", seed " + header.scenarioSeed();
   }
 
-  /** The latest violation that has happened by now; null if there is none. */
+  /** The latest violation up to the current time; null if there is none. */
   @Nullable Mark violation() {
     return playback.violation();
   }

@@ -9,7 +9,7 @@ import java.util.function.Function;
 import javax.swing.JComponent;
 import org.jspecify.annotations.Nullable;
 
-/** A component that is painted by somebody else. */
+/** A component with an external painter. */
 // Never serialized: a window is not kept in files.
 @SuppressWarnings("serial")
 final class Surface extends JComponent {

@@ -18,7 +18,7 @@ import javax.swing.JPanel;
 import javax.swing.JScrollPane;
 import org.starl.sim.record.Part;
 
-/** What is painted: a box to tick for each part of the picture, and for each part of the app's. */
+/** Check boxes for the parts of the picture and of the app's layer. */
 final class SwitchView {
 
   private static final String ALL = "all channels";
@@ -103,7 +103,7 @@ final class SwitchView {
     panel.add(box);
   }
 
-  /** Shows how the switches stand; keys move them too. */
+  /** Shows the current switches; keys change them too. */
   void read() {
     readers.forEach(Runnable::run);
     if (channels.getItemCount() != session.traffic().channels().size() + 1) {

@@ -89,7 +89,7 @@ final class Table {
   }
 
   private static String clipped(String text, FontMetrics metrics, int mostPx) {
-    // Of very long text, as much as could ever be seen.
+    // Truncates very long text to the largest visible length.
     String line = text.length() > 400 ? text.substring(0, 400) : text;
     if (metrics.stringWidth(line) <= mostPx) {
       return line;

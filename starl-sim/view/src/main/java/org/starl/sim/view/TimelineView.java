@@ -46,7 +46,9 @@ final class TimelineView {
     return surface;
   }
 
-  /** Of a run that goes on, more than there is yet, lest all move all the time. */
+  /**
+   * The length shown for a live run exceeds its current length, so that the scale rarely changes.
+   */
   private long spanNs() {
     long endNs = session.recording().endNs();
     if (session.recording().isOver()) {
@@ -158,7 +160,7 @@ final class TimelineView {
       case FAULT -> page.draw(new Line2D.Double(x, TRACK_PX - 14, x, TRACK_PX - 9));
       case INTERVENTION -> {
         Path2D diamond = new Path2D.Double();
-        // On the track: above it stands the fault that it may be.
+        // On the track, because a fault's mark may be above it.
         diamond.moveTo(x, TRACK_PX - 6.5);
         diamond.lineTo(x + 6.5, TRACK_PX);
         diamond.lineTo(x, TRACK_PX + 6.5);

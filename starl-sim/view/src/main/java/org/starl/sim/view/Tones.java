@@ -10,13 +10,13 @@ final class Tones {
 
   private Tones() {}
 
-  /** What is to be seen first: the moment on the timeline, interventions. */
+  /** The most prominent colour: the current moment on the timeline, interventions. */
   static Color accent() {
     Color accent = UIManager.getColor("Component.accentColor");
     return accent == null ? new Color(0x2675BF) : accent;
   }
 
-  /** Behind who is selected; text keeps its colour on it. */
+  /** The background of the selected robot; text keeps its colour on it. */
   static Color selection() {
     Color accent = accent();
     Color ground = UIManager.getColor("List.background");

@@ -21,13 +21,16 @@ import org.starl.trace.TraceEvent.Sent;
  */
 final class Traffic {
 
-  /** So much of the recording is looked at on either side of the moment, and no more events. */
+  /**
+   * The range of the recording to search on either side of the moment, and the maximum number of
+   * events.
+   */
   private static final long WINDOW_NS = 2_000_000_000;
 
   private static final int MOST_EVENTS = 8_000;
   private static final int MOST_FLIGHTS = 300;
 
-  /** Of what has no end yet: it is shown as if it took so long. */
+  /** The assumed flight time of datagrams without an end so far. */
   private static final long USUAL_NS = 200_000_000;
 
   private static final double LOST_AT = 0.75;
@@ -114,7 +117,7 @@ final class Traffic {
     return flights;
   }
 
-  /** A drop does not tell which datagram it was: the oldest that it can have been. */
+  /** A drop does not identify its datagram; the oldest candidate is used. */
   private static @Nullable Open oldest(Map<Key, Open> sent, Dropped lost) {
     for (Open open : sent.values()) {
       if (open.sent.robot().name().equals(lost.from())
@@ -149,7 +152,7 @@ final class Traffic {
             sent.robot(), to, sent.channel(), sent.message(), sent.timeNs(), share * most, state));
   }
 
-  /** Of a run that has not come far enough to tell what became of them. */
+  /** Datagrams whose end a live run has not reached yet. */
   private void addOpen(
       List<Flight> flights, Map<Key, Open> sent, long nowNs, @Nullable RobotId selected) {
     for (Open open : sent.values()) {

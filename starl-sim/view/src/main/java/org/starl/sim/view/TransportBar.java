@@ -16,7 +16,7 @@ import javax.swing.JPanel;
 import org.starl.sim.replay.Mark;
 import org.starl.sim.replay.Recording;
 
-/** Buttons for the time, and how it stands. */
+/** Buttons for playback, and its state. */
 final class TransportBar {
 
   private final Session session;
@@ -75,7 +75,7 @@ final class TransportBar {
     return button;
   }
 
-  /** As wide as it will ever be, lest all move with every digit. */
+  /** Has a fixed width, so that changing digits do not move the layout. */
   private static JLabel figure(String widest) {
     JLabel label = new JLabel(widest);
     label.setFont(new Font(Font.MONOSPACED, Font.PLAIN, 12));
@@ -113,7 +113,7 @@ final class TransportBar {
         + "x";
   }
 
-  /** Shows how things stand. */
+  /** Shows the current state. */
   void read() {
     Playback playback = session.playback();
     play.setIcon(playback.isPlaying() ? Glyph.PAUSE : Glyph.PLAY);
@@ -155,7 +155,7 @@ final class TransportBar {
     };
   }
 
-  /** What may still be found, for the specifications have not looked at all of it. */
+  /** Tells that the specifications have not checked all events yet. */
   static String openText(Recording recording) {
     if (recording.isChecked()) {
       return "";

@@ -34,7 +34,7 @@ public record ViewBench(
   private static final double NS_PER_S = 1e9;
   private static final double NS_PER_MS = 1e6;
 
-  /** Draws nothing, and so has nothing to keep. */
+  /** A layer without content, and so without state. */
   private static final class Plain implements Layer {
     @Override
     public Layer copy() {

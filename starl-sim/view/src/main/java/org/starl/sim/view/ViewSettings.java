@@ -61,7 +61,7 @@ public final class ViewSettings {
     return new ViewSettings(builder.build(), rangeMm(faults));
   }
 
-  /** The distance in {@code range(3m)}, a fault that lasts all the time; 0 if there is none. */
+  /** The distance of a permanent {@code range(3m)} fault; 0 if there is none. */
   private static double rangeMm(String faults) {
     Matcher range = RANGE.matcher(faults);
     if (!range.find()) {
@@ -74,7 +74,7 @@ public final class ViewSettings {
     }
   }
 
-  /** What the window shows at first. */
+  /** The initial state of the window. */
   Look look() {
     Look look =
         Look.FILE

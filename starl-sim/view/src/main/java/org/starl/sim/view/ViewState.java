@@ -14,7 +14,7 @@ import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
 import org.starl.sim.record.Viewport;
 
-/** What part of the floor the window shows, how, and who is selected. */
+/** The visible part of the floor, the display options and the selected robot. */
 final class ViewState {
 
   private static final int MARGIN_PX = 28;
@@ -67,7 +67,7 @@ final class ViewState {
     }
   }
 
-  /** The next one on the floor, or the one before; the first or last if nobody is selected. */
+  /** The next or previous robot on the floor; the first or last one without a selection. */
   void selectNeighbour(Scene scene, boolean isNext) {
     List<RobotId> there = new ArrayList<>();
     scene.forEachBody((robot, number, pose, radiusMm) -> there.add(robot));
@@ -80,7 +80,10 @@ final class ViewState {
     select(there.get(Math.floorMod(next, there.size())));
   }
 
-  /** The robot whose body is there, or nearly; the nearest if several are; null if none is. */
+  /**
+   * The robot whose body is at or near the point; the nearest if there are several; null if there
+   * is none.
+   */
   @Nullable RobotId robotAt(Scene scene, double xPx, double yPx) {
     RobotId[] best = new RobotId[1];
     double[] bestPx = {Double.MAX_VALUE};

@@ -85,7 +85,7 @@ public final class Window {
     isClosed.await();
   }
 
-  /** A run's header comes from its own thread; none comes if it fails at once. */
+  /** The header arrives on the run's thread, or not at all if the run fails at once. */
   private static void whenBegun(Recording recording, CountDownLatch isClosed, Runnable open) {
     Timer waiting = new Timer(10, null);
     waiting.addActionListener(tick -> {
