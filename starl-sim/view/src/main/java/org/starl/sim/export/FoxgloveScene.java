@@ -11,9 +11,9 @@ import org.starl.platform.LogSink.Level;
 import org.starl.spec.Bodies;
 
 /**
- * What a run looks like in Foxglove's messages, as JSON
- * (docs.foxglove.dev/docs/visualization/message-schemas). Everything is in one frame, {@code world},
- * in metres; z points up from the floor.
+ * The picture of a run in Foxglove's messages, as JSON
+ * (docs.foxglove.dev/docs/visualization/message-schemas). All entities are in one frame, {@code
+ * world}, in metres; z points up from the floor.
  */
 final class FoxgloveScene {
 

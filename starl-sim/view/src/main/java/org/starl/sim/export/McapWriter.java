@@ -13,8 +13,8 @@ import java.util.zip.CRC32;
 
 /**
  * Writes messages of many channels into one file that can be searched by time: the MCAP container
- * (mcap.dev/spec, version 0), in chunks that are not compressed, with an index of each and the
- * statistics at the end. Knows nothing of what the messages say. Times are in ns and may not go back.
+ * (mcap.dev/spec, version 0), in uncompressed chunks, each with an index, and with statistics at
+ * the end. Does not interpret the messages. Times are in ns and must not decrease.
  */
 final class McapWriter implements Closeable {
 
@@ -56,7 +56,7 @@ final class McapWriter implements Closeable {
   private long endNs;
 
   /**
-   * @param library who writes, for people
+   * @param library name of the writing library, for information
    */
   McapWriter(OutputStream out, String library) throws IOException {
     this.out = out;
@@ -68,9 +68,9 @@ final class McapWriter implements Closeable {
   }
 
   /**
-   * Says what messages look like.
+   * Adds a schema of messages.
    *
-   * @param jsonSchema of them
+   * @param jsonSchema the schema
    * @return the schema's number, for {@link #channel}
    */
   int schema(String name, String jsonSchema) {

@@ -12,7 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import org.starl.geometry.Pose;
 
-/** Paints datagrams: an arc from sender to receiver in the sender's colour, and a dot on its way. */
+/** Paints datagrams: an arc from sender to receiver in the sender's colour, and a moving dot. */
 final class FlightPainter {
 
   private static final int FEW = 14;

@@ -21,8 +21,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Takes a moving picture of a run, with the same painter as its still ones: a frame every so often of
- * virtual time. Of a violation it keeps what came before.
+ * Records an animation of a run, with the painter of the still pictures: frames at a fixed interval
+ * of virtual time. For a violation it keeps the frames before it.
  */
 public final class GifRecorder implements SimObserver {
 
@@ -53,7 +53,7 @@ public final class GifRecorder implements SimObserver {
   /**
    * @param everyNs virtual time between two frames, above 0
    * @param widthPx of the picture
-   * @param ofViolation whether to keep the first violation only, and nothing if all hold
+   * @param ofViolation whether to keep only the first violation, and no file without a violation
    */
   public GifRecorder(
       Obstacles obstacles, Layer layer, long everyNs, int widthPx, boolean ofViolation) {

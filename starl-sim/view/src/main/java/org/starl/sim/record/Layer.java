@@ -7,11 +7,10 @@ import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 
 /**
- * What an app draws into the picture of a run. Coordinates are the world's: mm, y upwards.
+ * An app's drawing in the picture of a run. Coordinates are those of the world: mm, y upwards.
  *
- * <p>What it draws depends on nothing but what it was made with and the events that it has observed:
- * so that a picture of any moment can be painted, of a run that goes on as of one in a file, forwards
- * and backwards.
+ * <p>The drawing depends only on the layer's construction and the events that it has observed, so
+ * that a picture of any moment can be painted, of a live run or of a file, forwards and backwards.
  */
 public interface Layer {
 
@@ -25,24 +24,26 @@ public interface Layer {
       };
 
   /**
-   * The same layer at this moment: the copy and this one, which is left as it is, go on apart, maybe
-   * on two threads. A layer that keeps nothing of the events is its own copy, and returns itself; one
-   * that keeps something must give the copy its own.
+   * Copies this layer. The copy and this layer are then independent, possibly on two threads. A
+   * layer without state from events may return itself; any other must copy that state.
    */
   Layer copy();
 
   /** Sees each event of the run before it is painted. */
   default void observe(TraceEvent event) {}
 
-  /** What can be switched off, a word each; {@link Look#shows(String)} tells whether it is on. */
+  /**
+   * The names of the parts that can be hidden; {@link Look#shows(String)} tells whether one is
+   * shown.
+   */
   default List<String> parts() {
     return List.of();
   }
 
   /**
-   * Under the bodies: zones, routes, goals.
+   * Draws below the bodies: zones, routes, goals.
    *
-   * @param look colours to paint in, and what is switched on
+   * @param look the colours and the shown parts
    */
   default void paintFloor(Graphics2D floor, Scene scene, Look look) {}
 

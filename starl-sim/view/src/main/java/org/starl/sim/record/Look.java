@@ -9,8 +9,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 
 /**
- * How a scene is painted: in which colours, which parts of it, whom it is about, and how large a pixel
- * is.
+ * The painting options of a scene: its colours, its shown parts, the selected robot and the size of
+ * a pixel.
  */
 public final class Look {
 
@@ -140,7 +140,7 @@ public final class Look {
     return new BasicStroke(atLeast(widthMm, 1), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
   }
 
-  /** Round dots so wide, their centres so far from each other; never less than 2 and 6 pixels. */
+  /** A pattern of round dots with this width and distance of centres; at least 2 and 6 pixels. */
   public BasicStroke dots(double widthMm, double stepMm) {
     float[] dash = {(float) (widthMm / 50), atLeast(stepMm, 6)};
     return new BasicStroke(

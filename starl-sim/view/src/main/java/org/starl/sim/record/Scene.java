@@ -23,8 +23,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What a run looks like at one moment, put together from its events. Of the robots that have left the
- * floor only the last ones are kept.
+ * The state of a run at one moment, computed from its events. Of the robots that have left the
+ * floor, only the last ones are kept.
  */
 public final class Scene {
 
@@ -47,8 +47,8 @@ public final class Scene {
   public interface Visitor {
 
     /**
-     * @param number as of {@link Scene#number}
-     * @param pose the body's true one
+     * @param number see {@link Scene#number}
+     * @param pose the true pose of the body
      */
     void visit(RobotId robot, int number, Pose pose, double radiusMm);
   }
@@ -83,8 +83,8 @@ public final class Scene {
   }
 
   /**
-   * The same at this moment: the copy and this one, which is left as it is, go on apart, maybe on two
-   * threads. What robots have left behind is not copied but shared.
+   * Copies this scene. The copy and this scene are then independent, possibly on two threads.
+   * Trails are shared, not copied.
    */
   public Scene copy() {
     Scene copy = new Scene(obstacles, bodies.copy(), extent.copy());
@@ -193,7 +193,10 @@ public final class Scene {
     return List.copyOf(trails.keySet());
   }
 
-  /** How many robots had come onto the floor before one of {@link #robots}: good for a colour. */
+  /**
+   * The number of robots that appeared on the floor before this one of {@link #robots}; selects its
+   * colour.
+   */
   public int number(RobotId robot) {
     return numbers.getOrDefault(robot, 0);
   }

@@ -6,7 +6,7 @@ import java.awt.image.BufferedImage;
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
-/** Small ready pictures of bodies, by colour and heading: what thousands of robots are painted with. */
+/** Prepared small images of bodies, by colour and heading, for pictures of thousands of robots. */
 final class Sprites {
 
   private static final int HEADINGS = 48;

@@ -5,8 +5,8 @@ import java.util.Arrays;
 import java.util.List;
 
 /**
- * The colours of a picture. Layers take theirs from here, so that what they draw can be seen on light
- * and on dark paper.
+ * The colours of a picture. Layers use them, so that their drawings are visible on light and on
+ * dark paper.
  */
 public final class Theme {
 
@@ -154,9 +154,9 @@ public final class Theme {
   }
 
   /**
-   * The same, seen through.
+   * The colour with transparency.
    *
-   * @param alpha 0 for nothing to 255 for all
+   * @param alpha from 0, invisible, to 255, opaque
    */
   public static Color faded(Color colour, int alpha) {
     return new Color(colour.getRed(), colour.getGreen(), colour.getBlue(), alpha);

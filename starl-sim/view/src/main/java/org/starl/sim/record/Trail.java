@@ -6,8 +6,8 @@ import java.util.RandomAccess;
 import org.starl.geometry.Point;
 
 /**
- * Where a body has been: points that become more and are never changed. A copy shares them, until it
- * has one of its own to add; the original goes on in the same memory, where the copy does not look.
+ * The past positions of a body: an append-only list of points. A copy shares them until it adds its
+ * own; the original may continue in the same memory, beyond the range that the copy reads.
  */
 final class Trail extends AbstractList<Point> implements RandomAccess {
 

@@ -5,9 +5,9 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
 /**
- * What a recording looked like after some of its events, kept by whoever came past, so that nobody has
- * to start from the beginning. They stand every so many events; when there are too many of them, every
- * other one goes. Good for several threads.
+ * Copies of the scene after some events of a recording, stored by cursors that pass there, so that
+ * later cursors need not start from the beginning. They have a minimum distance in events; when
+ * there are too many, every other one is removed. Thread-safe.
  */
 final class Checkpoints {
 

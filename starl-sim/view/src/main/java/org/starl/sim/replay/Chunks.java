@@ -7,8 +7,8 @@ import java.util.RandomAccess;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A list that one thread appends to while others read: what {@link #size} counts may be read. Nothing
- * is ever moved or removed, and no one waits for a lock.
+ * A list that one thread appends to while others read the elements counted by {@link #size}.
+ * Elements are never moved or removed, and no lock is used.
  */
 final class Chunks<T> {
 

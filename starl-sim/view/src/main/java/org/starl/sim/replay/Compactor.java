@@ -11,8 +11,8 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Makes equal texts of events one: names that come again and again, and the text of a message, which
- * whoever receives it has for itself. Knows about how many bytes the events take that came through it.
+ * Replaces equal texts in events by one object: repeated names, and the text of a message, of which
+ * each receiver has its own copy. Counts the approximate memory of the events.
  */
 final class Compactor {
 

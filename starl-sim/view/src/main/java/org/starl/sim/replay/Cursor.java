@@ -4,9 +4,9 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 
 /**
- * A place in a recording, and what the run looks like there. It goes forwards by observing the events
- * in between, and backwards by starting again at a checkpoint before; it leaves checkpoints behind for
- * itself and others. One thread's own.
+ * A position in a recording, and the state of the run at it. It moves forwards by observing the
+ * events in between, and backwards by restarting at an earlier checkpoint; it stores checkpoints
+ * for itself and other cursors. Used by one thread.
  */
 public final class Cursor {
 
@@ -25,8 +25,8 @@ public final class Cursor {
   }
 
   /**
-   * To the moment after all events that are not later than {@code timeNs}; to the beginning or to {@link
-   * Recording#endNs} if that is nearer.
+   * Moves to the moment after all events that are not later than {@code timeNs}, limited to the
+   * range from the beginning to {@link Recording#endNs}.
    */
   public void seek(long timeNs) {
     long toNs = Math.max(0, Math.min(timeNs, recording.endNs()));
@@ -34,9 +34,9 @@ public final class Cursor {
   }
 
   /**
-   * To the moment right after the event of that number.
+   * Moves to the moment directly after the event with this index.
    *
-   * @throws IndexOutOfBoundsException if the recording has none
+   * @throws IndexOutOfBoundsException if there is no such event
    */
   public void toEvent(int number) {
     go(number + 1, recording.timeNs(number));

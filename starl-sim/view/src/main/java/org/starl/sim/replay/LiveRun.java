@@ -14,13 +14,13 @@ import org.starl.sim.StepListener;
 import org.starl.sim.fault.FaultGrammar;
 
 /**
- * A simulation that runs on a thread of its own while somebody watches: into a {@link Recording}, and
- * no farther than {@link #runUntil} allows, so that what a person does to it happens near what that
- * person sees. All methods may be called from any thread; {@link #close} ends the run.
+ * A simulation that runs on its own thread and fills a {@link Recording} for a viewer. It runs no
+ * farther than {@link #runUntil} allows, so that a person's interventions happen near the displayed
+ * time. All methods may be called from any thread; {@link #close} ends the run.
  *
- * <p>Nothing here changes the run but {@link #fault}, {@link #point} and {@link #close} before its end:
- * these are events in it. Each takes effect between two steps, at the time that the run has come to, and
- * while it waits as well as while it runs.
+ * <p>Only {@link #fault}, {@link #point} and a {@link #close} before the end change the run; each
+ * is an event of the run. It takes effect between two steps, at the time that the run has reached,
+ * even while the run is paused.
  */
 public final class LiveRun implements AutoCloseable {
 
@@ -39,9 +39,9 @@ public final class LiveRun implements AutoCloseable {
   private record Wish(Consumer<RunController> what, CompletableFuture<Long> whenDone) {}
 
   /**
-   * The run stands at its beginning until {@link #start}.
+   * The run starts paused at its beginning, until {@link #start}.
    *
-   * @param builder of the simulation, all observers but {@code recording} added; used up
+   * @param builder of the simulation, with all observers except {@code recording}; it is used up
    */
   public LiveRun(Simulation.Builder builder, Recording recording) {
     this.recording = recording;
@@ -56,8 +56,8 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * From now on the run may go on until that time, and waits there; all the way with {@code
-   * Long.MAX_VALUE}. Where it has come farther already, it waits.
+   * Lets the run continue until that time, where it pauses; {@code Long.MAX_VALUE} means until its
+   * end. A run that is already farther pauses at once.
    */
   public void runUntil(long timeNs) {
     limitNs = timeNs;
@@ -65,12 +65,12 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Lets something go wrong from now on.
+   * Injects a fault from now on.
    *
-   * @param fault as {@code --fault} reads it; what it does not say of times counts from now
-   * @return when it happened, or {@link BadInput} if it names no robot of this run or ends before it
-   *     begins, or {@link IllegalStateException} if the run has ended
-   * @throws BadInput at once if it is no fault
+   * @param fault in the format of {@code --fault}; times count from now unless it sets them
+   * @return the time of the fault, or {@link BadInput} if it names no robot of this run or ends
+   *     before it begins, or {@link IllegalStateException} if the run has ended
+   * @throws BadInput at once if the text is not a fault
    */
   public CompletableFuture<Long> fault(String fault) {
     FaultGrammar.parse(fault);
@@ -78,9 +78,9 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Shows a robot's app a place.
+   * Passes a point to a robot's app.
    *
-   * @return when it happened, or {@link BadInput} if there is no such robot, or {@link
+   * @return the time of the intervention, or {@link BadInput} if there is no such robot, or {@link
    *     IllegalStateException} if the run has ended
    */
   public CompletableFuture<Long> point(RobotId robot, int xMm, int yMm) {
@@ -103,8 +103,8 @@ public final class LiveRun implements AutoCloseable {
   }
 
   /**
-   * Ends the run where it is, unless it has ended, and waits until its thread is gone; if this thread is
-   * interrupted meanwhile, it stays so and waits no longer.
+   * Ends the run now, unless it has ended, and waits for the end of its thread. An interrupt of the
+   * calling thread ends the wait and remains set.
    */
   @Override
   public void close() {

@@ -4,9 +4,9 @@ import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
 
 /**
- * A line that a robot's program wrote for people. A trace has none: only a run that is watched does.
+ * A log line of a robot's program. Only recordings of live runs have log lines; traces do not.
  *
- * @param index how many events came before it
+ * @param index number of events before it
  */
 public record LogLine(
     long timeNs, int index, RobotId robot, Level level, String tag, String line) {}

@@ -17,9 +17,9 @@ import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceHeader;
 
 /**
- * All events of one run, kept while it runs or read from a trace, with what people look for in them.
- * One thread fills it, as an observer of the run; any others may read it meanwhile, without waiting:
- * what {@link #size} counts is there, and does not change.
+ * All events of one run, recorded live or read from a trace, with marks and log lines. One thread
+ * fills it, as an observer of the run; other threads may read it concurrently without blocking: the
+ * events counted by {@link #size} do not change.
  */
 public final class Recording implements SimObserver {
 
@@ -45,16 +45,16 @@ public final class Recording implements SimObserver {
 
   /**
    * @param obstacles of the world, hidden ones included
-   * @param layer that has seen no event; the recording's own
+   * @param layer that has observed no event; owned by the recording
    */
   public Recording(Obstacles obstacles, Layer layer) {
     this(obstacles, layer, (long) (SHARE_OF_MEMORY * Runtime.getRuntime().maxMemory()));
   }
 
   /**
-   * The same, of a bounded size.
+   * Creates a recording of bounded size.
    *
-   * @param mostBytes that its events may take, about
+   * @param mostBytes approximate memory limit of its events
    */
   Recording(Obstacles obstacles, Layer layer, long mostBytes) {
     this.obstacles = obstacles;
@@ -68,7 +68,7 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * @throws BadInput if there are more events than memory for them
+   * @throws BadInput if the events exceed the memory limit
    */
   @Override
   public void observed(TraceEvent event) {
@@ -130,7 +130,7 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * An error ended the run, or the reading of it, which is over by that.
+   * Ends the recording with an error of the run or of its reader.
    *
    * @param why one line
    */
@@ -139,7 +139,7 @@ public final class Recording implements SimObserver {
     over(endNs);
   }
 
-  /** The specifications will look at the events later: all of {@link #checked} that follows is theirs. */
+  /** Declares that the events are checked later, as reported by {@link #checked}. */
   void toBeChecked() {
     checked = 0;
   }
@@ -169,9 +169,9 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * What the run was.
+   * The header of the run.
    *
-   * @throws IllegalStateException if it has not begun
+   * @throws IllegalStateException if the run has not begun
    */
   public TraceHeader header() {
     TraceHeader known = header;
@@ -225,7 +225,9 @@ public final class Recording implements SimObserver {
     return endNs;
   }
 
-  /** Whether nothing will happen any more; {@link #isChecked} tells whether more may be found in it. */
+  /**
+   * Whether all events are recorded; {@link #isChecked} tells whether more violations may be found.
+   */
   public boolean isOver() {
     return isOver;
   }
@@ -236,8 +238,8 @@ public final class Recording implements SimObserver {
   }
 
   /**
-   * Whether the specifications have looked at all that has happened so far: always, but of a trace,
-   * which is read first.
+   * Whether the specifications have checked all events so far; false only while a trace is checked,
+   * after it was read.
    */
   public boolean isChecked() {
     return checked == ALL;

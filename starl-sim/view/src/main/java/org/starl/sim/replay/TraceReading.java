@@ -12,10 +12,9 @@ import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
 
 /**
- * A trace that is read on a thread of its own while somebody watches: into a {@link Recording}, all of
- * it at once, which is quick. The same thread then lets the specifications look at what was read, which
- * is not, and marks what they find: who watches waits for neither. All methods may be called from any
- * thread.
+ * Reads a trace on its own thread into a {@link Recording} for a viewer, all events at once, which
+ * is fast. The same thread then checks the specifications, which is slow, and marks violations; the
+ * viewer waits for neither. All methods may be called from any thread.
  */
 public final class TraceReading implements AutoCloseable {
 
@@ -27,12 +26,12 @@ public final class TraceReading implements AutoCloseable {
   private volatile @Nullable RuntimeException failure;
 
   /**
-   * Nothing is read until {@link #start}.
+   * Reading begins with {@link #start}.
    *
-   * @param recording to fill, of which nobody else is an observer
-   * @param trace shows all of it to observers, once; may end with {@link BadInput}, and then what came
-   *     before is kept, and checked
-   * @param monitors makes fresh ones of the specifications to check
+   * @param recording to fill; it must have no other source
+   * @param trace passes the whole trace to observers, once; may throw {@link BadInput}, in which
+   *     case the earlier events are kept and checked
+   * @param monitors creates new monitors of the specifications to check
    */
   public TraceReading(
       Recording recording, Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
@@ -69,8 +68,8 @@ public final class TraceReading implements AutoCloseable {
   }
 
   /**
-   * Reads and checks no further, and waits until its thread is gone; if this thread is interrupted
-   * meanwhile, it stays so and waits no longer.
+   * Stops reading and checking, and waits for the end of the thread. An interrupt of the calling
+   * thread ends the wait and remains set.
    */
   @Override
   public void close() {

@@ -20,8 +20,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceReader;
 
 /**
- * Shows a trace to observers, as if the run took place before them: nothing is simulated. Monitors
- * check it again, and the observers are told of violations; what robots logged is in no trace.
+ * Passes the events of a trace to observers as a run does; nothing is simulated. Monitors check the
+ * trace again, and observers receive the violations. A trace has no log lines.
  */
 public final class TraceShow {
 
@@ -46,13 +46,13 @@ public final class TraceShow {
   }
 
   /**
-   * Shows all that {@code reader} has still to give.
+   * Passes all remaining events of {@code reader}.
    *
-   * @param file what errors call the trace
-   * @param monitors fresh ones, of the specifications to check
-   * @return the outcome, as far as a trace tells it: what the apps returned it does not
-   * @throws IOException if the trace cannot be read, or a line is no line of a trace
-   * @throws BadInput if it was cut off, or its events do not fit together
+   * @param file the trace's name in error messages
+   * @param monitors new monitors of the specifications to check
+   * @return the outcome as far as a trace contains it, without the results of apps
+   * @throws IOException if the trace cannot be read or has an invalid line
+   * @throws BadInput if the trace is truncated or its events are inconsistent
    */
   public static SimResult show(
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers)

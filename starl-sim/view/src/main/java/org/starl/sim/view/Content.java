@@ -145,9 +145,9 @@ final class Content {
   }
 
   /**
-   * Real time goes on.
+   * Advances real time.
    *
-   * @param realNs of any clock that goes on
+   * @param realNs of any monotonic clock
    */
   void tick(long realNs, long elapsedNs) {
     session.tick(realNs, elapsedNs);

@@ -28,14 +28,14 @@ final class Inspection {
   /**
    * A row of a table.
    *
-   * @param isTitle whether it opens a group; its value is then empty
+   * @param isTitle whether the row is the title of a group; its value is then empty
    */
   record Row(boolean isTitle, String name, String value) {}
 
   /**
-   * A line about one moment.
+   * A line about one event.
    *
-   * @param more the same at full length
+   * @param more the full text
    */
   record Line(long timeNs, String what, String text, String more) {}
 

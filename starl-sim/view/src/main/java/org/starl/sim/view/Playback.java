@@ -9,8 +9,8 @@ import org.starl.sim.replay.Mark;
 import org.starl.sim.replay.Recording;
 
 /**
- * Goes through a recording as a person asks: plays it at some speed, stops, steps, jumps. One thread's
- * own.
+ * Controls the playback of a recording: plays at some speed, stops, steps, jumps. Used by one
+ * thread.
  */
 final class Playback {
 
@@ -37,7 +37,7 @@ final class Playback {
   private int awaitedEvents = -1;
 
   /**
-   * @param speed simulated seconds in a real one, above 0; {@link #NO_LIMIT} for as fast as it goes
+   * @param speed simulated seconds per real second, above 0; {@link #NO_LIMIT} for no limit
    */
   Playback(Recording recording, double speed) {
     this.recording = recording;
@@ -154,9 +154,9 @@ final class Playback {
   }
 
   /**
-   * How far a run that still goes on should come, for what is asked for.
+   * The time that a live run should reach for the requested playback.
    *
-   * @param leadNs real time that it may be ahead
+   * @param leadNs real time by which the run may be ahead
    */
   long wantedNs(long leadNs) {
     if (isPlaying) {
@@ -174,7 +174,10 @@ final class Playback {
     return last < recording.size() ? recording.timeNs(last) : recording.endNs();
   }
 
-  /** To a time, or to the beginning or the end so far if that is nearer. Playing goes on from there. */
+  /**
+   * Jumps to a time, limited to the range from the beginning to the current end. Playing continues
+   * there.
+   */
   void seek(long timeNs) {
     awaitedNs = -1;
     awaitedEvents = -1;
@@ -220,9 +223,9 @@ final class Playback {
   }
 
   /**
-   * The nearest one after now, or before now.
+   * The nearest mark after or before the current time.
    *
-   * @param kind null for any
+   * @param kind the kind of mark, or null for any
    * @return null if there is none
    */
   @Nullable Mark neighbour(boolean isAfter, Mark.@Nullable Kind kind) {

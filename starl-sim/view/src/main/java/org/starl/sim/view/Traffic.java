@@ -16,8 +16,8 @@ import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
 /**
- * Which messages are under way at a moment of a recording. It looks a little back, for what was sent,
- * and a little ahead, for what became of it: nothing is kept while nobody looks.
+ * The datagrams in flight at a moment of a recording. Searches backwards for their sending and
+ * forwards for their end on demand; stores nothing.
  */
 final class Traffic {
 
@@ -79,10 +79,10 @@ final class Traffic {
   }
 
   /**
-   * Those under way.
+   * The datagrams in flight.
    *
-   * @param index how many events have happened
-   * @param lingerNs what has arrived is shown for so long
+   * @param index number of events up to the moment
+   * @param lingerNs how long an arrived datagram is still shown
    */
   List<Flight> at(long nowNs, int index, long lingerNs, @Nullable RobotId selected) {
     int from = Math.max(index - MOST_EVENTS, recording.firstAfter(nowNs - WINDOW_NS));

@@ -15,15 +15,15 @@ import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
 
 /**
- * How many pictures a second the window's floor gets while the simulation goes on beside it: painted in
- * memory, as the window does it, without a screen.
+ * The frame rate of the window's floor during a live simulation, painted as in the window but in
+ * memory, without a screen.
  *
- * @param frames how many were painted
- * @param cpuMs of the painting thread, for a picture, all that the window does for it included
- * @param longestMs from one picture to the next
- * @param wallS how long it took
- * @param simulatedS how far the picture went
- * @param events of the trace, all of them gone through
+ * @param frames number of painted frames
+ * @param cpuMs time of the painting thread per frame, including all other work of the window
+ * @param longestMs longest time between two frames
+ * @param wallS duration
+ * @param simulatedS simulated time shown
+ * @param events number of events of the trace, all of which were processed
  */
 public record ViewBench(
     int frames, double cpuMs, double longestMs, double wallS, double simulatedS, int events) {
@@ -45,8 +45,7 @@ public record ViewBench(
   /**
    * Measures, for so long.
    *
-   * @param speed simulated seconds in a real one that are asked for; where the machine is too slow it
-   *     gets as far as it gets
+   * @param speed requested simulated seconds per real second; a slow machine reaches less
    */
   public static ViewBench take(Simulation.Builder simulation, double speed, double forS)
       throws InterruptedException {
