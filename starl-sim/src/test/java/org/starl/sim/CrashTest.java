@@ -53,7 +53,7 @@ class CrashTest {
             }
           });
 
-  /** Drives on and on, and tells everybody its boot number ten times a second, for 5 s. */
+  /** Drives continuously, and broadcasts its boot number ten times a second for 5 s. */
   private static final class Beater extends LogicThread {
     private final List<Integer> heard = new ArrayList<>();
 

@@ -43,7 +43,7 @@ class SimulationTest {
             }
           });
 
-  /** Drives a metre, greets everybody on the way, and returns how it went. */
+  /** Drives a metre, broadcasts greetings on the way, and returns the result of its motion. */
   private static final class Greeter extends LogicThread {
     private int heard;
 

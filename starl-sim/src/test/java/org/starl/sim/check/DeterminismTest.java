@@ -31,7 +31,7 @@ class DeterminismTest {
     Object value(int round, GlobalVarHolder gvh, Rng rng);
   }
 
-  /** Goes to and fro; each round it tells of one value. */
+  /** Drives back and forth; traces one value per round. */
   private static final class Wanderer extends LogicThread {
     private final Step step;
     private final Rng rng;

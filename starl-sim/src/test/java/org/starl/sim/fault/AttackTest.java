@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.trace.TraceEvent;
 
-/** Whoever has not got the key can disturb robots without one, and nobody else. */
+/** An attacker without the key disturbs only robots without a key. */
 class AttackTest {
 
   private static final long FROM = 3 * S;

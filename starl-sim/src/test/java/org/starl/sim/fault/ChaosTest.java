@@ -87,7 +87,7 @@ class ChaosTest {
         assertThat(run.events)
             .as(what)
             .noneMatch(event -> event instanceof TraceEvent.Fault && event.timeNs() > healedNs);
-        // What was held up in the air arrives within 2 s, and then all is as without faults.
+        // Delayed datagrams arrive within 2 s; afterwards the run is as without faults.
         for (int from = 0; from < 3; from++) {
           for (int to = 0; to < 3; to++) {
             int sent = run.of(TraceEvent.Sent.class, from, 8 * S, 9 * S).size();

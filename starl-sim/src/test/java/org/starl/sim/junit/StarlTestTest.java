@@ -31,7 +31,7 @@ class StarlTestTest {
   private static final String FIXTURE = "starl.fixture";
   private static final Pattern SEED = Pattern.compile("-Dstarl\\.seed=(-?\\d+)");
 
-  /** Keeps the fixtures below, some of which fail, from whoever looks for tests. */
+  /** Hides the fixtures below, some of which fail, from test discovery. */
   static final class OnlyFromHere implements ExecutionCondition {
     @Override
     public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {

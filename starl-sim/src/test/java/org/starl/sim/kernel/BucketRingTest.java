@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the queue's property does not see: that cells are used again. */
+/** Cells are reused, which the property of the queue does not check. */
 class BucketRingTest {
 
   private static final int EVENTS = 1000;

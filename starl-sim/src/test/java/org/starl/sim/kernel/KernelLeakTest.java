@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.platform.Timer;
 
-/** What a run leaves behind: nothing. */
+/** A run leaves no memory and no thread behind. */
 class KernelLeakTest {
 
   @Test

@@ -61,7 +61,7 @@ class KernelTest {
     assertThat(plain).hasSize(3 * 39 + 1).isEqualTo(hinted);
   }
 
-  /** Forty apps whose events share an instant; the last one's strand is closed by the first. */
+  /** Forty apps with events at one instant; the first app closes the strand of the last one. */
   private List<String> runOfACrowd(CarrierKind kind, Consumer<SimStrand> atStart) {
     log.clear();
     try (Kernel kernel = new Kernel(kind)) {

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.platform.StrandClosed;
 
-/** Bugs of a robot's program end the run, and say where and when. */
+/** Bugs in a robot's program end the run, with place and time in the message. */
 class RobotErrorTest {
 
   @ParameterizedTest

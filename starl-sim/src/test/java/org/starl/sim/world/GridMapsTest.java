@@ -17,7 +17,7 @@ import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
-/** Grid maps: what they say, and that every bad line is named. */
+/** Grid maps are read, and errors name every bad line. */
 class GridMapsTest {
 
   private static final String SMALL =

@@ -19,7 +19,7 @@ import org.starl.input.BadInput;
 
 final class WaypointFilesTest {
 
-  /** {@code shared/data} beside the checkout, or below what {@code -Dstarl.shared} says. */
+  /** {@code shared/data} beside the checkout, or in the folder {@code -Dstarl.shared}. */
   private static Path original() {
     String shared = System.getProperty("starl.shared", "../../shared");
     Path folder = Path.of(shared).resolve("data/starl-original");

@@ -83,7 +83,7 @@ public final class MainActivityTest {
     return all.toString();
   }
 
-  /** What the service was told since the last call; to bind it is no order. */
+  /** The service's intents since the last call, without binding. */
   private List<String> orders() {
     List<String> found = new ArrayList<>();
     var shadow = shadowOf(activity.get());

@@ -57,7 +57,7 @@ public final class RobotServiceTest {
   private final AtomicInteger refusals = new AtomicInteger();
   private final Application application = RuntimeEnvironment.getApplication();
 
-  /** What the service's worker waits for, where a test holds it. */
+  /** Blocks the service's worker while a test holds it. */
   private final Semaphore mayGoOn = new Semaphore(0);
 
   private NatNetServer cameras;
@@ -136,7 +136,7 @@ public final class RobotServiceTest {
     });
   }
 
-  /** Starts a robot whose opening waits, and returns while it does. */
+  /** Starts a robot whose opening blocks, and returns during the opening. */
   private void startHeld(RobotService.Opener then) throws InterruptedException {
     Semaphore isOpening = new Semaphore(0);
     service.opener =
@@ -150,7 +150,7 @@ public final class RobotServiceTest {
     service.opener = Robot::open;
   }
 
-  /** Lets the worker go on; returns when it has done all that it was asked for, and said so. */
+  /** Releases the worker; returns when it has completed and reported all requests. */
   private void goOn() throws Exception {
     mayGoOn.release();
     service.worker.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
