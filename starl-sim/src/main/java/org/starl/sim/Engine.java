@@ -36,7 +36,7 @@ import org.starl.sim.world.World;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
 
-/** One run: joins kernel, world, radio and robots. Made for one call of {@link #run}. */
+/** One run: connects kernel, world, network and robots. Used for one call of {@link #run}. */
 final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   private final SimulationPlan plan;
@@ -48,15 +48,15 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final SimNetwork network;
   private final Participants deployment;
   private final Obstacles knownObstacles;
-  // Thousands of robots share them.
+  // Shared by all robots, of which there may be thousands.
   private final Map<RobotType, MotionParameters> motions = new EnumMap<>(RobotType.class);
   private final Map<RobotId, SimRobot> robots = new LinkedHashMap<>();
-  // A robot that left and joins again is another incarnation, with its stored data.
+  // Data of robots that left: a robot that joins again is a new incarnation with its stored data.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
   private final Map<RobotId, RobotClock> clocks = new LinkedHashMap<>();
   private final Impairments impairments = new Impairments();
   private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
-  // Apps that have not ended, and planned restarts: the run waits for these.
+  // The number of running apps and planned restarts, for which the run waits.
   private int running;
   private int restartsDue;
   private int brought;
@@ -99,7 +99,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     } catch (RobotError e) {
       throw failed(String.valueOf(e.getMessage()), e);
     } catch (RuntimeException e) {
-      // From the world, a director or an observer, not from a robot.
+      // An exception of the world, a director or an observer, not of a robot.
       throw failed("at " + kernel.nowNs() + " ns: " + e, e);
     }
     SpecReport spec = watchers.endSpecifications(kernel.nowNs());
@@ -191,7 +191,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       throw new BadInput("no robot can have the name " + Fault.WORLD);
     }
     if (robots.containsKey(spec.id())) {
-      throw new BadInput("robot " + spec.id() + " has joined already");
+      throw new BadInput("robot " + spec.id() + " has already joined");
     }
     SimStable stable =
         stables.computeIfAbsent(
@@ -250,7 +250,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private void crash(SimRobot robot, boolean isDueBack) {
     RobotId id = robot.spec().id();
     if (robot.isDown()) {
-      throw new IllegalStateException(id + " has crashed already");
+      throw new IllegalStateException(id + " has already crashed");
     }
     recordFault(id, Fault.CRASH, "");
     end(robot, isDueBack);
@@ -299,7 +299,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   public boolean putOnFloor(RobotId id) {
     SimRobot robot = robot(id);
     if (robot.isOnFloor()) {
-      throw new IllegalStateException(id + " is on the floor already");
+      throw new IllegalStateException(id + " is already on the floor");
     }
     Pose start = robot.spec().start();
     if (!isFree(start)) {
@@ -363,7 +363,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     return impairments.total(id);
   }
 
-  /** The robot's own clock, if faults may change its time, else null. */
+  /** The robot's own clock if faults may change its time; otherwise null. */
   @Nullable RobotClock clockOf(RobotId id) {
     boolean mayGoWrong = plan.faults().touchesTime() || plan.bystander() != null;
     return mayGoWrong ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
@@ -393,12 +393,12 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     return kernel;
   }
 
-  /** All robots that have joined since the run began. */
+  /** All robots that have joined since the start of the run. */
   Set<RobotId> known() {
     return stables.keySet();
   }
 
-  /** Shows a robot's app a place; does nothing if the robot is down or has left. */
+  /** Passes a point to a robot's app; does nothing if the robot is down or has left. */
   void point(RobotId id, int xMm, int yMm) {
     SimRobot robot = robots.get(id);
     if (robot != null && !robot.isDown()) {
@@ -406,7 +406,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     }
   }
 
-  /** The key that seals this run's datagrams, or null for none. */
+  /** The key that seals this run's datagrams, or null. */
   @Nullable DeploymentKey key() {
     return plan.key();
   }
@@ -423,7 +423,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     return deployment;
   }
 
-  /** How robot number {@code index} moves, unless its app sets other parameters. */
+  /** The motion parameters of robot number {@code index}, unless its app sets others. */
   MotionParameters motionParameters(int index) {
     return motions.computeIfAbsent(
         plan.settings().robotType(index), plan.settings()::motionParameters);
@@ -433,7 +433,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     return knownObstacles;
   }
 
-  /** The generator of all draws of {@code robot} and for it. */
+  /** The generator of all random numbers of {@code robot}. */
   Rng behaviourRng(RobotId robot) {
     return behaviourRng.fork(robot.name());
   }

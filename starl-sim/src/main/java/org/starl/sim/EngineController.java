@@ -11,7 +11,7 @@ import org.starl.sim.fault.FaultRun;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;
 
-/** Intervenes in one run of the engine. */
+/** Applies interventions to one run of the engine. */
 final class EngineController implements RunController {
 
   private final Engine engine;
@@ -21,7 +21,7 @@ final class EngineController implements RunController {
   private boolean isStopped;
 
   /**
-   * @param rng of the behaviour's seed, forked for interventions
+   * @param rng generator of the behaviour seed, forked for interventions
    */
   EngineController(Engine engine, FaultRun faults, Rng rng) {
     this.engine = engine;

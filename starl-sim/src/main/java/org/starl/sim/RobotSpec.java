@@ -10,8 +10,8 @@ import org.starl.id.RobotId;
  * One robot of a simulation.
  *
  * @param start pose of its body when it is put on the floor
- * @param onFloor whether its body is on the floor from the start; if not, a {@link Director} puts
- *     it there, and until then the robot has no position fix
+ * @param onFloor whether its body is on the floor initially; if not, a {@link Director} puts it
+ *     there, and until then the robot has no position fix
  */
 public record RobotSpec(
     RobotId id,

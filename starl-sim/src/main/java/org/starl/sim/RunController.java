@@ -3,8 +3,8 @@ package org.starl.sim;
 import org.starl.id.RobotId;
 
 /**
- * Lets a {@link StepListener} intervene in a run. Each call takes effect at once, between two steps, and
- * is an event of the trace, {@link org.starl.trace.TraceEvent.Intervention}.
+ * Lets a {@link StepListener} intervene in a run. Each call takes effect at once, between two
+ * steps, and is an event of the trace, {@link org.starl.trace.TraceEvent.Intervention}.
  */
 public interface RunController {
 
@@ -14,19 +14,19 @@ public interface RunController {
   long steps();
 
   /**
-   * Injects a fault. It begins now, unless it names a time.
+   * Injects a fault, which begins now unless its text contains a time.
    *
-   * @param fault as {@code --fault} reads it
-   * @throws org.starl.input.BadInput if it is not a fault, names a robot that has never joined,
-   *     or would end before it begins; then nothing has happened
+   * @param fault in the format of {@code --fault}
+   * @throws org.starl.input.BadInput if the text is not a fault, names a robot that has never
+   *     joined, or ends before it begins; the run is then unchanged
    */
   void fault(String fault);
 
   /**
-   * Shows a robot's app a place: {@link org.starl.LogicThread#receivedPointInput}. A robot that is
-   * down does not see it.
+   * Passes a point to a robot's app: {@link org.starl.LogicThread#receivedPointInput}. A robot that
+   * is down ignores it.
    *
-   * @throws org.starl.input.BadInput if there is no such robot; then nothing has happened
+   * @throws org.starl.input.BadInput if there is no such robot; the run is then unchanged
    */
   void point(RobotId robot, int xMm, int yMm);
 

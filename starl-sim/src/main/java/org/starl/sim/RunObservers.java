@@ -52,7 +52,7 @@ final class RunObservers implements TraceSink {
     return monitors.report();
   }
 
-  /** The first violation, for the end of an error's line; empty if there is none. */
+  /** The first violation, as the end of an error message; empty if there is none. */
   String firstViolation() {
     List<SpecReport.Violation> violations = monitors.report().violations();
     return violations.isEmpty() ? "" : "; before that, " + violations.get(0);
@@ -62,7 +62,7 @@ final class RunObservers implements TraceSink {
     observers.forEach(observer -> observer.finished(result));
   }
 
-  /** Where {@code robot}'s log lines go. */
+  /** Receives the log lines of {@code robot}. */
   LogSink logOf(RobotId robot) {
     return (timeNs, level, tag, line) ->
         observers.forEach(observer -> observer.logged(timeNs, robot, level, tag, line));

@@ -8,7 +8,7 @@ import org.starl.random.Rng;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Unsynced;
 
-/** What a {@link Director} can do. Times in ns from the start of the run. */
+/** The operations of a {@link Director}. Times are in ns from the start of the run. */
 public interface SimControl {
 
   long nowNs();
@@ -16,53 +16,56 @@ public interface SimControl {
   /** Number of events that the kernel has run. */
   long events();
 
-  /** Runs {@code action} at {@code atNs}; if that is past, now, after the events of this time. */
+  /**
+   * Runs {@code action} at {@code atNs} or, if that is in the past, now, after the events of this
+   * time.
+   */
   void at(long atNs, Runnable action);
 
-  /** A generator of the scenario's seed for {@code name}. */
+  /** A generator for {@code name}, forked from the scenario's seed. */
   Rng scenarioRng(String name);
 
-  /** Adds a robot in mid-run and starts its program. */
+  /** Adds a robot during the run and starts its program. */
   void join(RobotSpec robot);
 
-  /** The robots that have joined and not left, crashed ones included, in the order of joining. */
+  /** The robots that have joined and not left, crashed ones included, in joining order. */
   List<RobotId> robots();
 
   /** Whether the robot's program runs: it has joined, and neither left nor crashed. */
   boolean isUp(RobotId robot);
 
   /**
-   * Crashes the program of a robot that is up, for good unless {@link #restart} is called: it runs
-   * nothing and sends nothing more. Datagrams that it has sent may still arrive. Its body stays where
-   * it is, wheels stopped. The run does not wait for it.
+   * Crashes the program of a robot that is up, permanently unless {@link #restart} is called: the
+   * program runs no more code and sends no more datagrams. Datagrams already sent may still arrive.
+   * The body stays in place with stopped wheels. The run does not wait for the robot.
    */
   void crash(RobotId robot);
 
   /**
-   * The same, and {@link #restart} after {@code downNs}, unless the robot was restarted or left
-   * meanwhile. The run waits for the restart.
+   * Crashes the program likewise, and calls {@link #restart} after {@code downNs} unless the robot
+   * was restarted or left before. The run waits for the restart.
    */
   void crash(RobotId robot, long downNs, Unsynced unsynced);
 
   /**
-   * Starts the program of a crashed robot again: another incarnation of the same app with the same body
+   * Restarts the program of a crashed robot: a new incarnation of the same app with the same body
    * and the same stable storage.
    *
-   * @param unsynced what the crash did to writes that were not flushed
+   * @param unsynced the effect of the crash on unflushed writes
    */
   void restart(RobotId robot, Unsynced unsynced);
 
-  /** Ends a robot's program at once and removes its body: it sends nothing more. */
+  /** Ends a robot's program at once and removes its body; it sends no more datagrams. */
   void leave(RobotId robot);
 
   /**
-   * Puts a robot's body on the floor at its start pose, if that place is free.
+   * Puts a robot's body on the floor at its start pose if that place is free.
    *
-   * @return whether it was put there
+   * @return whether the body was put on the floor
    */
   boolean putOnFloor(RobotId robot);
 
-  /** Whether a robot's body would touch nothing there. */
+  /** Whether a robot's body would touch no obstacle and no body at this pose. */
   boolean isFree(Pose pose);
 
   /** Takes a robot's body off the floor; its program continues. */
@@ -79,6 +82,6 @@ public interface SimControl {
   /** Whether the robot's app has ended. */
   boolean isFinished(RobotId robot);
 
-  /** The network, to install rules. */
+  /** The network, on which rules can be installed. */
   SimNetwork network();
 }

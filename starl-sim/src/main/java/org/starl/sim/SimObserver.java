@@ -7,8 +7,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 
 /**
- * Observes a run: viewers, recorders, exporters, stories and trace files do. It sees every event, in
- * order, and changes nothing.
+ * Observes a run, as viewers, recorders, exporters, stories and trace files do. It receives every
+ * event in order and has no effect on the run.
  */
 public interface SimObserver {
 
@@ -18,7 +18,7 @@ public interface SimObserver {
   /** Each event, in order. */
   default void observed(TraceEvent event) {}
 
-  /** Each violation that is kept, after the event that showed it and that others observed. */
+  /** Each recorded violation, after the event that caused it has been observed. */
   default void violated(SpecReport.Violation violation) {}
 
   /** Each log line of a robot. */

@@ -36,7 +36,7 @@ final class SimRobot implements TraceSink {
   private final SimStrand strand;
   private final SimChassis chassis;
   private final SimPositioning positioning;
-  // Null where no fault touches time: then the kernel's clock and strand are the robot's.
+  // Null if no fault affects time: the robot then uses the kernel's clock and its own strand.
   private final @Nullable RobotClock clock;
   private final @Nullable ImpairedStrand impaired;
   private final RobotRunner runner;
@@ -46,10 +46,10 @@ final class SimRobot implements TraceSink {
   private @Nullable Body body;
 
   /**
-   * The first incarnation since it joined.
+   * Creates the first incarnation since the robot joined.
    *
-   * @param stable the robot's stable storage, kept since before it left
-   * @param index number of robots that joined before it
+   * @param stable the robot's stable storage, kept if it left before
+   * @param index number of robots that joined earlier
    */
   SimRobot(RobotSpec spec, Engine engine, SimStable stable, int index) {
     this(spec, engine, stable, index, 1, 0);
@@ -70,7 +70,8 @@ final class SimRobot implements TraceSink {
     SimSettings settings = engine.settings();
     Kernel kernel = engine.kernel();
     Rng robotRng = engine.behaviourRng(spec.id());
-    // Each incarnation has draws of its own; the positioning system is outside and continues.
+    // Each incarnation has its own random numbers; the positioning system is external and
+    // continues.
     Rng rng = incarnation == 1 ? robotRng : robotRng.fork("incarnation" + incarnation);
     strand = kernel.strand(spec.id().name());
     clock = engine.clockOf(spec.id());
@@ -92,7 +93,8 @@ final class SimRobot implements TraceSink {
             name -> kept(rng.fork(name)),
             new SimBackground(kernel, strand, settings.computeTimeNs()),
             engine.watchers().logOf(spec.id()),
-            // Where nobody listens, one sink for all robots, which stays in the processor's cache.
+            // Without log observers all robots share one sink, which stays in the processor's
+            // cache.
             engine.watchers().isOn() ? this : engine.watchers(),
             engine.knownObstacles(),
             engine.motionParameters(index),
@@ -155,8 +157,8 @@ final class SimRobot implements TraceSink {
   }
 
   /**
-   * Ends the program: it runs nothing more, and unwinding it has no effect. Its body stays where it is
-   * and stands still.
+   * Ends the program: it runs no more code, and its unwinding has no effect. Its body stays in
+   * place, at rest.
    *
    * @param isDueBack whether a restart is planned
    */
@@ -168,17 +170,17 @@ final class SimRobot implements TraceSink {
     strand.close();
   }
 
-  /** Whether its program has ended by a crash, or because the robot left. */
+  /** Whether the program has ended because the robot crashed or left. */
   boolean isDown() {
     return strand.isClosed();
   }
 
-  /** Whether the run waits for its app to end: not if the robot has crashed for good. */
+  /** Whether the run waits for the app to end; false after a permanent crash. */
   boolean isAwaited() {
     return !finished && (dueBack || !isDown());
   }
 
-  /** The next incarnation of the robot, not started yet; this one has ended. */
+  /** Creates the next incarnation of this ended robot, not yet started. */
   SimRobot nextIncarnation(Unsynced unsynced) {
     int next = incarnation + 1;
     int survivingWrites =
@@ -203,7 +205,7 @@ final class SimRobot implements TraceSink {
     return finished;
   }
 
-  /** Shows its app a place now, if the app runs. */
+  /** Passes a point to the app if it runs. */
   void point(int xMm, int yMm) {
     Strand own = impaired == null ? strand : impaired;
     own.post(() -> {
@@ -255,12 +257,12 @@ final class SimRobot implements TraceSink {
   @Override
   public void record(TraceEvent event) {
     if (!isDown()) {
-      // A robot whose clock is wrong stamps its events wrongly; the trace is in true time.
+      // A robot with a wrong clock stamps its events wrongly; the trace is in true time.
       engine.watchers().record(clock == null ? event : event.at(engine.nowNs()));
     }
   }
 
-  // An app that is unwound may return as if it had ended.
+  // An unwound app may return as if it had ended normally.
   private void appEnded() {
     if (!isDown()) {
       finished = true;

@@ -17,10 +17,10 @@ import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.WorldLimits;
 
 /**
- * Typed values of {@link Setting}s: those that were set, and the defaults of all others. Immutable.
- * The command line, scenario files, trace headers and Java code all make it with its builder: by
- * constant ({@code set(Setting.ROBOTS, 8)}) or by text ({@code set("robots", "8")}), which is parsed
- * there and nowhere else.
+ * Typed values of {@link Setting}s: the values that were set, and the defaults of the others.
+ * Immutable. Command line, scenario files, trace headers and Java code use the same builder: by
+ * constant ({@code set(Setting.ROBOTS, 8)}) or by text ({@code set("robots", "8")}), which is
+ * parsed only there.
  */
 public final class SimSettings {
 
@@ -44,14 +44,14 @@ public final class SimSettings {
     return builder().build();
   }
 
-  /** A builder with these values. */
+  /** A builder initialized with these values. */
   public Builder toBuilder() {
     Builder builder = new Builder();
     builder.values.putAll(values);
     return builder;
   }
 
-  /** These values with one replaced. @throws BadInput if the value is out of the setting's range */
+  /** A copy with one value replaced. @throws BadInput if the value is out of the setting's range */
   public <T> SimSettings with(Setting<T> setting, T value) {
     return toBuilder().set(setting, value).build();
   }
@@ -62,26 +62,26 @@ public final class SimSettings {
     return value == null ? setting.defaultValue() : setting.cast(value);
   }
 
-  /** Whether a value was set, be it the default. */
+  /** Whether a value was set explicitly, even if it equals the default. */
   public boolean has(Setting<?> setting) {
     return values.containsKey(setting);
   }
 
-  /** These values where they were set, else those of {@code defaults}. */
+  /** These values where set, otherwise those of {@code defaults}. */
   public SimSettings over(SimSettings defaults) {
     Map<Setting<?>, Object> both = new LinkedHashMap<>(defaults.values);
     both.putAll(values);
     return new SimSettings(both);
   }
 
-  /** These values, with the settings in {@code keys} alone set. */
+  /** A copy with only the settings in {@code keys}. */
   public SimSettings only(Predicate<Setting<?>> keys) {
     Map<Setting<?>, Object> kept = new LinkedHashMap<>(values);
     kept.keySet().removeIf(keys.negate());
     return new SimSettings(kept);
   }
 
-  /** The settings that were set, with their values as text, in the order of setting. */
+  /** The settings that were set, with their values as text, in the order in which they were set. */
   public Map<Setting<?>, String> given() {
     Map<Setting<?>, String> text = new LinkedHashMap<>();
     values.forEach((setting, value) -> text.put(setting, setting.text(value)));
@@ -89,8 +89,8 @@ public final class SimSettings {
   }
 
   /**
-   * Every key with its value as text, which {@code set} reads back: the simulator's in the order of
-   * {@link Setting#all}, then others that were set.
+   * Every key with its value as text, which {@code set} reads back: the simulator's keys in the
+   * order of {@link Setting#all}, then other keys that were set.
    */
   public Map<String, String> asText() {
     Map<String, String> text = new LinkedHashMap<>();
@@ -99,7 +99,7 @@ public final class SimSettings {
     return text;
   }
 
-  /** @throws BadInput if the values do not fit each other */
+  /** @throws BadInput if the values are inconsistent */
   void check() {
     if (goalRobots() < 0) {
       throw new BadInput(
@@ -126,7 +126,7 @@ public final class SimSettings {
     return get(Setting.ROBOTS);
   }
 
-  /** Number of robots that neither explore nor wander. */
+  /** Number of robots that drive to goals, without explorers and wanderers. */
   public int goalRobots() {
     return robots() - get(Setting.DISCOVERY_ROBOTS) - get(Setting.RANDOM_ROBOTS);
   }
@@ -159,7 +159,7 @@ public final class SimSettings {
 
   /**
    * Speed limits: {@code maxSpeed} for each wheel, with the wheel track of the Create. Ideal bodies
-   * have no limit of turning.
+   * have no turning limit.
    */
   public WorldLimits worldLimits() {
     double maxMmPerS = get(Setting.MAX_SPEED);
@@ -168,7 +168,7 @@ public final class SimSettings {
         : new WorldLimits(maxMmPerS, 2 * maxMmPerS / WHEEL_TRACK_MM, true);
   }
 
-  /** How robot number {@code index} moves, unless its app sets other parameters. */
+  /** The motion parameters of robot number {@code index}, unless its app sets others. */
   public MotionParameters motionParameters(int index) {
     return motionParameters(robotType(index));
   }
@@ -184,7 +184,10 @@ public final class SimSettings {
         .build();
   }
 
-  /** The last robots explore and wander; all others, those that join later too, go to their goals. */
+  /**
+   * The last robots explore and wander; all others, including those that join later, drive to
+   * goals.
+   */
   RobotType robotType(int index) {
     int firstDiscovery = goalRobots();
     int firstRandom = firstDiscovery + get(Setting.DISCOVERY_ROBOTS);
@@ -230,7 +233,7 @@ public final class SimSettings {
   }
 
   /**
-   * Collects values. Each is checked when it is set; whether they fit each other is checked when the
+   * Collects values. Each value is checked when it is set; consistency is checked when the
    * simulation is built.
    */
   public static final class Builder {

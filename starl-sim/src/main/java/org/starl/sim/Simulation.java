@@ -37,7 +37,7 @@ import org.starl.trace.TraceHeader;
  * }</pre>
  *
  * <p>Equal builders give equal runs, event by event, on every JVM. A simulation runs on the calling
- * thread; several can run at once on several threads; they share nothing.
+ * thread; simulations on several threads are independent.
  */
 public final class Simulation {
 
@@ -51,21 +51,21 @@ public final class Simulation {
     return new Builder();
   }
 
-  /** The plan of its run. */
+  /** The plan of the run. */
   public SimulationPlan plan() {
     return plan;
   }
 
   /**
-   * All its faults: those of the settings, then those that chaos drew. With these faults, sealed if
-   * chaos was hostile, and no chaos, it is the same run.
+   * All faults of the run: those of the settings, then those drawn by chaos. The same run results
+   * from these faults without chaos, sealed if chaos was hostile.
    */
   public FaultPlan faults() {
     return plan.faults();
   }
 
   /**
-   * Runs until every app has ended, or until the settings' time limit.
+   * Runs until every app has ended, or until the time limit of the settings.
    *
    * @throws SimulationFailed if an app, a handler or the simulator itself threw
    */
@@ -75,7 +75,7 @@ public final class Simulation {
     }
   }
 
-  /** Collects what a simulation consists of. */
+  /** Collects the parts of a simulation. */
   public static final class Builder {
 
     private String name = "app";
@@ -130,7 +130,7 @@ public final class Simulation {
       return settings;
     }
 
-    /** Seed of the scenario: places, routes, arrivals; and of behaviour, unless that has its own. */
+    /** Seed of the scenario (places, routes, arrivals) and, unless set separately, of behaviour. */
     public Builder seed(long newSeed) {
       seed = newSeed;
       return this;
@@ -152,7 +152,7 @@ public final class Simulation {
       return this;
     }
 
-    /** The obstacles so far: those of the settings' file come with {@link #build}. */
+    /** The obstacles so far; those of the obstacle file are added by {@link #build}. */
     public Obstacles obstacles() {
       return obstacles;
     }
@@ -162,29 +162,32 @@ public final class Simulation {
       return this;
     }
 
-    /** Sets a bystander, who may make the run wait and intervene. */
+    /** Sets the step listener, which may pause the run and intervene. */
     public Builder bystander(StepListener newBystander) {
       bystander = newBystander;
       return this;
     }
 
     /**
-     * Ends the run at {@code newEndNs} at the latest, instead of after the settings' duration: for a
-     * scenario in which the duration means something else.
+     * Ends the run at {@code newEndNs} at the latest, instead of after the duration of the
+     * settings: for a scenario in which the duration has another meaning.
      */
     public Builder endNs(long newEndNs) {
       endNs = newEndNs;
       return this;
     }
 
-    /** A rule for every datagram, before the settings' delay and loss; earlier rules go first. */
+    /**
+     * Adds a rule for every datagram, before the settings' delay and loss; earlier rules are
+     * applied first.
+     */
     public Builder linkRule(LinkRule rule) {
       linkRules.add(rule);
       return this;
     }
 
     /**
-     * One more fault, as text: {@code crash(bot2,at=12s,restart=5s)}.
+     * Adds a fault as text: {@code crash(bot2,at=12s,restart=5s)}.
      *
      * @throws BadInput if {@code fault} is not one
      */
@@ -192,7 +195,7 @@ public final class Simulation {
       return faults(new FaultPlan(List.of(FaultGrammar.parse(fault))));
     }
 
-    /** More faults, besides those of the settings. */
+    /** Adds faults to those of the settings. */
     public Builder faults(FaultPlan plan) {
       faults = faults.plus(plan);
       return this;
@@ -203,21 +206,24 @@ public final class Simulation {
       return this;
     }
 
-    /** A specification to check throughout the run; the supplier makes one for each run. */
+    /**
+     * Adds a specification to check throughout the run; the supplier creates a monitor for each
+     * run.
+     */
     public Builder monitor(Supplier<? extends Monitor> monitor) {
       monitors.add(monitor);
       return this;
     }
 
-    /** A parameter of the scenario, for the trace's header: a replay must set it. */
+    /** Adds a parameter of the scenario to the trace's header: a replay must set it. */
     public Builder parameter(String key, String value) {
       parameters.put(key, value);
       return this;
     }
 
     /**
-     * Says that the scenario decided the number of robots, not the settings: the trace's header leaves
-     * the number out, so that the scenario decides again in a replay.
+     * Declares that the scenario, not the settings, decides the number of robots: the number is
+     * omitted from the trace's header, so that the scenario decides again in a replay.
      */
     public Builder countedByScenario() {
       isCountGiven = false;
@@ -225,10 +231,11 @@ public final class Simulation {
     }
 
     /**
-     * The simulation. A builder makes one: its observers and director are that run's.
+     * Builds the simulation. A builder may be used once, because its observers and director have
+     * state.
      *
-     * @throws BadInput if the settings do not fit each other, their files cannot be read, the robots
-     *     find no room, or a fault names a robot that is not there and cannot join
+     * @throws BadInput if the settings are inconsistent, their files cannot be read, the robots do
+     *     not fit on the floor, or a fault names a robot that does not exist and cannot join
      */
     public Simulation build() {
       settings.check();
@@ -244,7 +251,7 @@ public final class Simulation {
       }
       List<RobotId> deployment = SimulationPlan.deployment(start).asList();
       if (director == null) {
-        // A director lets others join: then names are checked when the fault begins.
+        // With a director more robots may join: names are then checked when a fault begins.
         all.get(Setting.FAULTS).requireNamedAmong(deployment);
       }
       TraceHeader header =
@@ -267,7 +274,7 @@ public final class Simulation {
               observers));
     }
 
-    /** The obstacles, and those of the settings' file. */
+    /** All obstacles, including those of the obstacle file. */
     private Obstacles floor() {
       Obstacles floor = obstacles;
       String file = settings.get(Setting.OBSTACLE_FILE);
@@ -279,7 +286,7 @@ public final class Simulation {
       return floor;
     }
 
-    /** The seed of everything but the scenario. */
+    /** The seed of everything except the scenario. */
     private long behaviourSeedOrDerived() {
       return behaviourSeed != null ? behaviourSeed : TraceHeader.behaviourSeedOf(seed);
     }
@@ -289,7 +296,7 @@ public final class Simulation {
       return FaultPlan.chaos(settings.get(Setting.CHAOS), count, settings.chaosEndNs(), rng);
     }
 
-    /** The key that seals the run's datagrams, or null for none. */
+    /** The key that seals the run's datagrams, or null. */
     private @Nullable DeploymentKey key() {
       boolean isHostile = settings.get(Setting.CHAOS) == Envelope.HOSTILE;
       if (!isHostile && !settings.get(Setting.SEALED)) {

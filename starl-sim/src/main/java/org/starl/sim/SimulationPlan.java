@@ -15,22 +15,22 @@ import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
 
 /**
- * The immutable plan of one run: what the engine runs, and what a launcher of robots as processes
- * reads. {@link Simulation.Builder#build} makes it. It is good for one run, because directors and
- * observers keep state.
+ * The immutable plan of one run, built by {@link Simulation.Builder#build} and used by the engine
+ * or by a launcher of robots as processes. It can be used once, because directors and observers
+ * have state.
  *
- * @param header of its trace: name, seeds, settings, robots
- * @param carriers threads of apps that block
- * @param obstacles of the world, hidden ones included
- * @param key seals datagrams; null for none
- * @param robots that start
- * @param director null for none
- * @param bystander null for none
- * @param faults of the settings, then those that chaos drew
- * @param linkRules for every datagram, before the settings' delay and loss; earlier rules go first
+ * @param header of the trace: name, seeds, settings, robots
+ * @param carriers thread type of blocking apps
+ * @param obstacles of the world, including hidden ones
+ * @param key seals datagrams; may be null
+ * @param robots initial robots
+ * @param director may be null
+ * @param bystander the step listener; may be null
+ * @param faults of the settings, then those drawn by chaos
+ * @param linkRules for every datagram, before the settings' delay and loss, in order
  * @param endNs latest end of the run, in ns of virtual time
- * @param monitors makers of the specifications to check
- * @param observers in their order
+ * @param monitors suppliers of the specifications to check
+ * @param observers in calling order
  */
 public record SimulationPlan(
     TraceHeader header,
@@ -54,7 +54,7 @@ public record SimulationPlan(
     observers = List.copyOf(observers);
   }
 
-  /** The robots that start, by name. */
+  /** The initial robots, by name. */
   Participants deployment() {
     return deployment(robots);
   }
@@ -64,7 +64,7 @@ public record SimulationPlan(
     List<RobotId> ids = robots.stream().map(RobotSpec::id).toList();
     Participants deployment = Participants.of(ids);
     if (deployment.size() != ids.size()) {
-      throw new BadInput("two robots of one name among " + ids);
+      throw new BadInput("duplicate robot name in " + ids);
     }
     return deployment;
   }

@@ -13,7 +13,7 @@ import org.starl.sim.world.Placement;
 import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 
-/** Start poses of robots: from a file, else drawn by seed. */
+/** Start poses of robots: from a file, or drawn by seed. */
 final class Starts {
 
   private Starts() {}

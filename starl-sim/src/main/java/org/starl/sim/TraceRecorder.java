@@ -8,7 +8,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceWriter;
 
-/** Writes a run's trace. Close it after the run, whatever came of that. */
+/** Writes a run's trace. Close it after the run, even after a failure. */
 public final class TraceRecorder implements SimObserver, Closeable {
 
   private final OutputStream out;
@@ -37,9 +37,9 @@ public final class TraceRecorder implements SimObserver, Closeable {
   }
 
   /**
-   * Writes the rest.
+   * Writes the remaining bytes.
    *
-   * @throws IOException if this or anything before could not be written
+   * @throws IOException if this write or an earlier one failed
    */
   @Override
   public void close() throws IOException {

@@ -53,7 +53,7 @@ class CrashTest {
             }
           });
 
-  /** Drives on and on, and tells everybody its boot number ten times a second, for 5 s. */
+  /** Drives continuously, and broadcasts its boot number ten times a second for 5 s. */
   private static final class Beater extends LogicThread {
     private final List<Integer> heard = new ArrayList<>();
 
@@ -118,7 +118,7 @@ class CrashTest {
 
   @ParameterizedTest
   @MethodSource("carriers")
-  void aCrashedRobotDoesNothingMoreAndStandsStill(CarrierKind carriers) {
+  void aCrashedRobotRunsNoCodeAndStops(CarrierKind carriers) {
     Pose[] atCrash = new Pose[1];
     SimResult result =
         beaters(
@@ -164,7 +164,7 @@ class CrashTest {
 
   @ParameterizedTest
   @MethodSource("carriers")
-  void aRestartIsAnotherIncarnationOnTheSameBodyForWhichTheRunWaits(CarrierKind carriers) {
+  void aRestartIsANewIncarnationOnTheSameBodyAndTheRunWaitsForIt(CarrierKind carriers) {
     SimResult result =
         beaters(control -> control.at(2 * S, () -> control.crash(BOT0, 20 * S, Unsynced.LOST)))
             .carriers(carriers)
@@ -193,7 +193,7 @@ class CrashTest {
   }
 
   @Test
-  void anAppThatHadEndedRunsAnewAfterARestart() {
+  void anAppThatHadEndedRunsAgainAfterARestart() {
     SimResult result =
         beaters(
                 control -> {
@@ -209,7 +209,7 @@ class CrashTest {
   }
 
   @Test
-  void crashesAndRestartsThatMakeNoSenseAreBugs() {
+  void invalidCrashesAndRestartsAreRefused() {
     assertThatThrownBy(beaters(control -> control.restart(BOT0, Unsynced.LOST)).build()::run)
         .hasMessageContaining("bot0 is up");
     assertThatThrownBy(
@@ -220,7 +220,7 @@ class CrashTest {
                         })
                     .build()
                 ::run)
-        .hasMessageContaining("bot0 has crashed already");
+        .hasMessageContaining("bot0 has already crashed");
   }
 
   @Test
@@ -267,14 +267,14 @@ class CrashTest {
     "220, LOST, true, false",
     "300, LOST, true, true"
   })
-  void writesThatWereNotFlushedAreLostOrKept(
+  void unflushedWritesMayBeLostOrKept(
       long crashMs, Unsynced unsynced, boolean first, boolean second) {
     SimResult result = writer(1, crashMs, unsynced).build().run();
     assertThat(result.results().get(BOT0)).containsExactly(2, first, second, false);
   }
 
   @Test
-  void ofSomeWritesTheEarliestSurvive() {
+  void theEarliestUnflushedWritesSurvive() {
     List<String> seen = new ArrayList<>();
     for (long seed = 1; seed <= 20; seed++) {
       List<Object> found = writer(seed, 170, Unsynced.SOME).build().run().results().get(BOT0);

@@ -17,7 +17,7 @@ import org.starl.sim.net.Latency;
 final class SimSettingsTest {
 
   @Test
-  void defaultsAreThoseOfTheFirstStarL() {
+  void defaultsAreThoseOfTheOriginalStarL() {
     SimSettings settings = SimSettings.defaults();
     assertThat(settings.robots()).isEqualTo(4);
     assertThat(settings.goalRobots()).isEqualTo(4);
@@ -53,7 +53,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void keysAreUniqueAndExplained() {
+  void keysAreUniqueAndHaveDescriptions() {
     Set<String> keys = new HashSet<>();
     for (Setting<?> setting : Setting.all()) {
       assertThat(keys.add(setting.key())).as(setting.key()).isTrue();
@@ -64,7 +64,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void aMistypedKeyNamesThoseThatLookLikeIt() {
+  void theErrorForAMistypedKeySuggestsSimilarKeys() {
     assertThatThrownBy(() -> SimSettings.builder().set("mesageLoss", "0"))
         .isInstanceOf(BadInput.class)
         .hasMessage("no setting is called 'mesageLoss'; did you mean messageLoss?");
@@ -75,7 +75,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void aBadValueNamesKeyValueAndWhatWasExpected() {
+  void theErrorForABadValueNamesKeyValueAndExpectation() {
     assertBad("robots", "many", "robots='many': expected a whole number of at least 0");
     assertBad("robots", "-1", "robots='-1': expected a whole number of at least 0");
     assertBad("positionPeriod", "0ms", "positionPeriod=0ms: expected a duration above 0");
@@ -94,7 +94,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void typedValuesAreCheckedAsWell() {
+  void typedValuesAreValidated() {
     assertThatThrownBy(() -> SimSettings.builder().messageLoss(1.5))
         .isInstanceOf(BadInput.class)
         .hasMessage("messageLoss=1.5: expected a number from 0 to 1");
@@ -117,7 +117,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void allNamesEverySettingOfTheSimulator() throws IllegalAccessException {
+  void allContainsEverySettingOfTheSimulator() throws IllegalAccessException {
     List<Object> constants = new ArrayList<>();
     for (Field field : Setting.class.getFields()) {
       if (field.getType() == Setting.class) {
@@ -128,7 +128,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void valuesThatWereSetReplaceTheDefaultsOfAnApp() {
+  void setValuesOverrideTheDefaultsOfAnApp() {
     SimSettings given = SimSettings.builder().set("messageLoss", "0.3").robots(4).build();
     SimSettings ofApp = SimSettings.builder().robots(9).set("floorWidth", "9m").build();
     assertThat(given.has(Setting.ROBOTS)).isTrue();
@@ -149,7 +149,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void anAngleOfAnySizeReadsBack() {
+  void anyAngleIsReadBack() {
     SimSettings settings = SimSettings.builder().set("headingNoise", "0.1deg").build();
     SimSettings.Builder copy = SimSettings.builder();
     settings.asText().forEach(copy::set);
@@ -157,7 +157,7 @@ final class SimSettingsTest {
   }
 
   @Test
-  void aBuilderStartsFromOtherSettings() {
+  void aBuilderCopiesOtherSettings() {
     SimSettings settings = SimSettings.builder().robots(9).build();
     SimSettings changed =
         settings.toBuilder().messageDelay(new Latency.Constant(1_000_000)).build();

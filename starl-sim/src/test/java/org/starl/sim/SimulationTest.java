@@ -43,7 +43,7 @@ class SimulationTest {
             }
           });
 
-  /** Drives a metre, greets everybody on the way, and returns how it went. */
+  /** Drives a metre, broadcasts greetings on the way, and returns the result of its motion. */
   private static final class Greeter extends LogicThread {
     private int heard;
 
@@ -90,7 +90,7 @@ class SimulationTest {
   }
 
   @Test
-  void everyRobotDrivesItsMetreAndHearsOthers() {
+  void everyRobotDrivesOneMetreAndReceivesMessages() {
     SimResult result = greeters(1).build().run();
     assertThat(result.isFinished()).isTrue();
     assertThat(result.results()).hasSize(4);
@@ -111,7 +111,7 @@ class SimulationTest {
   }
 
   @Test
-  void oneMoreRobotDoesNotShiftTheDrawsOfOthers() {
+  void anAdditionalRobotDoesNotChangeTheRandomNumbersOfOthers() {
     Simulation.Builder more = greeters(7);
     more.robot(new RobotSpec(new RobotId("far"), new Pose(90_000, 0, 0), true, Silent::new));
     assertThat(fixesOf("bot2", trace(more))).isEqualTo(fixesOf("bot2", trace(greeters(7))));
@@ -168,7 +168,7 @@ class SimulationTest {
   }
 
   @Test
-  void robotsComeOntoTheFloorJoinAndLeave() {
+  void robotsAppearJoinAndLeave() {
     List<String> told = new ArrayList<>();
     RobotSpec waiting = new RobotSpec(new RobotId("bot0"), new Pose(0, 0, 0), false, Greeter::new);
     RobotSpec late = new RobotSpec(new RobotId("late"), new Pose(0, 900, 0), true, Greeter::new);
@@ -203,7 +203,7 @@ class SimulationTest {
   }
 
   @Test
-  void aRobotThatLeftAndJoinsAgainIsAnotherIncarnation() {
+  void aRobotThatLeavesAndRejoinsIsANewIncarnation() {
     List<Integer> boots = new ArrayList<>();
     RobotSpec robot =
         new RobotSpec(
@@ -230,7 +230,7 @@ class SimulationTest {
   }
 
   @Test
-  void anErrorOfADirectorNamesTheSeedToo() {
+  void anErrorOfADirectorNamesTheSeed() {
     Simulation simulation =
         Simulation.builder()
             .name("directed")

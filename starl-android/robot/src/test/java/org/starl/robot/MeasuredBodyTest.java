@@ -70,7 +70,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void theFirstFixPutsTheBodyOnTheFloorAndTheOthersMoveIt() {
+  void theFirstFixPlacesTheBodyAndLaterFixesMoveIt() {
     fix(100, 0, 1, 5);
     fix(120, 0, 2, 5);
     fix(140, 0, 3, 5);
@@ -84,7 +84,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void fixesInQuickSuccessionAreHeardAndNotAllWritten() {
+  void fixesInQuickSuccessionAreNotAllTraced() {
     for (int ms = 0; ms < 100; ms += 5) {
       fix(ms, 0, ms, 5);
     }
@@ -94,7 +94,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void theBoundIsTheErrorAndWhatTheWheelsCanHaveGoneUntilTheNextFix() {
+  void theBoundIsTheErrorPlusThePossibleWayUntilTheNextFix() {
     fix(100, 10, 0, 5);
     assertThat(withinMm()).isEqualTo(5 + 3);
 
@@ -107,7 +107,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void aWorseMeasurementIsTold() {
+  void aLessAccurateMeasurementIsTraced() {
     fix(100, 0, 0, 5);
     fix(120, 0, 0, 40);
 
@@ -122,7 +122,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void untilTheEndTheBodyMayGoOn() {
+  void theBodyMayMoveUntilTheEnd() {
     fix(100, 0, 0, 5);
     body.end(150 * MS);
 
@@ -131,7 +131,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void whileItsWheelsTurnTheBodyMayGoOn() {
+  void theBodyMayMoveWhileItsWheelsTurn() {
     fix(100, 0, 0, 5);
     fix(450, 50, 90, 5);
 
@@ -140,7 +140,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void whoWasNotMeasuredForLongStandsAndIsToldLost() {
+  void aBodyWithoutFixesForLongIsLostWhereItWas() {
     fix(100, 0, 0, 5);
     fix(600, 0, 0, 5);
     fix(620, 0, 0, 5);
@@ -151,7 +151,7 @@ class MeasuredBodyTest {
   }
 
   @Test
-  void whoWasNeverMeasuredHasNoBody() {
+  void aRobotWithoutAnyFixHasNoBody() {
     body.end(600 * MS);
 
     assertThat(trace).isEmpty();

@@ -12,7 +12,7 @@ class RealMotionTest {
   private static final MotionParameters USUAL = MotionParameters.DEFAULT;
 
   @Test
-  void theProgramExpectsWheelsAsLateAndAsWrongAsTheyAre() {
+  void theProgramAllowsForTheLatencyAndErrorOfTheWheels() {
     MotionParameters real = RealMotion.of(USUAL, new Limits(500, 300, 500, 0.1, 200));
 
     assertThat(real)
@@ -21,14 +21,14 @@ class RealMotionTest {
   }
 
   @Test
-  void anAppThatExpectsWorseStaysCareful() {
+  void largerAllowancesOfAnAppAreKept() {
     MotionParameters careful = USUAL.toBuilder().speedError(0.3).reactionMs(400).build();
 
     assertThat(RealMotion.of(careful, new Limits(500, 300, 500, 0.1, 200))).isEqualTo(careful);
   }
 
   @Test
-  void noSpeedIsAboveTheLimit() {
+  void speedsAreLimited() {
     MotionParameters real = RealMotion.of(USUAL, new Limits(10, 300, 500, 0, 0));
 
     assertThat(real.linSpeedMaxMmPerS()).isEqualTo(10);

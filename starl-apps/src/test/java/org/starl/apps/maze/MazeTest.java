@@ -133,7 +133,7 @@ class MazeTest {
 
   @ParameterizedTest
   @ValueSource(ints = {340, 360, 400, 440, 470})
-  void anyTrueAnswerIsRightForADoorBetweenBodyAndMargin(int doorMm, @TempDir Path folder)
+  void bothAnswersAreRightForADoorBetweenBodyAndMargin(int doorMm, @TempDir Path folder)
       throws IOException {
     int half = doorMm / 2;
     String door =
@@ -158,7 +158,7 @@ class MazeTest {
   }
 
   @Test
-  void noWayIsAnsweredForAGoalOutsideOfClosedWallsOrInsideAnObstacle(@TempDir Path folder)
+  void aGoalOutsideClosedWallsOrInsideAnObstacleIsUnreachable(@TempDir Path folder)
       throws IOException {
     String wall = "Hidden;2000,1000;2000,2000;-1\n";
     folder(

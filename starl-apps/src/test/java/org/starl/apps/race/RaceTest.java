@@ -111,7 +111,7 @@ class RaceTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"moving", "spatial"})
-  void underChaosAllAgree(String envelope) {
+  void underChaosAllRobotsAgree(String envelope) {
     for (long seed = 1; seed <= 8; seed++) {
       SimResult result = run(seed, 5, Map.of("drawn", "3"), Map.of("chaos", envelope));
       assertThat(winners(result, 3)).hasSize(3);
@@ -119,7 +119,7 @@ class RaceTest {
   }
 
   @Test
-  void robotsThatCrashDoNotHoldUpTheOthers() {
+  void crashedRobotsDoNotDelayTheOthers() {
     for (long seed = 1; seed <= 5; seed++) {
       Map<String, String> faults =
           Map.of("faults", "crash(bot1,at=8s); crash(bot2,at=15s)", "messageLoss", "0.2");
@@ -240,14 +240,14 @@ class RaceTest {
   }
 
   @Test
-  void aPointOnWhichARobotCrashedUnheardIsWonFromBesideIt() {
+  void aPointBlockedByACrashedRobotIsWonFromBesideIt() {
     SimResult result = withDeadWinner(new FirstPoint(0), "loss(1,from=bot0)");
     assertThat(result.results()).hasSize(3);
     assertThat(winners(result, 2).get(0)).isNotEqualTo("bot0");
   }
 
   @Test
-  void robotsThatArriveBeforeTheyHearOfAWinnerAgreeInTheEnd() {
+  void robotsThatArriveBeforeHearingOfAWinnerAgreeEventually() {
     long arrivals = 0;
     for (long seed = 1; seed <= 10; seed++) {
       Map<String, String> settings =
@@ -260,7 +260,7 @@ class RaceTest {
   }
 
   @Test
-  void aFileOfPointsIsReadAndABadOneIsNamed(@TempDir Path folder) throws IOException {
+  void aFileOfPointsIsReadAndTheErrorNamesABadOne(@TempDir Path folder) throws IOException {
     Path file = folder.resolve("points.wpt");
     Files.writeString(file, "// two\nWAY,1,2,0,A\nWAY,3,4,0,B,10\nSENSE,5,6,0,C\n");
     assertThat(RacePoints.read(file.toString()))

@@ -35,7 +35,7 @@ class SearchCrashTest {
 
   /** It crashes inside by the door: a way leads past it, but not to all that it has not seen. */
   @Test
-  void theOthersTryARoomThatACrashedRobotBarsAndGiveItUpInTime() {
+  void theOthersTryARoomBarredByACrashedRobotAndGiveItUpInTime() {
     Plan plan = Searches.plan(3, 3, Map.of("rooms", "1", "object", "none"), Map.of());
     plan.simulation().fault("crash(bot0,at=35s)");
     assertThat(Searches.answer(plan)).isEqualTo("gave up, could not search A");

@@ -60,7 +60,7 @@ class SearchTest {
   }
 
   @Test
-  void allOfAGeneratedHouseCanBeSearched() {
+  void everyGeneratedHouseCanBeSearchedCompletely() {
     for (long seed = 1; seed <= 8; seed++) {
       HousePlan plan = GeneratedHouse.of((int) (3 * seed), 4, new Rng(seed));
       House house = House.of(plan, 600, Drive.clearanceMm(MotionParameters.DEFAULT, plan.bounds()));
@@ -89,7 +89,7 @@ class SearchTest {
 
   @ParameterizedTest
   @CsvSource({"1, moving", "2, moving", "3, moving", "1, spatial", "2, spatial"})
-  void underChaosAllRobotsEndWithOneAnswer(long seed, String envelope) {
+  void underChaosAllRobotsGiveTheSameAnswer(long seed, String envelope) {
     Searches.answer(Searches.plan(seed, 4, Map.of("rooms", "3"), Map.of("chaos", envelope)));
   }
 

@@ -27,7 +27,7 @@ public final class NearMatches {
     return near;
   }
 
-  /** {@code ; did you mean a or b?}, or the whole list where nothing is near. */
+  /** {@code ; did you mean a or b?}, or the whole list if no key is similar. */
   public static String hint(String word, Collection<String> known) {
     List<String> near = of(word, known);
     return near.isEmpty()

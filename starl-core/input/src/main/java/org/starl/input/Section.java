@@ -80,7 +80,7 @@ public final class Section {
         name(field.key()) + ": " + given + ": expected " + Form.expected(field.form()));
   }
 
-  /** Refuses keys that none of the calls above asked for. */
+  /** Refuses keys that were not read before. */
   public void end() {
     mapping
         .parts()

@@ -11,24 +11,24 @@ import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Many runs with different seeds, on all cores: each thread makes one run at a time, and runs share
- * nothing. The result depends on the seeds alone.
+ * Many runs with different seeds, on all cores: each thread executes one run at a time, and runs
+ * share no state. The result depends only on the seeds.
  *
  * @param firstSeed of the first run
  * @param lastSeed of the last run, not below the first
  * @param workers threads
- * @param stopAtBad whether the campaign ends with the first bad run, in the order of seeds
+ * @param stopAtBad whether the campaign ends with the first bad run, in seed order
  */
 public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopAtBad) {
 
-  /** Called on the calling thread after each run, even if the run does not count in the end. */
+  /** Called on the calling thread after each run, even if the result will not include the run. */
   @FunctionalInterface
   public interface Progress {
 
     /**
      * @param finished runs so far
      * @param planned runs of the whole campaign
-     * @param bad runs so far that did not go well
+     * @param bad number of bad runs so far
      */
     void advanced(long finished, long planned, long bad);
   }
@@ -45,7 +45,7 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
     }
   }
 
-  /** On all cores, to the last seed. */
+  /** All seeds, on all cores. */
   public Campaign(long firstSeed, long lastSeed) {
     this(firstSeed, lastSeed, Runtime.getRuntime().availableProcessors(), false);
   }
@@ -91,11 +91,11 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
   }
 
   /**
-   * Runs it.
+   * Executes the campaign.
    *
-   * @param runner makes and runs the simulation of one seed; called on several threads at once. What
-   *     it throws is a failed run
-   * @throws InterruptedException if the calling thread is interrupted; runs under way are abandoned
+   * @param runner builds and executes the simulation of one seed; called on several threads at
+   *     once. An exception is a failed run
+   * @throws InterruptedException if the calling thread is interrupted; current runs are abandoned
    */
   public CampaignResult run(LongFunction<RunOutcome> runner, Progress progress)
       throws InterruptedException {
@@ -134,7 +134,8 @@ public record Campaign(long firstSeed, long lastSeed, int workers, boolean stopA
       }
     }
     List<CampaignResult.Run> runs = new ArrayList<>();
-    // Whether runs beyond the first bad one were begun depends on the threads: they do not count.
+    // The threads' timing decides which runs beyond the first bad one were started: they do not
+    // count.
     long endIndex = shared.endIndex.get();
     outcomes.forEach((seed, outcome) -> {
       if (seed - firstSeed < endIndex) {

@@ -8,19 +8,19 @@ import org.jspecify.annotations.Nullable;
 import org.starl.sim.check.RunOutcome.Verdict;
 
 /**
- * The result of a campaign: the runs in the order of their seeds. Equal campaigns have equal results
- * on any number of threads.
+ * The result of a campaign: the runs in seed order. Equal campaigns have equal results for any
+ * number of threads.
  */
 public record CampaignResult(List<Run> runs) {
 
-  /** One run, by its seed. */
+  /** One run and its seed. */
   public record Run(long seed, RunOutcome outcome) {}
 
   public CampaignResult {
     runs = List.copyOf(runs);
   }
 
-  /** The first bad run in the order of seeds, or null. */
+  /** The first bad run in seed order, or null. */
   public @Nullable Run firstBad() {
     for (Run run : runs) {
       if (!run.outcome().isGood()) {

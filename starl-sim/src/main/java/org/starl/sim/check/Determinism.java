@@ -21,12 +21,12 @@ import org.starl.sim.TraceRecorder;
 import org.starl.sim.kernel.CarrierKind;
 
 /**
- * Checks that a simulation depends on its seeds and settings alone: runs it twice, and on both kinds
- * of carriers where this Java has both, and compares the traces byte by byte.
+ * Checks that a simulation depends only on its seeds and settings: runs it twice, on both kinds of
+ * carriers if this Java supports both, and compares the traces byte by byte.
  *
- * @param runs what was run, in order, in words
+ * @param runs descriptions of the runs, in order
  * @param lines of the first run's trace, its header and its outcome included
- * @param difference the first one, or null if all runs were equal
+ * @param difference the first difference, or null if all runs were equal
  */
 public record Determinism(List<String> runs, long lines, @Nullable Difference difference) {
 
@@ -35,14 +35,14 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
   private static final int WHOLE_SECOND_DIGITS = 9;
 
   /**
-   * The first line in which two runs differ. A line is one of the trace, or the outcome after it.
+   * The first line that differs between two runs: a line of the trace, or the outcome after it.
    *
    * @param line its number in the trace, from 1
    */
   public record Difference(
       String firstRun, String secondRun, long line, String firstLine, String secondLine) {
 
-    /** Three lines: where, and what stands there in each run. */
+    /** Three lines: the position, and the text of each run. */
     @Override
     public String toString() {
       String place = place(firstLine);
@@ -84,10 +84,10 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
   private record Planned(String name, CarrierKind carriers) {}
 
   /**
-   * Runs and compares. A run that fails is compared as well: it must fail the same way.
+   * Executes and compares the runs. Failed runs are compared too: they must fail in the same way.
    *
-   * @param scenario a new builder of the same simulation at each call
-   * @throws IOException if the first trace cannot be kept in a file meanwhile
+   * @param scenario returns a new builder of the same simulation at each call
+   * @throws IOException if the temporary file of the first trace cannot be written
    */
   public static Determinism verify(Supplier<Simulation.Builder> scenario) throws IOException {
     List<Planned> plan = plan();
@@ -156,7 +156,7 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
     out.write((outcome + "\n").getBytes(StandardCharsets.UTF_8));
   }
 
-  /** Lets the recorder close its stream without closing ours. */
+  /** Prevents the recorder from closing the underlying stream. */
   private static final class NotClosing extends FilterOutputStream {
     NotClosing(OutputStream out) {
       super(out);

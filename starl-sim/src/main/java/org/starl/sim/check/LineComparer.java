@@ -8,12 +8,12 @@ import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Compares what is written to it with a reference, byte by byte, and keeps the first line that
- * differs. An end that comes too early, on either side, is a line that differs.
+ * Compares written bytes with a reference and keeps the first line that differs. A premature end of
+ * either side is a difference.
  */
 final class LineComparer extends OutputStream {
 
-  /** The text of a line that one side does not have. */
+  /** The text of a missing line. */
   static final String NOTHING = "(nothing more)";
 
   /** The first difference; lines count from 1. */
@@ -26,7 +26,7 @@ final class LineComparer extends OutputStream {
   private boolean lineIsComplete;
 
   /**
-   * @param reference buffered; its owner closes it
+   * @param reference buffered; closed by its owner
    */
   LineComparer(InputStream reference) {
     this.reference = reference;
@@ -61,12 +61,12 @@ final class LineComparer extends OutputStream {
     }
   }
 
-  /** How many whole lines were equal before the first difference. */
+  /** The number of complete equal lines before the first difference. */
   long equalLines() {
     return lineNumber - 1;
   }
 
-  /** The first difference, or null; call it once, when all was written. */
+  /** The first difference, or null; call it once, after the last write. */
   @Nullable DifferentLines difference() throws IOException {
     if (referenceLine == null) {
       int next = reference.read();
@@ -79,7 +79,9 @@ final class LineComparer extends OutputStream {
     return new DifferentLines(lineNumber, referenceLine, text());
   }
 
-  /** The equal beginning of the line, then the reference's own end from {@code next} on. */
+  /**
+   * The equal beginning of the line, then the rest of the reference's line from {@code next} on.
+   */
   private String restOfReference(int next) throws IOException {
     ByteArrayOutputStream whole = new ByteArrayOutputStream();
     line.writeTo(whole);

@@ -11,14 +11,15 @@ import java.util.function.Consumer;
 import org.starl.random.Rng;
 
 /**
- * Malformed inputs for tests of readers: random bytes, and good inputs that were cut, changed,
+ * Malformed inputs for tests of readers: random bytes, and valid inputs that were cut, changed,
  * lengthened, spliced and repeated.
  *
- * <p>The test is a method {@code fuzzerTestOneInput(byte[])}, which throws if the reader misbehaves;
- * coverage-guided fuzzers of the JVM call methods of that name as well.
+ * <p>The test is a method {@code fuzzerTestOneInput(byte[])}, which throws if the reader fails its
+ * contract; coverage-guided fuzzers of the JVM call methods of that name too.
  *
  * <p>System properties: {@code starl.fuzz} is the number of inputs, {@code starl.fuzz.seed} their
- * seed, {@code starl.fuzz.samples} a folder to which the good inputs are written, as a fuzzer's corpus.
+ * seed, {@code starl.fuzz.samples} a folder to which the valid inputs are written, as a fuzzer's
+ * corpus.
  */
 public final class MalformedBytes {
 
@@ -29,7 +30,7 @@ public final class MalformedBytes {
   private final Rng rng;
   private final List<byte[]> samples;
 
-  /** @param samples good inputs, at least one */
+  /** @param samples valid inputs, at least one */
   public MalformedBytes(long seed, List<byte[]> samples) {
     if (samples.isEmpty()) {
       throw new IllegalArgumentException("no samples: expected at least one good input");
@@ -39,9 +40,9 @@ public final class MalformedBytes {
   }
 
   /**
-   * Feeds all samples and then malformed inputs to {@code target}.
+   * Passes all samples and then malformed inputs to {@code target}.
    *
-   * @throws AssertionError as soon as the target throws; it shows the input and how to repeat it
+   * @throws AssertionError when the target throws; it shows the input and how to repeat it
    */
   public static void feed(List<byte[]> samples, Consumer<byte[]> target) {
     long seed = Long.getLong("starl.fuzz.seed", 1);
@@ -56,7 +57,7 @@ public final class MalformedBytes {
     }
   }
 
-  /** The next one, the caller's own. */
+  /** The next input; the caller may modify it. */
   public byte[] next() {
     byte[] sample = any();
     byte[] bytes =
@@ -86,7 +87,7 @@ public final class MalformedBytes {
     return bytes;
   }
 
-  /** The beginning of one, and then some end of the other. */
+  /** The head of one sample followed by the tail of another one. */
   private byte[] joined(byte[] head, int headLength, byte[] other) {
     int from = rng.nextInt(other.length + 1);
     byte[] bytes = Arrays.copyOf(head, headLength + other.length - from);
@@ -94,7 +95,7 @@ public final class MalformedBytes {
     return bytes;
   }
 
-  /** A bit, a byte, or a number of either byte order becomes another. */
+  /** Replaces a bit, a byte, or a number in either byte order. */
   private void change(byte[] bytes) {
     int at = rng.nextInt(bytes.length);
     if (rng.nextBoolean(0.3)) {

@@ -1,16 +1,16 @@
 package org.starl.sim.check;
 
 /**
- * Exact percentiles by nearest rank. The samples of a campaign are in memory anyway, so that no
- * histogram has to round them.
+ * Exact percentiles by nearest rank. No histogram is needed, because all samples of a campaign are
+ * in memory.
  */
 public final class Percentile {
 
   private Percentile() {}
 
   /**
-   * Where, among {@code count} sorted samples, the smallest one stands that is not below {@code
-   * percent} of all: 0 gives the least, 50 the median, 100 the greatest.
+   * The index, among {@code count} sorted samples, of the smallest one that is not below {@code
+   * percent} of all: 0 gives the minimum, 50 the median, 100 the maximum.
    *
    * @throws IllegalArgumentException if there is no sample, or percent is not from 0 to 100
    */

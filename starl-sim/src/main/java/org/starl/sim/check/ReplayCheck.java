@@ -11,21 +11,21 @@ import org.starl.sim.check.Determinism.Difference;
 /**
  * Runs a simulation and compares it with a trace, byte by byte.
  *
- * @param lines that are equal, from the first one on
+ * @param lines the number of equal lines, from the first one on
  * @param difference the first line that differs, or null if all are equal
  * @param failure the error that ended the run, or null
  */
 public record ReplayCheck(
     long lines, @Nullable Difference difference, @Nullable SimulationFailed failure) {
 
-  /** Whether the run is the one of the trace. */
+  /** Whether the run equals the trace. */
   public boolean isEqual() {
     return difference == null && failure == null;
   }
 
   /**
-   * @param simulation that is expected to do the same, interventions included; used up
-   * @param trace buffered; its owner closes it
+   * @param simulation the simulation to compare, interventions included; it is executed
+   * @param trace buffered; closed by its owner
    * @throws IOException if {@code trace} cannot be read
    */
   public static ReplayCheck of(Simulation.Builder simulation, InputStream trace)

@@ -12,10 +12,11 @@ import org.starl.spec.SpecReport;
 /**
  * The outcome of one run of a campaign.
  *
- * @param what is wrong, to compare runs by: the first violated lemma or the type of the exception;
- *     empty if there is neither
- * @param atNs its time, in ns of virtual time; -1 if unknown
- * @param detail one line: the first violation, the unfinished robots or the exception; empty if good
+ * @param what identifies the failure: the first violated lemma or the type of the exception; empty
+ *     if there is neither
+ * @param atNs time of the failure, in ns of virtual time; -1 if unknown
+ * @param detail one line: the first violation, the unfinished robots or the exception; empty if
+ *     good
  * @param figures finite numbers for statistics, by name
  */
 public record RunOutcome(
@@ -24,7 +25,7 @@ public record RunOutcome(
   private static final double NS_PER_S = 1e9;
   private static final long UNKNOWN = -1;
 
-  /** How a run went, from good to bad. */
+  /** The verdict of a run, from good to bad. */
   public enum Verdict {
     /** Every specification held, and every app ended. */
     GOOD,
@@ -94,7 +95,7 @@ public record RunOutcome(
         Verdict.FAILED, cause.getClass().getName(), atNs, detail, new TreeMap<>());
   }
 
-  /** The same with other figures. */
+  /** A copy with other figures. */
   public RunOutcome withFigures(SortedMap<String, Double> newFigures) {
     return new RunOutcome(verdict, what, atNs, detail, newFigures);
   }
@@ -103,7 +104,9 @@ public record RunOutcome(
     return verdict == Verdict.GOOD;
   }
 
-  /** Whether the other run failed in the same way: same violated lemma, same type of exception. */
+  /**
+   * Whether the other run failed in the same way: same violated lemma, or same type of exception.
+   */
   public boolean isLike(RunOutcome other) {
     return verdict == other.verdict && what.equals(other.what);
   }

@@ -11,13 +11,13 @@ import org.starl.sim.fault.TimeRange;
 
 /**
  * Reduces a bad run to a small one that fails in the same way (same lemma, same type of exception):
- * fewer robots, settings, faults, less time. If there were enough runs, the result is minimal: no
- * further step that is tried here keeps the failure. Faults are removed in halves, quarters, and one
- * by one (Zeller, Hildebrandt, "Simplifying and isolating
- * failure-inducing input", IEEE TSE 28(2), 2002), then shortened.
+ * fewer robots, settings and faults, and less time. If the limit of runs suffices, the result is
+ * minimal: no further step keeps the failure. Faults are removed in halves, quarters, and one by
+ * one (Zeller, Hildebrandt, "Simplifying and isolating failure-inducing input", IEEE TSE 28(2),
+ * 2002), then shortened.
  *
- * <p>Equal runs give equal results: nothing is drawn. The runs are made one after another, on the calling
- * thread.
+ * <p>Deterministic: equal runs give equal results. The runs are executed one after another, on the
+ * calling thread.
  */
 public final class Shrink {
 
@@ -31,7 +31,7 @@ public final class Shrink {
   private final Function<Trial, RunOutcome> runner;
   private final int mostRuns;
   private final Progress progress;
-  // Passes try again what an earlier one has tried.
+  // Later passes repeat steps of earlier ones.
   private final Map<Trial, RunOutcome> known = new LinkedHashMap<>();
   private int runs;
 
@@ -40,29 +40,29 @@ public final class Shrink {
   public interface Progress {
 
     /**
-     * @param run its number, from 1, which is the run to shrink
-     * @param isKept whether it fails in the same way, so that its trial is the smallest so far
+     * @param run number of the run, from 1, which is the run to shrink
+     * @param isKept whether it fails in the same way; its trial is then the smallest so far
      */
     void tried(int run, Trial trial, RunOutcome outcome, boolean isKept);
   }
 
   /**
-   * The smallest trial.
+   * The result of shrinking: the smallest trial.
    *
    * @param outcome of the trial
-   * @param runs that were made
-   * @param isSmallest false if {@code mostRuns} ended the search
+   * @param runs number of runs executed
+   * @param isSmallest false if the search ended at {@code mostRuns}
    */
   public record Result(Trial trial, RunOutcome outcome, int runs, boolean isSmallest) {}
 
-  /** The smallest so far. */
+  /** The smallest trial so far. */
   private record Best(Trial trial, RunOutcome outcome) {}
 
   /**
-   * @param runner makes and runs a trial: equal trials have equal outcomes. What it throws is a
-   *     failed run; {@code BadInput} is one that no run to shrink has, so that what cannot be run is
-   *     not taken
-   * @param mostRuns upper bound of runs
+   * @param runner builds and executes a trial; equal trials must have equal outcomes. An exception
+   *     is a failed run; {@code BadInput} differs from every failure to shrink, so that a trial
+   *     that cannot run is rejected
+   * @param mostRuns maximum number of runs
    */
   public Shrink(Function<Trial, RunOutcome> runner, int mostRuns, Progress progress) {
     this.runner = runner;
@@ -71,7 +71,7 @@ public final class Shrink {
   }
 
   /**
-   * Shrinks.
+   * Shrinks {@code from}.
    *
    * @throws IllegalArgumentException if {@code from} is a good run
    */
@@ -157,7 +157,9 @@ public final class Shrink {
     return best;
   }
 
-  /** With half the length, in whole ms; the same if that is too short, or it never ends. */
+  /**
+   * Half of the duration, in whole ms; unchanged if that is too short, or if the fault never ends.
+   */
   private static Fault halved(Fault fault) {
     Span span = fault.span();
     TimeRange lasting = span.lasting();
@@ -180,7 +182,7 @@ public final class Shrink {
 
   private Best withEarlierEnd(Best start) {
     if (start.outcome().verdict() == Verdict.UNFINISHED) {
-      // Every run that is short enough is unfinished.
+      // Every sufficiently short run is unfinished.
       return start;
     }
     Best best = start;
@@ -205,7 +207,7 @@ public final class Shrink {
     return best;
   }
 
-  /** {@code trial} if it fails in the same way as {@code best}, else {@code best}. */
+  /** {@code trial} if it fails in the same way as {@code best}, otherwise {@code best}. */
   private Best tried(Best best, Trial trial) {
     RunOutcome before = known.get(trial);
     if (before == null && runs >= mostRuns) {

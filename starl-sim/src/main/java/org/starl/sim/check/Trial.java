@@ -8,10 +8,10 @@ import org.starl.sim.fault.Fault;
 /**
  * The parts of a run that {@link Shrink} can remove.
  *
- * @param robots number of robots that start
- * @param settings keys of settings that are given, and can be left at their defaults
- * @param faults to inject, those that chaos drew included
- * @param endNs its latest end, in ns of virtual time
+ * @param robots number of initial robots
+ * @param settings keys of the settings that are set and can be reset to their defaults
+ * @param faults to inject, including those drawn by chaos
+ * @param endNs latest end of the run, in ns of virtual time
  */
 public record Trial(int robots, List<String> settings, List<Fault> faults, long endNs) {
 

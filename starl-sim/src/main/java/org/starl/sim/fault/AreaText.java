@@ -60,7 +60,7 @@ final class AreaText {
     throw new IllegalArgumentException(area + ": expected a rectangle or a circle");
   }
 
-  // A coordinate is a distance with a sign.
+  // Coordinates are signed distances.
   private static double mm(List<String> parts, int index) {
     String part = parts.get(index).strip();
     return part.startsWith("-")

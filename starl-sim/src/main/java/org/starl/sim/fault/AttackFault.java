@@ -4,15 +4,15 @@ import java.util.List;
 import org.starl.input.Quantities;
 
 /**
- * An attacker without the deployment's key, who records all datagrams and sends datagrams of its own
- * to robots. Robots without a key accept them; {@code sealed=yes} gives the robots a key.
+ * An attacker without the deployment's key. It records all datagrams and sends its own datagrams to
+ * robots. Robots without a key accept them; {@code sealed=yes} gives the robots a key.
  */
 public sealed interface AttackFault extends FaultEffect {
 
   /** Mean time between two attacks on one robot, in ns; the times are exponential. */
   long meanNs();
 
-  /** The next datagram to send; empty ({@code length} 0) while nothing was recorded. */
+  /** The next datagram to send; {@code length} is 0 before the first recording. */
   byte[] next(Eavesdropper heard);
 
   @Override

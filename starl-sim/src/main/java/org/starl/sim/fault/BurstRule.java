@@ -9,9 +9,9 @@ import org.starl.sim.net.Transmission;
 import org.starl.sim.net.Verdict;
 
 /**
- * Loss in bursts, after Gilbert (1960) and Elliott (1963): each link, each direction on its own, is
- * good for a while and bad for a while, each time exponentially long; what is sent while it is bad is
- * lost with the given probability.
+ * Loss in bursts, after Gilbert (1960) and Elliott (1963): each direction of each link is
+ * alternately good and bad, for exponential times; datagrams sent while it is bad are lost with the
+ * given probability.
  */
 final class BurstRule implements LinkRule {
 
@@ -37,9 +37,9 @@ final class BurstRule implements LinkRule {
   }
 
   /**
-   * @param goodNs mean time that a link is good, above 0
-   * @param badNs mean time that it is bad, above 0
-   * @param beginNs when the rule begins; all links are good then
+   * @param goodNs mean time of a good phase, above 0
+   * @param badNs mean time of a bad phase, above 0
+   * @param beginNs start of the rule; all links are then good
    */
   BurstRule(long goodNs, long badNs, double lossWhileBad, long beginNs, Rng rng) {
     this.goodNs = goodNs;

@@ -10,7 +10,7 @@ import org.starl.sim.world.Unsynced;
 
 /**
  * Draws fault plans. Each run of a campaign gets a random subset of the kinds of faults, each with
- * random strength: such runs find more than runs that all use every kind (Groce et al., "Swarm
+ * random strength: this finds more bugs than runs that all use every kind (Groce et al., "Swarm
  * testing", ISSTA 2012). All faults have ended by the given time.
  */
 final class Chaos {
@@ -46,7 +46,7 @@ final class Chaos {
   }
 
   private void comeAndGo(List<Function<Chaos, FaultEffect>> kinds) {
-    // Some runs have a fault for their whole length, most have faults that come and go.
+    // In some runs a fault lasts for the whole run, in most runs faults begin and end.
     if (rng.nextBoolean(0.3)) {
       add(network().get(rng.nextInt(network().size())).apply(this), 0, untilMs);
     }
@@ -82,7 +82,8 @@ final class Chaos {
     }
     kinds.addAll(network());
     if (envelope != Envelope.NETWORK && envelope != Envelope.SPATIAL) {
-      // Crashes matter most for these envelopes: they are drawn more often than other faults.
+      // Crashes are drawn more often than other faults, because they matter most for these
+      // envelopes.
       kinds.add(c -> new Crash(RobotSelector.ANY, c.unsynced()));
       kinds.add(c -> new Crash(c.one(0.5) ? RobotSelector.ANY : RobotSelector.HALF, c.unsynced()));
       kinds.add(c -> new RobotFault.Disk(c.anyOrAll(), c.ms(1, 100)));

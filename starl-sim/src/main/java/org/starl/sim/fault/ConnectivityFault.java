@@ -13,12 +13,12 @@ import org.starl.sim.net.Partition;
 import org.starl.sim.net.Verdict;
 import org.starl.sim.world.Body;
 
-/** Blocks all datagrams between some robots, chosen by name or by position. */
+/** Blocks all datagrams between some robots, selected by name or by position. */
 public sealed interface ConnectivityFault extends NetworkFault {
 
   /**
-   * Groups whose members hear only each other: {@code partition(bot0+bot1|bot2+bot3)}. All other
-   * robots form one more group.
+   * Groups that receive datagrams only from their own members: {@code
+   * partition(bot0+bot1|bot2+bot3)}. All other robots form one more group.
    */
   record Groups(List<RobotSelector> groups) implements ConnectivityFault {
 
@@ -51,7 +51,7 @@ public sealed interface ConnectivityFault extends NetworkFault {
     }
   }
 
-  /** One way: nothing from {@code from} reaches {@code to}: {@code partition(bot0>bot1)}. */
+  /** One direction: {@code to} receives nothing from {@code from}: {@code partition(bot0>bot1)}. */
   record OneWay(RobotSelector from, RobotSelector to) implements ConnectivityFault {
     @Override
     public String name() {
@@ -76,7 +76,10 @@ public sealed interface ConnectivityFault extends NetworkFault {
     }
   }
 
-  /** Robots inside the area and robots outside it: {@code partition(area=circle(0,0,2m))}. */
+  /**
+   * Separates robots inside the area from robots outside it: {@code
+   * partition(area=circle(0,0,2m))}.
+   */
   record Area(Region area) implements ConnectivityFault {
     @Override
     public String name() {
@@ -121,7 +124,7 @@ public sealed interface ConnectivityFault extends NetworkFault {
     }
   }
 
-  /** Datagrams need a line of sight, free of walls and bodies: {@code sight}. */
+  /** Datagrams need a line of sight without walls and bodies: {@code sight}. */
   record Sight() implements ConnectivityFault {
     @Override
     public String name() {
@@ -139,7 +142,7 @@ public sealed interface ConnectivityFault extends NetworkFault {
     }
   }
 
-  /** Drops copies that {@code passes} refuses; robots off the floor have no position. */
+  /** Drops copies that {@code passes} rejects; robots off the floor have no position. */
   private static LinkRule whileOnFloor(
       FaultTarget ward, String why, BiPredicate<Body, Body> passes) {
     Verdict cut = Verdict.drop(why);

@@ -5,10 +5,10 @@ import org.starl.id.RobotId;
 import org.starl.sim.world.Unsynced;
 
 /**
- * The program ends at once, and begins anew when the fault ends, if it does; robots that are down
- * already are spared. {@code crash(bot2,at=12s,restart=5s,lose=unsynced)}.
+ * The program ends at once and, unless the crash is permanent, restarts when the fault ends. Robots
+ * that are already down are skipped. {@code crash(bot2,at=12s,restart=5s,lose=unsynced)}.
  *
- * @param unsynced what becomes of writes to stable storage that were not flushed
+ * @param unsynced the effect on unflushed writes to stable storage
  */
 public record Crash(RobotSelector who, Unsynced unsynced) implements FaultEffect {
 

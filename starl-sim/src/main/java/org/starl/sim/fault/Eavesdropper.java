@@ -7,8 +7,8 @@ import org.starl.random.Rng;
 import org.starl.sim.net.NetworkTap;
 
 /**
- * Records datagrams and makes plausible forgeries of them. Of the wire format it knows only that
- * names and numbers have fixed places.
+ * Records datagrams and forges plausible ones from them. It knows only that names and numbers have
+ * fixed places in the wire format.
  */
 final class Eavesdropper implements NetworkTap {
 
@@ -29,13 +29,13 @@ final class Eavesdropper implements NetworkTap {
     recorded++;
   }
 
-  /** One of the last datagrams; empty before the first. */
+  /** One of the latest datagrams; empty before the first one. */
   byte[] recorded() {
     int there = Math.min(recorded, RECORDINGS);
     return there == 0 ? NOTHING : recordings[rng.nextInt(there)].clone();
   }
 
-  /** One of the last datagrams with some bytes changed. */
+  /** One of the latest datagrams with some bytes changed. */
   byte[] changed() {
     byte[] datagram = recorded();
     if (datagram.length == 0) {
@@ -57,7 +57,7 @@ final class Eavesdropper implements NetworkTap {
     return datagram;
   }
 
-  // Small changes keep numbers plausible, and turn bot1 into bot2.
+  // Small changes keep numbers plausible and change, for example, bot1 to bot2.
   private byte[] withOtherBytes(byte[] datagram) {
     int at = rng.nextInt(datagram.length);
     int step = rng.nextBoolean(0.7) ? 1 + rng.nextInt(3) : rng.nextInt(256);
@@ -65,7 +65,7 @@ final class Eavesdropper implements NetworkTap {
     return datagram;
   }
 
-  // Joins the head of one datagram and the tail of another one of any length.
+  // Joins the head of one datagram and a tail of random length of another one.
   private byte[] crossed(byte[] datagram) {
     byte[] other = recorded();
     int cut = rng.nextInt(Math.min(datagram.length, other.length));

@@ -7,8 +7,8 @@ import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 
 /**
- * The faults that an app or a primitive tolerates without violating its invariants. Chaos draws from
- * these alone.
+ * The faults that an app or a primitive tolerates without violating its invariants. Chaos draws
+ * only from these.
  */
 public enum Envelope {
 
@@ -20,30 +20,30 @@ public enum Envelope {
 
   /**
    * {@link #NETWORK}, and crashes with restarts, with or without the last writes; slow storage,
-   * clocks that are wrong without bound, slow computing. For what never relies on time or position
-   * for its safety: agreement, registration, election, mutual exclusion, barrier.
+   * unbounded clock errors, slow computing. For primitives whose safety does not depend on time or
+   * position: agreement, registration, election, mutual exclusion, barrier.
    */
   LOGICAL("network, and crashes with restarts, slow storage, slow computing, wrong clocks"),
 
   /**
-   * {@link #LOGICAL}, and an attacker who listens, forges, replays and floods. It needs a key: a run
-   * with these faults seals its datagrams.
+   * {@link #LOGICAL}, and an attacker that listens, forges, replays and floods. A run with these
+   * faults seals its datagrams with a key.
    */
   HOSTILE("logical, and forged, replayed and random datagrams; seals datagrams with a key"),
 
   /**
    * {@link #NETWORK}, and crashes with restarts, slow storage, and clocks with up to 200 ppm of
-   * drift. For robots that drive by what they agreed on.
+   * drift. For robots that drive according to an agreement.
    */
   MOVING("network, and crashes with restarts, slow storage, clocks with up to 200 ppm of drift"),
 
-  /** {@link #LOGICAL}, and a minority of the robots crashes without restart. */
+  /** {@link #LOGICAL}, and permanent crashes of a minority of the robots. */
   MORTAL("logical, and a minority of the robots crashes without restart"),
 
   /**
-   * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, fixes with up
-   * to 20 mm of additional error that they report, up to a second without fixes, slow and stuck
-   * wheels. For what relies on bounded drift and error: geocast, motion, paths.
+   * {@link #NETWORK}, and bounded physical faults: clocks with up to 200 ppm of drift, fixes with
+   * up to 20 mm of additional, reported error, up to a second without fixes, slow and stuck wheels.
+   * For primitives that rely on bounded drift and error: geocast, motion, paths.
    */
   SPATIAL("network, and bounded faults of clocks, positioning and wheels");
 
@@ -71,7 +71,7 @@ public enum Envelope {
     throw new BadInput(BadInput.quote(text) + ": no such envelope of faults" + hint);
   }
 
-  /** As in {@code --set chaos=logical}. */
+  /** The name as in {@code --set chaos=logical}. */
   @Override
   public String toString() {
     return name().toLowerCase(Locale.ROOT);

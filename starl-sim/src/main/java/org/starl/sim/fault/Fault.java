@@ -3,14 +3,14 @@ package org.starl.sim.fault;
 import java.util.ArrayList;
 import java.util.List;
 
-/** A fault and its times. Its text is what {@link FaultGrammar#parse} reads. */
+/** A fault and its times. Its text can be read by {@link FaultGrammar#parse}. */
 public record Fault(FaultEffect effect, Span span) {
 
   public static Fault always(FaultEffect harm) {
     return new Fault(harm, Span.ALWAYS);
   }
 
-  /** Whether it ends. A crash without restart ends at once. */
+  /** Whether the fault has an end. A crash without restart ends at once. */
   public boolean isFinite() {
     return span.isFinite() || effect instanceof Crash;
   }

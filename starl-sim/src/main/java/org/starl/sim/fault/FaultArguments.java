@@ -14,7 +14,7 @@ import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
 import org.starl.input.Quantities;
 
-/** {@code name(a,b,key=c)}, parsed: arguments by position and by key, each of which must be used. */
+/** A parsed {@code name(a,b,key=c)}: positional and keyed arguments, each of which must be used. */
 final class FaultArguments {
 
   private static final Pattern FORM = Pattern.compile("\\s*([a-z]+)\\s*(?:\\((.*)\\))?\\s*");
@@ -55,7 +55,7 @@ final class FaultArguments {
       return;
     }
     String value = pair.group(2).strip();
-    // A sender is a name, a time begins with a digit.
+    // Senders are names; times begin with a digit.
     boolean isTime = !value.isEmpty() && Character.isDigit(value.charAt(0));
     String key = pair.group(1).equals("from") && isTime ? "at" : pair.group(1);
     if (keyed.put(key, value) != null) {
@@ -90,7 +90,7 @@ final class FaultArguments {
     return name;
   }
 
-  /** Sets how the fault is written, for errors. */
+  /** Sets the usage text for errors. */
   void usage(String newUsage) {
     usage = newUsage;
   }
@@ -122,7 +122,7 @@ final class FaultArguments {
     return value == null ? otherwise : value(key, value, reader);
   }
 
-  /** {@code value} as {@code reader} reads it; an error names the argument. */
+  /** Reads {@code value} with {@code reader}; an error names the argument. */
   <T> T value(String what, String value, Function<String, T> reader) {
     try {
       return reader.apply(value);

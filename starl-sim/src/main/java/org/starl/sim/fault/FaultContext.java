@@ -5,12 +5,12 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 
 /**
- * The context in which a fault begins.
+ * The context at the beginning of a fault.
  *
  * @param number of the fault in its plan, from 0
- * @param whom the robots that it affects: those that {@link FaultEffect#who} selects now
- * @param lastingNs its length in ns, or {@link Span#NEVER}
- * @param rng its generator
+ * @param whom the affected robots, selected now by {@link FaultEffect#who}
+ * @param lastingNs the fault's duration in ns, or {@link Span#NEVER}
+ * @param rng the fault's generator
  */
 public record FaultContext(
     FaultTarget ward, int number, List<RobotId> whom, long lastingNs, Rng rng) {}

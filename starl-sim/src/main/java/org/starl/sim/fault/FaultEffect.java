@@ -12,18 +12,18 @@ public sealed interface FaultEffect
   /** Its arguments as text, without times. */
   List<String> arguments();
 
-  /** The robots that it affects; all robots for a fault of the network. */
+  /** The affected robots; all robots for a fault of the network. */
   RobotSelector who();
 
-  /** All robots that its text names, in any argument. */
+  /** All robots in the fault's text, in any argument. */
   default List<RobotSelector> named() {
     return List.of(who());
   }
 
-  /** Begins it; the returned cure ends it. */
+  /** Begins the fault; the returned cure ends it. */
   Runnable begin(FaultContext onset);
 
-  /** The key of the argument for its length. */
+  /** The key of the duration argument. */
   default String lastingKey() {
     return "for";
   }

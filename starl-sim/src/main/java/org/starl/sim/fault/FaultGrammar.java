@@ -11,19 +11,19 @@ import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.Unsynced;
 
 /**
- * The one grammar of faults: {@code name(arguments,times)}. The affected robots come first: a name,
- * {@code bot0+bot1}, {@code any}, which is drawn by seed, {@code half} or {@code all}.
+ * The grammar of faults: {@code name(arguments,times)}. The affected robots come first: a name,
+ * {@code bot0+bot1}, {@code any} (drawn by seed), {@code half} or {@code all}.
  */
 public final class FaultGrammar {
 
-  /** The times that every fault takes, one line for users. */
+  /** The times of every fault, one line for users. */
   public static final String TIMES =
       "every fault takes at=12s or at=5s..20s (drawn), and for=5s, for=2s..9s or until=30s";
 
   /**
    * One kind of fault, for users.
    *
-   * @param usage how it is written
+   * @param usage its syntax
    * @param meaning one line
    */
   public record Kind(String name, String usage, String meaning) {}
@@ -152,7 +152,7 @@ public final class FaultGrammar {
 
   private FaultGrammar() {}
 
-  /** Every kind of fault, in the order to show them. */
+  /** Every kind of fault, in display order. */
   public static List<Kind> kinds() {
     return ROWS.stream().map(Row::kind).toList();
   }
@@ -160,7 +160,8 @@ public final class FaultGrammar {
   /**
    * Reads one fault.
    *
-   * @throws BadInput if it is not a fault; the message names text, argument and what was expected
+   * @throws BadInput if the text is not a fault; the message has the text, the argument and what
+   *     was expected
    */
   public static Fault parse(String text) {
     FaultArguments call = FaultArguments.parse(text);

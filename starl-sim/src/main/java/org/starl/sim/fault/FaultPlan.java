@@ -9,8 +9,8 @@ import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
 /**
- * The faults of a run. Its text is its faults with {@code ;} between them, as in the setting {@code
- * faults}; commas are read as well, as in a list of a scenario file.
+ * The faults of a run. Its text is a list separated by {@code ;}, as in the setting {@code faults};
+ * commas are accepted too, as in a list of a scenario file.
  */
 public record FaultPlan(List<Fault> faults) {
 
@@ -20,7 +20,7 @@ public record FaultPlan(List<Fault> faults) {
     faults = List.copyOf(faults);
   }
 
-  /** @throws org.starl.input.BadInput if one of them is not a fault */
+  /** @throws org.starl.input.BadInput if a text is not a fault */
   public static FaultPlan parse(String text) {
     List<Fault> faults = new ArrayList<>();
     int depth = 0;
@@ -42,11 +42,11 @@ public record FaultPlan(List<Fault> faults) {
   }
 
   /**
-   * A plan drawn from an envelope: faults that come and go, alone and together, and have all ended
-   * by {@code untilNs}, except that with {@link Envelope#MORTAL} some robots stay dead. After that
-   * time progress can be demanded.
+   * Draws a plan from an envelope: faults begin and end, alone and together, and all have ended by
+   * {@code untilNs}, except permanent crashes of {@link Envelope#MORTAL}. After that time
+   * primitives must make progress.
    *
-   * @param robots of the deployment, of which a majority stays alive
+   * @param robots the deployment, of which a majority stays up
    */
   public static FaultPlan chaos(Envelope envelope, int robots, long untilNs, Rng rng) {
     return Chaos.draw(envelope, robots, untilNs, rng);
@@ -64,7 +64,7 @@ public record FaultPlan(List<Fault> faults) {
   }
 
   /**
-   * @throws BadInput if a fault names another robot
+   * @throws BadInput if a fault names an unknown robot
    */
   public void requireNamedAmong(Collection<RobotId> robots) {
     for (Fault fault : faults) {
@@ -81,17 +81,17 @@ public record FaultPlan(List<Fault> faults) {
     }
   }
 
-  /** Whether it changes some robot's time, so that robots need clocks of their own. */
+  /** Whether a fault changes a robot's time, so that robots need their own clocks. */
   public boolean touchesTime() {
     return faults.stream()
         .anyMatch(fault -> fault.effect() instanceof RobotFault harm && harm.touchesTime());
   }
 
   /**
-   * Starts the faults of a run: those that begin with the run begin now.
+   * Starts the faults of a run; faults at time 0 begin now.
    *
-   * @param rng of the run's seed, forked for faults
-   * @return for adding more faults
+   * @param rng generator of the run's seed, forked for faults
+   * @return the object that adds more faults
    */
   public FaultRun install(FaultTarget ward, Rng rng) {
     FaultRun run = new FaultRun(ward);

@@ -9,7 +9,7 @@ import org.starl.input.Quantities;
 import org.starl.random.Rng;
 import org.starl.trace.TraceEvent;
 
-/** The faults of one run: begins them, ends them and records both in the trace. */
+/** The faults of one run: begins and ends them, and records both in the trace. */
 public final class FaultRun {
 
   private final FaultTarget ward;
@@ -21,9 +21,9 @@ public final class FaultRun {
   }
 
   /**
-   * Adds faults. Those that are due begin now.
+   * Adds faults. Due faults begin now.
    *
-   * @param rng for these faults alone
+   * @param rng for these faults only
    */
   public void add(FaultPlan plan, Rng rng) {
     Map<String, Integer> sameBefore = new LinkedHashMap<>();
@@ -33,7 +33,8 @@ public final class FaultRun {
     toEnd += more.size();
     for (int i = 0; i < more.size(); i++) {
       Fault fault = more.get(i);
-      // Forked by text and, among equal faults, by count: no fault changes another one's draws.
+      // Forked by text and, for equal faults, by count: a fault does not change another's random
+      // numbers.
       int copy = sameBefore.merge(fault.toString(), 1, Integer::sum);
       Rng own = rng.fork(fault + "#" + copy);
       long beginNs = fault.span().at().drawNs(own.fork("at"));

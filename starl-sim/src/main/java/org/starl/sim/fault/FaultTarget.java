@@ -8,21 +8,24 @@ import org.starl.sim.world.Body;
 import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
 
-/** What faults can do to a run. Times in ns from the start of the run. */
+/** The operations on a run that faults use. Times are in ns from the start of the run. */
 public interface FaultTarget {
 
   long nowNs();
 
-  /** Runs {@code action} at {@code atNs}; if that is past, now, after the events of this time. */
+  /**
+   * Runs {@code action} at {@code atNs} or, if that is in the past, now, after the events of this
+   * time.
+   */
   void at(long atNs, Runnable action);
 
-  /** The robots that have joined and not left, crashed ones included, in the order of joining. */
+  /** The robots that have joined and not left, crashed ones included, in joining order. */
   List<RobotId> robots();
 
   /** Whether the robot has ever joined. */
   boolean isKnown(RobotId robot);
 
-  /** Whether the robot has joined, and neither left nor crashed. */
+  /** Whether the robot has joined and neither left nor crashed. */
   boolean isUp(RobotId robot);
 
   /** Crashes the program of a robot that is up, without restart. */
@@ -39,8 +42,8 @@ public interface FaultTarget {
   @Nullable Body body(RobotId robot);
 
   /**
-   * Impairs a robot in this and every later incarnation, or all robots and those that join later,
-   * until the returned cure runs.
+   * Impairs a robot in this and every later incarnation, or all robots including later ones, until
+   * the returned cure runs.
    *
    * @param robot null for all robots
    */

@@ -10,8 +10,8 @@ import org.starl.platform.Timers;
 import org.starl.sim.kernel.SimStrand;
 
 /**
- * A robot's strand on the robot's own clock. Computing can take time on it: then each action (a
- * message, a timer, the app from one wait to the next) occupies the strand for that time, and later
+ * A robot's strand on the robot's own clock. Actions can have a duration: each action (a message, a
+ * timer, the app from one wait to the next) then occupies the strand for that time, and later
  * actions wait in order. Positioning and stable storage are not delayed.
  */
 public final class ImpairedStrand implements Strand, Timers {
@@ -23,7 +23,7 @@ public final class ImpairedStrand implements Strand, Timers {
   private final Timer nextTurn;
   private long computeNs;
   private long busyUntilNs;
-  // Whether the last event on the strand ran an action, and did not only put one into the queue.
+  // Whether the last event on the strand ran an action; otherwise it only queued one.
   private boolean wasAction;
 
   public ImpairedStrand(SimStrand strand, RobotClock clock, Clock trueClock) {
@@ -90,13 +90,13 @@ public final class ImpairedStrand implements Strand, Timers {
       }
     }
     if (looks[0] > 1) {
-      // The app continues right after the action that made the condition true.
+      // The app resumes directly after the action that made the condition true.
       hold();
     }
     return true;
   }
 
-  /** As a gate: queues {@code action}. */
+  /** Queues {@code action}, as the robot's arrival gate. */
   public void pass(Runnable action) {
     if (isFree()) {
       act(action);
@@ -146,7 +146,7 @@ public final class ImpairedStrand implements Strand, Timers {
     }
   }
 
-  /** A timer on the robot's clock: when it expires, its action is queued. */
+  /** A timer on the robot's clock: its action is queued when it expires. */
   private final class ImpairedTimer implements Timer {
     private final Runnable action;
     private final Runnable turn = this::act;

@@ -9,7 +9,7 @@ import org.starl.sim.world.PositionNoise;
  * @param noise additional error of fixes, included in the bound that they report
  * @param isBlind whether there are no fixes
  * @param offXMm additional error of fixes along x, not included in that bound
- * @param offYMm the same along y
+ * @param offYMm additional error of fixes along y, not included in that bound
  * @param driftPpm rate by which the robot's clock is too fast, in us per s; below 0, too slow
  * @param skewNs time by which the robot's clock is ahead, in ns; below 0, behind
  * @param computeNs time that each action of the robot takes, in ns
@@ -46,7 +46,7 @@ public record Impairment(
     return new Impairment(1, PositionNoise.NONE, false, 0, 0, 0, 0, 0, diskNs);
   }
 
-  /** Both together. */
+  /** The sum of both impairments. */
   public Impairment plus(Impairment other) {
     return new Impairment(
         wheels * other.wheels,

@@ -20,7 +20,7 @@ public final class Impairments {
     of(robot).add(impairment);
   }
 
-  /** Removes one that was added. */
+  /** Removes an impairment that was added. */
   public void remove(@Nullable RobotId robot, Impairment impairment) {
     if (!of(robot).remove(impairment)) {
       throw new IllegalStateException(robot + " does not have " + impairment);

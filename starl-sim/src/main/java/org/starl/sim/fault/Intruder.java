@@ -49,7 +49,7 @@ final class Intruder {
     }
     double radiusMm = victim.radiusMm();
     for (int i = 0; i < TRIES; i++) {
-      // Straight ahead first: there it blocks the robot, and meets it head-on.
+      // Straight ahead first: there it blocks the robot or hits it head-on.
       double spread = StrictMath.PI * i / TRIES;
       double direction = victim.pose().headingRad() + spread * (2 * rng.nextDouble() - 1);
       double distanceMm =

@@ -7,12 +7,12 @@ import org.starl.input.Quantities;
 import org.starl.sim.world.Body;
 
 /**
- * A foreign body appears near a robot and blocks it; it vanishes when the fault ends. No body appears
- * where no place is free near the robot, or while the robot is off the floor.
+ * A foreign body appears near a robot and blocks it; it disappears when the fault ends. No body
+ * appears if there is no free place near the robot, or while the robot is off the floor.
  */
 public sealed interface IntruderFault extends FaultEffect {
 
-  /** Speed towards the robot, in mm/s; 0 if it parks in front of it. */
+  /** Speed towards the robot, in mm/s; 0 for a parked body. */
   double speedMmPerS();
 
   @Override
@@ -28,7 +28,7 @@ public sealed interface IntruderFault extends FaultEffect {
     return () -> intruders.forEach(Intruder::leave);
   }
 
-  /** Drives into the robot, again and again: {@code ram(bot1)}, {@code ram(bot1,300mm/s)}. */
+  /** Drives into the robot repeatedly: {@code ram(bot1)}, {@code ram(bot1,300mm/s)}. */
   record Ram(RobotSelector who, double speedMmPerS) implements IntruderFault {
 
     static final double USUAL_MM_PER_S = 300;

@@ -31,7 +31,7 @@ public record Link(RobotSelector from, RobotSelector to) {
     return arguments;
   }
 
-  /** {@code rule} for copies on these links alone. */
+  /** Limits {@code rule} to copies on these links. */
   LinkRule limit(LinkRule rule, FaultTarget ward, Rng rng) {
     if (equals(ALL)) {
       return rule;

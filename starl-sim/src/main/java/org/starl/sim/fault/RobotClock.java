@@ -3,14 +3,14 @@ package org.starl.sim.fault;
 import org.starl.platform.Clock;
 
 /**
- * A robot's own clock, which may run too fast or too slow, ahead or behind, but never backwards:
- * where it has to go back it stands still until its time is reached. It outlives the robot's program.
+ * A robot's own clock, which may be too fast or too slow, ahead or behind, but never runs
+ * backwards: instead it stops until its time is reached. It outlives the robot's program.
  */
 public final class RobotClock implements Clock {
 
   private static final long MILLION = 1_000_000;
 
-  // Largest time that it tells: 30 years.
+  // The maximum time of the clock: 30 years.
   private static final long FAR_NS = 1_000_000_000_000_000_000L;
 
   private final Clock trueClock;
@@ -29,8 +29,8 @@ public final class RobotClock implements Clock {
   /**
    * Sets drift and skew from now on.
    *
-   * @param newDriftPpm rate by which it is too fast, in us per s, above -1,000,000
-   * @param newSkewNs time by which it is ahead, in ns
+   * @param newDriftPpm rate by which the clock is too fast, in us per s, above -1,000,000
+   * @param newSkewNs time by which the clock is ahead, in ns
    */
   void set(long newDriftPpm, long newSkewNs) {
     if (newDriftPpm <= -MILLION) {
@@ -49,7 +49,10 @@ public final class RobotClock implements Clock {
     return Math.max(shownNs, runningNs(trueClock.nowNs()));
   }
 
-  /** The first true time, not before now, at which it shows {@code localNs}, if nothing changes. */
+  /**
+   * The first true time, from now on, at which the clock shows {@code localNs} with the current
+   * drift and skew.
+   */
   long trueNs(long localNs) {
     long nowNs = trueClock.nowNs();
     if (localNs <= nowNs()) {
@@ -61,7 +64,7 @@ public final class RobotClock implements Clock {
     }
     long trueNs = anchorTrueNs + (long) (aheadNs * (MILLION / (double) (MILLION + driftPpm)));
     trueNs = Math.max(trueNs, nowNs);
-    // Rounding is wrong by a few ns in either direction.
+    // Rounding errs by a few ns in either direction.
     while (runningNs(trueNs) < localNs) {
       trueNs++;
     }

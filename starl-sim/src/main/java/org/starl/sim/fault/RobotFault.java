@@ -7,13 +7,13 @@ import org.starl.input.Quantities;
 import org.starl.random.Rng;
 import org.starl.sim.world.PositionNoise;
 
-/** A part of a robot is impaired; its program continues. */
+/** Impairs a part of a robot; its program continues. */
 public sealed interface RobotFault extends FaultEffect {
 
   /** The impairment. */
   Impairment impairment(Rng rng);
 
-  /** Whether it changes the robot's time, so that the robot needs a clock of its own. */
+  /** Whether the fault changes the robot's time, so that the robot needs its own clock. */
   default boolean touchesTime() {
     return false;
   }
@@ -68,7 +68,7 @@ public sealed interface RobotFault extends FaultEffect {
   }
 
   /**
-   * Fixes have larger errors, and report the larger bound: {@code noise(bot1,30mm)}, {@code
+   * Fixes have larger errors and report the larger bound: {@code noise(bot1,30mm)}, {@code
    * noise(all,30mm,0.1rad)}.
    */
   record Noise(RobotSelector who, PositionNoise more) implements RobotFault {
@@ -91,7 +91,7 @@ public sealed interface RobotFault extends FaultEffect {
     }
   }
 
-  /** No fixes come: {@code dropout(bot1,at=5s,for=2s)}. */
+  /** The robot gets no fixes: {@code dropout(bot1,at=5s,for=2s)}. */
   record Dropout(RobotSelector who) implements RobotFault {
     @Override
     public String name() {
@@ -109,7 +109,7 @@ public sealed interface RobotFault extends FaultEffect {
     }
   }
 
-  /** Fixes are shifted by this distance in a random direction, and report no larger bound. */
+  /** Fixes are shifted by this distance in a random direction; their bound does not change. */
   record Jump(RobotSelector who, double distanceMm) implements RobotFault {
     @Override
     public String name() {
@@ -132,7 +132,9 @@ public sealed interface RobotFault extends FaultEffect {
     }
   }
 
-  /** Each action of the robot takes this time, and the next one waits: {@code compute(bot1,20ms)}. */
+  /**
+   * Each action of the robot takes this time, and later actions wait: {@code compute(bot1,20ms)}.
+   */
   record Compute(RobotSelector who, long actionNs) implements RobotFault {
     @Override
     public String name() {
@@ -155,10 +157,10 @@ public sealed interface RobotFault extends FaultEffect {
     }
   }
 
-  /** The clock runs too fast by this rate, or too slow if below 0: {@code drift(bot1,200ppm)}. */
+  /** The clock is too fast by this rate, or too slow if negative: {@code drift(bot1,200ppm)}. */
   record Drift(RobotSelector who, long ppm) implements RobotFault {
 
-    /** Largest drift: half of the true rate. */
+    /** Maximum drift: half of the true rate. */
     static final long MOST_PPM = 500_000;
 
     @Override
@@ -182,7 +184,7 @@ public sealed interface RobotFault extends FaultEffect {
     }
   }
 
-  /** The clock is ahead by this time, or behind if below 0: {@code skew(bot1,50ms)}. */
+  /** The clock is ahead by this time, or behind if negative: {@code skew(bot1,50ms)}. */
   record Skew(RobotSelector who, long skewNs) implements RobotFault {
     @Override
     public String name() {

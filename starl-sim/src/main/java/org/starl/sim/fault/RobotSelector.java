@@ -9,14 +9,14 @@ import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
 /**
- * Whom a fault befalls: {@code all}, those who come later included; {@code any}, one that is drawn
- * when the fault begins; {@code half} of them, drawn as well; or names, {@code bot0+bot1}.
+ * The robots that a fault affects: {@code all}, including later ones; {@code any}, drawn when the
+ * fault begins; {@code half} of them, drawn likewise; or names, {@code bot0+bot1}.
  *
  * @param named empty unless robots are named
  */
 public record RobotSelector(Choice choice, List<RobotId> named) {
 
-  /** How they are chosen. */
+  /** The kind of selection. */
   public enum Choice {
     ALL,
     ANY,
@@ -41,7 +41,7 @@ public record RobotSelector(Choice choice, List<RobotId> named) {
     return new RobotSelector(Choice.NAMED, List.of(robots));
   }
 
-  /** @throws BadInput if it is none of the above */
+  /** @throws BadInput if the text is in none of these forms */
   public static RobotSelector parse(String text) {
     return switch (text.strip()) {
       case "all" -> ALL;
@@ -67,10 +67,10 @@ public record RobotSelector(Choice choice, List<RobotId> named) {
   }
 
   /**
-   * The robots that it means now. One of any is one that is up, if there is one; half of an odd
-   * number is rounded down, but is one at least.
+   * The selected robots. {@code any} prefers a robot that is up; half of an odd number is rounded
+   * down, but is at least one.
    *
-   * @throws BadInput if a named robot never was there
+   * @throws BadInput if a named robot has never joined
    */
   List<RobotId> pick(FaultTarget ward, Rng rng) {
     return switch (choice) {

@@ -7,11 +7,11 @@ import org.starl.input.Quantities;
 import org.starl.random.Rng;
 
 /**
- * When a fault begins and ends: {@code at=12s,for=5s}, {@code at=5s..20s,until=30s}. Without {@code
- * at} it begins with the run, without {@code for} and {@code until} it never ends.
+ * The begin and end of a fault: {@code at=12s,for=5s}, {@code at=5s..20s,until=30s}. Without {@code
+ * at} it begins with the run; without {@code for} and {@code until} it never ends.
  *
- * @param lasting null if it ends at {@code untilNs} or never
- * @param untilNs {@link #NEVER} if it ends otherwise or never
+ * @param lasting null if the fault ends at {@code untilNs} or never
+ * @param untilNs {@link #NEVER} if the fault ends otherwise or never
  */
 public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
 
@@ -30,17 +30,17 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
     }
   }
 
-  /** From one time of the run to a later one, in ns. */
+  /** A span between two times of the run, in ns. */
   public static Span between(long fromNs, long untilNs) {
     return new Span(TimeRange.exactly(fromNs), null, untilNs);
   }
 
-  /** Whether it ends. */
+  /** Whether the span has an end. */
   public boolean isFinite() {
     return lasting != null || untilNs != NEVER;
   }
 
-  /** How long it lasts from its begin at {@code beginNs}, or {@link #NEVER}. */
+  /** The duration from a begin at {@code beginNs}, or {@link #NEVER}. */
   long drawLastingNs(long beginNs, Rng rng) {
     if (lasting != null) {
       return lasting.drawNs(rng);

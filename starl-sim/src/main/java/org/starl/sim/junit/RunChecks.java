@@ -8,10 +8,10 @@ import org.starl.sim.SimResult;
 public interface RunChecks {
 
   /**
-   * Checks the result of this seed's run if that went well: every app ended, every specification
-   * held. May be called more than once; checks run in that order.
+   * Checks the result of a good run of this seed: every app has ended, every specification holds.
+   * May be called more than once; checks run in order.
    *
-   * @param assertion throws if it does not hold
+   * @param assertion throws if the check fails
    */
   void check(Consumer<SimResult> assertion);
 }

@@ -17,24 +17,24 @@ import org.starl.sim.fault.FaultPlan;
 /**
  * The runs of one test, for consecutive seeds.
  *
- * @param name of the test, as Maven's {@code -Dtest} takes it
- * @param faults of every run, besides those of the scenario
- * @param chaos to draw from; the scenario's own if none
+ * @param name of the test, in the format of Maven's {@code -Dtest}
+ * @param faults of every run, in addition to those of the scenario
+ * @param chaos envelope to draw from; {@link Envelope#NONE} for the scenario's own
  * @param atMostNs end of runs whose scenario sets no end
  * @param scenario the test's method
  */
 record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, Scenario scenario) {
 
-  /** The failure describes at most this many bad runs. */
+  /** The maximum number of bad runs in the failure message. */
   private static final int MOST_TOLD = 5;
 
-  /** Fills the builder of one seed, and says what to check. */
+  /** Configures the builder of one seed, and declares the checks. */
   @FunctionalInterface
   interface Scenario {
     void fill(long seed, Simulation.Builder simulation, List<Consumer<SimResult>> checks);
   }
 
-  /** One run: written by the thread that runs it, read when all are over. */
+  /** One run: written by its thread, read after all runs. */
   private static final class Run {
     private final long seed;
     private final Simulation simulation;
@@ -63,7 +63,7 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
   private record Bad(Run run, String what) {}
 
   /**
-   * Runs them all.
+   * Executes all runs.
    *
    * @throws AssertionError if a run is bad
    * @throws InterruptedException if the test's thread is interrupted
@@ -91,7 +91,7 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     try {
       return planned(seed, builder, checks);
     } catch (AssertionError | RuntimeException wrong) {
-      // Thrown unchanged, since JUnit handles some types; the seed is added to it.
+      // Rethrown unchanged, because JUnit handles some types; the seed is added as suppressed.
       wrong.addSuppressed(new IllegalStateException("seed " + seed + "; " + replay(seed)));
       throw wrong;
     }

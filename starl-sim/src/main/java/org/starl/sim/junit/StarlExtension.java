@@ -21,11 +21,11 @@ import org.starl.sim.fault.FaultPlan;
 
 /**
  * Runs the methods marked {@link StarlTest}. JUnit resolves a method's parameters once; its one
- * invocation is replaced by one for each seed, with this seed's own builder in the builder's place.
+ * invocation is replaced by one invocation per seed, with that seed's builder.
  */
 final class StarlExtension implements ParameterResolver, InvocationInterceptor {
 
-  /** The parameter, or system property, that asks for one seed alone. */
+  /** The configuration parameter or system property that selects a single seed. */
   static final String SEED = "starl.seed";
 
   StarlExtension() {}
@@ -123,7 +123,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     }
   }
 
-  /** Empty if the parameter is blank: builds pass it on even if it is not set. */
+  /** Empty if the parameter is blank, because builds pass it even if it is not set. */
   private static Optional<Long> seed(String text) {
     if (text.isBlank()) {
       return Optional.empty();

@@ -10,22 +10,22 @@ import org.junit.jupiter.api.extension.ExtendWith;
 import org.starl.sim.fault.Envelope;
 
 /**
- * A test that simulates, once for each of many seeds.
+ * A test that simulates many seeds.
  *
  * <pre>{@code
  * @StarlTest(seeds = 200, faults = {"loss(0.3)", "crash(any,at=5s,restart=2s)"})
- * void everybodyArrives(Simulation.Builder simulation, Afterwards afterwards) {
+ * void everyRobotArrives(Simulation.Builder simulation, RunChecks checks) {
  *   simulation.robots(4, Hello::new);
- *   afterwards.check(result -> assertThat(result.results()).hasSize(4));
+ *   checks.check(result -> assertThat(result.results()).hasSize(4));
  * }
  * }</pre>
  *
- * <p>The method fills the builder, which has its seed already; it may also take {@link RunChecks}, a
- * {@code long}, which is the seed, and whatever other extensions give. It is called anew for each
- * seed; {@code @BeforeEach} methods are not. The test fails if in some run a specification is
- * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails. The failure
- * says how to run that seed alone: with the configuration parameter or system property {@code
- * starl.seed}.
+ * <p>The method configures the builder, whose seed is already set; it may also have parameters
+ * {@link RunChecks}, {@code long} for the seed, and those of other extensions. It is called once
+ * per seed; {@code @BeforeEach} methods are not. The test fails if in some run a specification is
+ * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails. The
+ * failure message tells how to repeat that seed: with the configuration parameter or system
+ * property {@code starl.seed}.
  */
 @Target({ElementType.METHOD, ElementType.ANNOTATION_TYPE})
 @Retention(RetentionPolicy.RUNTIME)
@@ -37,15 +37,15 @@ public @interface StarlTest {
   /** Number of runs, at least 1. */
   int seeds() default 100;
 
-  /** The first run's seed; each next run has the next one. */
+  /** The seed of the first run; seeds of further runs are consecutive. */
   long firstSeed() default 1;
 
   /** Faults of every run, each as text: {@code crash(bot2,at=12s,restart=5s)}. */
   String[] faults() default {};
 
-  /** Faults drawn by seed from these, over before half of the run's time, at most 60 s. */
+  /** Faults drawn by seed from this envelope, ended by half of the run's time, at most 60 s. */
   Envelope chaos() default Envelope.NONE;
 
-  /** Simulated time after which a run ends, if the method sets none: with its unit. */
+  /** Simulated time after which a run ends, unless the method sets an end: with its unit. */
   String atMost() default "1200s";
 }

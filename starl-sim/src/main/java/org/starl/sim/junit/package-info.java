@@ -1,14 +1,14 @@
 /**
- * Simulations as JUnit tests: a method marked {@link org.starl.sim.junit.StarlTest} says what to
- * simulate, and passes if that goes well for every seed.
+ * Simulations as JUnit tests: a method marked {@link org.starl.sim.junit.StarlTest} describes the
+ * simulation, and passes if the run is good for every seed.
  *
- * <p>Contract: the test is one test for JUnit. Its method, and what it wants to be checked {@link
- * org.starl.sim.junit.RunChecks}, run seed by seed on the test's own thread, on one instance; the
- * simulations run on all cores, so robots and monitors of two seeds must not share what changes. A
- * failure names the seeds, what went wrong and how to run one of them alone. Equal code gives equal
- * verdicts, on any number of cores.
+ * <p>Contract: it is one test for JUnit. Its method and its checks ({@link
+ * org.starl.sim.junit.RunChecks}) run seed by seed on the test's own thread, on one instance; the
+ * simulations run on all cores, so that robots and monitors of two seeds must not share mutable
+ * state. A failure names the seeds, the errors and how to repeat one of them. Equal code gives
+ * equal verdicts, on any number of cores.
  *
- * <p>JUnit is the user's: nothing else of the simulator needs it on the class path.
+ * <p>JUnit must be on the user's class path; the rest of the simulator does not need it.
  *
  * <p>May import: {@code org.starl.sim}, its {@code check}, {@code fault} and {@code input}, JUnit.
  */

@@ -4,8 +4,8 @@ import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
 
 /**
- * The kernel's wait for an app that is not back yet, in real time. An interrupt does not end it, and
- * is set again at its end.
+ * Bounds the real time that the kernel waits for an app. An interrupt does not end the wait; the
+ * interrupt flag is set again at its end.
  */
 final class BoundedWait implements AutoCloseable {
 
@@ -32,7 +32,7 @@ final class BoundedWait implements AutoCloseable {
     return true;
   }
 
-  /** Gives the one that is waited for the whole limit once more. */
+  /** Restarts the time limit. */
   void restart() {
     startNs = System.nanoTime();
   }

@@ -3,10 +3,10 @@ package org.starl.sim.kernel;
 import java.util.Arrays;
 
 /**
- * A ring of buckets of events, of which one is open: its events are taken, in their order. A bucket's
- * events lie in chunks of fifteen cells, in the order in which they were added, so that one whose turn
- * comes is read at one stretch. Empty buckets are skipped 64 at a time. Adding and removing cost
- * constant time; of a removed event a cell of 8 bytes stays until its bucket is closed.
+ * A ring of buckets of events. One bucket is open: its events are taken in order. The events of a
+ * bucket are stored in insertion order in chunks of fifteen cells, so that opening a bucket reads
+ * memory sequentially. Empty buckets are skipped 64 at a time. Adding and removing cost constant
+ * time; a removed event keeps a cell of 8 bytes until its bucket is closed.
  */
 final class BucketRing {
 
@@ -15,37 +15,43 @@ final class BucketRing {
 
   private static final int BUCKET_MASK = BUCKETS - 1;
 
-  /** A cell that leads to the chunk before, or of a free chunk to the next free one; then events. */
+  /**
+   * The first cell of a chunk: a link to the previous chunk, or of a free chunk to the next free
+   * one.
+   */
   private static final int CHUNK = 16;
 
   private static final int NO_CHUNK = -1;
   private static final long REMOVED = -1;
 
-  /** An event: its offset in the bucket's time in the upper half, its slot in the lower. */
+  /** An event: its offset within the bucket in the upper half, its slot in the lower half. */
   private long[] cells = new long[64 * CHUNK];
 
   private int everUsed;
   private int firstFree = NO_CHUNK;
 
-  // A bucket's newest cell, valid where its bit is set.
+  // The newest cell of each bucket, valid if its bit is set.
   private final int[] newest = new int[BUCKETS];
   private final long[] occupied = new long[BUCKETS / Long.SIZE];
   private int occupiedCount;
 
-  // The open bucket: its newest chunk; its events in their order, as offset << 32 | what tells the
-  // cell; how many there are, and how many were taken.
+  // The open bucket: its newest chunk; its events in order, as offset << 32 | cell index; the
+  // number of events, and the number of events taken.
   private int openChunk = NO_CHUNK;
   private long[] openKeys = new long[CHUNK];
   private int[] openCells = new int[CHUNK];
   private int openEnd;
   private int openNext;
 
-  /** Whether all buckets are empty but the open one; one that has only removed events is not. */
+  /**
+   * Whether all buckets but the open one are empty. A bucket that has only removed events is not
+   * empty.
+   */
   boolean isEmpty() {
     return occupiedCount == 0;
   }
 
-  /** How many cells there are, used or not. */
+  /** The number of cells, used or free. */
   int room() {
     return cells.length;
   }
@@ -53,8 +59,8 @@ final class BucketRing {
   /**
    * Adds an event to a bucket that is not open.
    *
-   * @param bucket any number; those that are equal in their lowest bits are the same bucket
-   * @return its cell, for {@link #remove}
+   * @param bucket any number; numbers with equal lowest bits denote the same bucket
+   * @return the event's cell, for {@link #remove}
    */
   int add(long bucket, int offset, int slot) {
     int index = (int) bucket & BUCKET_MASK;
@@ -75,12 +81,12 @@ final class BucketRing {
     return cell;
   }
 
-  /** Removes an event that was not taken. */
+  /** Removes an event that has not been taken. */
   void remove(int cell) {
     cells[cell] = REMOVED;
   }
 
-  /** How far it is from {@code bucket} to the next one that is not empty; there is one. */
+  /** The distance from {@code bucket} to the next non-empty bucket, which must exist. */
   int distanceToNext(long bucket) {
     int start = ((int) bucket + 1) & BUCKET_MASK;
     int word = start >>> 6;
@@ -93,7 +99,7 @@ final class BucketRing {
     return 1 + ((found - start) & BUCKET_MASK);
   }
 
-  /** Opens a bucket that is not empty, and closes the one that was open, which is over. */
+  /** Closes the open bucket, which is past, and opens a non-empty one. */
   void open(long bucket) {
     freeOpenChunks();
     int index = (int) bucket & BUCKET_MASK;
@@ -114,7 +120,7 @@ final class BucketRing {
     Arrays.sort(openKeys, 0, openEnd);
   }
 
-  // Of equal times the earlier one is the one that was added earlier, which comes here later.
+  // Of events of equal time, the one added earlier comes first; this loop meets it later.
   private void addOlderToOpen(int cell) {
     if (openEnd == openKeys.length) {
       openKeys = Arrays.copyOf(openKeys, 2 * openEnd);
@@ -128,23 +134,23 @@ final class BucketRing {
   /**
    * The slot of an event of the open bucket, or {@link EventTable#NONE} if it was removed.
    *
-   * @param index which one in their order, at least {@link #next} and less than {@link #end}
+   * @param index the event's index in order, at least {@link #next} and less than {@link #end}
    */
   int slot(int index) {
     return (int) cells[openCells[Integer.MAX_VALUE - (int) openKeys[index]]];
   }
 
-  /** How far into its bucket's time the event is that is next in the open bucket. */
+  /** The offset within the open bucket of its next event. */
   int nextOffset() {
     return (int) (openKeys[openNext] >>> Integer.SIZE);
   }
 
-  /** How many events of the open bucket were taken. */
+  /** The number of events taken from the open bucket. */
   int next() {
     return openNext;
   }
 
-  /** How many events there are in the open bucket, those that were taken included. */
+  /** The number of events of the open bucket, taken ones included. */
   int end() {
     return openEnd;
   }
@@ -163,7 +169,7 @@ final class BucketRing {
     }
   }
 
-  /** A chunk, by its first cell, which leads to {@code before}. */
+  /** Allocates a chunk that links to {@code before}, and returns its first cell. */
   private int takeChunk(int before) {
     int chunk = firstFree;
     if (chunk != NO_CHUNK) {

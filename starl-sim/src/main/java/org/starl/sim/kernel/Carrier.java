@@ -9,20 +9,19 @@ interface Carrier {
   /**
    * Called by the kernel: starts or resumes the app, and returns when it suspends itself or ends.
    *
-   * @throws NonKernelWait if it does neither, because it waits for something that is not the kernel,
-   *     for longer than the limit
+   * @throws NonKernelWait if the app blocks outside the kernel for longer than the limit
    */
   void resume();
 
-  /** Touches what {@link #resume} is going to use ({@link Cache}). */
+  /** Prefetches the objects that {@link #resume} will use ({@link Cache}). */
   int touch();
 
   /** Called by the app: resumes the kernel, and returns when the kernel resumes the app. */
   void suspend();
 
   /**
-   * Called by the kernel after a {@link NonKernelWait}: interrupts the app, and returns when it suspends
-   * itself or ends.
+   * Called by the kernel after a {@link NonKernelWait}: interrupts the app, and returns when the
+   * app suspends itself or ends.
    *
    * @throws NonKernelWait as {@link #resume} does
    */

@@ -3,25 +3,26 @@ package org.starl.sim.kernel;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Events in the total order (time, number of scheduling), each with the strand and the piece to run.
+ * Events in the total order (time, scheduling number), each with its strand and the piece to run.
  *
- * <p>A ring of buckets, each {@code 2^16} ns wide, holds the next two seconds; a bucket is sorted when
- * its turn comes. What lies beyond the ring waits in a heap, and so does what is added for the bucket
- * that is open or for an earlier one.
+ * <p>A ring of buckets, each {@code 2^16} ns wide, holds the next two seconds; a bucket is sorted
+ * when it is opened. Later events wait in a heap, and so do events that are added to the open
+ * bucket or to an earlier one.
  */
 final class EventQueue {
 
   private static final int BUCKET_SHIFT = 16;
   private static final int OFFSET_MASK = (1 << BUCKET_SHIFT) - 1;
 
-  // So many events' memory is fetched at once: of fewer it is not worth it, more would push each
-  // other out of the cache again before they run.
+  // The number of events that are prefetched together. Fewer give no benefit; more would evict each
+  // other from the cache before they run.
   private static final int LEAST_AHEAD = 4;
   private static final int MOST_AHEAD = 16;
 
   private final EventTable events = new EventTable();
 
-  // A slot's place says where it is: below 0 the complement of its cell in the ring.
+  // The place of a slot: if negative, the complement of its cell in the ring; otherwise a heap
+  // index.
   private final BucketRing ring = new BucketRing();
   private final SlotHeap near = new SlotHeap(events, 0);
   private final SlotHeap far = new SlotHeap(events, SlotHeap.MARK_BIT);
@@ -45,7 +46,7 @@ final class EventQueue {
   /**
    * Adds an event.
    *
-   * @param atNs not negative, and not before the event polled last
+   * @param atNs at least 0, and not before the event polled last
    * @return its slot, for {@link #remove}, until it is polled
    */
   int add(long atNs, @Nullable SimStrand strand, Runnable piece) {
@@ -75,14 +76,15 @@ final class EventQueue {
   }
 
   /**
-   * Takes the earliest event out, unless it is later than {@code untilNs}.
+   * Removes the earliest event unless it is later than {@code untilNs}.
    *
-   * @return whether there was one; {@link #atNs}, {@link #strand} and {@link #piece} are its
+   * @return whether an event was removed; {@link #atNs}, {@link #strand} and {@link #piece}
+   *     describe it
    */
   boolean poll(long untilNs) {
     int slot = firstOfRing();
     long atNs = near.firstAtNs();
-    // At equal times the ring's event is the older one: it was there when its bucket was opened.
+    // At equal times the ring's event is older: it was added before its bucket was opened.
     boolean isRings = slot != EventTable.NONE && openAtNs() <= atNs;
     if (isRings) {
       atNs = openAtNs();
@@ -109,7 +111,7 @@ final class EventQueue {
     return polledAtNs;
   }
 
-  /** The strand of the polled event, or null if it is the world's. */
+  /** The strand of the polled event, or null for an event of the world. */
   @Nullable SimStrand strand() {
     return polledStrand;
   }
@@ -121,7 +123,7 @@ final class EventQueue {
     return polledPiece;
   }
 
-  /** The first slot of the open bucket. Goes on to the next one if nothing is before it. */
+  /** The first slot of the open bucket. Opens the next bucket if no other event comes before it. */
   private int firstOfRing() {
     do {
       while (ring.next() < ring.end()) {
@@ -143,9 +145,9 @@ final class EventQueue {
   }
 
   /**
-   * Lets the next events' memory come into the cache together: with thousands of robots each event
-   * follows some thirty references through memory that is cold, and would wait for one after the
-   * other.
+   * Prefetches the memory of the next events together. With thousands of robots each event follows
+   * about thirty references through uncached memory; without prefetching it would wait for each in
+   * turn.
    */
   private void touchAhead() {
     int from = ring.next();

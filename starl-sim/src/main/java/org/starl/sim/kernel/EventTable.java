@@ -4,9 +4,9 @@ import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The pending events: an event is a slot number, and a slot is used again when its event is over, so
- * that scheduling allocates nothing once the table has grown. With thousands of robots a slot is cold
- * when its turn comes: so it has but what it is to run, and its place.
+ * The pending events. An event is a slot number; a slot is reused after its event, so that
+ * scheduling allocates nothing once the table has grown. A slot holds only the strand, the piece
+ * and the place, because with thousands of robots slots are not in the cache when their turn comes.
  */
 final class EventTable {
 
@@ -15,18 +15,18 @@ final class EventTable {
 
   private static final int INITIAL_SLOTS = 64;
 
-  /** Of each slot: its strand, then what to run. */
+  /** For each slot: its strand, then its piece. */
   private @Nullable Object[] work = new Object[2 * INITIAL_SLOTS];
 
   private int[] places = new int[INITIAL_SLOTS];
 
-  /** Slots whose event is over. */
+  /** Free slots. */
   private int[] free = new int[INITIAL_SLOTS];
 
   private int freeCount;
   private int everUsed;
 
-  /** A slot for a new event. */
+  /** Allocates a slot for a new event. */
   int take(@Nullable SimStrand strand, Runnable piece) {
     int slot;
     if (freeCount > 0) {
@@ -42,7 +42,7 @@ final class EventTable {
     return slot;
   }
 
-  /** Where the queue keeps the slot, as the queue likes. */
+  /** The slot's place, in the encoding of {@link EventQueue}. */
   int place(int slot) {
     return places[slot];
   }
@@ -51,12 +51,12 @@ final class EventTable {
     places[slot] = place;
   }
 
-  /** On which strand; null for an event of the world. */
+  /** The strand of the event; null for an event of the world. */
   @Nullable SimStrand strand(int slot) {
     return (SimStrand) work[2 * slot];
   }
 
-  /** What to run; null in a slot that is not taken. */
+  /** The piece to run; null for a free slot. */
   @Nullable Runnable piece(int slot) {
     return (Runnable) work[2 * slot + 1];
   }

@@ -11,14 +11,14 @@ import org.starl.platform.Clock;
 import org.starl.platform.Timer;
 
 /**
- * Runs events in the order of their virtual time, and those of equal time in the order in which
- * they were scheduled. An event belongs to a robot's {@link SimStrand} or, scheduled here, to the
- * world. Everything is to be called from the thread that calls {@link #run}: before it, after it, or
- * from inside an event.
+ * Runs events in the order of their virtual time, and events of equal time in scheduling order. An
+ * event belongs to a robot's {@link SimStrand} or, if it is scheduled here, to the world. All
+ * methods must be called from the thread that calls {@link #run}: before it, after it, or from
+ * inside an event.
  */
 public final class Kernel implements Clock, AutoCloseable {
 
-  /** How long an app may wait for something that is not the kernel, in real time. */
+  /** The time limit for an app that blocks outside the kernel, in real time. */
   public static final Duration FOREIGN_WAIT_LIMIT = Duration.ofSeconds(10);
 
   final EventQueue queue = new EventQueue();
@@ -39,8 +39,8 @@ public final class Kernel implements Clock, AutoCloseable {
   }
 
   /**
-   * @param foreignWaitLimit how long, in real time, an app may wait for something that is not the
-   *     kernel ({@code Thread.sleep}, a lock, input) before the run fails; above 0
+   * @param foreignWaitLimit how long, in real time, an app may block outside the kernel ({@code
+   *     Thread.sleep}, a lock, input) before the run fails; above 0
    */
   public Kernel(CarrierKind carrierKind, Duration foreignWaitLimit) {
     if (foreignWaitLimit.isNegative() || foreignWaitLimit.isZero()) {
@@ -50,13 +50,13 @@ public final class Kernel implements Clock, AutoCloseable {
     this.foreignWaitLimit = foreignWaitLimit;
   }
 
-  /** Virtual time of the event that runs, or ran last, in ns from the start of the run. */
+  /** Virtual time of the current or last event, in ns from the start of the run. */
   @Override
   public long nowNs() {
     return nowNs;
   }
 
-  /** How many events have run. */
+  /** The number of events run so far. */
   public long events() {
     return events;
   }
@@ -64,38 +64,38 @@ public final class Kernel implements Clock, AutoCloseable {
   /**
    * Schedules an event of the world.
    *
-   * @throws IllegalArgumentException if {@code atNs} is past
+   * @throws IllegalArgumentException if {@code atNs} is in the past
    */
   public void schedule(long atNs, Runnable event) {
     add(atNs, null, event);
   }
 
   /**
-   * Runs {@code piece} on {@code strand} at {@code atNs}; without allocation, so that the caller can use
-   * one piece again and again, and without a look at the strand. Dropped if that is closed by then.
+   * Runs {@code piece} on {@code strand} at {@code atNs}, or drops it if the strand is closed by
+   * then. Allocates nothing, so that the caller can schedule the same piece repeatedly.
    *
-   * @throws IllegalArgumentException if {@code atNs} is past
+   * @throws IllegalArgumentException if {@code atNs} is in the past
    */
   public void schedule(long atNs, SimStrand strand, Runnable piece) {
     add(atNs, strand, piece);
   }
 
-  /** A timer of the world, not set. */
+  /** Creates a timer of the world, not yet set. */
   public Timer timer(Runnable action) {
     return new KernelTimer(this, null, action);
   }
 
-  /** A new strand; its name is for messages. */
+  /** Creates a strand; its name appears in messages. */
   public SimStrand strand(String name) {
     return new SimStrand(this, name);
   }
 
   /**
-   * Runs events until none is left, or the next one is later than {@code untilNs} (which is the time
-   * then), or {@code finished} holds, which is asked after each event.
+   * Runs events until the queue is empty, or the next event is later than {@code untilNs} (the time
+   * is then {@code untilNs}), or {@code finished} holds, which is evaluated after each event.
    *
-   * @throws RobotError if an exception comes out of a strand's piece or app; an exception out of an
-   *     event of the world comes through as it is. Either way the kernel is to be closed next.
+   * @throws RobotError if a strand's piece or app throws; an exception of an event of the world is
+   *     rethrown unchanged. In both cases the kernel must be closed next.
    */
   public void run(long untilNs, BooleanSupplier finished) {
     begin();
@@ -128,9 +128,10 @@ public final class Kernel implements Clock, AutoCloseable {
   }
 
   /**
-   * Ends the run: closes every strand whose app still waits, in the order in which the apps began.
+   * Ends the run: closes every strand whose app still waits, in the order in which the apps
+   * started.
    *
-   * @throws RobotError if an app failed while it was unwound, or did not end; the others are
+   * @throws RobotError if an app failed while it was unwound, or did not end; the other apps are
    *     unwound nevertheless
    */
   @Override
@@ -170,7 +171,7 @@ public final class Kernel implements Clock, AutoCloseable {
     return queue.add(atNs, strand, piece);
   }
 
-  /** The strand that runs now, or null while the world does. */
+  /** The strand that runs now, or null while an event of the world runs. */
   @Nullable SimStrand current() {
     return current;
   }
@@ -194,7 +195,7 @@ public final class Kernel implements Clock, AutoCloseable {
     strandsWithApps.remove(strand);
   }
 
-  /** Unwinds a closed strand's app: at once, or, if a strand runs now, after its piece. */
+  /** Unwinds a closed strand's app: at once or, if a strand runs now, after its piece. */
   void unwind(SimStrand strand) {
     if (current == null) {
       strand.unwindApp();
@@ -214,7 +215,7 @@ public final class Kernel implements Clock, AutoCloseable {
     isRunning = true;
   }
 
-  // Unwinding runs finally blocks, which may close further strands.
+  // Unwinding runs finally blocks, which may close more strands.
   private void unwindClosedStrands() {
     for (int i = 0; i < strandsToUnwind.size(); i++) {
       strandsToUnwind.get(i).unwindApp();

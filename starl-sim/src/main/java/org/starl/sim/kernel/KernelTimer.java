@@ -3,7 +3,7 @@ package org.starl.sim.kernel;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Timer;
 
-/** A timer of a strand, or of the world: one event of the queue at most. */
+/** A timer of a strand or of the world; it has at most one event in the queue. */
 final class KernelTimer implements Timer, Runnable {
 
   private final Kernel kernel;
@@ -46,7 +46,7 @@ final class KernelTimer implements Timer, Runnable {
     action.run();
   }
 
-  // The queue drops a closed strand's events, and may have given the slot to another event since.
+  // The queue drops the events of a closed strand, and may have reused the slot since.
   private boolean isDead() {
     return strand != null && strand.isClosed();
   }

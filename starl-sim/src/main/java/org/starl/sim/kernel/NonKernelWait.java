@@ -3,8 +3,8 @@ package org.starl.sim.kernel;
 import java.time.Duration;
 
 /**
- * An app waits for something that the kernel does not know, such as {@code Thread.sleep}, a lock or
- * input. The stack trace is the app's.
+ * An app blocks outside the kernel, for example in {@code Thread.sleep}, on a lock or for input.
+ * The stack trace is the app's.
  */
 final class NonKernelWait extends IllegalStateException {
 

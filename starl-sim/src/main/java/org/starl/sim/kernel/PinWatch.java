@@ -6,9 +6,9 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Watches for apps that wait where a virtual thread cannot leave the kernel's thread: inside a
- * static initialiser or a native method. Such a wait would hold the kernel for good, since only the
- * kernel could end it; past the limit this watch makes it fail. Has a thread of its own.
+ * Detects apps that wait where a virtual thread cannot be unmounted: inside a static initialiser or
+ * a native method. Such a wait would block the kernel forever, because only the kernel can end it;
+ * after the limit this watch makes the wait fail. Has its own thread.
  */
 final class PinWatch implements AutoCloseable {
 
@@ -25,7 +25,7 @@ final class PinWatch implements AutoCloseable {
     thread.start();
   }
 
-  /** The kernel runs {@code carrier}'s app now, or itself again (null). Cheap. */
+  /** Tells the watch that the kernel runs {@code carrier}'s app now, or no app (null). Cheap. */
   void setResumed(@Nullable VirtualCarrier carrier) {
     resumed.setRelease(carrier);
   }

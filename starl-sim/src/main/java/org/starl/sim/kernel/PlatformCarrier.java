@@ -4,10 +4,10 @@ import java.time.Duration;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** A platform thread that runs only while it has the baton; the kernel waits for it meanwhile. */
+/** A platform thread that runs only while it holds the baton; the kernel waits for the baton. */
 final class PlatformCarrier implements Carrier {
 
-  // Reserved, not used: as much as the kernel's thread has for apps on virtual threads.
+  // The stack size; as large as the stack of the kernel's thread, on which virtual threads run.
   private static final long STACK_BYTES = 1 << 20;
 
   private final Thread thread;
@@ -45,7 +45,7 @@ final class PlatformCarrier implements Carrier {
 
   @Override
   public void recover() {
-    // The baton is the app's still: to pass it again could undo that the app has just passed it.
+    // The app still holds the baton. Passing it again could undo the app's own passing.
     kernelThread = Thread.currentThread();
     thread.interrupt();
     awaitBaton();
@@ -67,7 +67,7 @@ final class PlatformCarrier implements Carrier {
     }
   }
 
-  /** Nothing: what a platform thread needs, the processor that it will run on must fetch. */
+  /** Does nothing: the app runs on another processor, which has its own cache. */
   @Override
   public int touch() {
     return 0;
@@ -79,7 +79,7 @@ final class PlatformCarrier implements Carrier {
     boolean wasInterrupted = false;
     while (!appHasBaton) {
       LockSupport.park(this);
-      // An interrupted thread does not park: it would spin until it has the baton.
+      // An interrupted thread does not park: it would spin until it gets the baton.
       wasInterrupted |= Thread.interrupted();
     }
     if (wasInterrupted) {
@@ -92,7 +92,7 @@ final class PlatformCarrier implements Carrier {
     LockSupport.unpark(kernelThread);
   }
 
-  // An app may compute for as long as it likes; a thread in a native call waits for input.
+  // An app may compute without limit; a thread in a native call waits for input.
   private boolean isWaiting() {
     StackTraceElement[] stack = thread.getStackTrace();
     return thread.getState() != Thread.State.RUNNABLE

@@ -1,8 +1,8 @@
 package org.starl.sim.kernel;
 
 /**
- * A robot's app, handler or timer threw, which is a bug of the robot's program and ends the run. The
- * cause is that exception.
+ * A robot's app, handler or timer threw an exception: a bug in the robot's program, which ends the
+ * run. The cause is that exception.
  */
 public final class RobotError extends RuntimeException {
 
@@ -17,12 +17,12 @@ public final class RobotError extends RuntimeException {
     this.timeNs = timeNs;
   }
 
-  /** The name of the strand, which is the robot's. */
+  /** The name of the strand, which is the robot's name. */
   public String strand() {
     return strand;
   }
 
-  /** When it happened, in ns of virtual time. */
+  /** The time of the exception, in ns of virtual time. */
   public long timeNs() {
     return timeNs;
   }

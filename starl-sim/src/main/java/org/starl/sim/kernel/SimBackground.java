@@ -3,8 +3,8 @@ package org.starl.sim.kernel;
 import org.starl.platform.Background;
 
 /**
- * Computes at once, and hands the result back after a fixed virtual time per task: one worker, as on
- * hardware, so that a task waits for those before it.
+ * Computes at once and delivers the result after a fixed virtual time per task. Simulates one
+ * worker, as on hardware: a task waits for the tasks before it.
  */
 public final class SimBackground implements Background {
 
@@ -14,7 +14,7 @@ public final class SimBackground implements Background {
   private long freeNs;
 
   /**
-   * @param costNs what a task costs, at least 0
+   * @param costNs the virtual time per task, at least 0
    */
   public SimBackground(Kernel kernel, SimStrand strand, long costNs) {
     if (costNs < 0) {
@@ -35,7 +35,10 @@ public final class SimBackground implements Background {
     kernel.schedule(freeNs, strand, outcome);
   }
 
-  /** No strand is current while it computes: a task that waits, or claims to be on a strand, fails. */
+  /**
+   * While a task computes, no strand is current: a task that waits or claims to be on a strand
+   * fails.
+   */
   private Runnable compute(Runnable task, Runnable done) {
     SimStrand caller = kernel.current();
     kernel.setCurrent(null);

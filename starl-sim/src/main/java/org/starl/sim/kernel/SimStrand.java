@@ -19,7 +19,10 @@ public final class SimStrand implements Strand, Timers {
   private boolean isClosed;
   private @Nullable WaitingApp app;
 
-  /** What the app waits for, if it is a condition. Here, for most pieces need no more of the app. */
+  /**
+   * The condition that the app waits for, or null. Stored here because most pieces need no other
+   * data of the app.
+   */
   @Nullable BooleanSupplier awaited;
 
   private Object[] parts = {};
@@ -62,16 +65,16 @@ public final class SimStrand implements Strand, Timers {
     runningApp().sleepUntil(atNs);
   }
 
-  /** {@inheritDoc} At the deadline the condition is evaluated once more. */
+  /** {@inheritDoc} The condition is evaluated once more at the deadline. */
   @Override
   public boolean awaitUntil(BooleanSupplier condition, long deadlineNs) {
     return runningApp().awaitUntil(condition, deadlineNs);
   }
 
   /**
-   * Nothing of this strand runs any more, from now on: a crash, or the robot leaves. Its app is
-   * unwound by {@link StrandClosed}, {@code finally} blocks included: at once or, if a strand's piece
-   * calls this, right after that piece.
+   * Ends this strand after a crash or when the robot leaves: none of its pieces runs any more. Its
+   * app is unwound by {@link StrandClosed}, {@code finally} blocks included: at once or, if a piece
+   * of a strand calls this method, directly after that piece.
    *
    * @throws RobotError if the app is unwound at once, and fails or does not end
    */
@@ -95,7 +98,7 @@ public final class SimStrand implements Strand, Timers {
     return name;
   }
 
-  /** Runs one event of this strand, and then the app if what it waits for has come. */
+  /** Runs one event of this strand, and then the app if its condition has become true. */
   void run(Runnable piece) {
     Throwable failure = null;
     kernel.setCurrent(this);
@@ -136,7 +139,7 @@ public final class SimStrand implements Strand, Timers {
     return piece instanceof Prefetchable touchable ? read + touchable.prefetch() : read;
   }
 
-  /** Makes the app of this strand, which is closed, end. */
+  /** Makes the app of this closed strand end. */
   void unwindApp() {
     if (app == null) {
       return;

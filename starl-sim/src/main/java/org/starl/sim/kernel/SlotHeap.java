@@ -3,12 +3,12 @@ package org.starl.sim.kernel;
 import java.util.Arrays;
 
 /**
- * A binary heap of slots in the order of time and, of equal times, of adding. Each slot's {@code
- * place} is its index here, and the heap's mark, so that any event can be removed.
+ * A binary heap of slots, ordered by time and then by insertion. Each slot's {@code place} is its
+ * heap index combined with the heap's mark, so that any event can be removed.
  */
 final class SlotHeap {
 
-  /** The mark that is not 0; every index is below it. */
+  /** The mark of the second heap; every index is less. */
   static final int MARK_BIT = 1 << 30;
 
   private static final int INITIAL_SIZE = 16;
@@ -38,7 +38,7 @@ final class SlotHeap {
     return size == 0 ? EventTable.NONE : slots[0];
   }
 
-  /** When the earliest one is; the end of time if there is none. */
+  /** The time of the earliest slot, or {@link Long#MAX_VALUE} if the heap is empty. */
   long firstAtNs() {
     return size == 0 ? Long.MAX_VALUE : times[0];
   }
@@ -59,7 +59,7 @@ final class SlotHeap {
   /**
    * Removes a slot.
    *
-   * @param place where it is
+   * @param place the slot's place
    */
   void remove(int place) {
     int index = place - mark;

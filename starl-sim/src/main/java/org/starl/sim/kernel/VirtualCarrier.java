@@ -7,11 +7,11 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A virtual thread whose scheduler is this object: it runs on the kernel's own thread, inside {@link
- * #resume}, and nowhere else.
+ * A virtual thread that is scheduled by this object: it runs only on the kernel's thread, inside
+ * {@link #resume}.
  *
- * <p>An app that waits for something foreign is made runnable by a foreign thread. That thread only
- * hands the continuation over; the kernel, which waits in {@code resume}, runs it.
+ * <p>An app that blocks outside the kernel is made runnable by another thread. That thread only
+ * hands over the continuation; the kernel, which waits in {@code resume}, runs it.
  */
 final class VirtualCarrier implements Carrier, Executor {
 
@@ -54,7 +54,7 @@ final class VirtualCarrier implements Carrier, Executor {
 
   @Override
   public int touch() {
-    // The thread's state lies far behind its first word.
+    // The thread's state is stored far behind its header.
     return Cache.prefetch(continuation) + thread.getState().ordinal();
   }
 
@@ -65,8 +65,8 @@ final class VirtualCarrier implements Carrier, Executor {
     runUntilSuspended();
   }
 
-  // Two threads may run a kernel one after the other. Storing what is there already would cost the
-  // collector's barrier at each resume.
+  // Two threads may run a kernel one after the other. Storing an unchanged value would cost a write
+  // barrier of the garbage collector at each resume.
   private void rememberKernelThread() {
     Thread current = Thread.currentThread();
     if (kernelThread != current) {
@@ -92,8 +92,8 @@ final class VirtualCarrier implements Carrier, Executor {
     boolean wasInterrupted = false;
     LockSupport.park();
     while (isSuspended) {
-      // A permit that a foreign thread has left over, or an interrupt, ends a park, but not the
-      // suspension; and an interrupted thread would not park again.
+      // A left-over permit or an interrupt ends a park but not the suspension, and an interrupted
+      // thread would not park again.
       wasInterrupted |= Thread.interrupted();
       if (pinnedWaitFails) {
         isSuspended = false;
@@ -108,12 +108,15 @@ final class VirtualCarrier implements Carrier, Executor {
     }
   }
 
-  /** How often the app was resumed. As the two below, for the watch's thread. */
+  /**
+   * The number of times the app was resumed. This and the two methods below are for the watch's
+   * thread.
+   */
   long resumes() {
     return resumes;
   }
 
-  /** Whether the app has suspended itself, although the kernel has not got its thread back. */
+  /** Whether the app has suspended itself but still occupies the kernel's thread. */
   boolean seemsPinned() {
     return isSuspended && thread.getState() == Thread.State.WAITING;
   }
@@ -124,11 +127,11 @@ final class VirtualCarrier implements Carrier, Executor {
     LockSupport.unpark(thread);
   }
 
-  /** Called by the thread that makes the virtual thread runnable: mostly the kernel, in resume. */
+  /** Called by the thread that makes the virtual thread runnable: usually the kernel, in resume. */
   @Override
   public void execute(Runnable runnable) {
     if (Thread.currentThread() == kernelThread) {
-      // A virtual thread's one continuation: mostly it is there already.
+      // The one continuation of the virtual thread; usually it is stored already.
       if (continuation != runnable) {
         continuation = runnable;
       }
@@ -176,7 +179,7 @@ final class VirtualCarrier implements Carrier, Executor {
     }
   }
 
-  // The JDK has no public way to a virtual thread with another scheduler than its own.
+  // The JDK has no public API for a virtual thread with a custom scheduler.
   private static @Nullable Constructor<?> findBuilder() {
     try {
       Constructor<?> constructor =

@@ -5,12 +5,13 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.StrandClosed;
 
 /**
- * A strand's app: runs on its carrier from one wait to the next, as one piece of the strand. Itself
- * it is the event that wakes the app: at its start, at the end of a sleep, at an await's deadline.
+ * The app of a strand. It runs on its carrier from one wait to the next, as one piece of the
+ * strand. The object itself is the event that resumes the app: at its start, after a sleep, or at
+ * the deadline of an await.
  */
 final class WaitingApp implements Prefetchable {
 
-  /** So often an app that was told of its end may wait again before it is given up. */
+  /** The number of further waits after the end of the run before the app is given up. */
   private static final int MAX_REFUSALS = 1000;
 
   private final Kernel kernel;
@@ -22,7 +23,7 @@ final class WaitingApp implements Prefetchable {
   private int refusals;
   private @Nullable Throwable failure;
 
-  // What it waits for: an event of the queue, a condition, which the strand has, or both.
+  // The pending wait: an event of the queue, a condition stored in the strand, or both.
   private int wakeSlot = EventTable.NONE;
   private boolean conditionHeld;
 
@@ -44,7 +45,7 @@ final class WaitingApp implements Prefetchable {
     return waiting == null ? 0 : waiting.touch();
   }
 
-  /** Whether the app itself is what runs on the strand now. */
+  /** Whether the app itself runs on the strand now. */
   boolean isRunning() {
     return isRunning;
   }
@@ -62,9 +63,9 @@ final class WaitingApp implements Prefetchable {
   }
 
   /**
-   * Goes on if the condition that it waits for holds, now that {@code piece} has run.
+   * Resumes the app if its condition holds after {@code piece} has run.
    *
-   * @return what came out of the app, if anything ever did
+   * @return the exception of the app, or null
    */
   @Nullable Throwable afterPiece(Runnable piece) {
     BooleanSupplier awaited = strand.awaited;
@@ -76,7 +77,7 @@ final class WaitingApp implements Prefetchable {
     return failure;
   }
 
-  /** Waits for nothing more: no event of the queue resumes it. */
+  /** Cancels the pending wait: no event of the queue resumes the app. */
   void forgetWait() {
     strand.awaited = null;
     if (wakeSlot != EventTable.NONE) {
@@ -88,7 +89,7 @@ final class WaitingApp implements Prefetchable {
   /**
    * Resumes the app on its closed strand, where every wait throws, until it ends.
    *
-   * @return what came out of the app on its way
+   * @return the exception of the app while it unwinds, or null
    */
   @Nullable Throwable unwind() {
     Carrier waiting = carrier;
@@ -180,7 +181,7 @@ final class WaitingApp implements Prefetchable {
     }
   }
 
-  // On the carrier.
+  // Runs on the carrier.
   private void runBody() {
     Runnable app = body;
     try {

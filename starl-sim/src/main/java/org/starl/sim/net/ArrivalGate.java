@@ -1,9 +1,9 @@
 package org.starl.sim.net;
 
-/** Stands between a robot's radio and its program, and may delay what arrives. */
+/** Between a robot's radio and its program; may delay arrivals. */
 @FunctionalInterface
 public interface ArrivalGate {
 
-  /** Runs {@code arrival} on the robot's strand, which is running: at once, or in its turn. */
+  /** Runs {@code arrival} on the robot's current strand: at once, or later in order. */
   void pass(Runnable arrival);
 }

@@ -6,8 +6,8 @@ import org.starl.sim.kernel.Cache;
 import org.starl.sim.kernel.Prefetchable;
 
 /**
- * A pool of deliveries and packets. A delivery that a closed strand never ran is not returned to the
- * pool; the garbage collector takes it.
+ * A pool of deliveries and packets. A delivery that is dropped by a closed strand does not return
+ * to the pool; the garbage collector frees it.
  */
 final class DeliveryPool {
 
@@ -50,12 +50,12 @@ final class DeliveryPool {
     freePackets = packet;
   }
 
-  /** One copy on its way. */
+  /** A delivery of one copy. */
   private final class Delivery implements Prefetchable {
     private RobotId from = NOBODY;
     private @Nullable SimRadio to;
     private Packet packet;
-    // The packet's, at hand.
+    // Cached from the packet.
     private byte[] data;
     private int length;
     private @Nullable Delivery nextFree;

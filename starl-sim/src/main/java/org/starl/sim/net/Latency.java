@@ -14,21 +14,21 @@ import org.starl.random.Rng;
  */
 public sealed interface Latency {
 
-  /** Matches every text that {@link #parse} reads, and some that it does not. */
+  /** Matches every text that {@link #parse} accepts, and some others. */
   String PATTERN =
       "^\\s*(constant|uniform|normal|exponential)\\s*\\([^()]+\\)\\s*$|"
           + Quantity.DURATION.pattern();
 
-  /** One delay, in ns, at least 0. */
+  /** Draws a delay, in ns, at least 0. */
   long drawNs(Rng rng);
 
   /**
-   * An upper bound of the delays of a run: the greatest one, or one so rare that 10^13 draws are not
-   * expected to exceed it.
+   * An upper bound of the delays of a run: the maximum, or a delay that 10^13 draws are not
+   * expected to exceed.
    */
   long longestNs();
 
-  /** Whether every delay is the same, so that nothing is drawn. */
+  /** Whether every delay is equal, so that no random number is drawn. */
   default boolean isConstant() {
     return false;
   }
@@ -136,8 +136,8 @@ public sealed interface Latency {
   }
 
   /**
-   * Normal with this mean and deviation, truncated: what would be negative is drawn again, so the
-   * true mean lies a little above {@code meanNs} where the deviation is not small beside it.
+   * Normal with this mean and deviation, truncated: a negative value is drawn again, so that the
+   * true mean is slightly above {@code meanNs} unless the deviation is small compared with it.
    */
   record Normal(long meanNs, long deviationNs) implements Latency {
     public Normal {

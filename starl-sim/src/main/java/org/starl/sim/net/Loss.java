@@ -23,7 +23,7 @@ public record Loss(double probability) {
     return new Loss(Quantities.probability(text));
   }
 
-  /** Whether to lose a copy. Draws nothing where the answer is certain. */
+  /** Whether to lose a copy. Draws no random number if the probability is 0 or 1. */
   boolean strikes(Rng rng) {
     return probability > 0 && (probability >= 1 || rng.nextBoolean(probability));
   }

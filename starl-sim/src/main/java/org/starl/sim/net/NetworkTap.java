@@ -9,7 +9,7 @@ public interface NetworkTap {
   /** {@code buffer[0..length)} is valid during this call only. */
   void sent(RobotId from, byte[] buffer, int length);
 
-  /** Stops listening; once. */
+  /** Stops listening; call once. */
   @FunctionalInterface
   interface Handle {
     void remove();

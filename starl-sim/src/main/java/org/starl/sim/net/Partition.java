@@ -27,7 +27,10 @@ public final class Partition implements LinkRule {
     }
   }
 
-  /** These groups, and all other robots as one more. A robot in two groups counts in the first. */
+  /**
+   * The given groups; all other robots form one more group. A robot in two groups belongs to the
+   * first.
+   */
   public static Partition of(List<? extends Collection<RobotId>> groups) {
     return new Partition(groups, false);
   }

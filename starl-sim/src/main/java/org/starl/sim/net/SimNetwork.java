@@ -40,7 +40,7 @@ public final class SimNetwork {
   private long lost;
 
   /**
-   * @param kernel has the run's true time, and runs deliveries
+   * @param kernel provides the run's true time and runs deliveries
    * @param rng the run's generator; the network forks it by robots' names
    */
   public SimNetwork(Kernel kernel, TraceSink trace, Rng rng) {
@@ -55,7 +55,7 @@ public final class SimNetwork {
     loss = newLoss;
   }
 
-  /** Sets who chooses loss and delay of such copies; by default they are drawn by seed. */
+  /** Sets the choice of loss and delay for such copies; by default they are drawn by seed. */
   public void choice(LinkChoice newChoice) {
     choice = newChoice;
     seeded = false;
@@ -67,25 +67,24 @@ public final class SimNetwork {
   }
 
   /**
-   * Gives {@code id} a radio; what it receives runs on {@code strand}.
+   * Creates a radio for {@code id}, which receives on {@code strand}.
    *
-   * @throws IllegalStateException if it has one already
+   * @throws IllegalStateException if {@code id} already has a radio
    */
   public Radio attach(RobotId id, SimStrand strand) {
     return attach(id, strand, null);
   }
 
   /**
-   * Gives {@code id} a radio; what it receives comes to {@code strand}, and there to {@code gate}, if
-   * any.
+   * Creates a radio for {@code id}, which receives on {@code strand} through {@code gate}, if any.
    *
-   * @throws IllegalStateException if it has one already
+   * @throws IllegalStateException if {@code id} already has a radio
    */
   public Radio attach(RobotId id, SimStrand strand, @Nullable ArrivalGate gate) {
     int known = stations.slot(id);
     int slot = known == StationTable.NONE ? stations.add(id, newKey(id)) : known;
     if (stations.radio(slot) != null) {
-      throw new IllegalStateException(id + " has a radio already");
+      throw new IllegalStateException(id + " already has a radio");
     }
     SimRadio radio =
         new SimRadio(this, id, stations.key(slot), stations.datagrams(slot), strand, gate);
@@ -94,7 +93,10 @@ public final class SimNetwork {
     return radio;
   }
 
-  /** Removes the radio of {@code id}: it sends nothing more, datagrams on their way to it are lost. */
+  /**
+   * Removes the radio of {@code id}: it sends no more datagrams, and datagrams in flight to it are
+   * lost.
+   */
   public void detach(RobotId id) {
     int slot = stations.slot(id);
     SimRadio radio = stations.radio(slot);
@@ -114,15 +116,15 @@ public final class SimNetwork {
 
   /** Adds a listener to all datagrams sent from now on. */
   public NetworkTap.Handle listen(NetworkTap tap) {
-    // So that one tap that listens twice can stop once.
+    // A wrapper, so that a tap that listens twice can stop once.
     NetworkTap own = (from, buffer, length) -> tap.sent(from, buffer, length);
     taps.add(own);
     return () -> taps.remove(own);
   }
 
   /**
-   * Delivers these bytes to {@code to} now, although no robot sent them. No rule and no loss applies.
-   * Does nothing if {@code to} has no radio.
+   * Delivers these bytes to {@code to} now, as an attacker would: no robot sends them. No rule and
+   * no loss applies. Does nothing if {@code to} has no radio.
    */
   public void inject(RobotId to, byte[] datagram) {
     SimRadio radio = stations.radio(stations.slot(to));
@@ -200,7 +202,7 @@ public final class SimNetwork {
   }
 
   private void transmitByRules(SimRadio from, RobotId to, Packet packet, long datagram) {
-    // Rules draw from a generator of their own: one that draws and passes changes no base delay.
+    // Rules have their own generator: a rule that draws and passes does not change the base delay.
     Rng rng = new Rng(~from.copySeed(key(to), datagram));
     Transmission copy =
         new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
@@ -248,7 +250,7 @@ public final class SimNetwork {
     if (loss.isCertain() && latency.isConstant()) {
       return loss.probability() > 0 ? LinkChoice.LOST : ((Latency.Constant) latency).ns();
     }
-    // As LinkChoice.seeded() does, without a Transmission.
+    // Equal to LinkChoice.seeded(), without a Transmission.
     Rng rng = new Rng(from.copySeed(key(to), datagram));
     return loss.strikes(rng) ? LinkChoice.LOST : latency.drawNs(rng);
   }
@@ -269,12 +271,12 @@ public final class SimNetwork {
     return slot == StationTable.NONE ? newKey(robot) : stations.key(slot);
   }
 
-  /** What a robot's draws depend on: its name, and the run's seed. */
+  /** The key of the robot's random numbers: a function of its name and the run's seed. */
   private long newKey(RobotId id) {
     return root.fork(id.name() + "/radio").nextLong();
   }
 
-  /** So that one rule installed twice can be taken out once. */
+  /** A wrapper, so that a rule installed twice can be removed once. */
   private static final class Installed {
     private final LinkRule rule;
 

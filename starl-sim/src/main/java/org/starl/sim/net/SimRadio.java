@@ -18,10 +18,10 @@ final class SimRadio implements Radio {
   private boolean closed;
 
   /**
-   * @param key seeds its draws
+   * @param key seeds its random numbers
    * @param datagrams number of datagrams sent in the robot's earlier incarnations
-   * @param strand on which it receives
-   * @param gate before the receiver, or null
+   * @param strand the strand on which it receives
+   * @param gate delays arrivals, or null
    */
   SimRadio(
       SimNetwork network,
@@ -57,7 +57,7 @@ final class SimRadio implements Radio {
   @Override
   public void onReceive(Receiver newReceiver) {
     if (receiver != null) {
-      throw new IllegalStateException(id + "'s radio has a receiver already");
+      throw new IllegalStateException(id + "'s radio already has a receiver");
     }
     receiver = newReceiver;
     strand.prefetch(this, newReceiver);
@@ -100,7 +100,7 @@ final class SimRadio implements Radio {
     return datagrams;
   }
 
-  /** A function of sender, recipient and datagram alone. The factors are odd: nothing is lost. */
+  /** A function of sender, recipient and datagram only. The factors are odd, hence invertible. */
   long copySeed(long recipientKey, long datagram) {
     return key
         + Long.rotateLeft(recipientKey, 32) * 0xD1342543DE82EF95L

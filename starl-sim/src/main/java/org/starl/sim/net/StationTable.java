@@ -5,9 +5,9 @@ import org.starl.id.RobotId;
 import org.starl.sim.kernel.SimStrand;
 
 /**
- * What the network knows of each robot that ever had a radio: a hash table with open addressing, at
- * most two thirds full, from which nothing is removed. What a sender needs of an addressee stands in
- * the table itself: with thousands of robots, all else of the addressee is cold.
+ * The network's data of each robot that ever had a radio: a hash table with open addressing, at
+ * most two thirds full, without removal. The data that a sender needs of a recipient is stored in
+ * the table itself: with thousands of robots, all other data of the recipient is outside the cache.
  */
 final class StationTable {
 
@@ -17,7 +17,7 @@ final class StationTable {
   private static final int GOLDEN_RATIO = 0x9E3779B9;
   private static final int LEAST_SLOTS = 16;
 
-  // By slot; empty where there is no robot.
+  // Indexed by slot; null for a free slot.
   private @Nullable RobotId[] ids = new RobotId[LEAST_SLOTS];
   private long[] keys = new long[LEAST_SLOTS];
   private @Nullable SimRadio[] radios = new SimRadio[LEAST_SLOTS];
@@ -25,7 +25,7 @@ final class StationTable {
   private long[] datagrams = new long[LEAST_SLOTS];
   private int size;
 
-  /** A robot's slot, which is its own until another robot is added; or {@link #NONE}. */
+  /** The robot's slot, valid until another robot is added; or {@link #NONE}. */
   int slot(RobotId id) {
     int slot = firstSlot(id);
     RobotId found = ids[slot];
@@ -36,7 +36,7 @@ final class StationTable {
     return found == null ? NONE : slot;
   }
 
-  /** Adds a robot that is not in the table, with its key, and returns its slot. */
+  /** Adds a robot that is not in the table, and returns its slot. */
   int add(RobotId id, long key) {
     size++;
     if (3 * size > 2 * ids.length) {
@@ -48,35 +48,35 @@ final class StationTable {
     return slot;
   }
 
-  /** The robot has this radio, and receives on this strand. */
+  /** Sets the robot's radio and strand. */
   void attach(int slot, SimRadio radio, SimStrand strand) {
     radios[slot] = radio;
     strands[slot] = strand;
   }
 
-  /** The robot has no radio any more. */
+  /** Removes the robot's radio. */
   void detach(int slot, long datagramsSent) {
     datagrams[slot] = datagramsSent;
     radios[slot] = null;
     strands[slot] = null;
   }
 
-  /** What the robot's draws depend on. */
+  /** The key of the robot's random numbers. */
   long key(int slot) {
     return keys[slot];
   }
 
-  /** The robot's radio, if it has one; none in {@link #NONE}. */
+  /** The robot's radio, or null; null for {@link #NONE}. */
   @Nullable SimRadio radio(int slot) {
     return slot == NONE ? null : radios[slot];
   }
 
-  /** What the robot receives on, if it has a radio; none in {@link #NONE}. */
+  /** The robot's strand, or null if it has no radio; null for {@link #NONE}. */
   @Nullable SimStrand strand(int slot) {
     return slot == NONE ? null : strands[slot];
   }
 
-  /** How many datagrams the robot's earlier incarnations have sent. */
+  /** The number of datagrams sent by the robot's earlier incarnations. */
   long datagrams(int slot) {
     return datagrams[slot];
   }
@@ -115,7 +115,7 @@ final class StationTable {
   }
 
   // Fibonacci hashing (Knuth, "The Art of Computer Programming", section 6.4): numbered names have
-  // neighbouring hashes.
+  // adjacent hashes.
   private int firstSlot(RobotId id) {
     return (id.hashCode() * GOLDEN_RATIO) >>> (Integer.numberOfLeadingZeros(ids.length) + 1);
   }

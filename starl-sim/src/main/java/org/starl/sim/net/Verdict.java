@@ -14,17 +14,17 @@ public sealed interface Verdict {
     return new Deliver(new long[] {delayNs});
   }
 
-  /** Delivers it several times, once after each delay. */
+  /** Delivers the copy several times, once after each delay. */
   static Verdict duplicate(long... delaysNs) {
     return new Deliver(delaysNs.clone());
   }
 
-  /** The next rule decides; if the copy arrives, then later by {@code delayNs}. */
+  /** The next rule decides; if it delivers the copy, the copy arrives {@code extraNs} later. */
   static Verdict later(long extraNs) {
     return new Later(extraNs);
   }
 
-  /** The next rule decides; if the copy arrives, it arrives again {@code delayNs} after that. */
+  /** The next rule decides; if the copy arrives, it arrives again {@code afterNs} later. */
   static Verdict again(long afterNs) {
     return new Again(afterNs);
   }
@@ -59,7 +59,7 @@ public sealed interface Verdict {
    */
   record Drop(String why) implements Verdict {}
 
-  /** It arrives after this delay, and again after each further one. */
+  /** The copy arrives after the first delay, and again after each further one. */
   final class Deliver implements Verdict {
     private final long[] delaysNs;
 

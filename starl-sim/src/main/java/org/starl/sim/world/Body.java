@@ -12,8 +12,8 @@ import org.starl.id.RobotId;
 import org.starl.platform.Timer;
 
 /**
- * A robot's true body in the {@link World}: a disc that drives. The distance that it may still drive
- * before the world has to check it again is its <em>budget</em>, see {@link Collider}.
+ * A robot's true body in the {@link World}: a disc that drives. Its <em>budget</em> is the distance
+ * that it may still drive before the world must check it again, see {@link Collider}.
  */
 public final class Body {
 
@@ -43,7 +43,7 @@ public final class Body {
   private double mmPerS;
   private double radPerS;
 
-  // Where it is at cachedNs.
+  // The pose at cachedNs.
   private long cachedNs;
   private double xMm;
   private double yMm;
@@ -58,7 +58,7 @@ public final class Body {
   private Bumps bumps = Bumps.NONE;
   private Runnable bumpReceiver = () -> {};
 
-  // The world's grid threads the bodies of a bucket on these.
+  // Links of the list of bodies in a bucket of the world's grid.
   int cellX;
   int cellY;
   @Nullable Body nextInBucket;
@@ -106,7 +106,7 @@ public final class Body {
     return radPerS;
   }
 
-  /** Whether it presses against something and therefore does not advance. */
+  /** Whether the body presses against a contact and therefore does not advance. */
   public boolean isBlocked() {
     return wantedMmPerS != 0 && mmPerS == 0;
   }
@@ -117,17 +117,17 @@ public final class Body {
   }
 
   /**
-   * Sets the one listener to changes of {@link #bumps}. It is called in the middle of a step of the
-   * world, and must only take a note or schedule something.
+   * Sets the only listener to changes of {@link #bumps}. It is called inside a step of the world,
+   * and must only store data or schedule an event.
    */
   public void onBump(Runnable receiver) {
     bumpReceiver = receiver;
   }
 
   /**
-   * Drives so from now on, at most as fast as the world's limits allow.
+   * Drives at these speeds from now on, limited by the world's limits.
    *
-   * @throws IllegalStateException if it was removed from the world
+   * @throws IllegalStateException if the body was removed from the world
    */
   public void drive(WheelCommand command) {
     if (gone) {
@@ -148,7 +148,7 @@ public final class Body {
     return headingRad;
   }
 
-  /** Brings {@link #xMm}, {@link #yMm} and {@link #headingRad} to {@code nowNs}. */
+  /** Updates {@link #xMm}, {@link #yMm} and {@link #headingRad} to {@code nowNs}. */
   void moveTo(long nowNs) {
     if (nowNs == cachedNs) {
       return;
@@ -171,7 +171,10 @@ public final class Body {
     }
   }
 
-  /** Sets the true speeds from {@code nowNs} on, to which it was moved. Returns whether they changed. */
+  /**
+   * Sets the true speeds from {@code nowNs}, the time of the last {@link #moveTo}. Returns whether
+   * they changed.
+   */
   boolean setMotion(long nowNs, double newMmPerS, double newRadPerS) {
     if (newMmPerS == mmPerS && newRadPerS == radPerS) {
       return false;
@@ -212,15 +215,15 @@ public final class Body {
     }
   }
 
-  /** The time at which its budget is spent at its present speeds; never in the past. */
+  /** The time at which the budget is spent at the current speeds; never in the past. */
   long spentNs() {
     double ns = budgetMm / speedMmPerS() * NS_PER_S;
     return mmPerS == 0 || ns > LONGEST_NS ? NEVER : budgetNs + (long) ns;
   }
 
   /**
-   * The world has to look at it at {@code newDueNs}. A timer that is set earlier is left as it is:
-   * commands change often, and setting the timer costs more than an idle expiry now and then.
+   * Requests a check at {@code newDueNs}. An earlier pending timer is kept: commands change often,
+   * and setting the timer costs more than an occasional needless expiry.
    */
   void setDue(long newDueNs) {
     dueNs = newDueNs;

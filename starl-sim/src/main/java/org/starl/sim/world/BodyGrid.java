@@ -3,13 +3,12 @@ package org.starl.sim.world;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Finds the bodies near a point: an unbounded grid of square cells, hashed into buckets, the bodies
- * of a bucket threaded on a list. Putting, moving and taking cost the same whatever the number of
- * bodies.
+ * Finds the bodies near a point: an unbounded grid of square cells, hashed into buckets; each
+ * bucket has a linked list of bodies. Adding, moving and removing cost constant time.
  */
 final class BodyGrid {
 
-  /** Sees one body of a query. */
+  /** Receives each body of a query. */
   interface Visitor {
     void visit(Body body);
   }
@@ -39,7 +38,7 @@ final class BodyGrid {
     size--;
   }
 
-  /** To be called when a body has moved. */
+  /** Must be called after a body has moved. */
   void update(Body body) {
     int cellX = cell(body.xMm());
     int cellY = cell(body.yMm());
@@ -51,7 +50,10 @@ final class BodyGrid {
     }
   }
 
-  /** Visits a superset of the bodies whose centre was put within {@code rangeMm} of a point. */
+  /**
+   * Visits a superset of the bodies whose centre, at its last update, was within {@code rangeMm} of
+   * a point.
+   */
   void forEachNear(double xMm, double yMm, double rangeMm, Visitor visitor) {
     int lastX = cell(xMm + rangeMm);
     int lastY = cell(yMm + rangeMm);
@@ -59,7 +61,7 @@ final class BodyGrid {
       for (int cellY = cell(yMm - rangeMm); cellY <= lastY; cellY++) {
         Body body = buckets[bucket(cellX, cellY)];
         while (body != null) {
-          // A visitor may not move bodies, so the list stands still.
+          // A visitor must not move bodies, so the list does not change.
           if (body.cellX == cellX && body.cellY == cellY) {
             visitor.visit(body);
           }

@@ -7,23 +7,25 @@ import org.starl.body.Bumps;
 import org.starl.geometry.Angles;
 
 /**
- * Keeps bodies from overlapping, by conservative advancement on <em>budgets</em>: each body may
- * drive a certain way, in whatever direction and at whatever speeds, before it is checked again.
+ * Prevents overlaps by conservative advancement with <em>budgets</em>: each body may drive its
+ * budget, in any direction and at any speed, before it is checked again.
  *
- * <p>Invariant, for each two bodies that do not touch: the gap between them is at least the sum of
- * their budgets, plus half of {@link World#TOUCH_MM}; for a body and a wall likewise. Time keeps it
- * (a budget shrinks by the way driven, a gap by no more than both ways), so no command needs a look
- * at the neighbours. A body whose budget is spent is checked: it takes as much of each gap as its
+ * <p>Invariant, for any two bodies that do not touch: the gap between them is at least the sum of
+ * their budgets plus half of {@link World#TOUCH_MM}; likewise for a body and a wall. Driving
+ * preserves it (a budget shrinks by the path driven, a gap by at most the sum of both paths), so a
+ * command needs no check of the neighbours. A body that has spent its budget is checked: of each
+ * gap it takes a share in proportion to the two speeds, and more if the other body does not use its
+ * share.
  * share of the two speeds, and more where the other does not use its share.
  *
- * <p>Bodies that touch are checked at each {@link #STEP_MM}, at each command, and when a body that
- * turns sees a contact under a bearing at which its bumps or its freedom change. In one step a body
- * that does not press can come closer by the curvature of its way alone: less than 0.01 mm at the
- * Create's limits, far less than what is left of the gap.
+ * <p>Bodies that touch are checked after each {@link #STEP_MM}, at each command, and when a turning
+ * body reaches a bearing of a contact at which its bumps or its freedom change. In one step, a body
+ * that does not press can approach only through the curvature of its path: less than 0.01 mm at the
+ * Create's limits, far less than the remaining gap.
  */
 final class Collider {
 
-  /** No budget is larger: how far off a check must look. */
+  /** The maximum budget, and so the range of a check. */
   static final double REACH_MM = 300;
 
   static final double CELL_MM = 1000;
@@ -32,14 +34,14 @@ final class Collider {
   private static final double KEEP_MM = World.TOUCH_MM / 2;
   private static final double NS_PER_S = 1e9;
 
-  /** A body that turns in contact is not checked more often than this. */
+  /** The minimum interval of checks of a body that turns in contact. */
   private static final long LEAST_TURN_NS = 1_000;
 
   private final World world;
   private final BodyGrid grid;
   private final WallGrid walls;
 
-  // The neighbours of the body that is checked; kept from check to check to spare allocation.
+  // The neighbours of the checked body; fields to avoid allocation.
   private Body[] near = new Body[16];
   private double[] nearGapMm = new double[16];
   private int nearCount;
@@ -61,7 +63,10 @@ final class Collider {
     this.walls = walls;
   }
 
-  /** Looks around {@code body}, lets it do as much of what it wants as it can, and says when next. */
+  /**
+   * Checks {@code body} against its neighbours, sets its motion as close to its command as
+   * possible, and schedules the next check.
+   */
   void check(Body body) {
     nowNs = world.nowNs();
     body.moveTo(nowNs);
@@ -86,12 +91,12 @@ final class Collider {
     }
   }
 
-  /** So far. */
+  /** The collisions so far. */
   Collisions collisions() {
     return new Collisions(robotContacts, wallContacts);
   }
 
-  /** {@code body} is gone: who touched it may be free. */
+  /** Removes {@code body}; bodies that touched it may become free. */
   void forget(Body body) {
     for (Body other : body.touchedBodies) {
       other.touchedBodies.remove(body);
@@ -105,8 +110,8 @@ final class Collider {
     checked = body;
     nearCount = 0;
     nearWallCount = 0;
-    // The grid knows where a body was at its last check; its way since then and its budget
-    // together are at most REACH_MM.
+    // The grid has the position of each body at its last check; the path since then plus the budget
+    // is at most REACH_MM.
     double rangeMm = body.radiusMm() + world.greatestRadiusMm() + 2 * REACH_MM + World.TOUCH_MM;
     grid.forEachNear(body.xMm(), body.yMm(), rangeMm, addNear);
     double wallRangeMm = body.radiusMm() + REACH_MM + World.TOUCH_MM;
@@ -178,10 +183,10 @@ final class Collider {
     }
   }
 
-  /** Takes the largest budget that the gaps around {@code body} allow. */
+  /** Takes the maximum budget that the gaps around {@code body} allow. */
   private void share(Body body) {
     double speed = body.speedMmPerS();
-    // One that stands needs none; what it still has is good, and spares a check when it starts.
+    // A body at rest needs no budget; it keeps the rest, which saves a check when it starts.
     double budgetMm = speed == 0 ? body.budgetMm(nowNs) : REACH_MM;
     for (int i = 0; i < nearWallCount; i++) {
       double gapMm = nearWallGapMm[i];

@@ -1,8 +1,8 @@
 package org.starl.sim.world;
 
 /**
- * Counts of contacts between bodies: each contact counts once, however long it lasts. A contact begins
- * at a gap of {@link World#TOUCH_MM} and ends at {@link World#CLEAR_MM}.
+ * Counts of contacts between bodies; each contact counts once, regardless of its duration. A
+ * contact begins at a gap of {@link World#TOUCH_MM} and ends at {@link World#CLEAR_MM}.
  *
  * @param ofRobots contacts between two robots
  * @param withWalls contacts of a robot with an obstacle

@@ -34,7 +34,7 @@ public final class GridMap {
     return rows;
   }
 
-  /** Whether a cell of the map is free; outside the map none is. */
+  /** Whether a cell is free; cells outside the map are not. */
   public boolean isFree(int column, int row) {
     boolean isInside = column >= 0 && column < columns && row >= 0 && row < rows;
     return isInside && !blocked.get(row * columns + column);
@@ -45,10 +45,10 @@ public final class GridMap {
   }
 
   /**
-   * The blocked cells as known solid bodies, as few as a simple sweep makes them: runs of a row, and
-   * equal runs of rows above joined to one rectangle.
+   * The blocked cells as known solid rectangles: runs of cells in a row are merged with equal runs
+   * of the rows above.
    *
-   * @param cellMm side of a cell
+   * @param cellMm the side of a cell
    */
   public Obstacles walls(double cellMm) {
     List<Obstacle> walls = new ArrayList<>();

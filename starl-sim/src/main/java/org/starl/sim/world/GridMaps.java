@@ -20,8 +20,8 @@ import org.starl.input.TextFile;
  * </pre>
  *
  * A cell {@code .} or {@code G} is free; {@code @ O T S W} (out of bounds, trees, swamp, water) are
- * blocked. Either kind of line end is fine, and blank lines at the end. Anything else is a {@link
- * BadInput} that names file, line and what was expected.
+ * blocked. LF and CRLF line ends and trailing blank lines are accepted. Any other text causes a
+ * {@link BadInput} with file, line and the expected text.
  */
 public final class GridMaps {
 
@@ -42,7 +42,7 @@ public final class GridMaps {
   /**
    * Reads a file.
    *
-   * @throws BadInput if it is missing, no text, or no such map
+   * @throws BadInput if the file is missing, not text, or not a map in this format
    */
   public static GridMap read(Path path) {
     return parse(path.toString(), TextFile.read(path, "expected a grid map: type octile, ..."));
@@ -51,7 +51,7 @@ public final class GridMaps {
   /**
    * Reads a file's text.
    *
-   * @param file its name, for errors
+   * @param file the file's name, for errors
    */
   public static GridMap parse(String file, String text) {
     return new GridMaps(file, text).map();

@@ -10,7 +10,7 @@ import org.starl.geometry.Pose;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
-/** Draws free places for robots. The time it takes grows with their number, not its square. */
+/** Draws free places for robots, in time that is linear in their number. */
 public final class Placement {
 
   private static final int MAX_TRIES = 10_000;
@@ -20,14 +20,14 @@ public final class Placement {
   private final double radiusMm;
   private final double spacingMm;
   private final Obstacles obstacles;
-  // By cell, so large that places nearer than the spacing lie in the same or a neighbouring cell.
-  // Only looked up, never iterated.
+  // Indexed by cell. Cells are so large that two places nearer than the spacing are in the same or
+  // in adjacent cells. Used only for lookups, never iterated.
   private final Map<Long, List<Point>> cells = new HashMap<>();
 
   /**
    * Places lie on the floor from (0, 0) to (width, height).
    *
-   * @param spacingMm between two robots' centres, at least
+   * @param spacingMm the minimum distance between the centres of two robots
    */
   public Placement(
       double widthMm, double heightMm, double radiusMm, double spacingMm, Obstacles obstacles) {
@@ -39,8 +39,8 @@ public final class Placement {
   }
 
   /**
-   * {@code count} poses: on the floor with the whole body, clear of obstacles, apart from each other,
-   * headings drawn evenly.
+   * Draws {@code count} poses: the whole body on the floor, clear of obstacles and of the other
+   * bodies, with uniform headings.
    *
    * @throws BadInput if there is not enough room
    */

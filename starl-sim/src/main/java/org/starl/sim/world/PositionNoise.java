@@ -3,11 +3,11 @@ package org.starl.sim.world;
 import org.starl.random.Rng;
 
 /**
- * How far a fix is off the truth: drawn for each fix on its own (a measurement error, no drift), and
- * never farther than its bound, so that the bound that the fix states is true.
+ * The error of a fix: drawn independently for each fix (a measurement error, no drift), and never
+ * above its bound, so that the error bound of the fix is true.
  *
- * <p>The two coordinates, and the heading, are normal with half of the bound as deviation; what lies
- * beyond the bound is drawn again.
+ * <p>Both coordinates and the heading are normal with half of the bound as deviation; values beyond
+ * the bound are drawn again.
  *
  * @param boundMm the measured position lies at most this far from the true one
  * @param boundRad the measured heading is at most this far from the true one
@@ -23,13 +23,13 @@ public record PositionNoise(double boundMm, double boundRad) {
     }
   }
 
-  /** The sum of both. */
+  /** The sum of both bounds. */
   public PositionNoise plus(PositionNoise other) {
     return new PositionNoise(
         boundMm + other.boundMm, Math.min(StrictMath.PI, boundRad + other.boundRad));
   }
 
-  /** One coordinate, normal with deviation 1/2, in -1..1. */
+  /** One coordinate: normal with deviation 1/2, truncated to -1..1. */
   static double drawWithinOne(Rng rng) {
     double draw;
     do {

@@ -9,7 +9,7 @@ import org.starl.random.Rng;
 
 /**
  * A robot's wheels and bump sensors, in one incarnation of its program, on its {@link Body} while
- * that is on the floor. Off the floor wheels turn in the air, and nothing bumps.
+ * the body is on the floor. Off the floor the wheels turn freely and no bump occurs.
  */
 public final class SimChassis implements Chassis {
 
@@ -24,10 +24,10 @@ public final class SimChassis implements Chassis {
   private @Nullable Body body;
 
   /**
-   * @param strand the robot's; bumps are told there
+   * @param strand the robot's strand, on which bumps are reported
    * @param rng the chassis's own generator
-   * @param speedError each new command's forward and turning speed are off by a factor drawn evenly
-   *     from 1 - speedError to 1 + speedError, each on its own; 0 for perfect wheels
+   * @param speedError forward and turning speed of each new command have independent factors,
+   *     uniform from 1 - speedError to 1 + speedError; 0 for perfect wheels
    */
   public SimChassis(Strand strand, Rng rng, double speedError) {
     if (!(speedError >= 0 && speedError < 1)) {
@@ -39,19 +39,19 @@ public final class SimChassis implements Chassis {
     tell = () -> strand.post(toReceiver);
   }
 
-  /** The body was put on the floor: it follows the last command. */
+  /** Puts the body on the floor: it follows the last command. */
   public void mount(Body newBody) {
     body = newBody;
     newBody.onBump(tell);
     apply();
   }
 
-  /** The body is taken off the floor. */
+  /** Takes the body off the floor. */
   public void unmount() {
     body = null;
   }
 
-  /** The program has ended: the wheels stop, and ignore later commands of it. */
+  /** Ends the program: the wheels stop and ignore later commands of the program. */
   public void halt() {
     if (body != null) {
       body.drive(WheelCommand.STOP);
@@ -84,8 +84,8 @@ public final class SimChassis implements Chassis {
   }
 
   /**
-   * Sets the wheel speeds as fractions of the commanded ones: 0 and 0 for stuck wheels, 1 and 1 for
-   * good ones.
+   * Sets the wheel speeds as fractions of the commanded speeds: 0 and 0 for stuck wheels, 1 and 1
+   * for intact wheels.
    */
   public void impair(double newLinearFactor, double newAngularFactor) {
     linearFactor = newLinearFactor;

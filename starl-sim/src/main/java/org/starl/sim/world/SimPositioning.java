@@ -11,14 +11,14 @@ import org.starl.platform.Timers;
 import org.starl.random.Rng;
 
 /**
- * Measures the position of a robot's {@link Body} once a period, in one incarnation of its program,
- * while the body is on the floor. The measuring system is outside the robot: its period is in true
- * time, whatever the robot's own clock does. Fixes come at the times phase + k period of the run, so
- * that a restart does not change them.
+ * Measures the pose of a robot's {@link Body} once per period, in one incarnation of its program,
+ * while the body is on the floor. The measuring system is external: its period is in true time,
+ * independent of the robot's clock. Fixes are taken at phase + k * period since the start of the
+ * run, so that a restart does not change their times.
  */
 public final class SimPositioning implements Positioning {
 
-  // A little inside, so that rounding of large coordinates cannot lead beyond the bound.
+  // Slightly less than 1, so that rounding of large coordinates does not exceed the bound.
   private static final double INSIDE = 1 - 1e-6;
 
   private final Clock trueClock;
@@ -35,12 +35,12 @@ public final class SimPositioning implements Positioning {
   private @Nullable Body body;
 
   /**
-   * @param trueClock the run's
-   * @param robotClock the robot's, which stamps its fixes
+   * @param trueClock the run's true time
+   * @param robotClock the robot's clock, which stamps the fixes
    * @param strandTimers the robot's strand, in true time
    * @param rng the robot's generator for positioning
-   * @param phaseNs from 0 to below the period; see {@link #drawnPhaseNs}. With 0 for everyone all
-   *     robots are measured at once
+   * @param phaseNs at least 0 and less than the period; see {@link #drawnPhaseNs}. With equal
+   *     phases all robots are measured at once
    */
   public SimPositioning(
       Clock trueClock,
@@ -64,8 +64,8 @@ public final class SimPositioning implements Positioning {
   }
 
   /**
-   * A phase for one robot, even over the period: a real system measures its robots one after the
-   * other. It depends on {@code rng}'s seed alone.
+   * Draws a phase for one robot, uniform over the period, since a real system measures its robots
+   * in turn. Depends only on the seed of {@code rng}.
    */
   public static long drawnPhaseNs(Rng rng, long periodNs) {
     return rng.fork("phase").nextLong(0, periodNs - 1);
@@ -80,13 +80,13 @@ public final class SimPositioning implements Positioning {
     begin();
   }
 
-  /** The body was put on the floor: fixes begin. */
+  /** Puts the body on the floor: fixes begin. */
   public void mount(Body newBody) {
     body = newBody;
     begin();
   }
 
-  /** The body is taken off the floor: no more fixes. */
+  /** Takes the body off the floor: fixes end. */
   public void unmount() {
     body = null;
     timer.cancel();
@@ -98,7 +98,7 @@ public final class SimPositioning implements Positioning {
     }
   }
 
-  /** Sets whether fixes come; missed ones do not come later. */
+  /** Sets whether fixes are delivered; missed fixes are not delivered later. */
   public void turn(boolean on) {
     isOn = on;
   }
@@ -141,7 +141,7 @@ public final class SimPositioning implements Positioning {
             : Angles.normalize(truth.headingRad() + noise.boundRad() * offRad));
   }
 
-  /** The first time of a fix that is not before {@code fromNs}. */
+  /** The time of the first fix at or after {@code fromNs}. */
   private long nextNs(long fromNs) {
     long periods = Math.max(0, Math.ceilDiv(fromNs - phaseNs, periodNs));
     return phaseNs + periods * periodNs;

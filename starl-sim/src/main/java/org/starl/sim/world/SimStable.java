@@ -11,8 +11,8 @@ import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 
 /**
- * A robot's stable storage in memory. It outlives the robot's program: {@link #restart} hands it to
- * the next incarnation with what had been flushed, and nothing else.
+ * A robot's stable storage in memory. It outlives the robot's program: {@link #restart} passes the
+ * flushed values, and no others, to the next incarnation.
  */
 public final class SimStable implements StableStorage {
 
@@ -27,17 +27,14 @@ public final class SimStable implements StableStorage {
 
   /**
    * @param clock the run's true time
-   * @param flushDelayNs how long a write takes to be safe; at 0 it is so in the strand's next piece
+   * @param flushDelayNs the duration of a flush; 0 flushes in the strand's next piece
    */
   public SimStable(Clock clock, long flushDelayNs) {
     this.clock = clock;
     setFlushDelay(flushDelayNs);
   }
 
-  /**
-   * The program has ended: nothing more is flushed, and writes of the program while it is unwound have
-   * no effect.
-   */
+  /** Ends the program: later flushes do not happen, and writes during unwinding have no effect. */
   public void halt() {
     isHalted = true;
     if (timer != null) {
@@ -45,12 +42,12 @@ public final class SimStable implements StableStorage {
     }
   }
 
-  /** Number of writes that are not flushed. */
+  /** The number of unflushed writes. */
   public int unflushed() {
     return pending.size();
   }
 
-  /** Serves a new incarnation; writes that were not flushed are lost. */
+  /** Serves a new incarnation; unflushed writes are lost. */
   public void restart(Timers strandTimers) {
     restart(strandTimers, 0);
   }
@@ -58,8 +55,8 @@ public final class SimStable implements StableStorage {
   /**
    * Serves a new incarnation.
    *
-   * @param surviving number of unflushed writes that survive, the earliest ones; at most
-   *     {@link #unflushed}
+   * @param surviving number of unflushed writes that survive, earliest first; at most {@link
+   *     #unflushed}
    */
   public void restart(Timers strandTimers, int surviving) {
     halt();
@@ -73,7 +70,7 @@ public final class SimStable implements StableStorage {
     isHalted = false;
   }
 
-  /** Sets the delay of later writes; they still come after earlier ones. */
+  /** Sets the delay of later writes; the order of writes does not change. */
   public void setFlushDelay(long newFlushDelayNs) {
     if (newFlushDelayNs < 0) {
       throw new IllegalArgumentException("delay " + newFlushDelayNs + " ns: expected at least 0");
@@ -121,7 +118,7 @@ public final class SimStable implements StableStorage {
     }
   }
 
-  // One write a piece: what a callback writes is not flushed in the same piece.
+  // One write per piece: a write by a callback is not flushed in the same piece.
   private void flush() {
     Write write = pending.remove();
     apply(write);

@@ -3,26 +3,26 @@ package org.starl.sim.world;
 import org.starl.body.Bumps;
 
 /**
- * What a contact means to a body. The bearing of a contact is its direction seen from the body's
+ * The effect of a contact on a body. The bearing of a contact is its direction from the body's
  * centre, relative to the heading, counter-clockwise.
  */
 final class Touch {
 
-  /** A contact this far to either side of straight ahead presses both bump sensors. */
+  /** A contact within this angle of straight ahead presses both bump sensors. */
   static final double BOTH_RAD = StrictMath.toRadians(15);
 
   private static final double FRONT_RAD = StrictMath.PI / 2;
 
-  /** Below this gap a body may only leave, at least this steeply: its sine, and the angle. */
+  /** Below this gap a body may only drive away, at least this steeply: the sine, and the angle. */
   private static final double DEEP_MM = 0.25;
 
   private static final double LEAVING = 0.02;
   private static final double LEAVING_RAD = StrictMath.asin(LEAVING);
 
-  /** So that rounding does not hold a body that drives along a wall. */
+  /** A tolerance, so that rounding does not block a body that drives along a wall. */
   private static final double ALONG = 1e-6;
 
-  /** Bearings at which bumps or pressing change, to either side. */
+  /** Bearings, on both sides, at which bumps or pressing change. */
   private static final double[] EDGES_RAD = {
     BOTH_RAD, FRONT_RAD - LEAVING_RAD, FRONT_RAD, FRONT_RAD + LEAVING_RAD
   };
@@ -51,14 +51,14 @@ final class Touch {
   }
 
   /**
-   * Seconds until a contact at {@code bearingRad} is seen across one of the edges, by a body that
+   * Seconds until the bearing of a contact at {@code bearingRad} crosses an edge while the body
    * turns on the spot; infinite if it does not turn.
    */
   static double secondsToEdge(double bearingRad, double radPerS) {
     if (radPerS == 0) {
       return Double.POSITIVE_INFINITY;
     }
-    // The body turns one way, so the bearing turns the other way.
+    // The bearing turns in the opposite direction of the body.
     double best = Double.POSITIVE_INFINITY;
     for (double edge : EDGES_RAD) {
       best = Math.min(best, aheadRad(bearingRad, edge, -radPerS));
@@ -67,7 +67,7 @@ final class Touch {
     return best / Math.abs(radPerS);
   }
 
-  /** How far a bearing must turn, in the direction of {@code sign}, to get to {@code edge}. */
+  /** The angle from {@code bearingRad} to {@code edge} in the direction of {@code sign}. */
   private static double aheadRad(double bearingRad, double edge, double sign) {
     double turn = sign > 0 ? edge - bearingRad : bearingRad - edge;
     return turn > 0 ? turn : turn + 2 * StrictMath.PI;

@@ -1,14 +1,14 @@
 package org.starl.sim.world;
 
 /**
- * What a crash does to writes to stable storage that were not flushed. Flushes keep the order of the
- * writes, so what survives of them is always the earliest.
+ * The effect of a crash on unflushed writes to stable storage. Flushes keep the order of the
+ * writes, so the surviving writes are always the earliest.
  */
 public enum Unsynced {
-  /** None survives. */
+  /** No unflushed write survives. */
   LOST,
-  /** As many survive as are drawn, from none to all. */
+  /** A random number of unflushed writes survives, from none to all. */
   SOME,
-  /** All survive. */
+  /** All unflushed writes survive. */
   KEPT
 }

@@ -3,7 +3,7 @@ package org.starl.sim.world;
 import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
-/** One straight side of an obstacle, as the collider needs it. */
+/** One straight side of an obstacle, for the collider. */
 final class Wall {
 
   private final double fromX;
@@ -12,7 +12,7 @@ final class Wall {
   private final double alongY;
   private final double square;
   final long untilNs;
-  // The last query that has seen it: it may lie in several cells.
+  // The last query that visited this wall, which may be in several cells.
   long seenBy;
 
   Wall(double fromX, double fromY, double toX, double toY, long untilNs) {
@@ -28,7 +28,7 @@ final class Wall {
     return nowNs < untilNs;
   }
 
-  /** x of the point of the wall that is nearest to a point. */
+  /** The x coordinate of the nearest point of the wall. */
   double nearestX(double x, double y) {
     return fromX + alongX * part(x, y);
   }
@@ -44,7 +44,7 @@ final class Wall {
     return Math.sqrt(dx * dx + dy * dy);
   }
 
-  /** Whether it and {@code line} have a point in common. */
+  /** Whether the wall and {@code line} have a common point. */
   boolean crosses(Segment line) {
     Segment side = new Segment(new Point(fromX, fromY), new Point(fromX + alongX, fromY + alongY));
     return line.crosses(side);

@@ -8,10 +8,10 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Segment;
 
-/** Finds the walls near a point: a fixed grid over the box that holds all of them. */
+/** Finds the walls near a point: a fixed grid over the bounding box of all walls. */
 final class WallGrid {
 
-  /** Sees one wall of a query. */
+  /** Receives each wall of a query. */
   interface Visitor {
     void visit(Wall wall);
   }
@@ -48,7 +48,7 @@ final class WallGrid {
     }
   }
 
-  /** The next time after {@code nowNs} at which a wall vanishes, or {@link Body#NEVER}. */
+  /** The next time after {@code nowNs} at which a wall disappears, or {@link Body#NEVER}. */
   long nextEndNs(long nowNs) {
     long next = Body.NEVER;
     for (Wall wall : walls) {
@@ -59,7 +59,7 @@ final class WallGrid {
     return next;
   }
 
-  /** Visits, once each, a superset of the standing walls within {@code rangeMm} of a point. */
+  /** Visits, once each, a superset of the present walls within {@code rangeMm} of a point. */
   void forEachNear(double xMm, double yMm, double rangeMm, long nowNs, Visitor visitor) {
     if (cells.length == 0) {
       return;
@@ -81,7 +81,7 @@ final class WallGrid {
     }
   }
 
-  /** Whether a point lies inside a solid obstacle that stands. */
+  /** Whether a point is inside a present solid obstacle. */
   boolean isInside(Point point, long nowNs) {
     int column = cells.length == 0 ? -1 : index(point.xMm() - leastX);
     int row = cells.length == 0 ? -1 : index(point.yMm() - leastY);
@@ -164,7 +164,7 @@ final class WallGrid {
         : obstacle.lifetimeMs() * NS_PER_MS;
   }
 
-  /** A solid obstacle with the box that holds it. */
+  /** A solid obstacle with its bounding box. */
   private static final class Solid {
     private final Polygon polygon;
     private final long untilNs;

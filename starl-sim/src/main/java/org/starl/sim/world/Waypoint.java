@@ -8,9 +8,9 @@ import org.starl.geometry.Pose;
 /**
  * A line {@code WAY} or {@code SENSE} of a waypoint file.
  *
- * @param angle the angle column as it stands: degrees in most files, the number of a robot or a
- *     24-bit colour in some
- * @param radiusMm how close is close enough, where the file says so
+ * @param angle the angle column, unconverted: degrees in most files, a robot's number or a 24-bit
+ *     colour in some
+ * @param radiusMm the arrival tolerance, if the file has one
  */
 public record Waypoint(String name, double xMm, double yMm, double angle, OptionalDouble radiusMm) {
 

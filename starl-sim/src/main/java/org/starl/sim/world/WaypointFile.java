@@ -4,10 +4,10 @@ import java.util.List;
 import org.starl.geometry.Obstacles;
 
 /**
- * What a waypoint file says, in the order of its lines.
+ * The content of a waypoint file, in the order of its lines.
  *
- * @param waypoints lines {@code WAY}: goals, or starts
- * @param sensePoints lines {@code SENSE}: things to find
+ * @param waypoints lines {@code WAY}: goals or starts
+ * @param sensePoints lines {@code SENSE}: objects to find
  * @param obstacles lines {@code Obstacle} and {@code Hidden}
  */
 public record WaypointFile(

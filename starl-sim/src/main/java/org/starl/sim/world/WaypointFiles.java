@@ -12,7 +12,7 @@ import org.starl.input.BadInput;
 import org.starl.input.TextFile;
 
 /**
- * Reads the waypoint files of StarL's demo apps: one thing a line, mm and degrees.
+ * Reads the waypoint files of StarL's demo apps: one item per line, mm and degrees.
  *
  * <pre>
  * WAY,x,y,angle,name[,radius]
@@ -22,9 +22,9 @@ import org.starl.input.TextFile;
  * // a comment
  * </pre>
  *
- * The lifetime is in ms, -1 for ever. Blank lines, blanks around fields, either kind of line end and
- * a missing last one are fine. Anything else is a {@link BadInput} that names file, line and what
- * was expected.
+ * The lifetime is in ms, -1 for ever. Blank lines, blanks around fields, LF or CRLF line ends and a
+ * missing last line end are accepted. Any other text causes a {@link BadInput} with file, line and
+ * the expected text.
  */
 public final class WaypointFiles {
 
@@ -47,7 +47,7 @@ public final class WaypointFiles {
   /**
    * Reads a file.
    *
-   * @throws BadInput if it is missing, no text, or has a line that is none of the above
+   * @throws BadInput if the file is missing, not text, or has a line in another format
    */
   public static WaypointFile read(Path path) {
     String expected = "expected a waypoint file with lines such as " + WAY;
@@ -57,7 +57,7 @@ public final class WaypointFiles {
   /**
    * Reads a file's text.
    *
-   * @param file its name, for errors
+   * @param file the file's name, for errors
    */
   public static WaypointFile parse(String file, String text) {
     WaypointFiles reader = new WaypointFiles(file);

@@ -17,14 +17,14 @@ import org.starl.trace.TraceSink;
 
 /**
  * The floor of one run: walls, and the bodies of all robots. Its time is the run's true time. Used
- * by one kernel at a time; its timers are the kernel's own, no robot's.
+ * by one kernel at a time; its timers belong to the kernel, not to a robot.
  */
 public final class World {
 
-  /** Two bodies, or a body and a wall, touch from this gap on; they never overlap. */
+  /** Bodies and walls touch at gaps up to this one; they never overlap. */
   public static final double TOUCH_MM = 1;
 
-  /** What has touched does so until the gap is wider than this, as a bumper has some play. */
+  /** A contact ends when the gap exceeds this one, because a real bumper has some play. */
   public static final double CLEAR_MM = 2;
 
   private final Clock clock;
@@ -52,31 +52,31 @@ public final class World {
     watchWalls();
   }
 
-  /** Everything that stands in the way from the start, hidden or not. */
+  /** All initial obstacles, hidden ones included. */
   public Obstacles obstacles() {
     return obstacles;
   }
 
-  /** All bodies, in the order in which they came. */
+  /** All bodies, in the order in which they were added. */
   public List<Body> bodies() {
     return List.copyOf(bodies);
   }
 
-  /** Whether a disc would stand there without overlapping a body or a wall. */
+  /** Whether a disc at this pose would overlap neither a body nor a wall. */
   public boolean isFree(Pose pose, double radiusMm) {
     return whatIsAt(pose, radiusMm).isEmpty();
   }
 
-  /** How often bodies have begun to touch, so far. */
+  /** The number of contacts so far. */
   public Collisions collisions() {
     return collider.collisions();
   }
 
   /**
-   * Puts a robot's body on the floor; it stands still.
+   * Puts a robot's body on the floor, at rest.
    *
-   * @throws IllegalArgumentException if the place is not free, naming what is there, or the radius
-   *     is not above 0
+   * @throws IllegalArgumentException if the place is not free (the message names the obstacle), or
+   *     the radius is not above 0
    */
   public Body add(RobotId id, Pose pose, double radiusMm) {
     if (!(radiusMm > 0)) {
@@ -98,7 +98,10 @@ public final class World {
     return body;
   }
 
-  /** Takes a body off the floor; it must not be driven any more. No effect if it is gone. */
+  /**
+   * Takes a body off the floor; it must not be driven afterwards. No effect if it is already
+   * removed.
+   */
   public void remove(Body body) {
     if (!bodies.remove(body)) {
       return;
@@ -111,7 +114,9 @@ public final class World {
     }
   }
 
-  /** Names each body whose centre is within {@code rangeMm} of {@code center} now. */
+  /**
+   * Passes each body whose centre is within {@code rangeMm} of {@code center} to {@code visitor}.
+   */
   public void forEachWithin(Point center, double rangeMm, Consumer<Body> visitor) {
     long nowNs = nowNs();
     double staleMm = Collider.REACH_MM;
@@ -175,7 +180,7 @@ public final class World {
     if (body.isTouching()) {
       check(body);
     } else {
-      // Its budget is good for any direction.
+      // The budget is valid for every direction.
       body.moveTo(nowNs());
       move(body, mmPerS, radPerS);
       body.setDue(body.spentNs());
@@ -186,7 +191,7 @@ public final class World {
     collider.check(body);
   }
 
-  /** Moves so from now on. */
+  /** Sets the body's true motion from now on. */
   void move(Body body, double mmPerS, double radPerS) {
     if (body.setMotion(nowNs(), mmPerS, radPerS) && trace.isOn()) {
       trace.record(new TraceEvent.Moved(nowNs(), body.id(), body.pose(), mmPerS, radPerS));

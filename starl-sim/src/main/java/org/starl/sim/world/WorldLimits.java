@@ -1,16 +1,16 @@
 package org.starl.sim.world;
 
 /**
- * What bodies can do at most, and whether they are solid.
+ * The maximum speeds of bodies, and whether bodies are solid.
  *
- * @param maxMmPerS no body drives faster, forwards or backwards
- * @param maxRadPerS no body turns faster
- * @param collisions whether bodies and walls are solid; where not, bodies pass through everything
- *     and nothing bumps
+ * @param maxMmPerS the maximum speed, forwards and backwards
+ * @param maxRadPerS the maximum turning speed
+ * @param collisions whether bodies and walls are solid; if not, bodies pass through everything and
+ *     no bump occurs
  */
 public record WorldLimits(double maxMmPerS, double maxRadPerS, boolean collisions) {
 
-  /** What an iRobot Create can do: 500 mm/s a wheel, wheels 258 mm apart; solid. */
+  /** The limits of an iRobot Create: 500 mm/s per wheel, wheels 258 mm apart; solid. */
   public static final WorldLimits CREATE = new WorldLimits(500, 2 * 500 / 258.0, true);
 
   public WorldLimits {

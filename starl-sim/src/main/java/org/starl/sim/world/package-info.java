@@ -1,16 +1,15 @@
 /**
- * The simulated floor and what stands and drives on it: bodies, walls, bumps, and each robot's own
- * ports into it (chassis, positioning, stable storage); and the readers of waypoint and
- * obstacle files and of grid maps.
+ * The simulated floor: bodies, walls and bumps; the ports of each robot to it (chassis,
+ * positioning, stable storage); and the readers of waypoint, obstacle and grid map files.
  *
  * <p>Contract: a body is a disc. Between two changes of its motion it drives with constant forward
  * and turning speed, and its pose follows in closed form ({@link org.starl.geometry.Kinematics}).
- * Bodies are solid: no two ever overlap, and none enters a wall. They touch from a gap of {@link
- * org.starl.sim.world.World#TOUCH_MM} on; a body whose command presses against what it touches turns
- * but does not advance, and is free again as soon as its command leads along or away, or the other
- * one is more than {@link org.starl.sim.world.World#CLEAR_MM} off. Nobody is pushed. A body's cost is
- * in proportion to the way that it drives, times the bodies within about a metre; a standing body
- * costs nothing.
+ * Bodies are solid: no two overlap, and none overlaps a wall. They touch at gaps up to {@link
+ * org.starl.sim.world.World#TOUCH_MM}. A body whose command presses against a contact turns but
+ * does not advance; it is free again when its command leads along or away, or when the gap exceeds
+ * {@link org.starl.sim.world.World#CLEAR_MM}. A body is never pushed. The cost of a body is
+ * proportional to the path that it drives, times the number of bodies within about a metre; a body
+ * at rest costs nothing.
  *
  * <p>May import: {@code org.starl} core, {@code org.starl.input}.
  */

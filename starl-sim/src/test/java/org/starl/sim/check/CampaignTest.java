@@ -54,7 +54,7 @@ class CampaignTest {
   }
 
   @Test
-  void itGoesOnAfterABadRunUnlessToldToStop() throws InterruptedException {
+  void aCampaignContinuesAfterABadRunUnlessConfiguredToStop() throws InterruptedException {
     CampaignResult all = new Campaign(1, 100, 3, false).run(seed -> outcome(seed, 10), SILENT);
     assertThat(all.runs()).hasSize(100);
     assertThat(all.count(Verdict.VIOLATED)).isEqualTo(10);
@@ -67,7 +67,7 @@ class CampaignTest {
   }
 
   @Test
-  void theFirstBadSeedCountsEvenIfALaterOneIsFoundBeforeIt() throws InterruptedException {
+  void theLowestBadSeedIsReportedEvenIfAnotherIsFoundEarlier() throws InterruptedException {
     CountDownLatch laterIsBad = new CountDownLatch(1);
     CampaignResult result =
         new Campaign(1, 1_000, 2, true)
@@ -85,7 +85,7 @@ class CampaignTest {
   }
 
   @Test
-  void eachThreadRunsOneAtATime() throws InterruptedException {
+  void eachThreadExecutesOneRunAtATime() throws InterruptedException {
     Set<String> busy = new ConcurrentSkipListSet<>();
     List<String> overlaps = Collections.synchronizedList(new ArrayList<>());
     new Campaign(1, 200, 4, false)
@@ -103,7 +103,7 @@ class CampaignTest {
   }
 
   @Test
-  void anExceptionMakesAFailedRun() throws InterruptedException {
+  void anExceptionIsAFailedRun() throws InterruptedException {
     CampaignResult result =
         new Campaign(1, 3, 2, false)
             .run(
@@ -121,7 +121,7 @@ class CampaignTest {
   }
 
   @Test
-  void anErrorThatIsNoExceptionEndsTheCampaign() {
+  void aThrownErrorEndsTheCampaign() {
     StackOverflowError error = new StackOverflowError("too deep");
     assertThatThrownBy(() ->
             new Campaign(1, 1_000, 2, false)
@@ -134,7 +134,7 @@ class CampaignTest {
   }
 
   @Test
-  void progressIsToldOnTheCallingThreadAfterEachRun() throws InterruptedException {
+  void progressIsReportedOnTheCallingThreadAfterEachRun() throws InterruptedException {
     List<Long> finished = new ArrayList<>();
     List<Thread> threads = new ArrayList<>();
     List<Long> bads = new ArrayList<>();
@@ -162,7 +162,7 @@ class CampaignTest {
   }
 
   @Test
-  void thereIsNoPercentileOfNothing() {
+  void anEmptySampleHasNoPercentile() {
     CampaignResult nothing = new CampaignResult(List.of());
     assertThatThrownBy(() -> nothing.percentile("x", 50)).hasMessageContaining("0 samples of 'x'");
   }

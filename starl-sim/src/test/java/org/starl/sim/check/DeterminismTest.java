@@ -31,7 +31,7 @@ class DeterminismTest {
     Object value(int round, GlobalVarHolder gvh, Rng rng);
   }
 
-  /** Goes to and fro; each round it tells of one value. */
+  /** Drives back and forth; traces one value per round. */
   private static final class Wanderer extends LogicThread {
     private final Step step;
     private final Rng rng;
@@ -60,7 +60,7 @@ class DeterminismTest {
   }
 
   @Test
-  void aSimulationThatDependsOnItsSeedAloneHolds() throws IOException {
+  void aSimulationThatDependsOnlyOnItsSeedPasses() throws IOException {
     Determinism check = verify((round, gvh, rng) -> rng.nextInt(1_000));
     assertThat(check.difference()).isNull();
     assertThat(check.holds()).isTrue();
@@ -71,7 +71,7 @@ class DeterminismTest {
   }
 
   @Test
-  void stateThatARunLeavesForTheNextIsFound() throws IOException {
+  void stateSharedBetweenRunsIsDetected() throws IOException {
     AtomicInteger calls = new AtomicInteger();
     Determinism check =
         verify((round, gvh, rng) -> {
@@ -92,7 +92,7 @@ class DeterminismTest {
   }
 
   @Test
-  void anAppThatLooksAtItsThreadIsFound() throws IOException {
+  void anAppThatReadsItsThreadIsDetected() throws IOException {
     assumeThat(BOTH_CARRIERS).isTrue();
     Determinism check = verify((round, gvh, rng) -> Thread.currentThread().isVirtual());
     Difference difference = Objects.requireNonNull(check.difference());
@@ -145,7 +145,7 @@ class DeterminismTest {
         "'ab,', 'a', 1 ab a",
         "'', 'x', 1 (nothing more) x"
       })
-  void theFirstLineThatDiffersIsFound(String reference, String written, @Nullable String expected)
+  void theFirstDifferingLineIsReported(String reference, String written, @Nullable String expected)
       throws IOException {
     byte[] bytes = reference.replace(',', '\n').getBytes(StandardCharsets.UTF_8);
     LineComparer comparer = new LineComparer(new ByteArrayInputStream(bytes));

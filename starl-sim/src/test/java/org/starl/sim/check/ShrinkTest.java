@@ -51,7 +51,7 @@ class ShrinkTest {
   }
 
   @Test
-  void allThatIsNotNeededGoes() {
+  void everythingUnneededIsRemoved() {
     Shrink.Result result =
         shrink(trial(12, 9), failsIf(t -> t.robots() >= 3 && t.endNs() > 12_340_000_000L));
     assertThat(result.trial()).isEqualTo(new Trial(3, List.of(), List.of(), 12_400_000_000L));
@@ -60,7 +60,7 @@ class ShrinkTest {
   }
 
   @Property(tries = 200)
-  void exactlyTheFaultsThatAreNeededStay(
+  void exactlyTheNeededFaultsRemain(
       @ForAll @Size(max = 5) List<@IntRange(max = 19) Integer> needed,
       @ForAll @IntRange(min = 1, max = 20) int robots) {
     List<Fault> all = faults(20);
@@ -87,7 +87,7 @@ class ShrinkTest {
   }
 
   @Test
-  void anotherLemmaIsAnotherFailure() {
+  void aViolationOfAnotherLemmaIsADifferentFailure() {
     Shrink.Result result =
         shrink(trial(8, 4), t -> violated(t.robots() >= 5 ? "Lemma" : "Other", S));
     assertThat(result.trial().robots()).isEqualTo(5);
@@ -95,7 +95,7 @@ class ShrinkTest {
   }
 
   @Test
-  void aTrialThatCannotRunIsNotKept() {
+  void aTrialThatCannotRunIsRejected() {
     Shrink.Result result =
         shrink(
             trial(8, 4),
@@ -112,7 +112,7 @@ class ShrinkTest {
   }
 
   @Test
-  void anUnfinishedRunIsNotMadeShorter() {
+  void anUnfinishedRunIsNotShortened() {
     RunOutcome unfinished =
         new RunOutcome(Verdict.UNFINISHED, "", -1, "not finished", new TreeMap<>());
     Shrink.Result result = shrink(trial(8, 4), t -> unfinished);
@@ -120,14 +120,14 @@ class ShrinkTest {
   }
 
   @Test
-  void anEndIsLookedForWhereTheTimeOfTheFailureIsNotKnown() {
+  void theEndIsSearchedIfTheTimeOfTheFailureIsUnknown() {
     RunOutcome failed = RunOutcome.failed(new IllegalStateException("on purpose"));
     Shrink.Result result = shrink(trial(1, 0), t -> t.endNs() > 77 * S ? failed : GOOD);
     assertThat(result.trial().endNs()).isBetween(77 * S, 81 * S);
   }
 
   @Test
-  void aLemmaOfTheRunsEndKeepsTheTimeThatItNeeds() {
+  void aLemmaCheckedAtTheEndKeepsTheTimeItNeeds() {
     // Found at the end, as progress is; in a run of less than 60 s it is not owed.
     Shrink.Result result =
         shrink(trial(1, 0), t -> t.endNs() >= 60 * S ? violated("Lemma", 5 * S) : GOOD);
@@ -135,7 +135,7 @@ class ShrinkTest {
   }
 
   @Test
-  void itIsTheSameEveryTimeAndRunsNoTrialTwice() {
+  void shrinkingIsDeterministicAndRunsNoTrialTwice() {
     List<List<String>> told = new ArrayList<>();
     for (int i = 0; i < 2; i++) {
       List<String> lines = new ArrayList<>();
@@ -158,7 +158,7 @@ class ShrinkTest {
   }
 
   @Test
-  void itStopsAfterSoManyRunsAndSaysSo() {
+  void shrinkingStopsAtTheLimitOfRunsAndReportsIt() {
     int[] runs = {0};
     Shrink.Result result =
         new Shrink(

@@ -21,14 +21,14 @@ class AirFaultsTest {
   private static final long UNTIL = 6 * S;
 
   @Test
-  void withoutFaultsEveryBeatArrivesAndNothingIsTold() {
+  void withoutFaultsEveryBeatArrivesAndNoFaultIsReported() {
     ProbeRun run = ProbeRun.of();
     assertThat(run.count(0, 1, 0, 12 * S)).isEqualTo(100);
     assertThat(run.faults()).isEmpty();
   }
 
   @Test
-  void lossStrikesForAsLongAsItSays() {
+  void lossLastsForItsDuration() {
     ProbeRun run = ProbeRun.of("loss(0.5," + FOR_3_S);
     assertThat(run.count(0, 1, FROM, UNTIL)).isBetween(5, 25);
     assertThat(run.count(0, 1, 0, FROM) + run.count(0, 1, UNTIL + 20 * MS, 12 * S))
@@ -41,13 +41,13 @@ class AirFaultsTest {
   }
 
   @Test
-  void certainLossLosesAll() {
+  void lossWithProbability1LosesEverything() {
     ProbeRun run = ProbeRun.of("loss(1," + FOR_3_S);
     assertThat(run.count(0, 1, FROM + 20 * MS, UNTIL)).isZero();
   }
 
   @Test
-  void lossOnALinkSparesOthers() {
+  void lossOnALinkDoesNotAffectOtherLinks() {
     ProbeRun run = ProbeRun.of("loss(1,from=bot0,to=bot1)");
     assertThat(run.count(0, 1, 0, 12 * S)).isZero();
     assertThat(run.count(1, 0, 0, 12 * S)).isEqualTo(100);
@@ -55,7 +55,7 @@ class AirFaultsTest {
   }
 
   @Test
-  void burstsLoseManyInARow() {
+  void burstsLoseConsecutiveMessages() {
     ProbeRun run = ProbeRun.of("burst(1s,1s)");
     List<TraceEvent.Delivered> heard = run.heard(0, 1, 0, 12 * S);
     assertThat(heard).hasSizeBetween(15, 85);
@@ -71,7 +71,7 @@ class AirFaultsTest {
   }
 
   @Test
-  void delayAddsToTheBaseAndLossStaysAsItIs() {
+  void delayAddsToTheBaseDelayAndDoesNotChangeLoss() {
     ProbeRun run = ProbeRun.of("delay(200ms," + FOR_3_S, "loss(0.5,from=bot0,to=bot2)");
     List<Long> delays = delaysMs(run, 1);
     assertThat(delays).hasSize(100).containsOnly(10L, 210L);
@@ -99,7 +99,7 @@ class AirFaultsTest {
   }
 
   @Test
-  void reorderingLetsLaterOnesOvertake() {
+  void reorderingLetsLaterMessagesOvertake() {
     ProbeRun run = ProbeRun.of("reorder(0.5,1s," + FOR_3_S);
     List<TraceEvent.Delivered> heard = run.heard(0, 1, 0, 12 * S);
     assertThat(heard).hasSize(100);
@@ -118,7 +118,7 @@ class AirFaultsTest {
   }
 
   @Test
-  void aPartitionCutsOneWay() {
+  void aOneWayPartitionCutsOneDirection() {
     ProbeRun run = ProbeRun.of("partition(bot0>bot1+bot2," + FOR_3_S);
     assertThat(run.count(0, 1, 0, 12 * S)).isEqualTo(70);
     assertThat(run.count(0, 2, 0, 12 * S)).isEqualTo(70);
@@ -155,7 +155,7 @@ class AirFaultsTest {
   }
 
   @Test
-  void aFaultThatIsTakenOutChangesNoOther() {
+  void removingAFaultDoesNotChangeOthers() {
     List<TraceEvent.Delivered> alone = ProbeRun.of("loss(0.5)").heard(0, 1, 0, 12 * S);
     List<TraceEvent.Delivered> beside =
         ProbeRun.of("duplicate(0.3,to=bot2)", "loss(0.5)", "loss(0.5,from=bot2,to=bot0)")

@@ -10,7 +10,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.trace.TraceEvent;
 
-/** Whoever has not got the key can disturb robots without one, and nobody else. */
+/** An attacker without the key disturbs only robots without a key. */
 class AttackTest {
 
   private static final long FROM = 3 * S;
@@ -51,7 +51,7 @@ class AttackTest {
 
   @ParameterizedTest
   @ValueSource(strings = {"forge(all,5ms)", "replay(all,5ms)", "flood(all,5ms)"})
-  void withAKeyEveryBeatIsHeardOnceAndNothingElse(String attack) {
+  void withAKeyEveryBeatIsReceivedOnceAndNothingElse(String attack) {
     ProbeRun run = ProbeRun.sealed(attack);
     for (int from = 0; from < 3; from++) {
       for (int to = 0; to < 3; to++) {

@@ -30,7 +30,7 @@ class ChaosTest {
   }
 
   @Property(tries = 300)
-  void aPlanIsOverInTimeAndCanBeWrittenDown(
+  void aPlanEndsInTimeAndCanBeWritten(
       @ForAll Envelope envelope, @ForAll long seed, @ForAll @IntRange(max = 100) int seconds) {
     FaultPlan plan = FaultPlan.chaos(envelope, 5, seconds * S, new Rng(seed));
     assertThat(plan).isEqualTo(FaultPlan.chaos(envelope, 5, seconds * S, new Rng(seed)));
@@ -50,7 +50,7 @@ class ChaosTest {
   }
 
   @Test
-  void everyEnvelopeDrawsWhatItHasAndNothingElse() {
+  void everyEnvelopeDrawsExactlyItsKindsOfFaults() {
     assertThat(kinds(Envelope.NONE)).isEmpty();
     Set<String> network = kinds(Envelope.NETWORK);
     assertThat(network)
@@ -75,7 +75,7 @@ class ChaosTest {
   }
 
   @Test
-  void chaosEndsAndThenAllRobotsHearEachOther() {
+  void afterChaosAllRobotsReceiveEachOther() {
     for (Envelope envelope :
         new Envelope[] {Envelope.NETWORK, Envelope.LOGICAL, Envelope.SPATIAL}) {
       for (long seed = 1; seed <= 10; seed++) {
@@ -87,7 +87,7 @@ class ChaosTest {
         assertThat(run.events)
             .as(what)
             .noneMatch(event -> event instanceof TraceEvent.Fault && event.timeNs() > healedNs);
-        // What was held up in the air arrives within 2 s, and then all is as without faults.
+        // Delayed datagrams arrive within 2 s; afterwards the run is as without faults.
         for (int from = 0; from < 3; from++) {
           for (int to = 0; to < 3; to++) {
             int sent = run.of(TraceEvent.Sent.class, from, 8 * S, 9 * S).size();
@@ -109,7 +109,7 @@ class ChaosTest {
   }
 
   @Test
-  void theMortalOnesLeaveAMajorityAlive() {
+  void permanentCrashesLeaveAMajorityAlive() {
     int dead = 0;
     for (long seed = 1; seed <= 20; seed++) {
       ProbeRun run = ProbeRun.of(probe(seed, Envelope.MORTAL));
@@ -124,7 +124,7 @@ class ChaosTest {
   }
 
   @Test
-  void chaosDependsOnTheSeedAloneOnBothCarriers() throws IOException {
+  void chaosDependsOnlyOnTheSeedOnBothCarriers() throws IOException {
     for (long seed = 1; seed <= 3; seed++) {
       long mine = seed;
       Determinism check = Determinism.verify(() -> probe(mine, Envelope.LOGICAL));

@@ -32,7 +32,7 @@ class FaultDeterminismTest {
   };
 
   @Test
-  void allFaultsTogetherDependOnTheSeedAloneOnBothCarriers() throws IOException {
+  void allFaultsTogetherDependOnlyOnTheSeedOnBothCarriers() throws IOException {
     for (int seed = 1; seed <= 3; seed++) {
       int mine = seed;
       Determinism check = Determinism.verify(() -> ProbeRun.simulation(mine, EVERYTHING));
@@ -41,7 +41,7 @@ class FaultDeterminismTest {
   }
 
   @Test
-  void unequalSeedsDrawOtherwise() {
+  void differentSeedsDrawDifferentFaults() {
     assertThat(ProbeRun.of(ProbeRun.simulation(1, EVERYTHING)).faults())
         .isNotEqualTo(ProbeRun.of(ProbeRun.simulation(2, EVERYTHING)).faults());
   }

@@ -59,7 +59,7 @@ class FaultGrammarTest {
         "ram(bot1,100mm/s)",
         "block(bot1,at=3s,for=10s)"
       })
-  void theShortestTextIsWrittenUnchanged(String text) {
+  void theShortestFormIsWrittenUnchanged(String text) {
     String canonical = text.replace("1min", "60s");
     assertThat(FaultGrammar.parse(text)).hasToString(canonical);
   }
@@ -78,7 +78,7 @@ class FaultGrammarTest {
         "noise(bot1,3cm,180deg); noise(bot1,30mm,3.141592653589793rad)",
         "burst(2s,200ms,1); burst(2s,200ms)"
       })
-  void freedomsOfWriting(String text, String canonical) {
+  void equivalentSpellingsAreAccepted(String text, String canonical) {
     assertThat(FaultGrammar.parse(text)).hasToString(canonical);
   }
 
@@ -88,12 +88,12 @@ class FaultGrammarTest {
   }
 
   @Property(tries = 200)
-  void plansToo(@ForAll("plans") FaultPlan plan) {
+  void aWrittenPlanIsReadBack(@ForAll("plans") FaultPlan plan) {
     assertThat(FaultPlan.parse(plan.toString())).isEqualTo(plan);
   }
 
   @Property
-  void anyTextIsAFaultOrBadInputInOneLine(@ForAll("typed") String text) {
+  void anyTextIsAFaultOrRefusedInOneLine(@ForAll("typed") String text) {
     try {
       FaultGrammar.parse(text);
     } catch (BadInput e) {
@@ -279,13 +279,13 @@ class FaultGrammarTest {
 
   @ParameterizedTest
   @MethodSource("kinds")
-  void theUsageOfEachKindIsAFault(FaultGrammar.Kind kind) {
+  void theUsageExampleOfEachKindIsAFault(FaultGrammar.Kind kind) {
     Fault fault = FaultGrammar.parse(kind.usage().replace("WHO", "any"));
     assertThat(fault.effect().name()).isEqualTo(kind.name());
   }
 
   @Test
-  void aPlanIsFaultsWithSemicolons() {
+  void aPlanIsAListOfFaultsSeparatedBySemicolons() {
     FaultPlan plan = FaultPlan.parse(" loss(0.3) ; crash(bot0,at=1s);");
     assertThat(plan.faults()).hasSize(2);
     assertThat(plan).hasToString("loss(0.3); crash(bot0,at=1s)");

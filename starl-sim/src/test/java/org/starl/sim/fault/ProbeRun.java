@@ -43,7 +43,7 @@ final class ProbeRun {
             }
           });
 
-  /** Beats, and says what its clock and its positioning say; bot0 drives along x meanwhile. */
+  /** Sends beats and traces its clock and its fixes; bot0 drives along x meanwhile. */
   private static final class Probe extends LogicThread {
 
     Probe(GlobalVarHolder gvh) {
@@ -164,7 +164,7 @@ final class ProbeRun {
         .toList();
   }
 
-  /** What the trace tells of faults: {@code ms robot name detail}. */
+  /** The faults in the trace: {@code ms robot name detail}. */
   List<String> faults() {
     List<String> lines = new ArrayList<>();
     for (TraceEvent event : events) {
@@ -176,7 +176,7 @@ final class ProbeRun {
     return lines;
   }
 
-  /** How far bot0 truly is along x at a time. */
+  /** The true x position of bot0 at a time. */
   double bot0XMm(long atNs) {
     Bodies bodies = new Bodies();
     events.stream().filter(event -> event.timeNs() <= atNs).forEach(bodies::observe);

@@ -38,7 +38,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aCrashWithoutRestartEndsAtOnceAndSkipsRobotsThatAreDown() {
+  void aCrashWithoutRestartEndsAtOnceAndSkipsCrashedRobots() {
     ProbeRun run = ProbeRun.of("crash(bot0,at=3s)", "crash(bot0,at=4s)");
     assertThat(run.faults())
         .containsExactly(
@@ -52,7 +52,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void anyIsDrawnFromThoseThatAreUp() {
+  void anyIsDrawnFromTheRobotsThatAreUp() {
     List<String> drawn = new ArrayList<>();
     for (int seed = 1; seed <= 20; seed++) {
       ProbeRun run =
@@ -66,7 +66,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void allCrashTogether() {
+  void allRobotsCrashTogether() {
     ProbeRun run = ProbeRun.of("crash(all,at=3s,restart=1s,lose=nothing)");
     assertThat(run.faults())
         .contains(
@@ -82,7 +82,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void slowWheelsDoAFraction() {
+  void slowWheelsDriveAFractionOfTheSpeed() {
     double soundMm = drivenMm(ProbeRun.of(), 4 * S, UNTIL);
     ProbeRun run = ProbeRun.of("slow(bot0,0.5," + FOR_3_S, "slow(bot0,0.5,at=5s,for=2s)");
     assertThat(drivenMm(run, 4 * S, 5 * S)).isBetween(0.2 * soundMm, 0.3 * soundMm);
@@ -108,7 +108,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void noiseIsTold() {
+  void positioningNoiseIsIncludedInTheBound() {
     ProbeRun run = ProbeRun.of("noise(bot1,40mm,until=3s)");
     assertThat(fixError(run, 0, FROM)).isBetween(5.0, 40.0);
     assertThat(said(run, 2, 0, 200 * MS)).isBetween(39.0, 41.0);
@@ -117,7 +117,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aDropoutLetsFixesAge() {
+  void fixesAgeDuringADropout() {
     ProbeRun run = ProbeRun.of("dropout(bot1," + FOR_3_S);
     assertThat(said(run, 3, FROM, UNTIL)).isGreaterThan(2.5 * S);
     assertThat(said(run, 3, 0, FROM)).isLessThan(0.2 * S);
@@ -125,7 +125,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aJumpIsNotTold() {
+  void aJumpIsNotIncludedInTheBound() {
     ProbeRun run = ProbeRun.of("jump(bot1,300mm,until=3s)");
     assertThat(fixError(run, 200 * MS, FROM)).isBetween(299.0, 301.0);
     assertThat(said(run, 2, 200 * MS, FROM)).isLessThan(10);
@@ -141,7 +141,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aClockThatDriftsGainsOrLoses() {
+  void aDriftingClockGainsOrLosesTime() {
     ProbeRun run = ProbeRun.of("drift(bot1,10000ppm,at=1s,until=6s)", "drift(bot2,-10000ppm)");
     assertThat(clockAheadMs(run, 0, 5 * S)).isZero();
     assertThat(clockAheadMs(run, 1, 0)).isZero();
@@ -154,7 +154,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aClockThatIsSkewedIsAheadOrBehindAndNeverRunsBackwards() {
+  void aSkewedClockIsAheadOrBehindAndNeverRunsBackwards() {
     ProbeRun run = ProbeRun.of("skew(bot1,50ms," + FOR_3_S, "skew(bot2,-50ms)");
     assertThat(clockAheadMs(run, 1, 2 * S)).isZero();
     assertThat(clockAheadMs(run, 1, 4 * S)).isEqualTo(50);
@@ -166,14 +166,14 @@ class RobotFaultsTest {
   }
 
   @Test
-  void theTraceOfARobotWithAWrongClockIsInTrueTime() {
+  void aRobotWithAWrongClockIsTracedInTrueTime() {
     ProbeRun run = ProbeRun.of("skew(bot1,1s)");
     assertThat(run.events.stream().map(TraceEvent::timeNs).toList()).isSorted();
     assertThat(run.heard(1, 0, 0, S)).isNotEmpty();
   }
 
   @Test
-  void computingHoldsTheStrandAndNothingIsLost() {
+  void aBusyProcessorHoldsTheStrandAndLosesNothing() {
     ProbeRun run = ProbeRun.of("compute(bot1,40ms," + FOR_3_S);
     // 20 beats a second come in and 10 steps of the app: more than 25 actions of 40 ms.
     assertThat(run.count(0, 1, FROM, UNTIL)).isLessThan(30);
@@ -195,7 +195,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aRammerMeetsTheRobotAndVanishes() {
+  void aRammerTouchesTheRobotAndDisappears() {
     ProbeRun run = ProbeRun.of("ram(bot0," + FOR_3_S);
     assertThat(joined(run, "intruder0.0")).isEqualTo(1);
     assertThat(moved(run, "intruder0.0")).isPositive();
@@ -205,7 +205,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aBlockerParksInTheWay() {
+  void aBlockerParksInTheWayOfTheRobot() {
     ProbeRun run = ProbeRun.of("block(bot0," + FOR_3_S);
     assertThat(joined(run, "intruder0.0")).isEqualTo(1);
     assertThat(moved(run, "intruder0.0")).isZero();
@@ -233,7 +233,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aRobotThatRestartsIsStillImpaired() {
+  void aFaultPersistsAfterARestart() {
     ProbeRun run = ProbeRun.of("stuck(bot0,at=2s)", "crash(bot0,at=3s,restart=1s)");
     assertThat(drivenMm(run, 2 * S, 9 * S)).isZero();
     ProbeRun all = ProbeRun.of("stuck(all)", "crash(bot0,at=3s,restart=1s)");
@@ -241,7 +241,7 @@ class RobotFaultsTest {
   }
 
   @Test
-  void aRobotThatNeverWasIsBadInput() {
+  void anUnknownRobotIsBadInput() {
     String[] faults = {
       "crash(bot7)",
       "loss(0.1,from=bot7)",

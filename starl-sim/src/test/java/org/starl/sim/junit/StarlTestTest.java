@@ -31,7 +31,7 @@ class StarlTestTest {
   private static final String FIXTURE = "starl.fixture";
   private static final Pattern SEED = Pattern.compile("-Dstarl\\.seed=(-?\\d+)");
 
-  /** Keeps the fixtures below, some of which fail, from whoever looks for tests. */
+  /** Hides the fixtures below, some of which fail, from test discovery. */
   static final class OnlyFromHere implements ExecutionCondition {
     @Override
     public ConditionEvaluationResult evaluateExecutionCondition(ExtensionContext context) {
@@ -191,7 +191,7 @@ class StarlTestTest {
   }
 
   @Test
-  void itPassesWhenEverySeedDoes() {
+  void theTestPassesIfEverySeedPasses() {
     for (String good : List.of("good", "longEnough")) {
       run(good, "").testEvents().assertStatistics(stats -> stats.started(1).succeeded(1));
     }
@@ -216,12 +216,12 @@ class StarlTestTest {
   }
 
   @Test
-  void aGoodSeedAlonePasses() {
+  void aSingleGoodSeedPasses() {
     run("planted", "11").testEvents().assertStatistics(stats -> stats.started(1).succeeded(1));
   }
 
   @Test
-  void theSeedMayBeASystemProperty() {
+  void theSeedCanBeASystemProperty() {
     System.setProperty(StarlExtension.SEED, "25");
     try {
       Throwable failure =
@@ -239,7 +239,7 @@ class StarlTestTest {
   }
 
   @Test
-  void anAppThatThrowsIsTheCause() {
+  void anExceptionOfAnAppIsTheCause() {
     Throwable failure = failure(run("throwing", ""));
     assertThat(failure).hasMessageContaining("3 of 3 runs").hasMessageContaining("on purpose");
     assertThat(failure).hasRootCauseMessage("on purpose");
@@ -252,7 +252,7 @@ class StarlTestTest {
   }
 
   @Test
-  void aCheckThatDoesNotHoldFailsAndManySeedsAreCounted() {
+  void aFailedCheckFailsTheTestAndTheSeedsAreCounted() {
     List<String> lines = failureLines("wrongResult", "");
     assertThat(lines.get(0)).endsWith("8 of 10 runs went wrong");
     assertThat(lines).anyMatch(line -> line.startsWith("  seed 3: ")).contains("  and 3 more");
@@ -260,7 +260,7 @@ class StarlTestTest {
   }
 
   @Test
-  void faultsHappenAndAreTold() {
+  void faultsAreAppliedAndReported() {
     assertThat(failureLines("crashed", ""))
         .hasSizeGreaterThan(4)
         .contains("faults of seed 1: crash(bot1,at=150ms)");
@@ -269,7 +269,7 @@ class StarlTestTest {
   }
 
   @Test
-  void anErrorInTheAnnotationIsTold() {
+  void anErrorInTheAnnotationIsReported() {
     assertThat(failure(run("badFault", "")))
         .hasMessageContaining("faults: ")
         .hasMessageContaining("crush");
@@ -277,7 +277,7 @@ class StarlTestTest {
   }
 
   @Test
-  void aScenarioThatThrowsSaysItsSeed() {
+  void anExceptionOfAScenarioNamesTheSeed() {
     Throwable failure = failure(run("badScenario", ""));
     assertThat(failure).isInstanceOf(AssertionError.class);
     assertThat(failure.getSuppressed())
@@ -288,7 +288,7 @@ class StarlTestTest {
   }
 
   @Test
-  void anAssumptionThatDoesNotHoldAborts() {
+  void aFailedAssumptionAbortsTheTest() {
     run("assuming", "").testEvents().assertStatistics(stats -> stats.started(1).aborted(1));
   }
 }

@@ -6,7 +6,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** What the queue's property does not see: that cells are used again. */
+/** Cells are reused, which the property of the queue does not check. */
 class BucketRingTest {
 
   private static final int EVENTS = 1000;
@@ -14,7 +14,7 @@ class BucketRingTest {
   private final BucketRing ring = new BucketRing();
 
   @Test
-  void theCellsOfBucketsThatAreOverAreUsedAgain() {
+  void theCellsOfPastBucketsAreReused() {
     int room = 0;
     for (long bucket = 0; bucket < 3L * BucketRing.BUCKETS; bucket += 1000) {
       List<Integer> cells = new ArrayList<>();
@@ -33,7 +33,7 @@ class BucketRingTest {
   }
 
   @Test
-  void aBucketOfRemovedEventsIsOpenedAsAnEmptyOne() {
+  void aBucketWhoseEventsWereRemovedIsEmpty() {
     ring.remove(ring.add(5, 0, 7));
     assertThat(ring.isEmpty()).isFalse();
     assertThat(ring.distanceToNext(-1)).isEqualTo(6);

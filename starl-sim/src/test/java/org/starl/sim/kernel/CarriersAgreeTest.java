@@ -23,7 +23,7 @@ class CarriersAgreeTest {
   }
 
   @Property(tries = 20)
-  void unequalSeedsGiveUnequalLogs(@ForAll long seed) {
+  void differentSeedsGiveDifferentLogs(@ForAll long seed) {
     List<String> one = new RandomRun(CarrierKind.VIRTUAL, seed, 6).log();
     List<String> other = new RandomRun(CarrierKind.VIRTUAL, seed + 1, 6).log();
     assertThat(one).isNotEqualTo(other);

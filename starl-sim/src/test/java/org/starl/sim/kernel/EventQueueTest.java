@@ -38,7 +38,7 @@ class EventQueueTest {
   }
 
   @Property(tries = 200)
-  void eventsOfEqualTimeComeInTheOrderOfTheirScheduling(@ForAll("aheadNs") long atNs) {
+  void eventsOfEqualTimeComeInSchedulingOrder(@ForAll("aheadNs") long atNs) {
     Both both = new Both();
     for (int i = 0; i < 200; i++) {
       both.add(atNs);
@@ -52,7 +52,7 @@ class EventQueueTest {
   }
 
   @Example
-  void aRemovedEventLeavesNothingBehind() {
+  void aRemovedEventIsReleased() {
     for (long aheadNs : new long[] {0, 5, BUCKET_NS, RING_NS - 1, RING_NS, HOUR_NS}) {
       EventQueue queue = new EventQueue();
       List<Integer> slots = new ArrayList<>();
@@ -68,7 +68,7 @@ class EventQueueTest {
   }
 
   @Example
-  void anEventOfTheLastInstantComes() {
+  void anEventAtTheLastInstantIsDelivered() {
     EventQueue queue = new EventQueue();
     queue.add(Long.MAX_VALUE, null, () -> {});
     queue.add(3 * HOUR_NS, null, () -> {});

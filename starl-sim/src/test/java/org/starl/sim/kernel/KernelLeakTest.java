@@ -10,11 +10,11 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.platform.Timer;
 
-/** What a run leaves behind: nothing. */
+/** A run leaves no memory and no thread behind. */
 class KernelLeakTest {
 
   @Test
-  void manyRunsOfParkedRobotsLeaveNothingOnTheHeap() {
+  void runsWithParkedRobotsDoNotLeakMemory() {
     List<WeakReference<Object>> apps = new ArrayList<>();
     for (int run = 0; run < 2000; run++) {
       apps.add(runOfParkedRobots(CarrierKind.VIRTUAL, 200));
@@ -46,7 +46,7 @@ class KernelLeakTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAppThatHasEndedIsForgotten(CarrierKind kind) {
+  void anEndedAppIsReleased(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       WeakReference<Object> app = endedApp(kernel);
       System.gc();
@@ -55,7 +55,7 @@ class KernelLeakTest {
   }
 
   @Test
-  void aTimerThatIsSetAMillionTimesIsOneEvent() {
+  void aTimerSetAMillionTimesIsOneEvent() {
     try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
       SimStrand robot = kernel.strand("robot0");
       Timer timer = robot.timer(() -> {});

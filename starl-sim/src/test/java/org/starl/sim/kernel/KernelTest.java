@@ -18,7 +18,7 @@ class KernelTest {
   private final List<String> log = new ArrayList<>();
 
   @Test
-  void virtualCarriersAreTheBestSinceJava24() {
+  void virtualThreadsAreTheDefaultSinceJava24() {
     if (Runtime.version().feature() >= 24) {
       assertThat(CarrierKind.fallbackReason()).isNull();
       assertThat(CarrierKind.best()).isEqualTo(CarrierKind.VIRTUAL);
@@ -49,7 +49,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void prefetchingChangesNothing(CarrierKind kind) {
+  void prefetchingDoesNotChangeTheOrder(CarrierKind kind) {
     List<String> plain = runOfACrowd(kind, strand -> {});
     List<String> hinted =
         runOfACrowd(
@@ -61,7 +61,7 @@ class KernelTest {
     assertThat(plain).hasSize(3 * 39 + 1).isEqualTo(hinted);
   }
 
-  /** Forty apps whose events share an instant; the last one's strand is closed by the first. */
+  /** Forty apps with events at one instant; the first app closes the strand of the last one. */
   private List<String> runOfACrowd(CarrierKind kind, Consumer<SimStrand> atStart) {
     log.clear();
     try (Kernel kernel = new Kernel(kind)) {
@@ -94,7 +94,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void aSleepUntilThePastReturnsAfterAllThatIsDue(CarrierKind kind) {
+  void aSleepUntilThePastReturnsAfterAllDueEvents(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       robot.start(() -> {
@@ -110,7 +110,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAwaitingAppGoesOnRightAfterThePieceThatMadeItsConditionTrue(CarrierKind kind) {
+  void anAwaitingAppResumesDirectlyAfterThePieceThatMakesItsConditionTrue(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       int[] received = {0};
@@ -152,7 +152,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void aTimerThatIsSetAnewForgetsItsOlderSetting(CarrierKind kind) {
+  void settingATimerAgainReplacesItsExpiry(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       Timer timer = robot.timer(() -> log.add("expired " + kernel.nowNs()));
@@ -186,7 +186,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void aClosedStrandRunsNothingMoreAndUnwindsItsApp(CarrierKind kind) {
+  void closingAStrandStopsItsPiecesAndUnwindsItsApp(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       Timer timer = robot.timer(() -> log.add("timer"));
@@ -258,7 +258,7 @@ class KernelTest {
 
   @ParameterizedTest
   @EnumSource
-  void aRobotThatClosesAnotherDoesSoAfterItsOwnPiece(CarrierKind kind) {
+  void aRobotClosedByAnotherEndsAfterTheCallersPiece(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand victim = kernel.strand("victim");
       SimStrand killer = kernel.strand("killer");
@@ -305,7 +305,7 @@ class KernelTest {
   }
 
   @Test
-  void runStopsWhereItIsTold() {
+  void runStopsAtTheGivenTime() {
     try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
       for (int at = 0; at < 5; at++) {
         kernel.schedule(at * 10L, () -> log.add("at " + kernel.nowNs()));

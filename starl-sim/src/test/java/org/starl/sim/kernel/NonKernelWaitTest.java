@@ -24,7 +24,7 @@ class NonKernelWaitTest {
 
   @ParameterizedTest
   @EnumSource
-  void theKernelWaitsForAnAppThatWaitsElsewhere(CarrierKind kind) {
+  void theKernelWaitsForAnAppThatBlocksOutsideTheKernel(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       CountDownLatch entered = new CountDownLatch(1);
@@ -50,7 +50,7 @@ class NonKernelWaitTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAppThatWaitsElsewhereForTooLongIsReportedWithItsStack(CarrierKind kind) {
+  void anAppThatBlocksOutsideTheKernelForTooLongIsReportedWithItsStack(CarrierKind kind) {
     RobotError error = errorOf(kind, robot -> waitFor(new CountDownLatch(1)));
     assertThat(error)
         .hasMessageContaining("robot0")
@@ -62,7 +62,7 @@ class NonKernelWaitTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAppThatHasParkedForGoodIsReported(CarrierKind kind) {
+  void anAppThatParksForeverIsReported(CarrierKind kind) {
     RobotError error =
         errorOf(
             kind,
@@ -76,7 +76,7 @@ class NonKernelWaitTest {
 
   @ParameterizedTest
   @EnumSource
-  void closingInterruptsAnAppThatWaitsElsewhere(CarrierKind kind) {
+  void closingInterruptsAnAppThatBlocksOutsideTheKernel(CarrierKind kind) {
     Kernel kernel = new Kernel(kind, SHORT);
     SimStrand robot = kernel.strand("robot0");
     robot.start(() -> {
@@ -93,7 +93,7 @@ class NonKernelWaitTest {
 
   @ParameterizedTest
   @EnumSource
-  void anInterruptedAppSleepsInVirtualTimeAllTheSame(CarrierKind kind) {
+  void anInterruptedAppStillSleepsInVirtualTime(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       robot.start(() -> {
@@ -108,7 +108,7 @@ class NonKernelWaitTest {
 
   @ParameterizedTest
   @EnumSource
-  void aYieldAndALeftOverPermitChangeNothing(CarrierKind kind) {
+  void aYieldAndALeftOverPermitHaveNoEffect(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand robot = kernel.strand("robot0");
       robot.start(() -> {
@@ -126,7 +126,7 @@ class NonKernelWaitTest {
   }
 
   @Test
-  void aWaitInAStaticInitialiserIsReportedWhereItWouldHoldTheKernel() {
+  void aWaitInAStaticInitialiserIsReportedIfItWouldBlockTheKernel() {
     RobotError error =
         errorOf(
             CarrierKind.VIRTUAL,

@@ -12,7 +12,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.platform.StrandClosed;
 
-/** Bugs of a robot's program end the run, and say where and when. */
+/** Bugs in a robot's program end the run, with place and time in the message. */
 class RobotErrorTest {
 
   @ParameterizedTest
@@ -34,7 +34,7 @@ class RobotErrorTest {
 
   @ParameterizedTest
   @EnumSource
-  void anErrorOfTheAppEndsTheRunToo(CarrierKind kind) {
+  void anErrorOfTheAppEndsTheRun(CarrierKind kind) {
     RobotError error =
         errorOf(
             kind,
@@ -87,7 +87,7 @@ class RobotErrorTest {
 
   @ParameterizedTest
   @EnumSource
-  void aRobotThatWaitsOnAnothersStrandIsABug(CarrierKind kind) {
+  void waitingOnTheStrandOfAnotherRobotIsABug(CarrierKind kind) {
     try (Kernel kernel = new Kernel(kind)) {
       SimStrand other = kernel.strand("other");
       SimStrand robot = kernel.strand("robot0");
@@ -102,7 +102,7 @@ class RobotErrorTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAppThatWillNotEndIsReported(CarrierKind kind) {
+  void anAppThatDoesNotEndIsReported(CarrierKind kind) {
     Kernel kernel = new Kernel(kind);
     SimStrand robot = kernel.strand("robot0");
     int[] told = {0};
@@ -125,7 +125,7 @@ class RobotErrorTest {
 
   @ParameterizedTest
   @EnumSource
-  void anAppThatWaitsOnceMoreOnItsWayOutIsToldAgain(CarrierKind kind) {
+  void anAppThatWaitsWhileItUnwindsIsInterruptedAgain(CarrierKind kind) {
     List<String> log = new ArrayList<>();
     Kernel kernel = new Kernel(kind);
     SimStrand robot = kernel.strand("robot0");
@@ -170,7 +170,7 @@ class RobotErrorTest {
   }
 
   @Test
-  void anExceptionOfTheWorldComesThroughAsItIs() {
+  void anExceptionOfTheWorldIsRethrownUnchanged() {
     try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
       IllegalStateException bug = new IllegalStateException("the world is flat");
       kernel.schedule(

@@ -13,7 +13,7 @@ class SimBackgroundTest {
   private final List<String> log = new ArrayList<>();
 
   @Test
-  void aTaskTakesItsTimeAndTheNextOneWaitsForTheWorker() {
+  void aTaskTakesItsCostAndTheNextWaitsForTheWorker() {
     SimBackground background = new SimBackground(kernel, strand, 100);
     kernel.schedule(
         1000,
@@ -30,7 +30,7 @@ class SimBackgroundTest {
   }
 
   @Test
-  void aTaskOfNoCostIsDoneInTheNextPieceAtTheSameTime() {
+  void aTaskWithoutCostCompletesInTheNextPieceAtTheSameTime() {
     SimBackground background = new SimBackground(kernel, strand, 0);
     kernel.schedule(
         1000,
@@ -44,7 +44,7 @@ class SimBackgroundTest {
   }
 
   @Test
-  void aStrandThatIsClosedMeanwhileHearsOfNothing() {
+  void aClosedStrandReceivesNoResult() {
     SimBackground background = new SimBackground(kernel, strand, 100);
     kernel.schedule(1000, strand, () -> background.submit(() -> note("task"), () -> note("done")));
     kernel.schedule(1050, strand::close);

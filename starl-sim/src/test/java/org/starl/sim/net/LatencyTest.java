@@ -35,13 +35,13 @@ final class LatencyTest {
         "exponential(50ms)",
         "1500us"
       })
-  void textsReadBack(String text) {
+  void writtenDelaysAreReadBack(String text) {
     assertThat(Latency.parse(text)).hasToString(text);
     assertThat(Latency.parse(" " + text.replace(",", " , ") + " ")).hasToString(text);
   }
 
   @Test
-  void constantIsReadByNameToo() {
+  void aConstantDelayCanBeNamed() {
     assertThat(Latency.parse("constant(5ms)")).isEqualTo(new Latency.Constant(5_000_000));
   }
 
@@ -68,7 +68,7 @@ final class LatencyTest {
   }
 
   @Test
-  void meansAreAsStated() {
+  void theMeansAreAsDeclared() {
     assertThat(meanMs(Latency.parse("uniform(10ms,30ms)"))).isCloseTo(20, within(0.1));
     assertThat(meanMs(Latency.parse("normal(100ms,20ms)"))).isCloseTo(100, within(0.3));
     assertThat(meanMs(Latency.parse("exponential(50ms)"))).isCloseTo(50, within(0.6));

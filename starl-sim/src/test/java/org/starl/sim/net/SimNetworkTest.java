@@ -106,7 +106,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void lossStrikesEachRecipientOnItsOwn() {
+  void lossIsIndependentForEachRecipient() {
     Air air = new Air(3);
     air.network.base(new Latency.Constant(0), new Loss(0.5));
     for (int i = 0; i < 2000; i++) {
@@ -124,7 +124,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void oneMoreRobotChangesNoOtherRobotsDraws() {
+  void anAdditionalRobotDoesNotChangeTheRandomNumbersOfOthers() {
     Air few = new Air(3);
     Air many = new Air(5);
     for (Air air : List.of(few, many)) {
@@ -145,7 +145,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void unequalSeedsGiveUnequalDelays() {
+  void differentSeedsGiveDifferentDelays() {
     List<List<String>> logs = new ArrayList<>();
     for (long seed = 0; seed < 2; seed++) {
       Kernel time = new Kernel(CarrierKind.VIRTUAL);
@@ -163,7 +163,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aRuleMaySendWhileItJudges() {
+  void aRuleMaySendDuringItsDecision() {
     Air air = new Air(3);
     air.network.base(new Latency.Constant(1 * MS), Loss.NONE);
     air.network.install(copy -> {
@@ -179,7 +179,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aRuleMayTakeTheAddresseeOffTheAir() {
+  void aRuleMayRemoveTheReceiver() {
     Air air = new Air(2);
     air.network.install(copy -> {
       air.network.detach(copy.to());
@@ -194,7 +194,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void theFirstRuleThatAnswersDecidesUntilItsHandleTakesItOut() {
+  void theFirstRuleThatAnswersDecidesUntilItIsRemoved() {
     Air air = new Air(2);
     LinkRule.Handle late = air.network.install(copy -> Verdict.deliverAfter(30 * MS));
     LinkRule.Handle cut = air.network.install(copy -> Verdict.drop("partition"));
@@ -212,7 +212,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aRuleThatDrawsAndPassesChangesNoBaseDelay() {
+  void aRuleThatDrawsAndPassesDoesNotChangeBaseDelays() {
     Air plain = new Air(2);
     Air ruled = new Air(2);
     ruled.network.install(copy -> copy.rng().nextBoolean(0) ? Verdict.drop("never") : Verdict.PASS);
@@ -227,7 +227,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aPartitionSplitsUntilItHeals() {
+  void aPartitionLastsUntilItHeals() {
     Air air = new Air(4);
     LinkRule.Handle split =
         air.network.install(Partition.isolating(new RobotId("bot0"), new RobotId("bot1")));
@@ -253,7 +253,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void rulesThatDelayAndRepeatAddToWhatLaterRulesAndTheBaseDecide() {
+  void delaysAndCopiesOfRulesAddToLaterDecisions() {
     Air air = new Air(2);
     air.network.base(new Latency.Constant(5 * MS), Loss.NONE);
     LinkRule.Handle dropping = air.network.install(copy -> Verdict.drop("rule"));
@@ -283,7 +283,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aRobotThatLeftReceivesAndSendsNothing() {
+  void aRemovedRobotReceivesAndSendsNothing() {
     Air air = new Air(3);
     air.network.base(new Latency.Constant(10 * MS), Loss.NONE);
     air.broadcast("bot0", "first");
@@ -304,7 +304,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aRobotThatReturnsDrawsNewDelays() {
+  void aReturningRobotDrawsNewDelays() {
     Air air = new Air(2);
     air.network.base(new Latency.Uniform(0, 1000 * MS), Loss.NONE);
     for (int incarnation = 0; incarnation < 3; incarnation++) {
@@ -338,7 +338,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void anExplorerCanMakeEveryChoice() {
+  void anExplorerControlsEveryChoice() {
     Air air = new Air(2);
     air.network.base(Latency.parse("uniform(0ms,10ms)"), new Loss(0.5));
     List<Long> asked = new ArrayList<>();
@@ -354,7 +354,7 @@ final class SimNetworkTest {
   }
 
   @Test
-  void theNetworkChoosesBySeedByDefault() {
+  void theNetworkChoosesRandomlyByDefault() {
     Air byItself = new Air(2);
     Air byChoice = new Air(2);
     byChoice.network.choice(LinkChoice.seeded());

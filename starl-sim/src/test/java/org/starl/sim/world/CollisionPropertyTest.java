@@ -44,7 +44,7 @@ final class CollisionPropertyTest {
   }
 
   @Property(tries = 20)
-  void freeBodiesGoWhereTheirCommandsLead(@ForAll long seed) {
+  void freeBodiesFollowTheirCommands(@ForAll long seed) {
     Rng rng = new Rng(seed);
     World world = new World(time, time, new TestTrace(), WorldLimits.CREATE, Obstacles.NONE);
     bodies.clear();

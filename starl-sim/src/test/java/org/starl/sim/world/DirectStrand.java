@@ -3,7 +3,7 @@ package org.starl.sim.world;
 import java.util.function.BooleanSupplier;
 import org.starl.platform.Strand;
 
-/** Runs what is posted at once; for tests in which nothing waits. */
+/** Runs posted actions at once; for tests without waits. */
 final class DirectStrand implements Strand {
 
   @Override

@@ -17,7 +17,7 @@ import org.starl.geometry.Point;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
 
-/** Grid maps: what they say, and that every bad line is named. */
+/** Grid maps are read, and errors name every bad line. */
 class GridMapsTest {
 
   private static final String SMALL =
@@ -32,7 +32,7 @@ class GridMapsTest {
       """;
 
   @Test
-  void theFirstLineOfAMapIsItsTop() {
+  void theFirstLineOfAMapIsItsTopRow() {
     GridMap map = GridMaps.parse("small.map", SMALL);
     assertThat(map.columns()).isEqualTo(4);
     assertThat(map.rows()).isEqualTo(3);
@@ -47,7 +47,7 @@ class GridMapsTest {
   }
 
   @Test
-  void lineEndsAndBlankLinesAtTheEndDoNotMatter() {
+  void lineEndingsAndTrailingBlankLinesAreIgnored() {
     assertThat(GridMaps.parse("a", SMALL.replace("\n", "\r\n") + "\n\n").freeCells()).isEqualTo(6);
   }
 
@@ -67,14 +67,14 @@ class GridMapsTest {
           height 3    | height 4    | small.map:8: '': expected 4 cells, as line 3 says, not 0
           height 3    | height 2    | small.map:7: '..OW': expected no more than the 2 rows that line 2 tells of
           """)
-  void aBadLineIsNamed(String good, String bad, String message) {
+  void theErrorNamesTheBadLine(String good, String bad, String message) {
     assertThatThrownBy(() -> GridMaps.parse("small.map", SMALL.replace(good, bad)))
         .isInstanceOf(BadInput.class)
         .hasMessage(message);
   }
 
   @Test
-  void aFileThatIsMissingOrNoTextIsTold(@TempDir Path folder) throws Exception {
+  void missingAndBinaryFilesAreReported(@TempDir Path folder) throws Exception {
     Path missing = folder.resolve("a.map");
     assertThatThrownBy(() -> GridMaps.read(missing)).hasMessageContaining("a.map: no such file");
     assertThatThrownBy(() -> GridMaps.read(folder)).hasMessageContaining("is a folder");
@@ -85,7 +85,7 @@ class GridMapsTest {
   }
 
   @Property(tries = 200)
-  void theWallsAreTheBlockedCellsAndNothingElse(@ForAll long seed) {
+  void theWallsCoverExactlyTheBlockedCells(@ForAll long seed) {
     Rng rng = new Rng(seed);
     int columns = 1 + rng.nextInt(9);
     int rows = 1 + rng.nextInt(9);
@@ -126,7 +126,7 @@ class GridMapsTest {
     "ht_chantry, 162, 141, 7461, 220",
     "Berlin_1_256, 256, 256, 47540, 1300"
   })
-  void theBenchmarksMapsLoad(String name, int columns, int rows, int free, int mostWalls) {
+  void theBenchmarkMapsLoad(String name, int columns, int rows, int free, int mostWalls) {
     Path folder = Path.of(System.getProperty("starl.shared", "../../shared")).resolve("data/maps");
     assumeTrue(Files.isDirectory(folder), "skipped: no folder " + folder + " (-Dstarl.shared)");
     GridMap map = GridMaps.read(folder.resolve(name + ".map"));

@@ -44,7 +44,7 @@ final class PortsTest {
   }
 
   @Test
-  void withoutNoiseAFixIsTheTruth() {
+  void withoutNoiseAFixIsTheTruePose() {
     Body body = bot(0, 0);
     body.drive(new WheelCommand(200, 0.1));
     List<Fix> fixes = fixes(body, 1, PositionNoise.NONE, 0.3);
@@ -55,7 +55,7 @@ final class PortsTest {
   }
 
   @Property(tries = 50)
-  void theStatedErrorBoundIsTrueForEveryFix(@ForAll long seed) {
+  void everyFixIsWithinItsErrorBound(@ForAll long seed) {
     Body body = bot(0, 12_345_678);
     PositionNoise noise = new PositionNoise(20, 0.05);
     double largest = 0;
@@ -83,7 +83,7 @@ final class PortsTest {
   }
 
   @Test
-  void phasesDependOnTheSeedAndSpreadOverThePeriod() {
+  void phasesDependOnTheSeedAndCoverThePeriod() {
     Rng root = new Rng(5);
     long least = Long.MAX_VALUE;
     long most = 0;
@@ -98,7 +98,7 @@ final class PortsTest {
   }
 
   @Test
-  void positioningCanFallSilentAndComeBackInStep() {
+  void positioningResumesInPhaseAfterAnOutage() {
     Body body = bot(0, 0);
     SimPositioning positioning =
         new SimPositioning(time, time, time, new Rng(1), PositionNoise.NONE, 75 * MS, 10 * MS);
@@ -114,7 +114,7 @@ final class PortsTest {
   }
 
   @Test
-  void bumpsAreToldOnTheRobotsStrand() {
+  void bumpsAreReportedOnTheRobotsStrand() {
     try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
       World floor =
           new World(kernel, kernel::timer, new TestTrace(), WorldLimits.CREATE, Obstacles.NONE);
@@ -152,7 +152,7 @@ final class PortsTest {
   }
 
   @Test
-  void stuckWheelsStandAndSoundOnesGoOn() {
+  void stuckWheelsStopAndRepairedWheelsContinue() {
     Body body = bot(0, 0);
     SimChassis chassis = new SimChassis(new DirectStrand(), new Rng(9), 0);
     chassis.mount(body);
@@ -170,7 +170,7 @@ final class PortsTest {
   }
 
   @Test
-  void aFlushedWriteSurvivesARestartAndAnotherDoesNot() {
+  void aFlushedWriteSurvivesARestartAndAnUnflushedOneDoesNot() {
     SimStable stable = new SimStable(time, 10 * MS);
     stable.restart(time);
     List<String> flushed = new ArrayList<>();
@@ -203,7 +203,7 @@ final class PortsTest {
   }
 
   @Test
-  void aSlowDiskMadeFastKeepsItsOrder() {
+  void aSlowDiskMadeFastKeepsTheOrderOfWrites() {
     SimStable stable = new SimStable(time, 100 * MS);
     stable.restart(time);
     List<String> flushed = new ArrayList<>();

@@ -18,7 +18,7 @@ public final class TestTime implements Clock, Timers {
     return nowNs;
   }
 
-  /** How many events have run. */
+  /** The number of events run so far. */
   public long events() {
     return events;
   }

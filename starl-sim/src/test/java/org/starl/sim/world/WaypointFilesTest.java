@@ -19,7 +19,7 @@ import org.starl.input.BadInput;
 
 final class WaypointFilesTest {
 
-  /** {@code shared/data} beside the checkout, or below what {@code -Dstarl.shared} says. */
+  /** {@code shared/data} beside the checkout, or in the folder {@code -Dstarl.shared}. */
   private static Path original() {
     String shared = System.getProperty("starl.shared", "../../shared");
     Path folder = Path.of(shared).resolve("data/starl-original");
@@ -28,7 +28,7 @@ final class WaypointFilesTest {
   }
 
   @Test
-  void everyFileOfTheFirstStarLIsRead() throws IOException {
+  void everyFileOfTheOriginalStarLIsRead() throws IOException {
     List<Path> files;
     try (Stream<Path> all = Files.walk(original())) {
       files = all.filter(path -> path.toString().endsWith(".wpt")).sorted().toList();
@@ -43,7 +43,7 @@ final class WaypointFilesTest {
   }
 
   @Test
-  void theFirstIntersectionIsReadWhole() {
+  void theOriginalIntersectionFileIsReadCompletely() {
     Path folder = original().resolve("intersection");
     WaypointFile goals = WaypointFiles.read(folder.resolve("dest.wpt"));
     assertThat(goals.waypoints()).hasSize(22);
@@ -59,7 +59,7 @@ final class WaypointFilesTest {
   }
 
   @Test
-  void theFirstMazeIsHiddenAndTheFirstSearchHasThingsToFind() {
+  void theOriginalMazeIsHiddenAndTheOriginalSearchHasObjects() {
     Path folder = original();
     WaypointFile maze = WaypointFiles.read(folder.resolve("maze/obstacles.wpt"));
     assertThat(maze.obstacles().all()).hasSize(9).allMatch(Obstacle::hidden);
@@ -110,7 +110,7 @@ final class WaypointFilesTest {
         "Hidden;0,0;1,1;-2 | with a lifetime in whole ms, or -1 for ever",
         "Hidden;0,0;1,1 | expected Hidden;x,y;x,y[;x,y];lifetime with two corners or more"
       })
-  void aBrokenLineIsNamedWithWhatWasExpected(String line, String expected) {
+  void theErrorNamesTheBrokenLineAndTheExpectation(String line, String expected) {
     assertThatThrownBy(() -> WaypointFiles.parse("maze.wpt", "// first\n\n" + line + "\n"))
         .isInstanceOf(BadInput.class)
         .hasMessageStartingWith("maze.wpt:3: '" + line + "': expected ")
@@ -119,7 +119,7 @@ final class WaypointFilesTest {
   }
 
   @Test
-  void aFileThatIsNotTextIsNamedInOneLine(@TempDir Path folder) throws IOException {
+  void aBinaryFileIsRefusedInOneLine(@TempDir Path folder) throws IOException {
     Path picture = folder.resolve("picture.wpt");
     Files.write(picture, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, (byte) 0xFF});
     Path zeros = folder.resolve("zeros.wpt");

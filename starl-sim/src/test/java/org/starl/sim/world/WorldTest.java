@@ -54,7 +54,7 @@ final class WorldTest {
   }
 
   @Test
-  void speedsAreCappedAtTheBodysLimits() {
+  void speedsAreLimited() {
     Body body = bot(0, 0, 0, EAST);
     body.drive(straight(9000));
     time.runFor(1);
@@ -62,7 +62,7 @@ final class WorldTest {
   }
 
   @Test
-  void twoBodiesHeadOnStopWhereTheyTouchAndBothBump() {
+  void collidingBodiesStopWhereTheyTouchAndBothBump() {
     Body left = bot(0, 0, 0, EAST);
     Body right = bot(1, 2000, 0, WEST);
     left.drive(straight(250));
@@ -78,7 +78,7 @@ final class WorldTest {
   }
 
   @Test
-  void bumpsTellTheSideOfTheContact() {
+  void aBumpReportsTheSideOfTheContact() {
     Body body = bot(0, 0, 0, EAST);
     bot(1, 600, 200, EAST);
     body.drive(straight(250));
@@ -95,7 +95,7 @@ final class WorldTest {
   }
 
   @Test
-  void aBodyThatIsHitBumpsOnItsFrontHalfOnly() {
+  void aHitBodyReportsBumpsOnItsFrontHalfOnly() {
     Body front = bot(0, 1000, 0, WEST);
     Body back = bot(1, 1000, 1000, EAST);
     Body toFront = bot(2, 0, 0, EAST);
@@ -113,7 +113,7 @@ final class WorldTest {
   }
 
   @Test
-  void aBlockedBodyStillTurnsAndIsFreeWhenItsCommandLeadsAway() {
+  void aBlockedBodyCanTurnAndDriveAway() {
     world = worldWith(Obstacle.wall(new Point(1000, -5000), new Point(1000, 5000)));
     Body body = bot(0, 0, 0, EAST);
     body.drive(straight(250));
@@ -135,7 +135,7 @@ final class WorldTest {
   }
 
   @Test
-  void aBodyDrivesAlongAWallThatItTouches() {
+  void aBodyCanDriveAlongAWallItTouches() {
     world = worldWith(Obstacle.wall(new Point(-500, 0), new Point(5000, 0)));
     Body body = bot(0, 0, R + 0.5, EAST);
     body.drive(straight(500));
@@ -144,7 +144,7 @@ final class WorldTest {
   }
 
   @Test
-  void aFollowerIsFreeAgainWhenTheOneAheadDrivesOff() {
+  void aFollowerIsFreedWhenTheBodyAheadDrivesOn() {
     Body ahead = bot(0, 500, 0, EAST);
     Body follower = bot(1, 0, 0, EAST);
     follower.drive(straight(200));
@@ -157,7 +157,7 @@ final class WorldTest {
   }
 
   @Test
-  void aBodyIsFreeWhenItsObstacleLeaves() {
+  void aBodyIsFreedWhenItsObstacleDisappears() {
     Body inTheWay = bot(0, 500, 0, EAST);
     Body body = bot(1, 0, 0, EAST);
     body.drive(straight(200));
@@ -171,7 +171,7 @@ final class WorldTest {
   }
 
   @Test
-  void aWallStandsForItsLifetime() {
+  void aWallExistsForItsLifetime() {
     List<Point> ends = List.of(new Point(1000, -500), new Point(1000, 500));
     world = worldWith(new Obstacle(ends, false, false, 10_000));
     Body body = bot(0, 0, 0, EAST);
@@ -183,7 +183,7 @@ final class WorldTest {
   }
 
   @Test
-  void aPlaceThatIsTakenIsRefusedByName() {
+  void theErrorForAnOccupiedPlaceNamesTheRobot() {
     world = worldWith(Obstacle.body(point(0, 0), point(4000, 0), point(4000, 4000)));
     bot(0, -1000, 0, EAST);
     assertThatThrownBy(() -> bot(1, -1000 + 2 * R - 1, 0, EAST))
@@ -214,7 +214,7 @@ final class WorldTest {
   }
 
   @Test
-  void theTraceTellsEachChangeOfTrueMotion() {
+  void eachChangeOfTrueMotionIsTraced() {
     Body body = bot(0, 0, 0, EAST);
     bot(1, 1000, 0, EAST);
     body.drive(straight(250));
@@ -231,7 +231,7 @@ final class WorldTest {
   }
 
   @Test
-  void standingBodiesCostNothing() {
+  void bodiesAtRestScheduleNoEvents() {
     for (int i = 0; i < 100; i++) {
       bot(i, 1000 * i, 0, EAST);
     }

@@ -15,7 +15,9 @@ import java.util.zip.ZipOutputStream;
 /** Puts the parts of an unsigned APK together. */
 final class ApkFile {
 
-  /** The first time that a zip can tell: 1980. No entry bears the time at which it was made. */
+  /**
+   * The earliest time of the zip format: 1980. All entries have this time, for reproducible files.
+   */
   private static final long NO_TIME_MS = 315_532_800_000L;
 
   private ApkFile() {}

@@ -31,7 +31,7 @@ final class Dexer {
     D8Command.Builder command =
         D8Command.builder(findings)
             .addLibraryFiles(android)
-            // Android's jar leaves java.lang to whatever runs it.
+            // Android's jar omits java.lang.
             .addLibraryResourceProvider(
                 JdkClassFileProvider.fromJdkHome(Path.of(System.getProperty("java.home"))))
             .setMinApiLevel(minSdk)
@@ -65,7 +65,7 @@ final class Dexer {
 
     @Override
     public void info(Diagnostic diagnostic) {
-      // Nothing that users need.
+      // Not relevant for users.
     }
   }
 }

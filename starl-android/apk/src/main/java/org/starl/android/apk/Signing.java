@@ -40,7 +40,7 @@ final class Signing {
   }
 
   /**
-   * What was verified, in words.
+   * The description of the verified signature.
    *
    * @throws ApkException unless both schemes verify for every phone from {@code minSdk} on
    */

@@ -23,7 +23,7 @@ record SigningKey(PrivateKey key, List<X509Certificate> chain) {
 
   private static final String ALIAS = "debug";
 
-  /** Public, as that of Android's own debug key: it protects nothing. */
+  /** Public, like Android's debug key: it protects nothing. */
   private static final String PASSWORD = "android";
 
   /**
@@ -82,7 +82,7 @@ record SigningKey(PrivateKey key, List<X509Certificate> chain) {
     return read(file, PASSWORD, ALIAS);
   }
 
-  /** A password is the first line of a file, so that it is not in a command line. */
+  /** Reads the password from the first line of a file, so that it is not in a command line. */
   static String password(Path file) throws ApkException {
     try {
       return Files.readString(file, StandardCharsets.UTF_8).lines().findFirst().orElse("");

@@ -112,7 +112,7 @@ final class DexedCode {
       ClassLoader loader = DexedCode.class.getClassLoader();
       return Class.forName(name.replace('/', '.'), false, loader).isInterface();
     } catch (ClassNotFoundException | NoClassDefFoundError e) {
-      // Android's own, which nothing here runs.
+      // Android's own code, which is not executed here.
       return false;
     }
   }

@@ -47,13 +47,16 @@ class DexedCodeTest {
     return (byte[]) ((Supplier<?>) run).get();
   }
 
-  /** What the APK has not, and the first run did not need, is taken as it was compiled. */
+  /** Classes that are not in the APK and were not needed by the first run are used as compiled. */
   private static byte[] returned(String name) throws IOException {
     byte[] bytes = dexed.classes().get(name);
     return bytes == null && !apk.containsKey(name + ".class") ? OwnClasses.compiled(name) : bytes;
   }
 
-  /** Of the returned classes those that the APK has too; D8 names what it adds after what it is for. */
+  /**
+   * The given classes that are in the APK too; D8 names its additions after the class that needs
+   * them.
+   */
   private static List<String> ofTheApk() {
     return dexed.classes().keySet().stream()
         .filter(name -> apk.containsKey(name.replaceFirst("\\$\\$.*", "") + ".class"))
@@ -61,7 +64,7 @@ class DexedCodeTest {
   }
 
   @Test
-  void aRunOnDexedCodeIsTheSameToTheByte() throws ReflectiveOperationException, IOException {
+  void aRunOfDexedCodeGivesTheSameTrace() throws ReflectiveOperationException, IOException {
     OwnClasses returned = new OwnClasses(DexedCodeTest::returned);
     byte[] again = trace(returned);
     assertThat(returned.needed()).filteredOn(dexed.classes()::containsKey).hasSizeGreaterThan(200);
@@ -72,7 +75,7 @@ class DexedCodeTest {
   }
 
   @Test
-  void theApkRefersToNothingThatAndroid8Lacks() throws IOException {
+  void theApkRefersOnlyToMembersOfAndroid8() throws IOException {
     assertThat(ofTheApk()).hasSizeGreaterThan(1000);
     SortedSet<String> missing = Links.missing(dexed.classes(), ofTheApk(), Android8.shapes());
     assertThat(missing).containsExactlyElementsOf(ASKED_BEFORE);
@@ -92,7 +95,7 @@ class DexedCodeTest {
   }
 
   @Test
-  void whatAndroid8LacksIsFound() throws IOException {
+  void missingMembersOfAndroid8AreFound() throws IOException {
     String name = AsksForMore.class.getName().replace('.', '/');
     SortedMap<String, byte[]> alone = new TreeMap<>();
     alone.put(name, OwnClasses.compiled(name));

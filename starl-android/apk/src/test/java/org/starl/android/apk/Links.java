@@ -24,7 +24,7 @@ import org.objectweb.asm.Type;
 final class Links {
 
   /**
-   * What can be referred to in a class.
+   * The members of a class that can be referred to.
    *
    * @param parents names of its superclass and interfaces
    * @param members fields as {@code name#type}, methods as {@code name(types)type}

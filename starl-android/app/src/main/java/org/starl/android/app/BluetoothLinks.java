@@ -66,7 +66,7 @@ final class BluetoothLinks implements ByteLink.Source {
         "Bluetooth device '" + device + "' is not paired with this phone: pair it in its settings");
   }
 
-  /** This phone's, or null if it has none. */
+  /** The Bluetooth adapter of this phone; null if it has none. */
   static @Nullable BluetoothAdapter adapter(Context context) {
     BluetoothManager manager = context.getSystemService(BluetoothManager.class);
     return manager == null ? null : manager.getAdapter();

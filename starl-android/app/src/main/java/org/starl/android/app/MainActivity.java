@@ -202,7 +202,7 @@ public final class MainActivity extends Activity {
     }
   }
 
-  /** What the screen's buttons do. */
+  /** The actions of the screen's buttons. */
   final class Orders {
 
     void loadDeployment() {

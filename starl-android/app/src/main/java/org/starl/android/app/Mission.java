@@ -14,7 +14,7 @@ import org.starl.robot.file.Wheels;
  * This phone's task: one robot of a deployment, checked without network or hardware. Immutable.
  *
  * @param app makes the robot's app
- * @param key what the deployment's datagrams are sealed with; null for none
+ * @param key seals the deployment's datagrams; may be null
  */
 record Mission(
     Deployment deployment,
@@ -59,7 +59,7 @@ record Mission(
     return hasName ? path.substring(BLUETOOTH.length()) : null;
   }
 
-  /** Where the Create's serial line is served over TCP; null if it is not. */
+  /** The TCP address of the Create's serial line; null if it has none. */
   Wheels.@Nullable Tcp tcp() {
     return robot.wheels() instanceof Wheels.Create create && create.port() instanceof Wheels.Tcp tcp
         ? tcp

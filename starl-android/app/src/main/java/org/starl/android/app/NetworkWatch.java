@@ -11,7 +11,7 @@ import android.net.NetworkCapabilities;
  */
 final class NetworkWatch extends ConnectivityManager.NetworkCallback {
 
-  /** How the phone is connected. */
+  /** The phone's kind of connection. */
   enum State {
     NONE("none: switch Wi-Fi on"),
     LOCAL("Wi-Fi or cable"),

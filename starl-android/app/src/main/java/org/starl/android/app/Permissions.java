@@ -11,7 +11,7 @@ import java.util.List;
 /** The permissions that the user must grant, by Android's version; the manifest has the others. */
 final class Permissions {
 
-  /** Android 17's, for whatever a program says to its local network; no jar that we compile with has it. */
+  /** Android 17's permission for access to the local network; the SDK used to compile lacks it. */
   static final String ACCESS_LOCAL_NETWORK = "android.permission.ACCESS_LOCAL_NETWORK";
 
   private static final int LOCAL_NETWORK_SINCE = 37;
@@ -39,12 +39,12 @@ final class Permissions {
     return Collections.unmodifiableList(all);
   }
 
-  /** Of the required ones, those that this phone has not granted. */
+  /** The required permissions that this phone has not granted. */
   static List<String> missing(Context context) {
     return notGranted(context, required(Build.VERSION.SDK_INT, targetSdk(context)));
   }
 
-  /** Of all, those that may be asked for now. */
+  /** The permissions that may be requested now. */
   static List<String> toAsk(Context context) {
     return notGranted(context, asked(Build.VERSION.SDK_INT, targetSdk(context)));
   }

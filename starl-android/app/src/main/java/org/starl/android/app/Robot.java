@@ -63,7 +63,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   // Set once, while the robot is opened.
   private @Nullable CreateChassis chassis;
 
-  // What status() tells; each is written by one thread alone.
+  // The values of status(); each is written by one thread only.
   private volatile String appState = "starts";
   private volatile @Nullable Location location;
   private volatile @Nullable Throwable bug;
@@ -99,7 +99,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
    * @param links to the robot's wheels
    * @param files this robot's; the trace is closed with the robot, or if it cannot be opened
    * @param onBug takes the error that ended the robot; its wheels are stopped then
-   * @throws IOException if a part cannot be opened; nothing is left open
+   * @throws IOException if a part cannot be opened; all opened parts are then closed
    */
   static Robot open(
       Mission mission, ByteLink.Source links, Files files, LogSink log, Consumer<Throwable> onBug)

@@ -208,7 +208,7 @@ public final class RobotService extends Service {
     try {
       goToForeground();
     } catch (IllegalStateException e) {
-      // Android 12 and later, where it starts a service again that nobody looks at.
+      // Since Android 12, when the system restarts a service in the background.
       giveUp("Android does not let it drive in the background: start it here again");
       return;
     }

@@ -35,7 +35,7 @@ import org.starl.robot.udp.KeyFile;
 /** The files that the user loaded, in the app's own folder, which no other app can read. */
 final class Store {
 
-  /** What can be loaded. */
+  /** The kinds of files that can be loaded. */
   enum Item {
     DEPLOYMENT("deployment.yaml", 1 << 20),
     KEY("deployment.key", 1 << 10);
@@ -62,7 +62,7 @@ final class Store {
     preferences = context.getSharedPreferences(PREFERENCES, Context.MODE_PRIVATE);
   }
 
-  /** The robot of this phone; empty if none was chosen. */
+  /** The robot of this phone; empty if not selected. */
   String robotName() {
     return String.valueOf(preferences.getString(NAME, ""));
   }
@@ -94,7 +94,7 @@ final class Store {
   }
 
   /**
-   * Writes all traces of that robot as a zip, the present one as far as it is written.
+   * Writes all traces of that robot as a zip, including the written part of the current trace.
    *
    * @return their number
    */
@@ -141,7 +141,7 @@ final class Store {
     byte[] bytes = read(item, from);
     Path fresh = folder.resolve(item.file + ".fresh");
     Files.deleteIfExists(fresh);
-    // The key's file is its owner's alone: KeyFile takes no other.
+    // The key file is readable only by its owner: KeyFile refuses others.
     try (SeekableByteChannel channel =
         Files.newByteChannel(
             fresh,

@@ -11,7 +11,9 @@ import com.tngtech.archunit.lang.syntax.ArchRuleDefinition;
 import org.junit.jupiter.api.Test;
 import org.starl.launch.DeploymentFile;
 
-/** What the app for phones takes: all that is not in the APK would be missed on the phone alone. */
+/**
+ * Dependencies of the phone app: a class that is not in the APK would be missing only on the phone.
+ */
 class LeafLayersTest {
 
   private static final ArchRule LAW =
@@ -43,7 +45,7 @@ class LeafLayersTest {
                       "com.fasterxml.jackson.dataformat.yaml..")
                   .or(DescribedPredicate.describe("primitive types", JavaClass::isPrimitive)));
 
-  /** Stands in the leaf and breaks its law. */
+  /** Violates the rule. */
   private static final class TakesTheCommandLinesReader {
     Object read() {
       return DeploymentFile.read("my.yaml");
@@ -51,7 +53,7 @@ class LeafLayersTest {
   }
 
   @Test
-  void theLeafTakesWhatThePhoneHas() {
+  void theAppUsesOnlyAllowedDependencies() {
     var leaf =
         new ClassFileImporter()
             .withImportOption(new ImportOption.DoNotIncludeTests())
@@ -61,7 +63,7 @@ class LeafLayersTest {
   }
 
   @Test
-  void aClassThatTakesMoreIsFound() {
+  void aForbiddenDependencyIsFound() {
     var wrong = new ClassFileImporter().importClasses(TakesTheCommandLinesReader.class);
     assertThat(LAW.evaluate(wrong).hasViolation()).isTrue();
   }

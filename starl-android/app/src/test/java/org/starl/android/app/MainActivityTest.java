@@ -83,7 +83,7 @@ public final class MainActivityTest {
     return all.toString();
   }
 
-  /** What the service was told since the last call; to bind it is no order. */
+  /** The service's intents since the last call, without binding. */
   private List<String> orders() {
     List<String> found = new ArrayList<>();
     var shadow = shadowOf(activity.get());
@@ -106,7 +106,7 @@ public final class MainActivityTest {
   }
 
   @Test
-  public void itSaysWhatIsThereAndWhatIsMissing() {
+  public void theScreenShowsAvailableAndMissingParts() {
     assertThat(screen())
         .contains("no deployment: load one", "Robot: idle", "Network: ", "Phone's battery: ");
     assertThat(button("EMERGENCY STOP").isEnabled()).isTrue();
@@ -114,7 +114,7 @@ public final class MainActivityTest {
   }
 
   @Test
-  public void startAsksForWhatIsNotAllowedYetAndStartsWhenItIs() {
+  public void startAsksForMissingPermissionsAndStartsWhenGranted() {
     button("Start").performClick();
     assertThat(orders()).isEmpty();
     var asked = shadowOf(activity.get()).getLastRequestedPermission();
@@ -126,7 +126,7 @@ public final class MainActivityTest {
   }
 
   @Test
-  public void whoSaysNoIsToldAndNothingStarts() {
+  public void aDeniedPermissionIsReportedAndNothingStarts() {
     button("Start").performClick();
     var asked = shadowOf(activity.get()).getLastRequestedPermission();
     activity.get().onRequestPermissionsResult(asked.requestCode, asked.requestedPermissions, null);
@@ -135,7 +135,7 @@ public final class MainActivityTest {
   }
 
   @Test
-  public void anEmergencyStopBeforeTheServiceIsBoundIsNotLost() {
+  public void anEmergencyStopBeforeTheServiceIsBoundIsKept() {
     activity.pause().stop();
     orders();
     button("EMERGENCY STOP").performClick();
@@ -144,7 +144,7 @@ public final class MainActivityTest {
   }
 
   @Test
-  public void theTracesOfTheRobotAreSavedWhereAPersonSays() throws Exception {
+  public void tracesAreSavedToTheChosenPlace() throws Exception {
     Application application = RuntimeEnvironment.getApplication();
     button("Save traces").performClick();
     assertThat(screen()).contains("choose a robot first");
@@ -174,7 +174,7 @@ public final class MainActivityTest {
   }
 
   @Test
-  public void theEmergencyStopGoesToTheServiceAndIsReleasedByAPerson() {
+  public void theEmergencyStopReachesTheServiceUntilItIsReleasedByHand() {
     button("EMERGENCY STOP").performClick();
     assertThat(service.get().isEmergency()).isTrue();
     shadowOf(Looper.getMainLooper()).idleFor(Duration.ofSeconds(1));

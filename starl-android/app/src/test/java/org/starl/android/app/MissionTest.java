@@ -56,7 +56,7 @@ class MissionTest {
   }
 
   @Test
-  void aSerialDeviceIsNothingThatAPhoneHas() {
+  void aSerialDeviceIsRefusedOnAPhone() {
     isRefused(
         SEALED,
         "bot2",
@@ -66,12 +66,12 @@ class MissionTest {
   }
 
   @Test
-  void aSealedDeploymentNeedsItsKey() {
+  void aDeploymentWithAKeyNeedsItsKey() {
     isRefused(SEALED, "bot0", null, "my.yaml:3: key: load 'my.key' onto this phone too");
   }
 
   @Test
-  void whatIsDrawnFromTheSeedCannotBeHad() {
+  void aScenarioDrawnFromASeedIsRefused() {
     isRefused(
         SEALED.replace("figure7", "drawn"),
         "bot0",
@@ -85,7 +85,7 @@ class MissionTest {
   }
 
   @Test
-  void theKeyIsInNoText() {
+  void theKeyIsNeverShown() {
     assertThat(mission(SEALED, "bot0", key()).toString())
         .doesNotContain("5a5a")
         .doesNotContain("90, 90");

@@ -11,19 +11,19 @@ class PermissionsTest {
 
   @ParameterizedTest
   @ValueSource(ints = {26, 29, 30})
-  void upToAndroid11NothingIsAsked(int sdk) {
+  void upToAndroid11NoPermissionIsRequested(int sdk) {
     assertThat(Permissions.asked(sdk, 36)).isEmpty();
   }
 
   @ParameterizedTest
   @ValueSource(ints = {31, 32})
-  void fromAndroid12OnBluetoothIsAsked(int sdk) {
+  void android12AndLaterRequestBluetooth(int sdk) {
     assertThat(Permissions.asked(sdk, 36)).containsExactly(Manifest.permission.BLUETOOTH_CONNECT);
   }
 
   @ParameterizedTest
   @ValueSource(ints = {33, 36, 37})
-  void fromAndroid13OnTheNotificationIsAskedForAndNotRequired(int sdk) {
+  void android13AndLaterRequestTheOptionalNotificationPermission(int sdk) {
     assertThat(Permissions.asked(sdk, 36))
         .containsExactly(
             Manifest.permission.BLUETOOTH_CONNECT, Manifest.permission.POST_NOTIFICATIONS);
@@ -32,7 +32,7 @@ class PermissionsTest {
   }
 
   @Test
-  void theLocalNetworkIsAskedForOnceTheAppKeepsTheRulesOfAndroid17() {
+  void theLocalNetworkIsRequestedIfTheAppTargetsAndroid17() {
     assertThat(Permissions.required(37, 37)).contains(Permissions.ACCESS_LOCAL_NETWORK);
     assertThat(Permissions.required(36, 37)).doesNotContain(Permissions.ACCESS_LOCAL_NETWORK);
   }

@@ -57,7 +57,7 @@ public final class RobotServiceTest {
   private final AtomicInteger refusals = new AtomicInteger();
   private final Application application = RuntimeEnvironment.getApplication();
 
-  /** What the service's worker waits for, where a test holds it. */
+  /** Blocks the service's worker while a test holds it. */
   private final Semaphore mayGoOn = new Semaphore(0);
 
   private NatNetServer cameras;
@@ -136,7 +136,7 @@ public final class RobotServiceTest {
     });
   }
 
-  /** Starts a robot whose opening waits, and returns while it does. */
+  /** Starts a robot whose opening blocks, and returns during the opening. */
   private void startHeld(RobotService.Opener then) throws InterruptedException {
     Semaphore isOpening = new Semaphore(0);
     service.opener =
@@ -150,7 +150,7 @@ public final class RobotServiceTest {
     service.opener = Robot::open;
   }
 
-  /** Lets the worker go on; returns when it has done all that it was asked for, and said so. */
+  /** Releases the worker; returns when it has completed and reported all requests. */
   private void goOn() throws Exception {
     mayGoOn.release();
     service.worker.submit(() -> {}).get(LIMIT_S, TimeUnit.SECONDS);
@@ -163,7 +163,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void theServiceIsInTheForegroundAsAConnectedDevicesAndKeepsThePhoneAwake()
+  public void theForegroundServiceKeepsThePhoneAwake()
       throws InterruptedException {
     tell(RobotService.START);
     Notification notification = shadowOf(service).getLastForegroundNotification();
@@ -185,7 +185,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void whoIsStoppedWhileItIsOpenedIsClosedAndForgottenAndMayStartAgain() throws Exception {
+  public void aRobotStoppedDuringItsOpeningIsClosedAndMayStartAgain() throws Exception {
     startHeld(Robot::open);
     tell(RobotService.STOP);
     assertThat(service.phase()).isEqualTo(Phase.IDLE);
@@ -199,7 +199,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void anOpeningThatFailsAfterItsStopIsForgotten() throws Exception {
+  public void aFailedOpeningAfterAStopIsIgnored() throws Exception {
     startHeld((mission, links, files, log, onBug) -> {
       files.trace().close();
       throw new IOException("no such port");
@@ -212,7 +212,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void aStopStopsTheWheelsFirstAndThePhoneStaysAwakeUntilTheRobotIsClosed()
+  public void aStopStopsTheWheelsFirstAndKeepsThePhoneAwakeUntilTheEnd()
       throws Exception {
     tell(RobotService.START);
     until(car::turnsItsWheels);
@@ -229,7 +229,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void aStartBeforeTheRobotIsClosedDrivesAnotherAndThePhoneStaysAwake() throws Exception {
+  public void aStartBeforeTheEndOfThePreviousRobotKeepsThePhoneAwake() throws Exception {
     tell(RobotService.START);
     until(() -> service.phase() == Phase.RUNNING && car.turnsItsWheels());
     service.worker.execute(mayGoOn::acquireUninterruptibly);
@@ -245,7 +245,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void withoutThePermissionNothingIsDriven() throws InterruptedException {
+  public void withoutThePermissionNoRobotIsDriven() throws InterruptedException {
     shadowOf(application).denyPermissions(Manifest.permission.BLUETOOTH_CONNECT);
     tell(RobotService.START);
     assertThat(service.phase()).isEqualTo(Phase.FAILED);
@@ -256,7 +256,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void whereAndroidAllowsNoForegroundNothingIsDrivenAndAPersonIsTold() {
+  public void aRefusedForegroundServiceIsReportedAndNoRobotIsDriven() {
     shadowOf(service).setThrowInStartForeground(new IllegalStateException("not from there"));
     tell(RobotService.START);
     assertThat(service.phase()).isEqualTo(Phase.FAILED);
@@ -266,7 +266,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void aDeploymentThatNoPhoneCanRunIsToldInOneLine()
+  public void aDeploymentUnfitForPhonesIsRefusedInOneLine()
       throws IOException, InterruptedException {
     load(deployment("maze"));
     tell(RobotService.START);
@@ -277,7 +277,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void theAppDrivesItsRobotThroughEmergencyStopAndLossOfTheLink()
+  public void theAppHandlesEmergencyStopAndLossOfTheLink()
       throws InterruptedException, IOException {
     refusals.set(1);
     tell(RobotService.START);

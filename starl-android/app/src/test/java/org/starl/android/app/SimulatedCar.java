@@ -44,7 +44,7 @@ final class SimulatedCar implements CreateBody, AutoCloseable {
   private double rightMmPerS;
 
   /**
-   * @param truth is told where the body is and how it moves; from one thread at a time
+   * @param truth receives the true motion of the body; from one thread at a time
    */
   SimulatedCar(String name, Pose start, Clock clock, Consumer<TraceEvent> truth) {
     this.name = name;

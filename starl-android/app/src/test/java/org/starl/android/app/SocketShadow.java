@@ -6,7 +6,7 @@ import org.robolectric.annotation.Implementation;
 import org.robolectric.annotation.Implements;
 import org.robolectric.shadows.ShadowBluetoothSocket;
 
-/** A socket whose closing ends a read that waits, at both ends, as on a phone. */
+/** A socket whose close ends pending reads at both ends, as on a phone. */
 @Implements(BluetoothSocket.class)
 public class SocketShadow extends ShadowBluetoothSocket {
 

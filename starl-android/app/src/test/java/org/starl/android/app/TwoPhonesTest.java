@@ -196,7 +196,7 @@ public final class TwoPhonesTest {
     store.load(Store.Item.DEPLOYMENT, new ByteArrayInputStream(deployment));
   }
 
-  /** The phone that is this robot; who it is, a service asks when it starts. */
+  /** Selects the phone of this robot; a service reads the selection when it starts. */
   private RobotService start(String robot) throws InterruptedException {
     new Store(application).setRobotName(robot);
     ServiceController<RobotService> controller =
@@ -222,7 +222,7 @@ public final class TwoPhonesTest {
     return cars.get("bot0").pose().at().distanceMm(cars.get("bot1").pose().at());
   }
 
-  /** What a person saves from the phone that is this robot, unpacked. */
+  /** The unpacked traces that a person saves from the phone of this robot. */
   private List<String> savedTraces(String robot) throws IOException {
     ByteArrayOutputStream saved = new ByteArrayOutputStream();
     assertThat(new Store(application).saveTraces(robot, saved)).isEqualTo(1);
@@ -238,7 +238,7 @@ public final class TwoPhonesTest {
   }
 
   @Test
-  public void bothCrossAndTheirTracesKeepTheSpecifications()
+  public void bothRobotsCrossAndTheirTracesSatisfyTheSpecifications()
       throws IOException, InterruptedException {
     loadDeploymentAndKey();
     List<RobotService> services = new ArrayList<>();

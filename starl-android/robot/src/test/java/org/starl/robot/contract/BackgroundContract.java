@@ -36,7 +36,7 @@ public abstract class BackgroundContract {
   }
 
   @Test
-  void theTaskRunsOffTheStrandAndWhatFollowsOnIt() {
+  void theTaskRunsOffTheStrandAndItsListenerOnIt() {
     ground
         .strand()
         .post(() ->
@@ -70,7 +70,7 @@ public abstract class BackgroundContract {
   }
 
   @Test
-  void tasksAreDoneInTheOrderOfTheirSubmissionAndShowWhatTheyWrote() {
+  void tasksRunInSubmissionOrderAndTheirWritesAreVisible() {
     List<Integer> written = new ArrayList<>();
     ground
         .strand()
@@ -102,7 +102,7 @@ public abstract class BackgroundContract {
   }
 
   @Test
-  void anExceptionOfATaskLeavesThroughTheStrandInPlaceOfTheResult() {
+  void anExceptionOfATaskIsThrownOnTheStrand() {
     IllegalStateException bug = new IllegalStateException("planted");
     ground
         .strand()

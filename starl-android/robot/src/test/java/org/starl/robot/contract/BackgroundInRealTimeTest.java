@@ -30,7 +30,7 @@ class BackgroundInRealTimeTest extends BackgroundContract {
   }
 
   @Test
-  void theStrandGoesOnWhileATaskRuns() {
+  void theStrandContinuesWhileATaskRuns() {
     try (RealGround ground = new RealGround("robot1");
         RealBackground own = new RealBackground("robot1", ground.strand())) {
       CountDownLatch goOn = new CountDownLatch(1);

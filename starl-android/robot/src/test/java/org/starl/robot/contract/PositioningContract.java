@@ -60,7 +60,7 @@ public abstract class PositioningContract {
   }
 
   @Test
-  void fixesComeOnTheStrandAndTellWhereTheRobotWasThen() {
+  void fixesArriveOnTheStrandWithTheRobotsPoseAtTheirTime() {
     List<Fix> fixes = new CopyOnWriteArrayList<>();
     List<Long> cameNs = new CopyOnWriteArrayList<>();
     CountDownLatch done = new CountDownLatch(FIXES);
@@ -87,7 +87,7 @@ public abstract class PositioningContract {
   }
 
   @Test
-  void noFixComesInsideTheCallThatAsksForThem() {
+  void noFixArrivesInsideTheCallThatRegistersTheReceiver() {
     boolean[] isAsking = new boolean[1];
     CountDownLatch done = new CountDownLatch(1);
     Positioning positioning = course.positioning(0);
@@ -103,7 +103,7 @@ public abstract class PositioningContract {
   }
 
   @Test
-  void aPositioningHasOneReceiver() {
+  void aSecondReceiverOfFixesIsRefused() {
     Positioning positioning = course.positioning(0);
     onStrand(() -> {
       positioning.onFix(fix -> {});
@@ -136,7 +136,7 @@ public abstract class PositioningContract {
   }
 
   @Test
-  void aRobotThatIsNotSeenHasNoFixesAndLaterNewOnes() {
+  void fixesResumeWhenTheRobotIsVisibleAgain() {
     List<Long> lostNs = new CopyOnWriteArrayList<>();
     List<Long> found = new CopyOnWriteArrayList<>();
     CountDownLatch seen = new CountDownLatch(1);

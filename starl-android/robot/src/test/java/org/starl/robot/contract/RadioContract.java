@@ -65,7 +65,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void aBroadcastArrivesEverywhereButAtItsSender() {
+  void aBroadcastArrivesAtEveryOtherRobot() {
     CountDownLatch done = new CountDownLatch(2);
     receive(0, new CountDownLatch(1));
     receive(1, done);
@@ -76,7 +76,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void nothingArrivesInsideTheCallThatSendsIt() {
+  void noDatagramArrivesInsideTheCallThatSendsIt() {
     CountDownLatch done = new CountDownLatch(1);
     CountDownLatch heard = new CountDownLatch(1);
     receive(1, heard);
@@ -92,7 +92,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void theBufferIsTheCallersAgain() {
+  void theCallerMayReuseItsBuffer() {
     CountDownLatch done = new CountDownLatch(1);
     receive(1, done);
     byte[] buffer = new byte[Radio.MAX_BYTES + 10];
@@ -130,7 +130,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void aLongerDatagramIsTheSendersBug() {
+  void aDatagramThatIsTooLongIsABug() {
     onStrand(
         0,
         () -> {
@@ -146,7 +146,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void aRobotThatDoesNotExistIsALostDatagram() {
+  void aDatagramToAnUnknownRobotIsLost() {
     CountDownLatch done = new CountDownLatch(1);
     receive(1, done);
     sendUntil(
@@ -159,7 +159,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void aRadioHasOneReceiver() {
+  void aSecondReceiverOfDatagramsIsRefused() {
     onStrand(
         0,
         () -> {
@@ -171,7 +171,7 @@ public abstract class RadioContract {
   }
 
   @Test
-  void aClosedRadioIsSilentAndDeaf() {
+  void aClosedRadioNeitherSendsNorReceives() {
     CountDownLatch heard = new CountDownLatch(1);
     CountDownLatch done = new CountDownLatch(1);
     receive(1, heard);

@@ -40,12 +40,12 @@ public abstract class StableContract {
   }
 
   @Test
-  void whatWasNeverWrittenIsNull() {
+  void anUnknownKeyIsNull() {
     onStrand(() -> assertThat(stable.get("nothing")).isNull());
   }
 
   @Test
-  void whatWasWrittenIsReadAtOnce() {
+  void aWrittenValueIsReadAtOnce() {
     onStrand(() -> {
       stable.put("a", new byte[] {1, 2}, () -> {});
       stable.put("b", new byte[0], () -> {});
@@ -58,7 +58,7 @@ public abstract class StableContract {
   }
 
   @Test
-  void valuesAreTheCallersOwn() {
+  void valuesAreCopied() {
     onStrand(() -> {
       byte[] value = {1};
       stable.put("a", value, () -> {});
@@ -71,7 +71,7 @@ public abstract class StableContract {
   }
 
   @Test
-  void flushesAreToldOnTheStrandInOrderAndNeverInsideTheCall() {
+  void flushesAreReportedOnTheStrandInOrderAndNeverInsideTheCall() {
     CountDownLatch done = new CountDownLatch(20);
     onStrand(() -> {
       for (int i = 0; i < 20; i++) {
@@ -92,7 +92,7 @@ public abstract class StableContract {
   }
 
   @Test
-  void whatWasFlushedSurvivesACrash() {
+  void flushedValuesSurviveACrash() {
     CountDownLatch done = new CountDownLatch(1);
     onStrand(() -> {
       stable.put("first", new byte[] {9}, () -> {});
@@ -111,7 +111,7 @@ public abstract class StableContract {
   }
 
   @Test
-  void aCrashBetweenTwoWritesLeavesTheOlderValueOrTheNewer() {
+  void aCrashBetweenTwoWritesKeepsTheOlderOrTheNewerValue() {
     CountDownLatch done = new CountDownLatch(1);
     onStrand(() -> stable.put("a", new byte[] {1, 1}, done::countDown));
     ground.runUntil(done);

@@ -38,7 +38,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void theAppAndPostsRunOnTheStrandAndNobodyElse() {
+  void onlyTheAppAndPostsRunOnTheStrand() {
     assertThat(strand.isCurrent()).isFalse();
     List<Boolean> current = new CopyOnWriteArrayList<>();
     strand.start(() -> {
@@ -54,7 +54,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void postsRunInTheirOrderAndNeverInsideTheCall() {
+  void postsRunInOrderAndNeverInsideTheCall() {
     strand.post(() -> {
       for (int i = 0; i < 50; i++) {
         int number = i;
@@ -69,7 +69,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void whatLiesBetweenTwoWaitsIsOneAction() {
+  void codeBetweenTwoWaitsIsAtomic() {
     int[] shared = {0};
     List<Integer> torn = new ArrayList<>();
     Runnable increment =
@@ -96,7 +96,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void aSleepEndsNotBeforeItsTime() {
+  void aSleepDoesNotEndEarly() {
     List<Long> lateNs = new CopyOnWriteArrayList<>();
     strand.start(() -> {
       for (int round = 0; round < 5; round++) {
@@ -111,7 +111,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void aSleepUntilThePastLetsEverythingElseRunThatIsDue() {
+  void aSleepUntilThePastRunsAllDuePieces() {
     strand.start(() -> {
       strand.post(() -> log.add("posted"));
       strand.sleepUntil(now() - MS);
@@ -123,7 +123,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void anAppWhoseConditionHasComeTrueIsTheNextPiece() {
+  void anAppWhoseConditionBecomesTrueRunsNext() {
     int[] messages = {0};
     strand.start(() -> {
       strand.post(() -> {
@@ -140,7 +140,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void aConditionThatHoldsIsNotWaitedFor() {
+  void aConditionThatHoldsReturnsAtOnce() {
     strand.start(() -> {
       strand.post(() -> log.add("posted"));
       log.add("held " + strand.awaitUntil(() -> true, now() - MS));
@@ -151,7 +151,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void anAwaitEndsAtItsDeadlineAndLooksOnceMore() {
+  void anAwaitChecksItsConditionOnceMoreAtItsDeadline() {
     strand.start(() -> {
       long deadlineNs = now() + 2 * MS;
       log.add("held " + strand.awaitUntil(() -> false, deadlineNs));
@@ -165,7 +165,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void aDeadlineThatWasNotNeededComesToNothing() {
+  void anUnusedDeadlineHasNoEffect() {
     int[] messages = {0};
     strand.start(() -> {
       strand.post(() -> messages[0]++);
@@ -203,7 +203,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void closingUnwindsTheAppAndNothingRunsAfterwards() {
+  void closingUnwindsTheAppAndStopsAllPieces() {
     strand.start(() -> {
       try {
         strand.post(done::countDown);
@@ -224,7 +224,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void aPieceThatClosesItsStrandRunsToItsEndAndThenTheAppIsUnwound() {
+  void aPieceThatClosesItsStrandCompletesBeforeTheAppIsUnwound() {
     strand.start(() -> {
       try {
         strand.post(() -> {
@@ -259,7 +259,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void anAppThatWaitsOnItsWayOutIsToldAgain() {
+  void anAppThatWaitsWhileItUnwindsIsInterruptedAgain() {
     strand.start(() -> {
       for (int i = 0; i < 3; i++) {
         try {
@@ -277,7 +277,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void anAppThatWillNotEndIsReported() {
+  void anAppThatDoesNotEndIsReported() {
     strand.start(() -> {
       while (true) {
         try {
@@ -294,7 +294,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void whatComesOutOfTheAppIsReportedAndEndsTheStrand() {
+  void anExceptionOfTheAppIsReportedAndEndsTheStrand() {
     IllegalStateException bug = new IllegalStateException("bug");
     strand.start(() -> {
       strand.post(() -> log.add("too late"));
@@ -308,7 +308,7 @@ public abstract class StrandContract {
   }
 
   @Test
-  void whatComesOutOfAPieceIsReportedAndUnwindsTheApp() {
+  void anExceptionOfAPieceIsReportedAndUnwindsTheApp() {
     IllegalStateException bug = new IllegalStateException("bug");
     strand.start(() -> {
       try {

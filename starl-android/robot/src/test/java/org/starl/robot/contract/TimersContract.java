@@ -35,7 +35,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void timersExpireOnTheStrandInTheOrderOfTheirTimes() {
+  void timersExpireOnTheStrandInTimeOrder() {
     onStrand(() -> {
       long startNs = now();
       for (int i : new int[] {3, 1, 4, 2, 0}) {
@@ -47,7 +47,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void timersOfEqualTimeExpireInTheOrderOfTheirSetting() {
+  void timersOfEqualTimeExpireInTheOrderInWhichTheyWereSet() {
     onStrand(() -> {
       long atNs = now() + 5 * MS;
       List<Timer> timers = new ArrayList<>();
@@ -63,7 +63,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void aTimerExpiresNotBeforeItsTimeAndOnce() {
+  void aTimerExpiresOnceAndNotEarly() {
     List<Long> lateNs = new CopyOnWriteArrayList<>();
     onStrand(() -> {
       long atNs = now() + 3 * MS;
@@ -75,7 +75,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void aTimerThatIsSetAnewExpiresForItsLastSettingOnly() {
+  void aTimerSetAgainExpiresAtItsLastTimeOnly() {
     onStrand(() -> {
       Timer timer = timer("expired");
       timer.set(now() + 20 * MS);
@@ -104,7 +104,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void aTimerThatIsDueComesAfterWhatWasPostedBefore() {
+  void aDueTimerExpiresAfterEarlierPosts() {
     onStrand(() -> {
       ground.strand().post(() -> log.add("posted"));
       timer("expired").set(now() - 10 * MS);
@@ -115,7 +115,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void aTimerIsSetFromItsSettingToItsExpiry() {
+  void aTimerIsPendingFromItsSettingToItsExpiry() {
     onStrand(() -> {
       Timer[] timer = new Timer[1];
       timer[0] =
@@ -154,7 +154,7 @@ public abstract class TimersContract {
   }
 
   @Test
-  void aTimerOfAClosedStrandIsDead() {
+  void aTimerOfAClosedStrandNeverExpires() {
     Timer[] timer = new Timer[1];
     onStrand(() -> {
       timer[0] = timer("too late");

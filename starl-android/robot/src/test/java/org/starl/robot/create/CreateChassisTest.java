@@ -17,7 +17,7 @@ class CreateChassisTest {
 
   @ParameterizedTest
   @EnumSource
-  void itDrivesStopsAtABumpTellsTheStrandAndGoesOn(Line line) {
+  void aBumpStopsTheWheelsAndIsReportedOnTheStrand(Line line) {
     try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, line)) {
       robot.awaitHolds();
       robot.wanted = new WheelCommand(200, 0);
@@ -37,7 +37,7 @@ class CreateChassisTest {
 
   @ParameterizedTest
   @EnumSource
-  void aStrandThatIsHeldNeitherKeepsTheBumpStopBackNorDrivesOn(Line line) {
+  void aBlockedStrandDoesNotDelayTheBumpStop(Line line) {
     try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, line)) {
       robot.wanted = new WheelCommand(200, 0);
       robot.await("drives", () -> robot.body.leftMmPerS == 200);
@@ -61,7 +61,7 @@ class CreateChassisTest {
   }
 
   @Test
-  void aStrandThatIsHeldIsStopped() {
+  void aBlockedStrandStopsTheWheels() {
     try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, Line.MEMORY)) {
       robot.wanted = new WheelCommand(200, 0);
       robot.await("drives", () -> robot.body.leftMmPerS == 200);
@@ -75,7 +75,7 @@ class CreateChassisTest {
   }
 
   @Test
-  void aLinkThatBreaksIsToldAndOpenedAnew() {
+  void aBrokenLinkIsReportedAndReopened() {
     try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_1, Line.SOCKET)) {
       robot.wanted = new WheelCommand(200, 0);
       robot.await("drives", () -> robot.body.leftMmPerS == 200);
@@ -93,7 +93,7 @@ class CreateChassisTest {
   }
 
   @Test
-  void afterALinkThatWorkedTheNextIsOpenedAtOnceForTheWheelsMayTurn() {
+  void aLinkThatWorkedIsReopenedAtOnce() {
     long hourMs = 3_600_000;
     CreateSettings slow =
         new CreateSettings(
@@ -107,7 +107,7 @@ class CreateChassisTest {
   }
 
   @Test
-  void whoCannotConnectIsToldAndTriesAgain() {
+  void aFailureToConnectIsReportedAndRetried() {
     ByteLink.Source[] later = new ByteLink.Source[1];
     CountDownLatch refused = new CountDownLatch(2);
     try (LiveRobot robot =
@@ -145,7 +145,7 @@ class CreateChassisTest {
 
   @ParameterizedTest
   @EnumSource
-  void closingLeavesTheRobotStandingAndPassive(Line line) {
+  void closingStopsTheRobotAndLeavesItPassive(Line line) {
     LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, line);
     robot.wanted = new WheelCommand(200, 0);
     robot.await("drives", () -> robot.body.leftMmPerS == 200);

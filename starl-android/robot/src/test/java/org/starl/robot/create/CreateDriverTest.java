@@ -17,7 +17,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void aRobotIsStartedAndDrivenRightWheelFirst(CreateModel model) {
+  void theDriveCommandNamesTheRightWheelFirst(CreateModel model) {
     Bench bench = Bench.ready(model);
     assertThat(bench.robot.mode()).isEqualTo(OiMode.SAFE);
     assertThat(bench.driver.status().holds()).isEmpty();
@@ -34,7 +34,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void wheelsThatCannotBeSoFastKeepTheirCurve(CreateModel model) {
+  void limitedSpeedsKeepTheCurvature(CreateModel model) {
     Bench bench = Bench.ready(model);
     bench.wanted = new WheelCommand(800, 2);
     bench.runMs(100);
@@ -46,7 +46,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void aBumpStopsTheWheelsBeforeTheStrandHearsOfIt(CreateModel model) {
+  void aBumpStopsTheWheelsBeforeTheStrandIsInformed(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.isStrandBusy = true;
     bench.body.senses = Senses.bumps(true, false);
@@ -66,7 +66,7 @@ class CreateDriverTest {
   }
 
   @Test
-  void againstWhatItTouchesItTurnsAndBacksButDoesNotPush() {
+  void aBlockedRobotTurnsAndBacksButDoesNotPush() {
     Bench bench = Bench.driving(CreateModel.CREATE_2);
     bench.body.senses = Senses.bumps(true, true);
     bench.runMs(200);
@@ -82,7 +82,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void aCliffStopsItAndItIsBroughtBackToSafeModeAndLeavesStraightBack(CreateModel model) {
+  void afterACliffTheRobotReturnsToSafeModeAndBacksStraightOut(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.body.senses = Senses.of(Sense.CLIFF_FRONT_LEFT);
     assertThat(bench.msUntilItStands(1000)).isBetween(0.0, 40.0);
@@ -105,7 +105,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void inFullModeTheDriverItselfStopsAtACliff(CreateModel model) {
+  void inFullModeTheDriverStopsAtACliff(CreateModel model) {
     Bench bench = new Bench(CreateSettings.of(model).withMode(OiMode.FULL));
     bench.driver.linkOpened(0);
     bench.wanted = new WheelCommand(250, 0);
@@ -118,7 +118,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void liftedItStandsUntilItIsBackOnTheFloorForAWhile(CreateModel model) {
+  void aLiftedRobotStopsUntilItHasBeenBackOnTheFloorForAWhile(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.body.senses = Senses.lifted();
     assertThat(bench.msUntilItStands(1000)).isBetween(0.0, 40.0);
@@ -135,7 +135,7 @@ class CreateDriverTest {
   }
 
   @Test
-  void aProgramThatHangsIsStopped() {
+  void aHangingProgramStopsTheWheels() {
     Bench bench = Bench.driving(CreateModel.CREATE_2);
     bench.runMs(60);
     bench.isProgramAlive = false;
@@ -147,7 +147,7 @@ class CreateDriverTest {
   }
 
   @Test
-  void withoutFixesItIsStoppedUnlessNobodyLooksAtThem() {
+  void missingFixesStopTheWheelsIfFixesAreUsed() {
     Bench bench = Bench.driving(CreateModel.CREATE_2);
     bench.hasFixes = false;
     assertThat(bench.msUntilItStands(1000)).isBetween(400.0, 530.0);
@@ -163,7 +163,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void aRobotThatFallsSilentIsStoppedAndStartedAgain(CreateModel model) {
+  void aSilentRobotIsStoppedAndRestarted(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.isRobotHeard = false;
     assertThat(bench.msUntilItStands(1000)).isBetween(80.0, 140.0);
@@ -178,7 +178,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void aRobotThatWasSwitchedOffIsStartedAgain(CreateModel model) {
+  void aRobotSwitchedOffIsRestarted(CreateModel model) {
     Bench bench = Bench.driving(model);
     Bench other = Bench.of(model);
     assertThat(other.robot.mode()).isEqualTo(OiMode.OFF);
@@ -200,7 +200,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void anEmergencyStopHoldsUntilItIsTakenBack(CreateModel model) {
+  void anEmergencyStopHoldsUntilItsRelease(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.driver.emergencyStop(true);
     assertThat(bench.msUntilItStands(1000)).isBetween(0.0, 15.0);
@@ -213,7 +213,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void aCommandThatWasCutOffWhenItsLinkBrokeDrivesNothing(CreateModel model) {
+  void aCommandCutOffByABrokenLinkEndsInAStop(CreateModel model) {
     Bench bench = Bench.of(model);
     byte[] cutOff = {(byte) 128, (byte) 132, (byte) 145, 1};
     bench.robot.receive(cutOff, cutOff.length, 0);
@@ -226,7 +226,7 @@ class CreateDriverTest {
   }
 
   @Test
-  void encodersThatWrapAroundTellTheWay() {
+  void odometryHandlesEncoderWraparound() {
     Bench bench = Bench.driving(CreateModel.CREATE_2);
     double from = bench.driver.status().sensors().travel().forwardMm();
     bench.wanted = new WheelCommand(400, 0);
@@ -243,7 +243,7 @@ class CreateDriverTest {
   }
 
   @Test
-  void aCreate1TellsItsWayByDistanceAndAngle() {
+  void aCreate1ReportsDistanceAndAngle() {
     Bench bench = Bench.driving(CreateModel.CREATE_1);
     double from = bench.driver.status().sensors().travel().forwardMm();
     bench.runMs(10_000);
@@ -252,7 +252,7 @@ class CreateDriverTest {
   }
 
   @Test
-  void aCreate1ThatLeavesTheHeaderOutOfItsChecksumsIsUnderstoodToo() {
+  void checksumsWithoutTheHeaderAreAcceptedFromACreate1() {
     Bench bench = Bench.of(CreateModel.CREATE_1);
     bench.robot.withoutHeaderInChecksums();
     bench.driver.linkOpened(0);
@@ -263,7 +263,7 @@ class CreateDriverTest {
 
   @ParameterizedTest
   @EnumSource
-  void atItsEndItGoesOnTellingTheRobotToStandUntilThatSaysSo(CreateModel model) {
+  void closingRepeatsTheStopUntilTheRobotConfirmsIt(CreateModel model) {
     Bench bench = Bench.driving(model);
     bench.driver.end(bench.nowNs);
     assertThat(bench.driver.hasEnded()).isFalse();

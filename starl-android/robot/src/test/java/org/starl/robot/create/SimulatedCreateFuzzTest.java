@@ -106,7 +106,7 @@ public class SimulatedCreateFuzzTest {
   }
 
   @Test
-  void noCommandsMakeItDoWhatItCannot() {
+  void randomCommandsKeepTheRobotWithinItsLimits() {
     List<byte[]> samples = new ArrayList<>();
     samples.add(
         bytes(128, 132, 145, 0, 200, 0xFF, 156, 137, 0x7F, 0xFF, 0x80, 0, 146, 0, 255, 1, 0));

@@ -57,7 +57,7 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void everythingIsAnsweredWhereTheSpecificationHasIt() {
+  void everySpecifiedQueryIsAnswered() {
     tell(128, 132, 145, 0, 200, 0xFF, 156);
     runMs(100);
     tell(142, 100);
@@ -72,7 +72,7 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void aRobotThatIsOffHearsNothingButItsStart() {
+  void aRobotThatIsOffReactsOnlyToStart() {
     tell(131, 132, 142, 35);
     assertThat(said).isEmpty();
     assertThat(robot.mode()).isEqualTo(OiMode.OFF);
@@ -82,7 +82,7 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void itDrivesCurvesStraightAndOnTheSpot() {
+  void theRobotDrivesCurvesStraightLinesAndTurnsOnTheSpot() {
     tell(128, 132, 137, 0, 200, 0x80, 0);
     assertThat(body.driven).endsWith("200,200");
     tell(137, 0, 200, 0, 1);
@@ -97,7 +97,7 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void itStreamsEvery15MsUntilItIsPaused() {
+  void theStreamHasAFrameEvery15MsUntilItIsPaused() {
     tell(128, 148, 2, 29, 13);
     runMs(151);
     assertThat(said).hasSize(10);
@@ -111,7 +111,7 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void moreThanTheLineCarriesIsNotStreamed() {
+  void aStreamAboveTheLineRateIsRefused() {
     tell(128, 148, 3, 100, 100, 100);
     runMs(100);
     assertThat(said).isEmpty();
@@ -119,7 +119,7 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void whatIsDangerousTakesItOutOfSafeMode() {
+  void dangersEndSafeMode() {
     for (Senses danger :
         List.of(Senses.lifted(), Senses.of(Sense.CHARGER), Senses.of(Sense.CLIFF_FRONT_LEFT))) {
       body.senses = Senses.NOTHING;
@@ -142,14 +142,14 @@ class SimulatedCreateTest {
   }
 
   @Test
-  void itGoesOnWhenNobodyTalksToIt() {
+  void aRobotWithoutNewCommandsContinuesToDrive() {
     tell(128, 131, 145, 0, 100, 0, 100);
     runMs(60_000);
     assertThat(body.leftMmPerS).isEqualTo(100);
   }
 
   @Test
-  void anotherModelKnowsOtherCommands() {
+  void commandsDependOnTheModel() {
     robot = robot(CreateModel.CREATE_1);
     tell(128, 132, 173, 146);
     assertThat(robot.unknownBytes()).isEqualTo(2);

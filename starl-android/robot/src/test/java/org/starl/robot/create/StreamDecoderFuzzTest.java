@@ -84,7 +84,7 @@ public class StreamDecoderFuzzTest {
   }
 
   @Test
-  void onlyFramesAreTaken() {
+  void onlyValidFramesAreAccepted() {
     List<byte[]> samples = new ArrayList<>();
     for (CreateModel model : CreateModel.values()) {
       Frames frames = new Frames(model, new Random(1));

@@ -19,7 +19,7 @@ class StreamDecoderTest {
   private final List<String> taken = new ArrayList<>();
 
   @Test
-  void theExampleOfTheCreate2SpecificationIsUnderstood() {
+  void theExampleOfTheCreate2SpecificationIsDecoded() {
     StreamDecoder decoder = new StreamDecoder(CreateModel.CREATE_2, EXAMPLE);
     accept(decoder, 19, 5, 29, 2, 25, 13, 0, 163);
     assertThat(taken).containsExactly("537,0");
@@ -30,7 +30,7 @@ class StreamDecoderTest {
   }
 
   @Test
-  void ofACreate1TheRuleOfThreeFramesCounts() {
+  void aCreate1UsesTheRuleOfThreeFrames() {
     StreamDecoder decoder = new StreamDecoder(CreateModel.CREATE_1, EXAMPLE);
     for (int frame = 0; frame < 3; frame++) {
       assertThat(taken).isEmpty();
@@ -59,7 +59,7 @@ class StreamDecoderTest {
   }
 
   @Property(tries = 2000)
-  void noFrameThatWasChangedOrCutOffIsTaken(@ForAll CreateModel model, @ForAll long seed) {
+  void changedAndTruncatedFramesAreRefused(@ForAll CreateModel model, @ForAll long seed) {
     Random random = new Random(seed);
     Frames frames = new Frames(model, random);
     int whole = 0;
@@ -76,7 +76,7 @@ class StreamDecoderTest {
   }
 
   @Property(tries = 1000)
-  void afterNoiseTheNextWholeFrameIsTaken(@ForAll @Size(max = 200) byte[] noise) {
+  void theNextCompleteFrameAfterNoiseIsAccepted(@ForAll @Size(max = 200) byte[] noise) {
     Frames frames = new Frames(CreateModel.CREATE_2, new Random(noise.length));
     StreamDecoder decoder =
         new StreamDecoder(CreateModel.CREATE_2, CreateSensors.packets(CreateModel.CREATE_2));

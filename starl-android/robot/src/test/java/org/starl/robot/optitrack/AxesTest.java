@@ -76,7 +76,7 @@ class AxesTest {
   }
 
   @Test
-  void whatNoRobotOnAFloorCanBeHasNoPose() {
+  void anImpossiblePoseIsRefused() {
     Axes axes = new Axes(UpAxis.Z, BodyAxis.PLUS_X);
     // It stands on its nose: x points down.
     assertThat(axes.pose(body(0, HALF, 0, HALF))).isNull();
@@ -90,7 +90,7 @@ class AxesTest {
   }
 
   @Property(tries = 300)
-  void aPoseThatIsStreamedComesBack(
+  void aStreamedPoseIsReadBack(
       @ForAll("allAxes") Axes axes,
       @ForAll @DoubleRange(min = -1e6, max = 1e6) double xMm,
       @ForAll @DoubleRange(min = -1e6, max = 1e6) double yMm,

@@ -42,7 +42,7 @@ class ClockMapTest {
   }
 
   @Property(tries = 200)
-  void withAnswersTheIntervalHoldsTheTruthWhateverTheDelays(@ForAll long seed) {
+  void withAnswersTheIntervalContainsTheTruthForAllDelays(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Other other = other(rng);
     ClockMap map = new ClockMap(MAX_DELAY_NS);
@@ -61,7 +61,7 @@ class ClockMapTest {
   }
 
   @Property(tries = 200)
-  void withoutAnswersItHoldsIfTheFastestDatagramIsAsFastAsAssumed(@ForAll long seed) {
+  void withoutAnswersTheIntervalIsRightIfTheFastestDatagramIsAsAssumed(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Other other = other(rng);
     ClockMap map = new ClockMap(MAX_DELAY_NS);
@@ -77,7 +77,7 @@ class ClockMapTest {
   }
 
   @Test
-  void aQuickAnswerMakesTheIntervalNarrow() {
+  void aQuickAnswerNarrowsTheInterval() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, 5000 * MS, 1002 * MS);
     TimeSpan span = map.span(5000 * MS, 5000 * MS, 1002 * MS);
@@ -89,7 +89,7 @@ class ClockMapTest {
   }
 
   @Test
-  void whatHasDriftedWhileAnAnswerWasUnderWayIsCounted() {
+  void driftDuringAnAnswerIsIncluded() {
     Other fast = new Other(0, 190);
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, fast.at(1000 * MS + 1), 1500 * MS);
@@ -98,7 +98,7 @@ class ClockMapTest {
   }
 
   @Test
-  void withoutAnswersAClockIsNotBelievedAtOnce() {
+  void withoutAnswersAClockIsNotTrustedAtOnce() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     assertThat(map.isSettled(0)).isFalse();
     map.came(7000 * MS, 10 * MS);
@@ -107,7 +107,7 @@ class ClockMapTest {
   }
 
   @Test
-  void aClockThatJumpsBackIsANewOneAndASingleOldDatagramDoesNoHarmForLong() {
+  void aBackwardJumpStartsANewClockAndOneOldDatagramHasNoLastingEffect() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     for (int i = 0; i < 100; i++) {
       map.came(7000 * MS + 10 * i * MS, 10 * i * MS);
@@ -121,7 +121,7 @@ class ClockMapTest {
   }
 
   @Test
-  void withAnswersADatagramFromTheFutureChangesNothing() {
+  void withAnswersADatagramFromTheFutureIsIgnored() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, 5000 * MS, 1002 * MS);
     map.came(9_000_000 * MS, 1003 * MS);
@@ -131,7 +131,7 @@ class ClockMapTest {
   }
 
   @Property(tries = 100)
-  void anAnswerThatContradictsAllBeforeIsOfANewClock(
+  void aContradictoryAnswerStartsANewClock(
       @ForAll @LongRange(min = 100, max = 1_000_000) long jumpMs) {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, 5000 * MS, 1002 * MS);

@@ -72,7 +72,7 @@ public class JsonFeedFuzzTest {
   }
 
   @Test
-  void noLineHurtsTheFeed() {
+  void noLineBreaksTheFeed() {
     String line =
         "{\"robot\":\"bot0\",\"xMm\":12,\"yMm\":-35.5e0,\"headingRad\":1.5,\"errorMm\":4,"
             + "\"errorRad\":0.1,\"atNs\":1000000000}";

@@ -41,12 +41,12 @@ class JsonFeedTest {
   }
 
   @Test
-  void aNameMayHaveEscapes() {
+  void aNameMayContainEscapes() {
     assertThat(parse(LINE.replace("bot0", "\\u0062ot0")).pose()).isEqualTo(parse(LINE).pose());
   }
 
   @Test
-  void keysComeInAnyOrderWithSpaceBetween() {
+  void keysMayHaveAnyOrderAndSpacing() {
     String line =
         " { \"errorRad\" : 1e-2 ,\"atNs\":-5,\t\"yMm\":0, \"xMm\":-0.0,\r\n\"errorMm\":2.5E+1,"
             + "\"headingRad\":-3.5,\"robot\":\"Bot_1.x\" } \n";
@@ -75,7 +75,7 @@ class JsonFeedTest {
         "{\"robot\":\"bot0\",}",
         "{,}"
       })
-  void whatIsNoObjectOfTheFeedIsRefused(String line) {
+  void linesThatAreNotPosesAreRefused(String line) {
     assertThat(parse(line).pose()).isNull();
     assertThat(parse(line).problem()).isNotEmpty().doesNotContain("\n");
   }
@@ -119,7 +119,7 @@ class JsonFeedTest {
         "{->{{",
         ":4->=4"
       })
-  void oneWrongCharacterIsOneTooMany(String change) {
+  void oneWrongCharacterIsRefused(String change) {
     String from = change.substring(0, change.indexOf("->"));
     String to = change.substring(change.indexOf("->") + 2);
     assertThat(LINE).contains(from);
@@ -127,7 +127,7 @@ class JsonFeedTest {
   }
 
   @Test
-  void everyLineThatIsCutOffIsRefused() {
+  void everyTruncatedLineIsRefused() {
     for (int length = 0; length < LINE.length(); length++) {
       assertThat(parse(LINE.substring(0, length)).pose()).isNull();
     }
@@ -136,7 +136,7 @@ class JsonFeedTest {
   }
 
   @Test
-  void aRefusalNamesTheColumnOnceAndIsThenCounted() {
+  void aRefusalIsLoggedOnceWithItsColumnAndThenCounted() {
     String line = LINE.replace("1200", "12o0");
     byte[] bytes = line.getBytes(StandardCharsets.UTF_8);
     assertThat(protocol.received(bytes, bytes.length, 0)).isNull();
@@ -146,7 +146,7 @@ class JsonFeedTest {
   }
 
   @Test
-  void timesOfTheSendersClockBecomeOurs() {
+  void timesAreConvertedFromTheSendersClock() {
     long offNs = 900_000 * MS;
     TrackedBody body = null;
     for (int i = 0; i <= 60; i++) {
@@ -163,7 +163,7 @@ class JsonFeedTest {
   }
 
   @Test
-  void moreRobotsThanCanBeKeptApartAreRefused() {
+  void tooManyRobotsAreRefused() {
     for (int i = 0; i <= JsonProtocol.MAX_ROBOTS; i++) {
       receive("bot" + i, 0, 0);
     }

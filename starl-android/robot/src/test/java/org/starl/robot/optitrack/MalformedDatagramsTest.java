@@ -33,7 +33,7 @@ class MalformedDatagramsTest {
   }
 
   @Test
-  void noDatagramHurtsTheServer() throws InterruptedException {
+  void noDatagramBreaksTheServer() throws InterruptedException {
     Clock clock = new RealClock();
     Loopback loopback = new Loopback();
     PoseSource source =

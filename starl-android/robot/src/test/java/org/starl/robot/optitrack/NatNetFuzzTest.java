@@ -147,7 +147,7 @@ public class NatNetFuzzTest {
   }
 
   @Test
-  void noDatagramsHurtTheClient() {
+  void noDatagramsBreakTheClient() {
     List<byte[]> samples = new ArrayList<>();
     FullStream.VERSIONS.forEach(version -> samples.add(conversation(version)));
 

@@ -118,7 +118,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void itConnectsInTheLongFormUntilItIsAnswered() {
+  void theClientRepeatsTheLongConnectMessageUntilAnAnswer() {
     protocol.tick(nowNs);
     protocol.tick(nowNs + NatNetProtocol.RETRY_NS - 1);
     assertThat(sent).hasSize(1);
@@ -148,7 +148,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void aFixBearsTheTimeOfTheExposureAndABoundThatHoldsItsUncertainty() {
+  void aFixHasItsExposureTimeAndABoundThatIncludesItsUncertainty() {
     connect();
     nowNs += 10 * MS;
     long exposedNs = nowNs - 9 * MS;
@@ -171,7 +171,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void withoutATimeOfExposureTheAssumedLatencyWidensTheBound() {
+  void withoutAnExposureTimeTheAssumedLatencyWidensTheBound() {
     connect();
     frame(0, ticks(nowNs - MS), at(1, 1, true));
     Fix fix = onlyFix();
@@ -181,7 +181,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void withoutAnyTimeTheAssumedDelayCountsToo() {
+  void withoutAnyTimeTheAssumedDelayIsAdded() {
     introduce(NatNetVersion.V4_1, 0);
     describe("bot0");
     frame(0, 0, at(1, 1, true));
@@ -190,7 +190,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void withoutAnswersTheClockIsBelievedAfterAWhile() {
+  void withoutAnswersTheClockIsTrustedAfterAWhile() {
     introduce(NatNetVersion.V4_1, TICKS_PER_S);
     describe("bot0");
     frame(5, at(1, 1, true));
@@ -225,7 +225,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void whatCannotBeIsNoFix() {
+  void impossiblePosesGiveNoFix() {
     connect();
     frame(5, new RigidBodyState(1, Double.NaN, 0, 0, 0, 0, 0, 1, 0, true));
     frame(4, new RigidBodyState(1, 0, 0, 0, 0, 0, 0, 1, -1, true));
@@ -236,7 +236,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void twoOfOneNumberOrNameGiveNoFix() {
+  void duplicateNumbersOrNamesGiveNoFix() {
     connect();
     frame(5, at(1, 1, true), at(2, 2, true), at(1, 3, true));
     assertThat(heard.get(0)).extracting(TrackedBody::name).containsExactly("bot1");
@@ -247,7 +247,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void aBodyWithoutADescriptionIsAskedFor() {
+  void theDescriptionOfAnUnknownBodyIsRequested() {
     connect();
     frame(5, at(3, 1, true));
     assertThat(heard.get(0)).isEmpty();
@@ -257,14 +257,14 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void aServerThatIsTooOldIsTold() {
+  void aServerThatIsTooOldIsReported() {
     introduce(new NatNetVersion(2, 9), TICKS_PER_S);
     assertThat(protocol.isConnected()).isFalse();
     assertThat(lines).hasSize(1).allMatch(line -> line.contains("expected 3.0 or later"));
   }
 
   @Test
-  void silenceMeansToConnectAgain() {
+  void theClientReconnectsAfterSilence() {
     connect();
     nowNs += NatNetProtocol.SILENCE_NS;
     protocol.tick(nowNs);
@@ -276,7 +276,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void withoutFramesItConnectsAgainEvenIfTheServerAnswers() {
+  void theClientReconnectsWithoutFramesEvenIfTheServerAnswers() {
     connect();
     for (int i = 0; i < 35; i++) {
       nowNs += 98 * MS;
@@ -290,7 +290,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void anAnswerToNoQuestionOrASecondOneIsIgnored() {
+  void unrequestedAndDuplicateAnswersAreIgnored() {
     connect();
     receive(
         new LittleEndianWriter()
@@ -303,7 +303,7 @@ class NatNetProtocolTest {
   }
 
   @Test
-  void framesBeforeTheServerIsKnownAreEarlyAndOtherMessagesUnknown() {
+  void framesBeforeTheServerIsKnownAreCountedAsEarly() {
     frame(5, at(1, 1, true));
     receive(new LittleEndianWriter().begin(77).end());
     receive(new LittleEndianWriter().begin(Message.CONNECT).end());

@@ -104,7 +104,7 @@ public class NatNetServerFuzzTest {
   }
 
   @Test
-  void noDatagramHurtsTheServer() {
+  void noDatagramBreaksTheServer() {
     LittleEndianWriter out = new LittleEndianWriter();
     List<byte[]> samples = new ArrayList<>();
     samples.add(from(1, out.begin(Message.CONNECT).fixedName("Ping", 240).end()));

@@ -52,14 +52,14 @@ class NatNetUdpTest {
 
   @ParameterizedTest
   @MethodSource("versionsAndAxes")
-  void unicastBringsEachBodyWithItsNameAndItsPose(NatNetVersion version, Axes axes)
+  void unicastDeliversNameAndPoseOfEachBody(NatNetVersion version, Axes axes)
       throws InterruptedException {
     exchange(null, version, axes);
   }
 
   @ParameterizedTest
   @MethodSource("versionsAndAxes")
-  void multicastBringsEachBodyWithItsNameAndItsPose(NatNetVersion version, Axes axes)
+  void multicastDeliversNameAndPoseOfEachBody(NatNetVersion version, Axes axes)
       throws InterruptedException {
     Loopback.assumeMulticast();
     exchange(Loopback.freeGroup(), version, axes);
@@ -105,7 +105,7 @@ class NatNetUdpTest {
   }
 
   @Test
-  void aBodyIsFollowedByItsNumberToo() {
+  void aBodyCanBeIdentifiedByItsNumber() {
     RealGround ground = new RealGround("bot0");
     BlockingQueue<Fix> fixes = new LinkedBlockingQueue<>();
     try (NatNetServer server =
@@ -124,7 +124,7 @@ class NatNetUdpTest {
   }
 
   @Test
-  void aServerThatIsStartedAnewIsFoundAgain() throws InterruptedException {
+  void aRestartedServerIsFoundAgain() throws InterruptedException {
     NatNetServerSettings serving = NatNetServerSettings.unicast(Loopback.HOST);
     BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
     NatNetServer first = loopback.serve(serving, still(), clock);
@@ -158,7 +158,7 @@ class NatNetUdpTest {
   }
 
   @Test
-  void aNameThatTheServerDoesNotHaveIsTold() throws InterruptedException {
+  void anUnknownNameIsReported() throws InterruptedException {
     RealGround ground = new RealGround("bot7");
     BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
     try (NatNetServer server =
@@ -207,7 +207,7 @@ class NatNetUdpTest {
   }
 
   @Test
-  void whatComesFromElsewhereIsCountedAndDropped() throws InterruptedException {
+  void datagramsFromOtherAddressesAreCountedAndDropped() throws InterruptedException {
     Loopback.assumeMulticast();
     InetSocketAddress group = Loopback.freeGroup();
     BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
@@ -237,7 +237,7 @@ class NatNetUdpTest {
   }
 
   @Test
-  void anAddressThatIsTakenIsToldInOneLine() {
+  void anAddressInUseIsReportedInOneLine() {
     try (NatNetServer server =
         loopback.serve(NatNetServerSettings.unicast(Loopback.HOST), still(), clock)) {
       NatNetServerSettings same =

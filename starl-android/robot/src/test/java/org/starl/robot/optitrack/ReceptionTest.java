@@ -19,7 +19,7 @@ class ReceptionTest {
       new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
 
   @Test
-  void aBugOfWhoTakesDatagramsIsToldAndNotSwallowedWithTheThread() throws Exception {
+  void anExceptionOfTheReceiverIsReported() throws Exception {
     IllegalStateException bug = new IllegalStateException("a bug");
     BlockingQueue<Exception> told = new LinkedBlockingQueue<>();
     DatagramSocket socket = new DatagramSocket(ANY);

@@ -45,7 +45,7 @@ class StreamTest {
 
   @ParameterizedTest
   @MethodSource("versions")
-  void bodiesAreFoundAmongAllThatAFrameCanHold(NatNetVersion version) {
+  void bodiesAreFoundAmongAllPartsOfAFrame(NatNetVersion version) {
     byte[] datagram = new FullStream(version).frame(42, List.of(ONE, OTHER));
     assertThat(parse(datagram, version))
         .isEqualTo(new MocapFrame(42, List.of(ONE, OTHER), 1000, 2000, 3000, true));
@@ -64,7 +64,7 @@ class StreamTest {
 
   @ParameterizedTest
   @MethodSource("versions")
-  void whatIsCutOffIsNoFrameAndNoDescription(NatNetVersion version) {
+  void truncatedFramesAndDescriptionsAreRefused(NatNetVersion version) {
     byte[] frame = new FullStream(version).frame(42, List.of(ONE, OTHER));
     int marksTheEnd = 4;
     for (int length = 0; length < frame.length - marksTheEnd; length++) {
@@ -87,7 +87,7 @@ class StreamTest {
   }
 
   @Test
-  void aHeaderThatClaimsMoreThanIsThereFails() {
+  void aHeaderWithTooLargeALengthIsRefused() {
     byte[] frame = new FullStream(NatNetVersion.V4_1).frame(1, List.of(ONE));
     assertThat(StreamTest.<Integer>orNull(frame, frame.length, LittleEndianReader::i32))
         .isNotNull();
@@ -101,7 +101,7 @@ class StreamTest {
 
   @ParameterizedTest
   @MethodSource("versions")
-  void countsThatCannotBeAreRefusedBeforeAnythingIsKept(NatNetVersion version) {
+  void impossibleCountsAreRefusedBeforeAllocation(NatNetVersion version) {
     for (int count : new int[] {-1, Integer.MIN_VALUE, Integer.MAX_VALUE, 1_000_000}) {
       LittleEndianWriter out = new LittleEndianWriter().begin(Message.FRAME).i32(1);
       out.i32(0);
@@ -141,7 +141,7 @@ class StreamTest {
   }
 
   @Test
-  void anUnknownDescriptionIsSkippedWhereItTellsItsSizeAndElseEndsTheList() {
+  void anUnknownDescriptionIsSkippedIfItsSizeIsKnownAndEndsTheListOtherwise() {
     for (NatNetVersion version : FullStream.VERSIONS) {
       LittleEndianWriter out = new LittleEndianWriter().begin(Message.MODELS).i32(2);
       out.i32(77);
@@ -159,7 +159,7 @@ class StreamTest {
   }
 
   @Test
-  void twoBodiesOfOneNameAreAmbiguous() {
+  void bodiesWithEqualNamesAreAmbiguous() {
     LittleEndianWriter out = new LittleEndianWriter().begin(Message.MODELS).i32(3);
     List<String> names = List.of("bot0", "bot1", "bot0");
     for (int id = 0; id < names.size(); id++) {

@@ -18,7 +18,7 @@ class RealStrandTest {
   private final List<Throwable> errors = new CopyOnWriteArrayList<>();
 
   @Test
-  void manyThreadsPostAndEveryPieceRunsAlone() throws Exception {
+  void piecesFromManyThreadsNeverOverlap() throws Exception {
     int threads = 8;
     int posts = 2000;
     int[] counter = {0};
@@ -44,7 +44,7 @@ class RealStrandTest {
   }
 
   @Test
-  void theStrandTellsHowLongItWasHeld() throws Exception {
+  void theStrandReportsTheDurationOfItsPieces() throws Exception {
     SteppedClock clock = new SteppedClock();
     CountDownLatch done = new CountDownLatch(1);
     RealStrand strand = new RealStrand("robot0", clock, errors::add);
@@ -63,7 +63,7 @@ class RealStrandTest {
   }
 
   @Test
-  void lengthsOfPiecesAreToldToAQuarter() {
+  void durationsOfPiecesAreReportedWithin25Percent() {
     StrandTally tally = new StrandTally();
     for (int i = 1; i <= 1000; i++) {
       tally.add(i * 1000L, i == 1000 ? "a timer" : "the app");
@@ -79,7 +79,7 @@ class RealStrandTest {
 
   /** The plan needs what only the steps give: on the strand it would wait for ever. */
   @Test
-  void motionStepsGoOnWhileAPlanIsComputedOffTheStrand() throws Exception {
+  void motionContinuesWhileAPlanIsComputedOffTheStrand() throws Exception {
     CountDownLatch steps = new CountDownLatch(5);
     CountDownLatch planned = new CountDownLatch(1);
     RealClock clock = new RealClock();

@@ -16,7 +16,7 @@ class PseudoTerminalTest {
   @TempDir private Path folder;
 
   @Test
-  void aNameThatIsAFileIsLeftAloneAndTold() throws IOException {
+  void anExistingFileIsNotReplaced() throws IOException {
     Path name = Files.writeString(folder.resolve("port"), "mine");
     assertThatThrownBy(() -> PseudoTerminal.open(name.toString()))
         .isInstanceOf(IOException.class)
@@ -25,7 +25,7 @@ class PseudoTerminalTest {
   }
 
   @Test
-  void aNameOfEarlierIsTakenOver() throws IOException {
+  void anEarlierLinkIsReplaced() throws IOException {
     String name = folder.resolve("port").toString();
     try (PseudoTerminal first = PseudoTerminal.open(name);
         PseudoTerminal second = PseudoTerminal.open(name)) {
@@ -34,7 +34,7 @@ class PseudoTerminalTest {
   }
 
   @Test
-  void aFolderThatIsNotThereIsTold() {
+  void aMissingFolderIsReported() {
     assertThatThrownBy(() -> PseudoTerminal.open(folder.resolve("no/port").toString()))
         .hasMessageEndingWith(": No such file or directory");
   }

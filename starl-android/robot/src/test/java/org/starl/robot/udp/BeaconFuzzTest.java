@@ -71,7 +71,7 @@ public class BeaconFuzzTest {
 
   /** An IPv4 address inside one of IPv6 was read as the former: two spellings of one beacon. */
   @Test
-  void anAddressInDisguiseIsNone() {
+  void anIpv4MappedAddressIsRefused() {
     byte[] input = UNSIGNED.write(new Beacon(new RobotId("b"), 5, 7, address(16), 4747));
     int addressAt = input.length - 2 - 16;
     Arrays.fill(input, addressAt, addressAt + 10, (byte) 0);
@@ -82,7 +82,7 @@ public class BeaconFuzzTest {
   }
 
   @Test
-  void noBytesAreABeaconButOnes() {
+  void onlyBeaconsAreDecodedAsBeacons() {
     MalformedBytes.feed(samples(), BeaconFuzzTest::fuzzerTestOneInput);
   }
 }

@@ -148,7 +148,7 @@ public class DatagramFuzzTest {
   }
 
   @Test
-  void aRobotTakesMessagesAndNothingElse() {
+  void aRobotAcceptsOnlyMessages() {
     List<byte[]> samples = new ArrayList<>(said(null));
     samples.addAll(GENUINE);
     assertThat(samples).hasSize(8);

@@ -110,7 +110,7 @@ class DiscoveryTest {
   }
 
   @Test
-  void aBeaconWithoutTheKeyOrFromElsewhereIsDroppedAndTold() throws Exception {
+  void beaconsWithoutTheKeyOrFromAnotherAddressAreDroppedAndReported() throws Exception {
     try (Station me = new Station(ME);
         DatagramSocket stranger = new DatagramSocket(0, InetAddress.getLoopbackAddress())) {
       me.discover(ME, Map.of());
@@ -135,7 +135,7 @@ class DiscoveryTest {
   }
 
   @Test
-  void whoIsSilentIsSuspectedOnceAndWelcomeAgain() {
+  void aSilentRobotIsSuspectedOnceAndMayReturn() {
     Neighbours neighbours = new Neighbours(ME, BOTH, 3 * S, 0);
 
     assertThat(neighbours.newlySuspected(3 * S)).isEmpty();
@@ -149,7 +149,7 @@ class DiscoveryTest {
   }
 
   @Test
-  void aRecordedBeaconKeepsNobodyAlive() {
+  void aReplayedBeaconDoesNotEndASuspicion() {
     Neighbours neighbours = new Neighbours(ME, BOTH, 3 * S, 0);
     Beacon recorded = new Beacon(OTHER, 5, 7, null, 1);
     neighbours.hear(recorded, S);
@@ -163,7 +163,7 @@ class DiscoveryTest {
   }
 
   @Test
-  void noChangedBeaconIsTakenAndNoneCrashesTheParser() throws Exception {
+  void changedBeaconsAreRefused() throws Exception {
     long seed = 20251122;
     Rng rng = new Rng(seed);
     Beacon.Codec codec = new Beacon.Codec(KEY);
@@ -186,7 +186,7 @@ class DiscoveryTest {
   }
 
   @Test
-  void aBugOnTheRadiosThreadIsToldAndNotSwallowedWithTheThread() throws Exception {
+  void anExceptionOnTheRadiosThreadIsReported() throws Exception {
     try (Station me = new Station(ME);
         Station other = new Station(OTHER)) {
       me.isBroken = true;
@@ -199,7 +199,7 @@ class DiscoveryTest {
   }
 
   @Test
-  void aBugOnTheBeaconsThreadIsToldAndNotSwallowedWithTheBeacons() throws Exception {
+  void anExceptionOnTheBeaconsThreadIsReported() throws Exception {
     try (Station me = new Station(ME)) {
       me.isBroken = true;
       me.discover(ME, Map.of(), 1);

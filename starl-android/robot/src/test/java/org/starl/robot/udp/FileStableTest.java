@@ -50,7 +50,7 @@ class FileStableTest extends StableContract {
   }
 
   @Test
-  void aWriteThatWasCutShortIsForgotten() throws IOException {
+  void aTruncatedWriteIsIgnored() throws IOException {
     Files.createDirectories(directory.resolve("robot0"));
     Files.write(directory.resolve("robot0/fresh.tmp"), new byte[] {1, 2});
     Files.write(directory.resolve("robot0/starl.boot.value"), new byte[] {7});
@@ -62,7 +62,7 @@ class FileStableTest extends StableContract {
   }
 
   @Test
-  void aForeignFileIsNamed() throws IOException {
+  void theErrorNamesAForeignFile() throws IOException {
     Files.createDirectories(directory.resolve("robot0"));
     for (String name : List.of("holiday.jpg", "Capital.value", ".value", "a%zz.value", "%.value")) {
       Path file = Files.write(directory.resolve("robot0").resolve(name), new byte[0]);
@@ -77,7 +77,7 @@ class FileStableTest extends StableContract {
   }
 
   @Test
-  void aKeyThatNoFileCanBearIsABug() {
+  void aKeyThatIsNoValidFileNameIsABug() {
     try (RealGround ground = new RealGround("robot0");
         FileStable opened = open(ground, ground.errors()::add)) {
       assertThatThrownBy(() -> opened.put("", new byte[0], () -> {}))
@@ -88,7 +88,7 @@ class FileStableTest extends StableContract {
   }
 
   @Test
-  void aDiskThatFailsIsToldOnceAndNothingIsFlushedAfterwards() throws IOException {
+  void aDiskFailureIsReportedOnceAndEndsFlushing() throws IOException {
     List<Throwable> failures = new CopyOnWriteArrayList<>();
     List<String> log = new CopyOnWriteArrayList<>();
     CountDownLatch failed = new CountDownLatch(1);
@@ -115,7 +115,7 @@ class FileStableTest extends StableContract {
   }
 
   @Test
-  void closingFlushesWhatWasWritten() {
+  void closingFlushesPendingWrites() {
     try (RealGround ground = new RealGround("robot0")) {
       FileStable opened = open(ground, ground.errors()::add);
       for (int i = 0; i < 50; i++) {

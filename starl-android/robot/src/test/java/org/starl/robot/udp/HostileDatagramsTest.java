@@ -167,7 +167,7 @@ class HostileDatagramsTest {
   }
 
   @Test
-  void nothingHostileIsTakenAndNothingOfItKept() throws Exception {
+  void hostileDatagramsAreDroppedAndNotStored() throws Exception {
     LoneRobot.PromptStrand strand = new LoneRobot.PromptStrand();
     try (Victim victim = new Victim(strand);
         DatagramSocket friendsSocket = new DatagramSocket(0, HERE);
@@ -231,7 +231,7 @@ class HostileDatagramsTest {
   }
 
   @Test
-  void theSameOverTheLoopbackInterface() throws Exception {
+  void hostileDatagramsOverTheLoopbackInterfaceAreDropped() throws Exception {
     try (RealGround ground = new RealGround("victim");
         Victim victim = new Victim(ground.strand());
         DatagramSocket friends = new DatagramSocket(0, HERE);

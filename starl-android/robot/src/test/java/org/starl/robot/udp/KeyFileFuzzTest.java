@@ -38,7 +38,7 @@ public class KeyFileFuzzTest {
   }
 
   @Test
-  void nothingButAKeyIsOne() {
+  void onlyAValidKeyIsAccepted() {
     String digits = "0123456789abcdefABCDEF0000000000ffffffffffffffff0123456789abcdef";
     assertThat(digits).hasSize(64);
 

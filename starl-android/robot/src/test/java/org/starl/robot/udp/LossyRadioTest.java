@@ -116,7 +116,7 @@ class LossyRadioTest extends RadioContract {
   }
 
   @Test
-  void copiesLeaveAfterTheCallAndAsLateAsTheAirSays() {
+  void copiesAreSentAfterTheCallWithTheConfiguredDelay() {
     Bench bench = new Bench();
     LossyRadio radio = bench.radio(1, rng -> 100);
     byte[] buffer = {7};
@@ -130,7 +130,7 @@ class LossyRadioTest extends RadioContract {
   }
 
   @Test
-  void eachLinkLosesByItsOwnGenerator() {
+  void eachLinkHasItsOwnRandomGenerator() {
     Bench bench = new Bench();
     LossyRadio radio = bench.radio(1, rng -> rng.nextBoolean(0.2) ? LossyRadio.LOST : 0);
     Bench alone = new Bench();

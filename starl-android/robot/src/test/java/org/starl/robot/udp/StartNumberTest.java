@@ -31,7 +31,7 @@ class StartNumberTest {
       };
 
   @Test
-  void eachIsAboveThoseBeforeAlsoWhereTheDateHasGoneBack() {
+  void startNumbersIncreaseEvenIfTheDateGoesBack() {
     assertThat(StartNumber.next(stable, 1000)).isEqualTo(1000);
     assertThat(StartNumber.next(stable, 2000)).isEqualTo(2000);
     assertThat(StartNumber.next(stable, 5)).isEqualTo(2001);
@@ -40,7 +40,7 @@ class StartNumberTest {
   }
 
   @Test
-  void whereTheStorageWasLostTheDateCounts() {
+  void afterALossOfStorageTheStartNumberComesFromTheDate() {
     StartNumber.next(stable, 1000);
     written.clear();
     assertThat(StartNumber.next(stable, 1001)).isEqualTo(1001);

@@ -61,7 +61,7 @@ class UdpRadioTest extends RadioContract {
   }
 
   @Test
-  void aFloodThatTheStrandCannotFollowIsDropped() throws Exception {
+  void aFloodTooFastForTheStrandIsDropped() throws Exception {
     try (UdpAir air = new UdpAir()) {
       UdpRadio radio = air.radio(0);
       CountDownLatch release = new CountDownLatch(1);
@@ -77,7 +77,7 @@ class UdpRadioTest extends RadioContract {
   }
 
   @Test
-  void whatCannotBeSentIsCounted() {
+  void failedSendsAreCounted() {
     try (UdpAir air = new UdpAir()) {
       UdpRadio radio = air.radio(0);
       radio.send(new RobotId("nobody"), new byte[3], 3);
@@ -91,7 +91,7 @@ class UdpRadioTest extends RadioContract {
   }
 
   @Test
-  void aClosedRadioFreesItsAddress() throws IOException {
+  void aClosedRadioReleasesItsAddress() throws IOException {
     try (UdpAir air = new UdpAir()) {
       InetSocketAddress address = air.radio(0).address();
       assertThatThrownBy(() -> new DatagramSocket(address)).isInstanceOf(BindException.class);

@@ -58,7 +58,7 @@ class RaceMessagesTest {
   }
 
   @Test
-  void aClaimAtThePointIsBetterThanOneKeptOffThenTheEarlierThenTheFirstName() {
+  void claimsAreOrderedByReachingThePointThenTimeThenName() {
     RobotId first = new RobotId("bot2");
     RobotId second = new RobotId("bot10");
     assertThat(new Claim(0, second, 9, 0)).isLessThan(new Claim(0, first, 5, 300));
@@ -79,7 +79,7 @@ class RaceMessagesTest {
   }
 
   @Test
-  void patienceEndsAfterThreeMotionsInVainAndBeginsAnewWhenTheRobotComesNearer() {
+  void patienceEndsAfterThreeFailedMotionsAndIsRenewedByProgress() {
     RacePoint point = new RacePoint("A", new Point(0, 0), 75);
     Patience patience = new Patience(point, 165);
     assertThat(patience.isEnough(400)).isFalse();

@@ -96,7 +96,7 @@ class HouseTest {
   }
 
   @Property(tries = 200)
-  void aSideOfAnObstacleCutsTheLineOfSightAndNothingElseDoes(@ForAll long seed) {
+  void onlyObstaclesCutTheLineOfSight(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Sight sight = Sight.of(WALLS);
     Point from = new Point(rng.nextLong(0, 6_000), rng.nextLong(0, 4_000));
