@@ -85,7 +85,7 @@ public final class Simulation {
     private CarrierKind carriers = CarrierKind.best();
     private Obstacles obstacles = Obstacles.NONE;
     private @Nullable Director director;
-    private @Nullable StepListener bystander;
+    private @Nullable StepListener stepListener;
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
     private final List<RobotSpec> robots = new ArrayList<>();
@@ -163,8 +163,8 @@ public final class Simulation {
     }
 
     /** Sets the step listener, which may pause the run and intervene. */
-    public Builder bystander(StepListener newBystander) {
-      bystander = newBystander;
+    public Builder stepListener(StepListener newBystander) {
+      stepListener = newBystander;
       return this;
     }
 
@@ -266,7 +266,7 @@ public final class Simulation {
               key(),
               start,
               director,
-              bystander,
+              stepListener,
               all.get(Setting.FAULTS).plus(chaos(start.size())),
               linkRules,
               endNs(),

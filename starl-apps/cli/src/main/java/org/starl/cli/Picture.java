@@ -4,8 +4,8 @@ import java.io.Closeable;
 import java.io.IOException;
 import org.starl.apps.Plan;
 import org.starl.sim.SimObserver;
-import org.starl.sim.record.Moment;
 import org.starl.sim.record.PictureRecorder;
+import org.starl.sim.record.PictureTime;
 
 /** Writes one picture of a run to a file. */
 final class Picture implements Closeable {
@@ -16,7 +16,7 @@ final class Picture implements Closeable {
   /**
    * @param option the option's name, for errors: {@code --png}
    */
-  Picture(Plan plan, Moment moment, String option, String name) {
+  Picture(Plan plan, PictureTime moment, String option, String name) {
     recorder = new PictureRecorder(plan.obstacles(), plan.layer(), moment);
     file = new OutputFile(option, name);
   }

@@ -19,7 +19,7 @@ import org.starl.sim.export.MessageTable;
 import org.starl.sim.export.PositionTable;
 import org.starl.sim.export.VariableTable;
 import org.starl.sim.record.GifRecorder;
-import org.starl.sim.record.Moment;
+import org.starl.sim.record.PictureTime;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -115,7 +115,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     PrintWriter err = err();
     String suffix = suffix();
     String wanted = when();
-    Moment moment = moment(wanted);
+    PictureTime moment = moment(wanted);
     Recordable run = run(demos(), err);
     String target = file == null ? defaultFile(run.app(), run.seed(), suffix) : file;
     Recorded recorded =
@@ -154,7 +154,8 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   /** The run's result, and whether a file was written. */
   private record Recorded(SimResult result, boolean isWritten) {}
 
-  private static Recorded png(Recordable run, Moment moment, String target) throws IOException {
+  private static Recorded png(Recordable run, PictureTime moment, String target)
+      throws IOException {
     try (Picture picture = new Picture(run.plan(), moment, "--out", target)) {
       SimResult result = run.show().apply(picture.recorder());
       return new Recorded(result, picture.isTaken());
@@ -239,16 +240,16 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     return String.format(Locale.ROOT, "out/%s-%d.%s", app, seed, suffix);
   }
 
-  private static Moment moment(String text) {
+  private static PictureTime moment(String text) {
     switch (text) {
       case "end" -> {
-        return new Moment.End();
+        return new PictureTime.End();
       }
       case "best" -> {
-        return new Moment.Best();
+        return new PictureTime.Best();
       }
       case VIOLATION -> {
-        return new Moment.Violation();
+        return new PictureTime.Violation();
       }
       default -> {
         if (!text.startsWith("t=")) {
@@ -257,7 +258,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       }
     }
     try {
-      return new Moment.At(Quantities.durationNs(text.substring(2)));
+      return new PictureTime.At(Quantities.durationNs(text.substring(2)));
     } catch (BadInput error) {
       throw Quantities.in("--png", error);
     }

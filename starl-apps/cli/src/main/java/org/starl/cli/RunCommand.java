@@ -20,7 +20,7 @@ import org.starl.sim.export.MessageTable;
 import org.starl.sim.export.PositionTable;
 import org.starl.sim.export.VariableTable;
 import org.starl.sim.kernel.CarrierKind;
-import org.starl.sim.record.Moment;
+import org.starl.sim.record.PictureTime;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -205,7 +205,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
         ObserverFile variables =
             ObserverFile.of("--csv-variables", csvVariables, VariableTable::new);
         ObserverFile theories = ObserverFile.of("--pvs", pvs, RunTheories::new);
-        Picture picture = new Picture(plan, new Moment.Best(), "--png", pictureName)) {
+        Picture picture = new Picture(plan, new PictureTime.Best(), "--png", pictureName)) {
       plan.simulation()
           .observer(traceFile.observer())
           .observer(csvFile.observer())

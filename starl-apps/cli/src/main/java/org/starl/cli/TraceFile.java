@@ -15,10 +15,10 @@ import org.starl.input.BadInput;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.ReplayCheck;
+import org.starl.sim.replay.InterventionReplayer;
 import org.starl.sim.replay.Recording;
-import org.starl.sim.replay.SameInterventions;
-import org.starl.sim.replay.TraceReading;
-import org.starl.sim.replay.TraceShow;
+import org.starl.sim.replay.TraceLoader;
+import org.starl.sim.replay.TracePlayer;
 import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceEvent;
@@ -116,15 +116,15 @@ final class TraceFile {
   }
 
   /** A reading for the viewer; the app's monitors check it meanwhile. */
-  TraceReading reading() {
+  TraceLoader reading() {
     Plan plan = plan();
     Recording recording = new Recording(plan.obstacles(), plan.layer());
-    return new TraceReading(recording, observers -> show(List.of(), observers), this::monitors);
+    return new TraceLoader(recording, observers -> show(List.of(), observers), this::monitors);
   }
 
   private SimResult show(List<Monitor> monitors, List<? extends SimObserver> observers) {
     try (TraceReader reader = reader(name)) {
-      return TraceShow.show(name, reader, monitors, List.copyOf(observers));
+      return TracePlayer.show(name, reader, monitors, List.copyOf(observers));
     } catch (IOException e) {
       throw unreadable(name, e);
     }
@@ -157,7 +157,7 @@ final class TraceFile {
     }
     Plan plan = plan();
     if (!interventions.isEmpty()) {
-      plan.simulation().bystander(new SameInterventions(interventions));
+      plan.simulation().stepListener(new InterventionReplayer(interventions));
     }
     try (InputStream in = new BufferedInputStream(Files.newInputStream(Path.of(name)), 1 << 16)) {
       return ReplayCheck.of(plan.simulation(), in);

@@ -6,7 +6,7 @@ import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
-import org.starl.sim.replay.TraceReading;
+import org.starl.sim.replay.TraceLoader;
 import org.starl.sim.view.Window;
 import picocli.CommandLine.Option;
 
@@ -41,7 +41,7 @@ final class Viewing {
    *
    * @throws BadInput afterwards, if a line is broken
    */
-  void show(TraceReading reading) {
+  void show(TraceLoader reading) {
     try (reading) {
       reading.start();
       show(reading.recording(), null);

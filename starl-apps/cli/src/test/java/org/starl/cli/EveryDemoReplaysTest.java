@@ -22,7 +22,7 @@ import org.starl.apps.Plan;
 import org.starl.random.Rng;
 import org.starl.sim.SimResult;
 import org.starl.sim.TraceRecorder;
-import org.starl.sim.record.Extent;
+import org.starl.sim.record.BoundingBox;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Painter;
@@ -135,7 +135,7 @@ class EveryDemoReplaysTest {
   private static int[] pixels(Scene scene, Layer layer) {
     BufferedImage image = new BufferedImage(WIDTH_PX, HEIGHT_PX, BufferedImage.TYPE_INT_RGB);
     Graphics2D page = image.createGraphics();
-    Viewport viewport = Viewport.fit(Extent.of(scene, layer), WIDTH_PX, HEIGHT_PX, 10);
+    Viewport viewport = Viewport.fit(BoundingBox.of(scene, layer), WIDTH_PX, HEIGHT_PX, 10);
     new Painter().paint(page, scene, layer, viewport, Look.FILE);
     page.dispose();
     return ((DataBufferInt) image.getRaster().getDataBuffer()).getData();

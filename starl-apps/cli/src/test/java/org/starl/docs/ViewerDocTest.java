@@ -61,7 +61,7 @@ class ViewerDocTest {
         .settings(SimSettings.builder().duration(Duration.ofSeconds(30)).build())
         .seed(7)
         .robots(1, Errand::new)
-        .bystander(new Person())
+        .stepListener(new Person())
         .observer(
             new SimObserver() {
               @Override

@@ -95,18 +95,18 @@ public final class MotionControlAutomaton
       case MotionControlAction.arrived a -> {
         long target = s.target.at(a.i());
         Place here = s.pos.at(a.i());
-        yield isMoving(a.i(), s)
+        yield enabledWhileMoving(a.i(), s)
             .and(
                 "near(pos(i), target(i))",
                 here.near().contains(target),
                 () -> "pos(" + a.i() + ") = " + here + ", target(" + a.i() + ") = " + target);
       }
-      case MotionControlAction.failed a -> isMoving(a.i(), s);
+      case MotionControlAction.failed a -> enabledWhileMoving(a.i(), s);
       case MotionControlAction.motion_stop a -> Enabled.TRUE;
     };
   }
 
-  private static Enabled isMoving(RobotId i, States s) {
+  private static Enabled enabledWhileMoving(RobotId i, States s) {
     MotionFlag flag = s.motionflag.at(i);
     return Enabled.when(
         "motionflag(i) = MOVING",

@@ -163,8 +163,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void theForegroundServiceKeepsThePhoneAwake()
-      throws InterruptedException {
+  public void theForegroundServiceKeepsThePhoneAwake() throws InterruptedException {
     tell(RobotService.START);
     Notification notification = shadowOf(service).getLastForegroundNotification();
     assertThat(notification.getChannelId()).isEqualTo(RobotNotification.CHANNEL);
@@ -212,8 +211,7 @@ public final class RobotServiceTest {
   }
 
   @Test
-  public void aStopStopsTheWheelsFirstAndKeepsThePhoneAwakeUntilTheEnd()
-      throws Exception {
+  public void aStopStopsTheWheelsFirstAndKeepsThePhoneAwakeUntilTheEnd() throws Exception {
     tell(RobotService.START);
     until(car::turnsItsWheels);
     service.worker.execute(mayGoOn::acquireUninterruptibly);

@@ -10,7 +10,7 @@ import org.starl.platform.Strand;
 /** The robots and observers that a feed gives its bodies to. From any thread. */
 final class Followers {
 
-  private record Follower(Predicate<TrackedBody> isItsBody, StrandPositioning positioning) {}
+  private record Follower(Predicate<TrackedBody> body, StrandPositioning positioning) {}
 
   private final List<Follower> followers = new CopyOnWriteArrayList<>();
   private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
@@ -20,9 +20,9 @@ final class Followers {
    *
    * @param name of the body, for messages
    */
-  Positioning follow(Strand strand, String name, Predicate<TrackedBody> isItsBody) {
+  Positioning follow(Strand strand, String name, Predicate<TrackedBody> body) {
     StrandPositioning positioning = new StrandPositioning(strand, name);
-    followers.add(new Follower(isItsBody, positioning));
+    followers.add(new Follower(body, positioning));
     return positioning;
   }
 
@@ -35,9 +35,9 @@ final class Followers {
       return;
     }
     for (Follower follower : followers) {
-      for (TrackedBody body : bodies) {
-        if (body.fix() != null && follower.isItsBody().test(body)) {
-          follower.positioning().offer(body.fix());
+      for (TrackedBody tracked : bodies) {
+        if (tracked.fix() != null && follower.body().test(tracked)) {
+          follower.positioning().offer(tracked.fix());
         }
       }
     }

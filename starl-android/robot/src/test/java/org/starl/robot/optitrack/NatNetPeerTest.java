@@ -37,8 +37,8 @@ class NatNetPeerTest {
 
   @ParameterizedTest
   @CsvSource({"3,1,false", "4,1,false", "4,2,false", "3,1,true", "4,1,true", "4,2,true"})
-  void anIndependentDecoderReadsTheSame(int major, int minor, boolean isMulticast, @TempDir Path folder)
-      throws Exception {
+  void anIndependentDecoderReadsTheSame(
+      int major, int minor, boolean isMulticast, @TempDir Path folder) throws Exception {
     assumeTrue(PACKAGE != null, "STARL_NATNET names no folder with PyPI's natnet");
     InetSocketAddress group = isMulticast ? Loopback.freeGroup() : null;
     if (isMulticast) {

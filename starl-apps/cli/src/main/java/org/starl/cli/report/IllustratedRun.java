@@ -12,8 +12,8 @@ import org.starl.apps.Plan;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.record.Filmstrip;
 import org.starl.sim.record.Filmstrip.Frame;
-import org.starl.sim.record.Moment;
 import org.starl.sim.record.PictureRecorder;
+import org.starl.sim.record.PictureTime;
 
 /**
  * One run of a campaign, run again to get its story and pictures.
@@ -72,7 +72,7 @@ public record IllustratedRun(long seed, List<String> story, List<Shot> shots, Ru
   public static IllustratedRun best(long seed, LongFunction<Plan> plans) {
     Plan plan = plans.apply(seed);
     PictureRecorder recorder =
-        new PictureRecorder(plan.obstacles(), plan.layer(), new Moment.Best());
+        new PictureRecorder(plan.obstacles(), plan.layer(), new PictureTime.Best());
     plan.simulation().observer(recorder);
     RunOutcome outcome = RunOutcome.of(plan.simulation().build().run());
     Shot shot = new Shot(-1, true, address(recorder::writePng));

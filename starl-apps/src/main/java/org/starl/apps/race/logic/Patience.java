@@ -23,7 +23,7 @@ public final class Patience {
   }
 
   /** One more motion was in vain: whether the robot may win the point from this distance. */
-  boolean isEnough(double distanceMm) {
+  boolean recordFailedMotion(double distanceMm) {
     if (distanceMm < bestMm - NEARER_MM) {
       bestMm = distanceMm;
       inVain = 0;

@@ -130,7 +130,7 @@ public final class RaceApp extends LogicThread {
 
   /** A motion has failed. */
   private void inVain(double distanceMm) {
-    if (patience.isEnough(distanceMm)) {
+    if (patience.recordFailedMotion(distanceMm)) {
       arrive((int) Math.ceil(distanceMm));
     } else if (way.isOthers(number)) {
       giveWay(distanceMm);

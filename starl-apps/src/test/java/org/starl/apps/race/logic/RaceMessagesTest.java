@@ -82,16 +82,16 @@ class RaceMessagesTest {
   void patienceEndsAfterThreeFailedMotionsAndIsRenewedByProgress() {
     RacePoint point = new RacePoint("A", new Point(0, 0), 75);
     Patience patience = new Patience(point, 165);
-    assertThat(patience.isEnough(400)).isFalse();
-    assertThat(patience.isEnough(400)).isFalse();
-    assertThat(patience.isEnough(340)).isFalse();
-    assertThat(patience.isEnough(340)).isFalse();
-    assertThat(patience.isEnough(340)).isTrue();
+    assertThat(patience.recordFailedMotion(400)).isFalse();
+    assertThat(patience.recordFailedMotion(400)).isFalse();
+    assertThat(patience.recordFailedMotion(340)).isFalse();
+    assertThat(patience.recordFailedMotion(340)).isFalse();
+    assertThat(patience.recordFailedMotion(340)).isTrue();
     Patience far = new Patience(point, 165);
     int tries = 0;
     do {
       tries++;
-    } while (!far.isEnough(2000));
+    } while (!far.recordFailedMotion(2000));
     assertThat(tries).isEqualTo(7);
   }
 }

@@ -63,7 +63,7 @@ public interface Layer {
     return List.of();
   }
 
-  /** How interesting the scene is; {@link Moment.Best} maximizes it. */
+  /** How interesting the scene is; {@link PictureTime.Best} maximizes it. */
   default double interest(Scene scene) {
     return scene.robots().stream().filter(robot -> scene.pose(robot).isPresent()).count();
   }

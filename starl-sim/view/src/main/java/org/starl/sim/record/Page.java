@@ -28,7 +28,7 @@ final class Page {
     Graphics2D page = image.createGraphics();
     page.setColor(look.theme().paper());
     page.fillRect(0, 0, image.getWidth(), image.getHeight());
-    Viewport viewport = Viewport.fit(Extent.of(scene, layer), FLOOR_PX, FLOOR_PX, MARGIN_PX);
+    Viewport viewport = Viewport.fit(BoundingBox.of(scene, layer), FLOOR_PX, FLOOR_PX, MARGIN_PX);
     Graphics2D floor = (Graphics2D) page.create(0, 0, FLOOR_PX, FLOOR_PX);
     painter.paint(floor, scene, layer, viewport, look);
     page.setRenderingHints(floor.getRenderingHints());

@@ -14,12 +14,12 @@ public final class PictureRecorder extends SceneRecorder {
 
   private static final long SECOND_NS = 1_000_000_000;
 
-  private final Moment moment;
+  private final PictureTime moment;
   private double best;
   private long nextLookNs;
   private @Nullable BufferedImage picture;
 
-  public PictureRecorder(Obstacles obstacles, Layer layer, Moment moment) {
+  public PictureRecorder(Obstacles obstacles, Layer layer, PictureTime moment) {
     super(obstacles, layer);
     this.moment = moment;
   }
@@ -27,16 +27,16 @@ public final class PictureRecorder extends SceneRecorder {
   @Override
   void takeBefore(long timeNs) {
     switch (moment) {
-      case Moment.At at -> {
+      case PictureTime.At at -> {
         if (picture == null && timeNs > at.timeNs()) {
           picture = paint(at.timeNs());
         }
       }
-      case Moment.Best any -> takeBest(timeNs);
-      case Moment.End end -> {
+      case PictureTime.Best any -> takeBest(timeNs);
+      case PictureTime.End end -> {
         // See finished().
       }
-      case Moment.Violation violation -> {
+      case PictureTime.Violation violation -> {
         // See violated().
       }
     }
@@ -56,14 +56,14 @@ public final class PictureRecorder extends SceneRecorder {
 
   @Override
   public void violated(SpecReport.Violation violation) {
-    if (moment instanceof Moment.Violation && picture == null) {
+    if (moment instanceof PictureTime.Violation && picture == null) {
       picture = paint(scene.nowNs());
     }
   }
 
   @Override
   public void finished(SimResult result) {
-    if (picture == null && !(moment instanceof Moment.Violation)) {
+    if (picture == null && !(moment instanceof PictureTime.Violation)) {
       picture = paint(result.endNs());
     }
   }

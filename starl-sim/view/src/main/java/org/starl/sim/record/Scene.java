@@ -61,7 +61,7 @@ public final class Scene {
   private final Set<RobotId> gone = new LinkedHashSet<>();
   private final Set<RobotId> down = new TreeSet<>();
   private final Deque<Bump> bumps = new ArrayDeque<>();
-  private final Extent extent;
+  private final BoundingBox extent;
   private int came;
   private long nowNs;
   private long trailNs;
@@ -70,13 +70,13 @@ public final class Scene {
    * @param obstacles of the world, hidden ones included
    */
   public Scene(Obstacles obstacles) {
-    this(obstacles, new Bodies(), new Extent());
+    this(obstacles, new Bodies(), new BoundingBox());
     for (Obstacle obstacle : obstacles.all()) {
       obstacle.points().forEach(extent::add);
     }
   }
 
-  private Scene(Obstacles obstacles, Bodies bodies, Extent extent) {
+  private Scene(Obstacles obstacles, Bodies bodies, BoundingBox extent) {
     this.obstacles = obstacles;
     this.bodies = bodies;
     this.extent = extent;
@@ -238,7 +238,7 @@ public final class Scene {
   }
 
   /** Bounding box of obstacles and of all positions of robots so far; grows with the scene. */
-  Extent extent() {
+  BoundingBox extent() {
     return extent;
   }
 

@@ -27,7 +27,7 @@ public record Viewport(int widthPx, int heightPx, Point centre, double pxPerMm) 
   }
 
   /** Shows all of {@code extent} with a margin. */
-  public static Viewport fit(Extent extent, int widthPx, int heightPx, int marginPx) {
+  public static Viewport fit(BoundingBox extent, int widthPx, int heightPx, int marginPx) {
     double across = Math.max(1, widthPx - 2 * marginPx) / (extent.widthMm() + 2 * WORLD_MARGIN_MM);
     double up = Math.max(1, heightPx - 2 * marginPx) / (extent.heightMm() + 2 * WORLD_MARGIN_MM);
     return new Viewport(widthPx, heightPx, extent.centre(), Math.min(across, up));

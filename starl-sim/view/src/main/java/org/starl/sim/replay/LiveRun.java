@@ -45,7 +45,7 @@ public final class LiveRun implements AutoCloseable {
    */
   public LiveRun(Simulation.Builder builder, Recording recording) {
     this.recording = recording;
-    simulation = builder.observer(recording).bystander(new StepGate()).build();
+    simulation = builder.observer(recording).stepListener(new StepGate()).build();
     thread = new Thread(this::run, "simulation");
     thread.setDaemon(true);
   }

@@ -3,9 +3,9 @@
  * live run or of a trace; a {@link org.starl.sim.replay.Cursor} goes to any moment of it, forwards
  * and backwards. {@link org.starl.sim.replay.LiveRun} runs a simulation on its own thread, limits
  * how far it is ahead of the display, and accepts interventions of the user. Interventions are
- * events of the trace; {@link org.starl.sim.replay.SameInterventions} repeats them. {@link
- * org.starl.sim.replay.TraceShow} shows a trace to observers; {@link
- * org.starl.sim.replay.TraceReading} does it on its own thread.
+ * events of the trace; {@link org.starl.sim.replay.InterventionReplayer} repeats them. {@link
+ * org.starl.sim.replay.TracePlayer} shows a trace to observers; {@link
+ * org.starl.sim.replay.TraceLoader} does it on its own thread.
  *
  * <p>One thread fills a recording, others read it; a cursor belongs to one thread. A run has the
  * same trace with and without a recording.

@@ -6,7 +6,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.sim.record.Extent;
+import org.starl.sim.record.BoundingBox;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Part;
@@ -22,7 +22,7 @@ final class ViewState {
 
   private Look look;
   private Viewport viewport = new Viewport(1, 1, new Point(0, 0), 0.1);
-  private final Extent extent = new Extent();
+  private final BoundingBox extent = new BoundingBox();
   private boolean isFitted = true;
   private boolean isFollowing;
   private @Nullable RobotId selected;
@@ -130,7 +130,7 @@ final class ViewState {
     int width = Math.max(1, widthPx);
     int height = Math.max(1, heightPx);
     if (isFitted) {
-      extent.include(Extent.of(scene, layer));
+      extent.include(BoundingBox.of(scene, layer));
       viewport = Viewport.fit(extent, width, height, MARGIN_PX);
     } else if (width != viewport.widthPx() || height != viewport.heightPx()) {
       viewport = viewport.resized(width, height);

@@ -111,7 +111,8 @@ class LiveRunTest {
   }
 
   private static String again(long seed, String trace) throws Exception {
-    return plain(Wander.simulation(seed).bystander(new SameInterventions(interventions(trace))));
+    return plain(
+        Wander.simulation(seed).stepListener(new InterventionReplayer(interventions(trace))));
   }
 
   @Test

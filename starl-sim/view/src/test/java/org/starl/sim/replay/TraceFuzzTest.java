@@ -53,7 +53,7 @@ public class TraceFuzzTest {
           }
         };
     try (TraceReader reader = new TraceReader(FILE, new ByteArrayInputStream(bytes))) {
-      TraceShow.show(FILE, reader, List.of(), List.of(observer));
+      TracePlayer.show(FILE, reader, List.of(), List.of(observer));
       return reader.header();
     } catch (IOException | BadInput refused) {
       String line = String.valueOf(refused.getMessage());

@@ -16,7 +16,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Recording;
-import org.starl.sim.replay.TraceReading;
+import org.starl.sim.replay.TraceLoader;
 
 /** Builds, lays out and paints the window in memory, without a screen. */
 class ContentTest {
@@ -121,7 +121,7 @@ class ContentTest {
   void theBarShowsTheProgressOfChecking() {
     Recording recording = recording();
     assertThat(TransportBar.openText(recording)).isEmpty();
-    TraceReading reading = new TraceReading(recording, observers -> {}, List::of);
+    TraceLoader reading = new TraceLoader(recording, observers -> {}, List::of);
     assertThat(reading.recording()).isSameAs(recording);
     assertThat(TransportBar.openText(recording)).isEqualTo(" so far, 0% checked");
   }

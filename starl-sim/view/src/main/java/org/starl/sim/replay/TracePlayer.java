@@ -23,7 +23,7 @@ import org.starl.trace.TraceReader;
  * Shows a trace to observers as if it were a run, without simulation. Monitors check it again, and
  * the observers receive violations. Traces contain no log lines.
  */
-public final class TraceShow {
+public final class TracePlayer {
 
   private final String file;
   private final TraceReader reader;
@@ -37,7 +37,7 @@ public final class TraceShow {
   private long delivered;
   private long dropped;
 
-  private TraceShow(
+  private TracePlayer(
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
     this.file = file;
     this.reader = reader;
@@ -57,7 +57,7 @@ public final class TraceShow {
   public static SimResult show(
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers)
       throws IOException {
-    return new TraceShow(file, reader, monitors, observers).show();
+    return new TracePlayer(file, reader, monitors, observers).show();
   }
 
   private SimResult show() throws IOException {

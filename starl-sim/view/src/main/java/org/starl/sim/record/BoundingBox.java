@@ -3,7 +3,7 @@ package org.starl.sim.record;
 import org.starl.geometry.Point;
 
 /** Bounding box of points of the world; grows when points are added. */
-public final class Extent {
+public final class BoundingBox {
 
   private double xMinMm = Double.POSITIVE_INFINITY;
   private double yMinMm = Double.POSITIVE_INFINITY;
@@ -14,14 +14,14 @@ public final class Extent {
    * The part of the world that a picture shows: obstacles, paths of robots, and the layer's
    * corners.
    */
-  public static Extent of(Scene scene, Layer layer) {
-    Extent extent = scene.extent().copy();
+  public static BoundingBox of(Scene scene, Layer layer) {
+    BoundingBox extent = scene.extent().copy();
     layer.corners().forEach(extent::add);
     return extent;
   }
 
-  Extent copy() {
-    Extent copy = new Extent();
+  BoundingBox copy() {
+    BoundingBox copy = new BoundingBox();
     copy.xMinMm = xMinMm;
     copy.yMinMm = yMinMm;
     copy.xMaxMm = xMaxMm;
@@ -30,7 +30,7 @@ public final class Extent {
   }
 
   /** Grows to contain {@code other}. */
-  public void include(Extent other) {
+  public void include(BoundingBox other) {
     xMinMm = Math.min(xMinMm, other.xMinMm);
     yMinMm = Math.min(yMinMm, other.yMinMm);
     xMaxMm = Math.max(xMaxMm, other.xMaxMm);

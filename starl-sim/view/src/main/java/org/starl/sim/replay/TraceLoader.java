@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent;
  * checks the specifications, which is slow, and marks violations. The window waits for neither. All
  * methods are thread-safe.
  */
-public final class TraceReading implements AutoCloseable {
+public final class TraceLoader implements AutoCloseable {
 
   private final Recording recording;
   private final Consumer<List<SimObserver>> trace;
@@ -33,7 +33,7 @@ public final class TraceReading implements AutoCloseable {
    *     events before are kept and checked
    * @param monitors makes new monitors of the specifications
    */
-  public TraceReading(
+  public TraceLoader(
       Recording recording, Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
     this.recording = recording;
     this.trace = trace;

@@ -15,7 +15,7 @@ import org.starl.sim.record.Layer;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
-class TraceReadingTest {
+class TraceLoaderTest {
 
   private static final RobotId BOT = new RobotId("bot1");
 
@@ -61,18 +61,18 @@ class TraceReadingTest {
     throw new BadInput("a.trace:9: expected a line of a trace");
   }
 
-  private static TraceReading reading(
+  private static TraceLoader reading(
       Consumer<List<SimObserver>> trace, Supplier<List<Monitor>> monitors) {
-    return new TraceReading(new Recording(Obstacles.NONE, Layer.NONE), trace, monitors);
+    return new TraceLoader(new Recording(Obstacles.NONE, Layer.NONE), trace, monitors);
   }
 
   @Test
   void allEventsAreReadBeforeAnyIsChecked() throws InterruptedException {
     CountDownLatch isRead = new CountDownLatch(1);
     CountDownLatch mayCheck = new CountDownLatch(1);
-    try (TraceReading reading =
+    try (TraceLoader reading =
         reading(
-            TraceReadingTest::crashing,
+            TraceLoaderTest::crashing,
             () -> {
               isRead.countDown();
               return List.of(new BlockingMonitor(mayCheck));
@@ -96,10 +96,9 @@ class TraceReadingTest {
 
   @Test
   void aViolationIsMarkedAtItsEvent() throws InterruptedException {
-    try (TraceReading reading =
+    try (TraceLoader reading =
         reading(
-            TraceReadingTest::crashing,
-            () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
+            TraceLoaderTest::crashing, () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
       reading.start();
       reading.await();
       Recording recording = reading.recording();
@@ -115,9 +114,9 @@ class TraceReadingTest {
 
   @Test
   void eventsBeforeABrokenLineAreKeptAndChecked() throws InterruptedException {
-    try (TraceReading reading =
+    try (TraceLoader reading =
         reading(
-            TraceReadingTest::brokenAfterCrash,
+            TraceLoaderTest::brokenAfterCrash,
             () -> List.of(new BlockingMonitor(new CountDownLatch(0))))) {
       reading.start();
       reading.await();
@@ -137,9 +136,9 @@ class TraceReadingTest {
   void closingStopsTheChecking() throws InterruptedException {
     CountDownLatch isRead = new CountDownLatch(1);
     CountDownLatch mayCheck = new CountDownLatch(1);
-    TraceReading reading =
+    TraceLoader reading =
         reading(
-            TraceReadingTest::crashing,
+            TraceLoaderTest::crashing,
             () -> {
               isRead.countDown();
               return List.of(new BlockingMonitor(mayCheck));

@@ -9,7 +9,7 @@ import org.starl.trace.TraceEvent.Intervention;
 /**
  * Repeats the interventions of a recorded run, each after the same step. For one run.
  */
-public final class SameInterventions implements StepListener {
+public final class InterventionReplayer implements StepListener {
 
   private final List<Intervention> todo;
   private int done;
@@ -17,7 +17,7 @@ public final class SameInterventions implements StepListener {
   /**
    * @param interventions the interventions of a trace, in its order
    */
-  public SameInterventions(List<Intervention> interventions) {
+  public InterventionReplayer(List<Intervention> interventions) {
     todo = List.copyOf(interventions);
   }
 
