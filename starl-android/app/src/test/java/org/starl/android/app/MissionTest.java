@@ -61,13 +61,13 @@ class MissionTest {
         SEALED,
         "bot2",
         key(),
-        "my.yaml:13: robots.bot2: chassis: a phone expects kind create, and port bluetooth:NAME or"
+        "my.yaml:13: robots.bot2: chassis: expected, on a phone, kind create and port bluetooth:NAME or"
             + " tcp:HOST:PORT");
   }
 
   @Test
   void aDeploymentWithAKeyNeedsItsKey() {
-    isRefused(SEALED, "bot0", null, "my.yaml:3: key: load 'my.key' onto this phone too");
+    isRefused(SEALED, "bot0", null, "my.yaml:3: key: 'my.key': expected this key to be loaded onto the phone too");
   }
 
   @Test
@@ -76,7 +76,7 @@ class MissionTest {
         SEALED.replace("figure7", "drawn"),
         "bot0",
         key(),
-        "my.yaml:2: scenario: 'drawn': phones have figure7");
+        "my.yaml:2: scenario: 'drawn': expected figure7 on a phone");
     isRefused(
         SEALED.replace("figure7}", "figure7, arrivals: 20/min}"),
         "bot0",
