@@ -6,6 +6,7 @@ import java.util.Map;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.primitives.membership.Sections;
@@ -78,7 +79,7 @@ final class Peers {
 
   /** Removes and returns the deferred requests that are free now, in order of arrival. */
   List<Req> takePending(Predicate<Req> isFree) {
-    List<Req> free = pending.values().stream().filter(isFree).toList();
+    List<Req> free = pending.values().stream().filter(isFree).collect(Collectors.toList());
     free.forEach(req -> pending.remove(req.from()));
     return free;
   }

@@ -37,8 +37,9 @@ public record PlanTask(
     boolean sizes = bodyRadiusMm > 0 && clearanceMm >= 0 && bodyRadiusMm + clearanceMm <= MAX_MM;
     if (!sizes || !start.isFinite() || !goal.isFinite()) {
       throw new IllegalArgumentException(
-          "plan from %s to %s, body %s mm, clearance %s mm: expected numbers, the body above 0"
-              .formatted(start, goal, bodyRadiusMm, clearanceMm));
+          String.format(
+              "plan from %s to %s, body %s mm, clearance %s mm: expected numbers, the body above 0",
+              start, goal, bodyRadiusMm, clearanceMm));
     }
     if (bounds.xMinMm() < -MAX_MM
         || bounds.yMinMm() < -MAX_MM

@@ -18,8 +18,9 @@ public record RrtSettings(int maxIterations, double stepMm, double goalBias, int
         || !(goalBias >= 0 && goalBias <= 1)
         || shortcuts < 0) {
       throw new IllegalArgumentException(
-          "%s iterations, step %s mm, goal bias %s, %s shortcuts: expected at least 1, 1, 0 to 1, 0"
-              .formatted(maxIterations, stepMm, goalBias, shortcuts));
+          String.format(
+              "%s iterations, step %s mm, goal bias %s, %s shortcuts: expected at least 1, 1, 0 to 1, 0",
+              maxIterations, stepMm, goalBias, shortcuts));
     }
   }
 }

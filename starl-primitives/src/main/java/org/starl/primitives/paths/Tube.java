@@ -31,8 +31,9 @@ public record Tube(List<Point> points, int radiusMm) {
     }
     if (!valid || radiusMm > PlanTask.MAX_MM) {
       throw new IllegalArgumentException(
-          "tube of %s points, radius %s mm: expected 1 to %s in whole mm, radius above 0"
-              .formatted(points.size(), radiusMm, MAX_POINTS));
+          String.format(
+              "tube of %s points, radius %s mm: expected 1 to %s in whole mm, radius above 0",
+              points.size(), radiusMm, MAX_POINTS));
     }
   }
 
@@ -61,7 +62,7 @@ public record Tube(List<Point> points, int radiusMm) {
 
   /** All parts, in order. */
   List<Capsule> capsules() {
-    return IntStream.range(0, parts()).mapToObj(this::part).toList();
+    return IntStream.range(0, parts()).mapToObj(this::part).collect(Collectors.toList());
   }
 
   public Point end() {

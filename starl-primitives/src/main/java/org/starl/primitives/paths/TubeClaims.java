@@ -3,6 +3,7 @@ package org.starl.primitives.paths;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
@@ -114,7 +115,7 @@ final class TubeClaims {
     return latest.values().stream()
         .flatMap(holding -> holding.all().stream())
         .flatMap(tube -> tube.capsules().stream())
-        .toList();
+        .collect(Collectors.toList());
   }
 
   void ask(Tube tube) {

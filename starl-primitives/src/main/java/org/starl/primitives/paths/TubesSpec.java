@@ -132,12 +132,9 @@ public final class TubesSpec implements Monitor {
             TUBES,
             variable.timeNs(),
             List.copyOf(new TreeSet<>(List.of(variable.robot(), other.getKey()))),
-            "tubes meet: %s holds %s, %s holds %s"
-                .formatted(
-                    variable.robot(),
-                    variable.value(),
-                    other.getKey(),
-                    Tube.text(other.getValue())));
+            String.format(
+                "tubes meet: %s holds %s, %s holds %s",
+                variable.robot(), variable.value(), other.getKey(), Tube.text(other.getValue())));
       }
     }
   }

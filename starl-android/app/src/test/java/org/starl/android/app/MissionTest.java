@@ -67,7 +67,11 @@ class MissionTest {
 
   @Test
   void aDeploymentWithAKeyNeedsItsKey() {
-    isRefused(SEALED, "bot0", null, "my.yaml:3: key: 'my.key': expected this key to be loaded onto the phone too");
+    isRefused(
+        SEALED,
+        "bot0",
+        null,
+        "my.yaml:3: key: 'my.key': expected this key to be loaded onto the phone too");
   }
 
   @Test
@@ -81,7 +85,7 @@ class MissionTest {
         SEALED.replace("figure7}", "figure7, arrivals: 20/min}"),
         "bot0",
         key(),
-        "my.yaml:2: arrivals: '20/min': on a phone, intersection knows [scenario, debris]");
+        "my.yaml:2: arrivals: '20/min': expected one of [scenario, debris] for intersection on a phone");
   }
 
   @Test

@@ -270,7 +270,8 @@ public final class RobotServiceTest {
     tell(RobotService.START);
     until(() -> service.phase() == Phase.FAILED);
     assertThat(service.problem())
-        .isEqualTo("deployment.yaml:1: app: 'maze': phones have [hello, intersection]");
+        .isEqualTo(
+            "deployment.yaml:1: app: 'maze': expected one of [hello, intersection] on a phone");
     until(() -> !service.holdsLocks());
   }
 
