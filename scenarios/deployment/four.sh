@@ -102,7 +102,7 @@ while :; do
   [ $((SECONDS - began)) -ge $((60 * rounds + 120)) ] && { echo "not through in time"; break; }
 done
 echo "$(cat "$work"/bot?.log | grep -c 'end of round') crossings in $((SECONDS - began)) s"
-[ -z "$killed" ] || grep -h 'suspects bot2\|fences bot2' "$work"/bot?.log
+[ -z "$killed" ] || grep -h 'fences bot2' "$work"/bot?.log
 for pid in "${pids[@]:1}" "${pids[0]}"; do kill "$pid" 2>/dev/null; wait "$pid" 2>/dev/null; done
 pids=()
 grep -h 'strand:' "$work"/*.log
