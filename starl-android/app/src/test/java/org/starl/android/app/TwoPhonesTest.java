@@ -281,7 +281,7 @@ public final class TwoPhonesTest {
           .anySatisfy(line ->
               assertThat(line)
                   .startsWith(name + " (")
-                  .contains("was registered", "had unregistered"));
+                  .contains("was registered", "was unregistered"));
     }
   }
 }
