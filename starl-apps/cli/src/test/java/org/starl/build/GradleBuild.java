@@ -33,7 +33,7 @@ final class GradleBuild {
   private static final Pattern DEPENDENCY =
       Pattern.compile(
           "(\\w+)\\((?:project\\(\":([\\w-]+)\"\\)|libs\\.([\\w.]+)"
-              + "|variantOf\\(libs\\.([\\w.]+)\\) \\{ artifactType\\(\"(\\w+)\"\\) \\})\\)(?: \\{ exclude\\(.*\\) \\})?");
+              + "|variantOf\\(libs\\.([\\w.]+)\\) \\{ artifactType\\(\"(\\w+)\"\\) \\})\\)");
   private static final Pattern KOTLIN = Pattern.compile("kotlin\\(\"jvm\"\\) version \"([^\"]+)\"");
 
   private final SortedMap<String, String> versions = new TreeMap<>();
