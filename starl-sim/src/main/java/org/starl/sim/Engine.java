@@ -365,7 +365,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   /** The robot's own clock if faults may change its time; otherwise null. */
   @Nullable RobotClock clockOf(RobotId id) {
-    boolean mayGoWrong = plan.faults().touchesTime() || plan.bystander() != null;
+    boolean mayGoWrong = plan.faults().changesTime() || plan.bystander() != null;
     return mayGoWrong ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
   }
 

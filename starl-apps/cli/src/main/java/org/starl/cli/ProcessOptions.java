@@ -16,9 +16,9 @@ import org.starl.launch.Launcher;
 import org.starl.random.Rng;
 import org.starl.sim.Setting;
 import org.starl.sim.SimulationPlan;
-import org.starl.sim.fault.Crash;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.Fault;
+import org.starl.sim.fault.FaultEffect;
 import org.starl.sim.fault.RobotSelector;
 import org.starl.sim.fault.TimeRange;
 import picocli.CommandLine.Option;
@@ -116,8 +116,9 @@ final class ProcessOptions {
   }
 
   private static List<Kill> killsOf(Fault fault, List<RobotId> robots, Rng rng) {
-    if (!(fault.effect() instanceof Crash crash)
-        || crash.who().choice() != RobotSelector.Choice.NAMED
+    FaultEffect effect = fault.effect();
+    if (!effect.name().equals("crash")
+        || effect.robots().choice() != RobotSelector.Choice.NAMED
         || fault.span().isFinite()) {
       throw new BadInput(
           fault + ": with --processes: expected crash(NAME,at=TIME), without restart");
@@ -125,7 +126,7 @@ final class ProcessOptions {
     TimeRange at = fault.span().at();
     long atNs = rng.nextLong(at.leastNs(), at.mostNs());
     List<Kill> kills = new ArrayList<>();
-    for (RobotId who : crash.who().named()) {
+    for (RobotId who : effect.robots().named()) {
       if (!robots.contains(who)) {
         throw new BadInput(fault + ": expected one of " + robots);
       }

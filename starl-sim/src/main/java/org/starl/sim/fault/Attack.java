@@ -1,25 +1,32 @@
 package org.starl.sim.fault;
 
+import java.util.function.Function;
 import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.net.NetworkTap;
 
-/** An {@link AttackFault} in progress. */
+/** An attacker without the deployment's key, while its fault lasts. */
 final class Attack {
 
-  private final AttackFault harm;
-  private final FaultTarget ward;
+  private final FaultTarget target;
+  private final long meanNs;
+  private final Function<Eavesdropper, byte[]> next;
   private final Eavesdropper heard;
   private final NetworkTap.Handle tap;
   private boolean isOver;
 
-  Attack(AttackFault harm, FaultContext onset) {
-    this.harm = harm;
-    ward = onset.ward();
-    heard = new Eavesdropper(onset.rng().fork("bytes"));
-    tap = ward.network().listen(heard);
-    for (RobotId robot : onset.whom()) {
-      goOn(robot, onset.rng().fork(robot.name()));
+  /**
+   * @param meanNs mean time between two attacks on one robot; the times are exponential
+   * @param next the next datagram to send; its length is 0 before the first recording
+   */
+  Attack(FaultContext context, long meanNs, Function<Eavesdropper, byte[]> next) {
+    target = context.target();
+    this.meanNs = meanNs;
+    this.next = next;
+    heard = new Eavesdropper(context.rng().fork("bytes"));
+    tap = target.network().listen(heard);
+    for (RobotId robot : context.robots()) {
+      schedule(robot, context.rng().fork(robot.name()));
     }
   }
 
@@ -28,17 +35,17 @@ final class Attack {
     tap.remove();
   }
 
-  private void goOn(RobotId robot, Rng rng) {
-    long waitNs = 1 + Math.round(harm.meanNs() * rng.nextExponential());
-    ward.at(
-        ward.nowNs() + waitNs,
+  private void schedule(RobotId robot, Rng rng) {
+    long waitNs = 1 + Math.round(meanNs * rng.nextExponential());
+    target.at(
+        target.nowNs() + waitNs,
         () -> {
           if (!isOver) {
-            byte[] datagram = harm.next(heard);
+            byte[] datagram = next.apply(heard);
             if (datagram.length > 0) {
-              ward.network().inject(robot, datagram);
+              target.network().inject(robot, datagram);
             }
-            goOn(robot, rng);
+            schedule(robot, rng);
           }
         });
   }

@@ -6,13 +6,9 @@ import java.util.List;
 /** A fault and its times. Its text can be read by {@link FaultGrammar#parse}. */
 public record Fault(FaultEffect effect, Span span) {
 
-  public static Fault always(FaultEffect harm) {
-    return new Fault(harm, Span.ALWAYS);
-  }
-
   /** Whether the fault has an end. A crash without restart ends at once. */
   public boolean isFinite() {
-    return span.isFinite() || effect instanceof Crash;
+    return span.isFinite() || effect.isCrash();
   }
 
   /** {@code crash(bot2,at=12s,restart=5s)}. */

@@ -6,7 +6,6 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.function.Function;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -25,6 +24,9 @@ final class FaultArguments {
   private final List<String> placed = new ArrayList<>();
   private final Map<String, String> keyed = new LinkedHashMap<>();
   private final Set<String> asked = new LinkedHashSet<>();
+  private final List<String> canonical = new ArrayList<>();
+  private final List<RobotSelector> named = new ArrayList<>();
+  private RobotSelector robots = RobotSelector.ALL;
   private String usage = "";
   private int used;
 
@@ -95,20 +97,49 @@ final class FaultArguments {
     usage = newUsage;
   }
 
+  /** Reads the affected robots, the next argument by position; all robots without this call. */
+  void readRobots() {
+    robots = next(RobotSelector.EXPECTED, ArgumentType.ROBOTS);
+  }
+
   /** The next argument by position. */
-  <T> T next(String what, Function<String, T> reader) {
+  <T> T next(String what, ArgumentType<T> type) {
+    T value = read(what, nextText(what), type);
+    canonical.add(type.writer().apply(value));
+    return value;
+  }
+
+  /** The next argument by position, as text. */
+  String nextText(String what) {
     if (used == placed.size()) {
       throw bad("expected " + what + ", as in " + usage);
     }
-    return value(what, placed.get(used++), reader);
+    return placed.get(used++);
   }
 
-  <T> T nextOr(String what, Function<String, T> reader, T otherwise) {
-    return used == placed.size() ? otherwise : next(what, reader);
+  /** The next argument by position; {@code usual} if there is none. */
+  <T> T nextOr(String what, ArgumentType<T> type, T usual) {
+    return used == placed.size()
+        ? usual
+        : canonical("", read(what, nextText(what), type), type, usual);
   }
 
-  boolean hasNext() {
-    return used < placed.size();
+  /** The argument with this key; {@code usual} if there is none. */
+  <T> T keyed(String key, ArgumentType<T> type, T usual) {
+    String text = keyed(key);
+    return text == null ? usual : canonical(key + "=", read(key, text, type), type, usual);
+  }
+
+  private <T> T canonical(String prefix, T value, ArgumentType<T> type, T usual) {
+    if (!value.equals(usual)) {
+      write(prefix + type.writer().apply(value));
+    }
+    return value;
+  }
+
+  /** Adds an argument to the canonical form. */
+  void write(String argument) {
+    canonical.add(argument);
   }
 
   /** The text under a key, or null. */
@@ -117,18 +148,22 @@ final class FaultArguments {
     return keyed.get(key);
   }
 
-  <T> T optional(String key, Function<String, T> reader, T otherwise) {
-    String value = keyed(key);
-    return value == null ? otherwise : value(key, value, reader);
-  }
-
-  /** Reads {@code value} with {@code reader}; an error names the argument. */
-  <T> T value(String what, String value, Function<String, T> reader) {
+  /** Reads an argument or a part of it; an error names {@code what}. */
+  <T> T read(String what, String part, ArgumentType<T> type) {
     try {
-      return reader.apply(value);
+      T value = type.reader().apply(part);
+      if (value instanceof RobotSelector selector) {
+        named.add(selector);
+      }
+      return value;
     } catch (BadInput wrong) {
       throw Quantities.in(BadInput.quote(text) + ": " + what, wrong);
     }
+  }
+
+  /** The effect of the fault whose arguments were read. */
+  FaultEffect effect(FaultAction action) {
+    return new FaultEffect(name, canonical, robots, named, action);
   }
 
   /** @throws BadInput if an argument was not used */

@@ -2,29 +2,58 @@ package org.starl.sim.fault;
 
 import java.util.List;
 
-/** The effect of a fault, without its times. Immutable. */
-public sealed interface FaultEffect
-    permits NetworkFault, RobotFault, IntruderFault, AttackFault, Crash {
+/**
+ * The effect of a fault, without its times. Effects with equal texts are equal.
+ *
+ * @param name the name of its kind: {@code crash}
+ * @param arguments in canonical form, without times
+ * @param robots the affected robots; all robots for a fault of the network
+ * @param named all robots in the fault's text, in any argument
+ * @param action begins the fault
+ */
+public record FaultEffect(
+    String name,
+    List<String> arguments,
+    RobotSelector robots,
+    List<RobotSelector> named,
+    FaultAction action) {
 
-  /** The name in its text: {@code crash}. */
-  String name();
+  static final String CRASH = "crash";
 
-  /** Its arguments as text, without times. */
-  List<String> arguments();
+  private static final List<String> KINDS_OF_TIME = List.of("compute", "drift", "skew");
 
-  /** The affected robots; all robots for a fault of the network. */
-  RobotSelector who();
-
-  /** All robots in the fault's text, in any argument. */
-  default List<RobotSelector> named() {
-    return List.of(who());
+  public FaultEffect {
+    arguments = List.copyOf(arguments);
+    named = List.copyOf(named);
   }
 
-  /** Begins the fault; the returned cure ends it. */
-  Runnable begin(FaultContext onset);
+  boolean isCrash() {
+    return name.equals(CRASH);
+  }
+
+  /** Whether the fault changes a robot's time, so that the robot needs its own clock. */
+  boolean changesTime() {
+    return KINDS_OF_TIME.contains(name);
+  }
 
   /** The key of the duration argument. */
-  default String lastingKey() {
-    return "for";
+  String lastingKey() {
+    return lastingKey(name);
+  }
+
+  static String lastingKey(String name) {
+    return name.equals(CRASH) ? "restart" : "for";
+  }
+
+  @Override
+  public boolean equals(Object other) {
+    return other instanceof FaultEffect that
+        && name.equals(that.name)
+        && arguments.equals(that.arguments);
+  }
+
+  @Override
+  public int hashCode() {
+    return 31 * name.hashCode() + arguments.hashCode();
   }
 }

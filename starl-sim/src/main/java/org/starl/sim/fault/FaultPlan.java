@@ -68,8 +68,8 @@ public record FaultPlan(List<Fault> faults) {
    */
   public void requireNamedAmong(Collection<RobotId> robots) {
     for (Fault fault : faults) {
-      for (RobotSelector who : fault.effect().named()) {
-        for (RobotId robot : who.named()) {
+      for (RobotSelector selector : fault.effect().named()) {
+        for (RobotId robot : selector.named()) {
           if (!robots.contains(robot)) {
             throw new BadInput(
                 BadInput.quote(fault.toString())
@@ -82,9 +82,8 @@ public record FaultPlan(List<Fault> faults) {
   }
 
   /** Whether a fault changes a robot's time, so that robots need their own clocks. */
-  public boolean touchesTime() {
-    return faults.stream()
-        .anyMatch(fault -> fault.effect() instanceof RobotFault harm && harm.touchesTime());
+  public boolean changesTime() {
+    return faults.stream().anyMatch(fault -> fault.effect().changesTime());
   }
 
   /**
@@ -93,8 +92,8 @@ public record FaultPlan(List<Fault> faults) {
    * @param rng generator of the run's seed, forked for faults
    * @return the object that adds more faults
    */
-  public FaultRun install(FaultTarget ward, Rng rng) {
-    FaultRun run = new FaultRun(ward);
+  public FaultRun install(FaultTarget target, Rng rng) {
+    FaultRun run = new FaultRun(target);
     run.add(this, rng);
     return run;
   }

@@ -12,12 +12,12 @@ import org.starl.trace.TraceEvent;
 /** The faults of one run: begins and ends them, and records both in the trace. */
 public final class FaultRun {
 
-  private final FaultTarget ward;
+  private final FaultTarget target;
   private int faults;
   private int toEnd;
 
-  FaultRun(FaultTarget ward) {
-    this.ward = ward;
+  FaultRun(FaultTarget target) {
+    this.target = target;
   }
 
   /**
@@ -39,44 +39,47 @@ public final class FaultRun {
       Rng own = rng.fork(fault + "#" + copy);
       long beginNs = fault.span().at().drawNs(own.fork("at"));
       int number = before + i;
-      if (beginNs <= ward.nowNs()) {
+      if (beginNs <= target.nowNs()) {
         begin(fault, number, own);
       } else {
-        ward.at(beginNs, () -> begin(fault, number, own));
+        target.at(beginNs, () -> begin(fault, number, own));
       }
     }
   }
 
   private void begin(Fault fault, int number, Rng rng) {
-    FaultEffect harm = fault.effect();
-    Runnable cure;
-    List<RobotId> whom;
-    long lastingNs = fault.span().drawLastingNs(ward.nowNs(), rng.fork("for"));
+    FaultEffect effect = fault.effect();
+    Runnable end;
+    List<RobotId> robots;
+    long lastingNs = fault.span().drawLastingNs(target.nowNs(), rng.fork("for"));
     try {
-      whom = harm.who().pick(ward, rng.fork("who"));
-      tell(fault, whom, TraceEvent.Fault.BEGIN);
-      cure = harm.begin(new FaultContext(ward, number, whom, lastingNs, rng));
+      robots = effect.robots().pick(target, rng.fork("who"));
+      record(fault, robots, TraceEvent.Fault.BEGIN);
+      end =
+          effect
+              .action()
+              .begin(new FaultContext(target, number, effect.robots(), robots, lastingNs, rng));
     } catch (BadInput wrong) {
       throw Quantities.in(BadInput.quote(fault.toString()), wrong);
     }
     if (lastingNs != Span.NEVER) {
-      ward.at(ward.nowNs() + lastingNs, () -> end(fault, whom, cure));
+      target.at(target.nowNs() + lastingNs, () -> end(fault, robots, end));
     } else if (fault.isFinite()) {
-      end(fault, whom, cure);
+      end(fault, robots, end);
     }
   }
 
-  private void end(Fault fault, List<RobotId> whom, Runnable cure) {
-    cure.run();
-    tell(fault, whom, TraceEvent.Fault.END);
+  private void end(Fault fault, List<RobotId> robots, Runnable end) {
+    end.run();
+    record(fault, robots, TraceEvent.Fault.END);
     toEnd--;
     if (toEnd == 0) {
-      ward.recordFault(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "");
+      target.recordFault(TraceEvent.Fault.WORLD, TraceEvent.Fault.HEALED, "");
     }
   }
 
-  private void tell(Fault fault, List<RobotId> whom, String name) {
-    boolean isOne = !fault.effect().who().isAll() && whom.size() == 1;
-    ward.recordFault(isOne ? whom.get(0) : TraceEvent.Fault.WORLD, name, fault.toString());
+  private void record(Fault fault, List<RobotId> robots, String name) {
+    boolean isOne = !fault.effect().robots().isAll() && robots.size() == 1;
+    target.recordFault(isOne ? robots.get(0) : TraceEvent.Fault.WORLD, name, fault.toString());
   }
 }

@@ -43,7 +43,7 @@ public interface FaultTarget {
 
   /**
    * Impairs a robot in this and every later incarnation, or all robots including later ones, until
-   * the returned cure runs.
+   * the returned action runs.
    *
    * @param robot null for all robots
    */

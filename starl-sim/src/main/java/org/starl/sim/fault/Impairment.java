@@ -38,7 +38,7 @@ public record Impairment(
     return new Impairment(1, noise, isBlind, offXMm, offYMm, 0, 0, 0, 0);
   }
 
-  static Impairment ofTime(long driftPpm, long skewNs, long computeNs) {
+  public static Impairment ofTime(long driftPpm, long skewNs, long computeNs) {
     return new Impairment(1, PositionNoise.NONE, false, 0, 0, driftPpm, skewNs, computeNs, 0);
   }
 

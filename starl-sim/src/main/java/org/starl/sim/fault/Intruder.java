@@ -1,5 +1,7 @@
 package org.starl.sim.fault;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Angles;
@@ -9,7 +11,10 @@ import org.starl.id.RobotId;
 import org.starl.random.Rng;
 import org.starl.sim.world.Body;
 
-/** A body of the world that follows one robot. */
+/**
+ * A foreign body that follows one robot, or parks in front of it. None appears if there is no free
+ * place near the robot, or while the robot is off the floor.
+ */
 final class Intruder {
 
   private static final long STEP_NS = 50_000_000;
@@ -19,31 +24,49 @@ final class Intruder {
   private static final double ALIGNED_RAD = 0.3;
   private static final double TURN_RAD_PER_S = 2;
 
-  private final FaultTarget ward;
+  private final FaultTarget run;
   private final RobotId target;
   private final double speedMmPerS;
   private final @Nullable Body body;
   private boolean hasLeft;
 
-  Intruder(RobotId name, RobotId target, double speedMmPerS, FaultContext onset) {
-    this.ward = onset.ward();
+  private Intruder(RobotId name, RobotId target, double speedMmPerS, FaultContext context) {
+    this.run = context.target();
     this.target = target;
     this.speedMmPerS = speedMmPerS;
-    body = enter(name, onset.rng().fork(name.name()));
+    body = enter(name, context.rng().fork(name.name()));
     if (speedMmPerS > 0 && body != null) {
       step(body);
     }
   }
 
-  void leave() {
+  /**
+   * An intruder for each affected robot; they disappear when the fault ends.
+   *
+   * @param speedMmPerS speed towards the robot; 0 for a parked body
+   */
+  static FaultAction fault(double speedMmPerS) {
+    return context -> {
+      List<Intruder> intruders = new ArrayList<>();
+      for (RobotId robot : context.robots()) {
+        if (context.target().body(robot) != null) {
+          RobotId name = new RobotId("intruder" + context.number() + "." + intruders.size());
+          intruders.add(new Intruder(name, robot, speedMmPerS, context));
+        }
+      }
+      return () -> intruders.forEach(Intruder::leave);
+    };
+  }
+
+  private void leave() {
     hasLeft = true;
     if (body != null) {
-      ward.world().remove(body);
+      run.world().remove(body);
     }
   }
 
   private @Nullable Body enter(RobotId name, Rng rng) {
-    Body victim = ward.body(target);
+    Body victim = run.body(target);
     if (victim == null) {
       return null;
     }
@@ -54,17 +77,12 @@ final class Intruder {
       double direction = victim.pose().headingRad() + spread * (2 * rng.nextDouble() - 1);
       double distanceMm =
           radiusMm * (NEAREST_RADII + (FARTHEST_RADII - NEAREST_RADII) * rng.nextDouble());
-      Point at =
-          victim
-              .pose()
-              .at()
-              .plus(
-                  new Point(
-                      distanceMm * StrictMath.cos(direction),
-                      distanceMm * StrictMath.sin(direction)));
-      Pose pose = new Pose(at.xMm(), at.yMm(), Angles.normalize(direction + StrictMath.PI));
-      if (ward.world().isFree(pose, radiusMm)) {
-        return ward.world().add(name, pose, radiusMm);
+      Point offset =
+          new Point(distanceMm * StrictMath.cos(direction), distanceMm * StrictMath.sin(direction));
+      Pose pose =
+          Pose.of(victim.pose().at().plus(offset), Angles.normalize(direction + StrictMath.PI));
+      if (run.world().isFree(pose, radiusMm)) {
+        return run.world().add(name, pose, radiusMm);
       }
     }
     return null;
@@ -74,9 +92,9 @@ final class Intruder {
     if (hasLeft) {
       return;
     }
-    Body victim = ward.body(target);
+    Body victim = run.body(target);
     mine.drive(victim == null ? WheelCommand.STOP : towards(mine.pose(), victim.pose().at()));
-    ward.at(ward.nowNs() + STEP_NS, () -> step(mine));
+    run.at(run.nowNs() + STEP_NS, () -> step(mine));
   }
 
   private WheelCommand towards(Pose from, Point to) {

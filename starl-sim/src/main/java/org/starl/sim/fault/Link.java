@@ -1,43 +1,47 @@
 package org.starl.sim.fault;
 
-import java.util.ArrayList;
-import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Set;
+import java.util.function.Function;
 import org.starl.id.RobotId;
-import org.starl.random.Rng;
 import org.starl.sim.net.LinkRule;
 import org.starl.sim.net.Verdict;
 
-/** The links that a fault affects: from some robots to some robots. */
-public record Link(RobotSelector from, RobotSelector to) {
+/** The links that a fault affects: {@code from=bot1,to=bot2}. */
+record Link(RobotSelector from, RobotSelector to) {
 
-  public static final Link ALL = new Link(RobotSelector.ALL, RobotSelector.ALL);
+  /** Makes the rule of a fault when it begins. */
+  @FunctionalInterface
+  interface RuleMaker {
 
-  static Link read(FaultArguments call) {
-    return new Link(
-        call.optional("from", RobotSelector::parse, RobotSelector.ALL),
-        call.optional("to", RobotSelector::parse, RobotSelector.ALL));
+    /**
+     * @param salt forks a copy's generator for this fault alone
+     */
+    LinkRule rule(FaultContext context, String salt);
   }
 
-  List<String> arguments() {
-    List<String> arguments = new ArrayList<>();
-    if (!from.isAll()) {
-      arguments.add("from=" + from);
-    }
-    if (!to.isAll()) {
-      arguments.add("to=" + to);
-    }
-    return arguments;
+  /** Reads the links in {@code call}, on which the fault installs a rule. */
+  static FaultAction rule(FaultArguments call, RuleMaker maker) {
+    Link link =
+        new Link(
+            call.keyed("from", ArgumentType.ROBOTS, RobotSelector.ALL),
+            call.keyed("to", ArgumentType.ROBOTS, RobotSelector.ALL));
+    return install(context -> {
+      String salt = Long.toString(context.rng().fork("copies").nextLong());
+      return link.limit(maker.rule(context, salt), context);
+    });
   }
 
-  /** Limits {@code rule} to copies on these links. */
-  LinkRule limit(LinkRule rule, FaultTarget ward, Rng rng) {
-    if (equals(ALL)) {
+  /** Installs a rule on the network while the fault lasts. */
+  static FaultAction install(Function<FaultContext, LinkRule> maker) {
+    return context -> context.target().network().install(maker.apply(context))::uninstall;
+  }
+
+  private LinkRule limit(LinkRule rule, FaultContext context) {
+    if (from.isAll() && to.isAll()) {
       return rule;
     }
-    Set<RobotId> senders = new LinkedHashSet<>(from.pick(ward, rng.fork("from")));
-    Set<RobotId> receivers = new LinkedHashSet<>(to.pick(ward, rng.fork("to")));
+    Set<RobotId> senders = Set.copyOf(from.pick(context.target(), context.rng().fork("from")));
+    Set<RobotId> receivers = Set.copyOf(to.pick(context.target(), context.rng().fork("to")));
     return copy ->
         (from.isAll() || senders.contains(copy.from()))
                 && (to.isAll() || receivers.contains(copy.to()))

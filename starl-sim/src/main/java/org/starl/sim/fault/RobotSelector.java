@@ -72,22 +72,22 @@ public record RobotSelector(Choice choice, List<RobotId> named) {
    *
    * @throws BadInput if a named robot has never joined
    */
-  List<RobotId> pick(FaultTarget ward, Rng rng) {
+  List<RobotId> pick(FaultTarget target, Rng rng) {
     return switch (choice) {
-      case ALL -> ward.robots();
+      case ALL -> target.robots();
       case ANY -> {
-        List<RobotId> up = new ArrayList<>(ward.robots());
-        up.removeIf(robot -> !ward.isUp(robot));
+        List<RobotId> up = new ArrayList<>(target.robots());
+        up.removeIf(robot -> !target.isUp(robot));
         yield drawn(up, 1, rng);
       }
       case HALF -> {
-        List<RobotId> there = new ArrayList<>(ward.robots());
-        yield drawn(there, Math.max(1, there.size() / 2), rng);
+        List<RobotId> robots = new ArrayList<>(target.robots());
+        yield drawn(robots, Math.max(1, robots.size() / 2), rng);
       }
       case NAMED -> {
         for (RobotId robot : named) {
-          if (!ward.isKnown(robot)) {
-            throw new BadInput(unknownRobotMessage(robot, ward.robots()));
+          if (!target.isKnown(robot)) {
+            throw new BadInput(unknownRobotMessage(robot, target.robots()));
           }
         }
         yield named;

@@ -18,9 +18,6 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
   /** No end. */
   public static final long NEVER = Long.MAX_VALUE;
 
-  /** The whole run. */
-  public static final Span ALWAYS = new Span(TimeRange.ZERO, null, NEVER);
-
   public Span {
     if (lasting != null && untilNs != NEVER) {
       throw new IllegalArgumentException("expected an end by 'for' or by 'until', not by both");
@@ -50,13 +47,13 @@ public record Span(TimeRange at, @Nullable TimeRange lasting, long untilNs) {
 
   /** Reads the times in {@code call}. */
   static Span read(FaultArguments call, String lastingKey) {
-    TimeRange at = call.optional("at", TimeRange::parse, TimeRange.ZERO);
+    TimeRange at = call.keyed("at", ArgumentType.TIME_RANGE, TimeRange.ZERO);
     String lasting = call.keyed(lastingKey);
     try {
       return new Span(
           at,
-          lasting == null ? null : call.value(lastingKey, lasting, TimeRange::parse),
-          call.optional("until", Quantities::durationNs, NEVER));
+          lasting == null ? null : call.read(lastingKey, lasting, ArgumentType.TIME_RANGE),
+          call.keyed("until", ArgumentType.DURATION, NEVER));
     } catch (IllegalArgumentException wrong) {
       throw call.bad(String.valueOf(wrong.getMessage()));
     }

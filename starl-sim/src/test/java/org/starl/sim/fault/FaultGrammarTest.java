@@ -15,14 +15,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
 import org.junit.jupiter.params.provider.ValueSource;
-import org.starl.geometry.Circle;
-import org.starl.geometry.Point;
-import org.starl.geometry.Rectangle;
-import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.sim.net.Latency;
-import org.starl.sim.world.PositionNoise;
-import org.starl.sim.world.Unsynced;
 
 class FaultGrammarTest {
 
@@ -146,7 +141,8 @@ class FaultGrammarTest {
 
   @Provide
   Arbitrary<Fault> faults() {
-    return Combinators.combine(harms(), spans()).as(Fault::new);
+    return Combinators.combine(effects(), spans())
+        .as((effect, span) -> new Fault(FaultGrammar.parse(effect).effect(), span));
   }
 
   private static Arbitrary<Span> spans() {
@@ -167,64 +163,70 @@ class FaultGrammarTest {
     return Arbitraries.longs().between(0, 1_000_000_000_000_000L);
   }
 
-  private static Arbitrary<RobotSelector> whos() {
-    return Arbitraries.of(
-        RobotSelector.ALL,
-        RobotSelector.ANY,
-        RobotSelector.HALF,
-        RobotSelector.of(new RobotId("bot0")),
-        RobotSelector.of(new RobotId("a-b.c_D9"), new RobotId("bot10")));
+  private static Arbitrary<String> robots() {
+    return Arbitraries.of("all", "any", "half", "bot0", "a-b.c_D9+bot10");
   }
 
-  private static Arbitrary<FaultEffect> harms() {
-    Arbitrary<Double> p = Arbitraries.doubles().between(0, 1).ofScale(6);
-    Arbitrary<Double> mm = Arbitraries.doubles().between(0, 100_000).ofScale(3);
-    Arbitrary<Link> links = Combinators.combine(whos(), whos()).as(Link::new);
-    Arbitrary<Long> t = times();
+  /** Texts of effects, each with the arguments of its kind. */
+  private static Arbitrary<String> effects() {
+    Arbitrary<String> p =
+        Arbitraries.doubles().between(0, 1).ofScale(6).map(Quantities::numberText);
+    Arbitrary<String> mm =
+        Arbitraries.doubles().between(0, 100_000).ofScale(3).map(Quantities::distanceText);
+    Arbitrary<String> at = Combinators.combine(Arbitraries.of("", "-"), mm).as(String::concat);
+    Arbitrary<String> t = times().map(Quantities::durationText);
+    Arbitrary<String> positive = times().map(ns -> Quantities.durationText(ns + 1));
+    Arbitrary<String> signed = Combinators.combine(Arbitraries.of("", "-"), t).as(String::concat);
+    Arbitrary<String> rad =
+        Arbitraries.doubles().between(0, 3.14).ofScale(4).map(Quantities::angleText);
+    Arbitrary<String> ppm = Arbitraries.longs().between(-500_000, 500_000).map(x -> x + "ppm");
+    Arbitrary<String> speed =
+        Arbitraries.doubles().between(1, 1000).ofScale(3).map(Quantities::speedText);
+    Arbitrary<String> from = robots().map(robots -> "from=" + robots);
+    Arbitrary<String> to = robots().map(robots -> "to=" + robots);
+    Arbitrary<String> lose = Arbitraries.of("unsynced", "some", "nothing").map("lose="::concat);
     return Arbitraries.oneOf(
-        Combinators.combine(whos(), Arbitraries.of(Unsynced.class)).as(Crash::new),
-        Combinators.combine(p, links).as(NetworkFault.Loss::new),
-        Combinators.combine(t, t, p, links)
-            .as((good, bad, loss, link) -> new NetworkFault.Burst(good + 1, bad + 1, loss, link)),
-        Combinators.combine(latencies(), links).as(NetworkFault.Delay::new),
-        Combinators.combine(p, t, links).as(NetworkFault.Duplicate::new),
-        Combinators.combine(p, t, links).as(NetworkFault.Reorder::new),
-        whos().list().ofMinSize(1).ofMaxSize(3).map(ConnectivityFault.Groups::new),
-        Combinators.combine(
-                Combinators.combine(whos(), whos()).as(ConnectivityFault.OneWay::new),
-                Combinators.combine(mm, mm, mm)
-                    .as((x, y, r) ->
-                        new ConnectivityFault.Area(new Circle(new Point(0.0 - x, y), r))),
-                Combinators.combine(mm, mm)
-                    .as((x, y) ->
-                        new ConnectivityFault.Area(new Rectangle(0.0 - x, 0.0 - y, x, y + x))),
-                Arbitraries.integers().between(0, 2))
-            .as((a, b, c, which) -> which == 0 ? a : which == 1 ? b : c),
-        mm.map(ConnectivityFault.Range::new),
-        Arbitraries.just(new ConnectivityFault.Sight()),
-        robotHarms(p, mm));
+        text("crash", robots(), lose),
+        text("loss", p, from, to),
+        text("burst", positive, positive, p, from, to),
+        text("delay", latencies(), from, to),
+        text("duplicate", p, t, from, to),
+        text("reorder", p, t, from, to),
+        robots()
+            .list()
+            .ofMinSize(1)
+            .ofMaxSize(3)
+            .map(groups -> "partition(" + String.join("|", groups) + ")"),
+        Combinators.combine(robots(), robots()).as((a, b) -> "partition(" + a + ">" + b + ")"),
+        Combinators.combine(at, at, mm)
+            .as((x, y, r) -> "partition(area=circle(" + String.join(",", x, y, r) + "))"),
+        Combinators.combine(mm, mm)
+            .as((x, y) -> "partition(area=rect(-" + x + ",-" + y + "," + x + "," + y + "))"),
+        text("range", mm),
+        Arbitraries.just("sight"),
+        robots().map(robots -> "stuck(" + robots + ")"),
+        text("slow", robots(), p),
+        text("noise", robots(), mm, rad),
+        text("dropout", robots()),
+        text("jump", robots(), mm),
+        text("compute", robots(), t),
+        text("drift", robots(), ppm),
+        text("skew", robots(), signed),
+        text("disk", robots(), t),
+        text("ram", robots(), speed),
+        text("block", robots()),
+        text("forge", robots(), positive),
+        text("replay", robots(), positive),
+        text("flood", robots(), positive));
   }
 
-  private static Arbitrary<FaultEffect> robotHarms(Arbitrary<Double> p, Arbitrary<Double> mm) {
-    Arbitrary<Double> rad = Arbitraries.doubles().between(0, 3.14).ofScale(4);
-    Arbitrary<Long> ppm = Arbitraries.longs().between(-500_000, 500_000);
-    return Arbitraries.oneOf(
-        whos().map(RobotFault.Stuck::new),
-        Combinators.combine(whos(), p).as(RobotFault.Slow::new),
-        Combinators.combine(whos(), mm, rad)
-            .as((who, far, angle) -> new RobotFault.Noise(who, new PositionNoise(far, angle))),
-        whos().map(RobotFault.Dropout::new),
-        Combinators.combine(whos(), mm).as(RobotFault.Jump::new),
-        Combinators.combine(whos(), times()).as(RobotFault.Compute::new),
-        Combinators.combine(whos(), ppm).as(RobotFault.Drift::new),
-        Combinators.combine(whos(), times(), Arbitraries.of(1, -1))
-            .as((who, ns, sign) -> new RobotFault.Skew(who, sign * ns)),
-        Combinators.combine(whos(), times()).as(RobotFault.Disk::new),
-        Combinators.combine(whos(), mm).as((who, v) -> new IntruderFault.Ram(who, v + 1)),
-        whos().map(IntruderFault.Block::new));
+  @SafeVarargs
+  private static Arbitrary<String> text(String name, Arbitrary<String>... arguments) {
+    return Combinators.combine(List.of(arguments))
+        .as(values -> name + "(" + String.join(",", values) + ")");
   }
 
-  private static Arbitrary<Latency> latencies() {
+  private static Arbitrary<String> latencies() {
     return Combinators.combine(times(), times(), Arbitraries.integers().between(0, 3))
         .as((a, b, which) ->
             switch (which) {
@@ -232,7 +234,8 @@ class FaultGrammarTest {
               case 1 -> new Latency.Uniform(a, a + b);
               case 2 -> new Latency.Normal(a, b);
               default -> new Latency.Exponential(a);
-            });
+            })
+        .map(Latency::toString);
   }
 
   @ParameterizedTest

@@ -5,13 +5,9 @@ import java.util.concurrent.CountDownLatch;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
-import org.starl.random.Rng;
-import org.starl.sim.fault.Fault;
-import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.ImpairedStrand;
 import org.starl.sim.fault.Impairment;
 import org.starl.sim.fault.RobotClock;
-import org.starl.sim.fault.RobotFault;
 import org.starl.sim.kernel.CarrierKind;
 
 /** A simulated strand whose clock is wrong and on which computing takes time. */
@@ -21,16 +17,8 @@ final class ImpairedGround implements Ground {
   private final RobotClock clock = new RobotClock(sound.kernel());
   private final ImpairedStrand strand = new ImpairedStrand(sound.strand(), clock, sound.kernel());
 
-  /**
-   * @param faults what is wrong
-   */
-  ImpairedGround(String... faults) {
-    Impairment all = Impairment.NONE;
-    for (String text : faults) {
-      Fault fault = FaultGrammar.parse(text);
-      all = all.plus(((RobotFault) fault.effect()).impairment(new Rng(1)));
-    }
-    strand.apply(all);
+  ImpairedGround(Impairment impairment) {
+    strand.apply(impairment);
   }
 
   @Override

@@ -1,8 +1,11 @@
 package org.starl.robot.contract;
 
+import org.starl.sim.fault.Impairment;
+import org.starl.time.Time;
+
 final class StrandWithAWrongClockTest extends StrandContract {
   @Override
   protected Ground newGround() {
-    return new ImpairedGround("drift(all,-70000ppm)", "skew(all,50ms)");
+    return new ImpairedGround(Impairment.ofTime(-70_000, 50 * Time.NS_PER_MS, 0));
   }
 }

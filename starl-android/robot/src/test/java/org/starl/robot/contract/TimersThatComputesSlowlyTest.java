@@ -1,8 +1,10 @@
 package org.starl.robot.contract;
 
+import org.starl.sim.fault.Impairment;
+
 final class TimersThatComputesSlowlyTest extends TimersContract {
   @Override
   protected Ground newGround() {
-    return new ImpairedGround("compute(all,700us)", "drift(all,200ppm)");
+    return new ImpairedGround(Impairment.ofTime(200, 0, 700_000));
   }
 }
