@@ -18,7 +18,6 @@ import org.starl.geometry.Pose;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.motion.MotionFlag;
 import org.starl.platform.DeploymentKey;
 import org.starl.random.Rng;
 import org.starl.sim.fault.FaultRun;
@@ -40,7 +39,6 @@ import org.starl.trace.TraceEvent.Fault;
 final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   private final SimulationPlan plan;
-  private final Rng scenarioRng;
   private final Rng behaviourRng;
   private final Kernel kernel;
   private final RunObservers watchers;
@@ -63,7 +61,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   Engine(SimulationPlan plan) {
     this.plan = plan;
-    scenarioRng = new Rng(plan.header().scenarioSeed());
     behaviourRng = new Rng(plan.header().behaviourSeed());
     kernel = new Kernel(plan.carriers());
     watchers = new RunObservers(plan);
@@ -71,9 +68,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     world = new World(kernel, kernel::timer, watchers, settings.worldLimits(), plan.obstacles());
     network = new SimNetwork(kernel, watchers, behaviourRng.fork("network"));
     network.base(settings.messageDelay(), settings.messageLoss());
-    for (int i = plan.linkRules().size() - 1; i >= 0; i--) {
-      network.install(plan.linkRules().get(i));
-    }
     deployment = plan.deployment();
     knownObstacles = plan.obstacles().known();
   }
@@ -178,11 +172,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   @Override
   public void at(long atNs, Runnable action) {
     kernel.schedule(Math.max(atNs, kernel.nowNs()), action);
-  }
-
-  @Override
-  public Rng scenarioRng(String name) {
-    return scenarioRng.fork(name);
   }
 
   @Override
@@ -372,11 +361,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   @Override
   public Pose truePose(RobotId id) {
     return robot(id).body().pose();
-  }
-
-  @Override
-  public MotionFlag motionflag(RobotId id) {
-    return robot(id).motionflag();
   }
 
   @Override

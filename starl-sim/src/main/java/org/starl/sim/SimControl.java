@@ -3,8 +3,6 @@ package org.starl.sim;
 import java.util.List;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.motion.MotionFlag;
-import org.starl.random.Rng;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Unsynced;
 
@@ -21,9 +19,6 @@ public interface SimControl {
    * time.
    */
   void at(long atNs, Runnable action);
-
-  /** A generator for {@code name}, forked from the scenario's seed. */
-  Rng scenarioRng(String name);
 
   /** Adds a robot during the run and starts its program. */
   void join(RobotSpec robot);
@@ -75,9 +70,6 @@ public interface SimControl {
 
   /** The true pose of the body, which must be on the floor. */
   Pose truePose(RobotId robot);
-
-  /** The state of the robot's latest motion, as the robot knows it. */
-  MotionFlag motionflag(RobotId robot);
 
   /** Whether the robot's app has ended. */
   boolean isFinished(RobotId robot);

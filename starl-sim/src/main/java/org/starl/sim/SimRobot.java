@@ -4,7 +4,6 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
-import org.starl.motion.MotionFlag;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
@@ -214,11 +213,6 @@ final class SimRobot implements TraceSink {
         app.receivedPointInput(xMm, yMm);
       }
     });
-  }
-
-  MotionFlag motionflag() {
-    GlobalVarHolder gvh = runner.gvh();
-    return gvh == null || isDown() ? MotionFlag.IDLE : gvh.plat.moat.motionflag().get();
   }
 
   boolean isOnFloor() {

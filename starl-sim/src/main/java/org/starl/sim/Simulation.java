@@ -24,7 +24,6 @@ import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
-import org.starl.sim.net.LinkRule;
 import org.starl.sim.world.WaypointFiles;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
@@ -89,7 +88,6 @@ public final class Simulation {
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
     private final List<RobotSpec> robots = new ArrayList<>();
-    private final List<LinkRule> linkRules = new ArrayList<>();
     private final List<SimObserver> observers = new ArrayList<>();
     private final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
     private final SortedMap<String, String> parameters = new TreeMap<>();
@@ -178,15 +176,6 @@ public final class Simulation {
     }
 
     /**
-     * Adds a rule for every datagram, before the settings' delay and loss; earlier rules are
-     * applied first.
-     */
-    public Builder linkRule(LinkRule rule) {
-      linkRules.add(rule);
-      return this;
-    }
-
-    /**
      * Adds a fault as text: {@code crash(bot2,at=12s,restart=5s)}.
      *
      * @throws BadInput if {@code fault} is not one
@@ -268,7 +257,6 @@ public final class Simulation {
               director,
               stepListener,
               all.get(Setting.FAULTS).plus(chaos(start.size())),
-              linkRules,
               endNs(),
               monitors,
               observers));

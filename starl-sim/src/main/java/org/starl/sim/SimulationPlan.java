@@ -10,7 +10,6 @@ import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
-import org.starl.sim.net.LinkRule;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceHeader;
 
@@ -27,7 +26,6 @@ import org.starl.trace.TraceHeader;
  * @param director may be null
  * @param bystander the step listener; may be null
  * @param faults of the settings, then those drawn by chaos
- * @param linkRules for every datagram, before the settings' delay and loss, in order
  * @param endNs latest end of the run, in ns of virtual time
  * @param monitors suppliers of the specifications to check
  * @param observers in calling order
@@ -42,14 +40,12 @@ public record SimulationPlan(
     @Nullable Director director,
     @Nullable StepListener bystander,
     FaultPlan faults,
-    List<LinkRule> linkRules,
     long endNs,
     List<Supplier<? extends Monitor>> monitors,
     List<SimObserver> observers) {
 
   public SimulationPlan {
     robots = List.copyOf(robots);
-    linkRules = List.copyOf(linkRules);
     monitors = List.copyOf(monitors);
     observers = List.copyOf(observers);
   }

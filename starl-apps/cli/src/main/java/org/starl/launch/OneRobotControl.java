@@ -8,9 +8,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.motion.MotionFlag;
 import org.starl.platform.Clock;
-import org.starl.random.Rng;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.sim.Director;
 import org.starl.sim.RobotSpec;
@@ -115,11 +113,6 @@ final class OneRobotControl implements SimControl {
   }
 
   @Override
-  public Rng scenarioRng(String name) {
-    return new Rng(blueprint.header().scenarioSeed()).fork(name);
-  }
-
-  @Override
   public List<RobotId> robots() {
     return blueprint.header().robots();
   }
@@ -154,15 +147,6 @@ final class OneRobotControl implements SimControl {
   @Override
   public Pose truePose(RobotId id) {
     return isHere(id) ? body.pose() : FAR_AWAY;
-  }
-
-  @Override
-  public MotionFlag motionflag(RobotId id) {
-    GlobalVarHolder here = gvh.get();
-    if (!isHere(id)) {
-      return MotionFlag.MOVING;
-    }
-    return here == null ? MotionFlag.IDLE : here.plat.moat.motionflag().get();
   }
 
   @Override

@@ -37,10 +37,6 @@ public record RobotSelector(Choice choice, List<RobotId> named) {
     }
   }
 
-  public static RobotSelector of(RobotId... robots) {
-    return new RobotSelector(Choice.NAMED, List.of(robots));
-  }
-
   /** @throws BadInput if the text is in none of these forms */
   public static RobotSelector parse(String text) {
     return switch (text.strip()) {

@@ -1,7 +1,7 @@
 package org.starl.sim.net;
 
 /**
- * A rule of the network: passes, delays, repeats, delivers or drops each copy of a datagram. Faults
+ * A rule of the network: passes, delays, repeats or drops each copy of a datagram. Faults
  * such as a partition, a limited range or bursts of loss are rules.
  */
 @FunctionalInterface

@@ -1,6 +1,5 @@
 package org.starl.sim.net;
 
-import org.starl.input.Quantities;
 import org.starl.random.Rng;
 
 /**
@@ -16,11 +15,6 @@ public record Loss(double probability) {
     if (!(probability >= 0 && probability <= 1)) {
       throw new IllegalArgumentException("loss " + probability + ": expected from 0 to 1");
     }
-  }
-
-  /** Reads a probability. @throws org.starl.input.BadInput if {@code text} is not one */
-  public static Loss parse(String text) {
-    return new Loss(Quantities.probability(text));
   }
 
   /** Whether to lose a copy. Draws no random number if the probability is 0 or 1. */

@@ -2,7 +2,6 @@ package org.starl.sim.net;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.platform.Radio;
@@ -18,6 +17,8 @@ import org.starl.trace.TraceSink;
  */
 public final class SimNetwork {
 
+  private static final long LOST = -1;
+
   /** The sender of injected datagrams, in the trace. */
   private static final RobotId NOBODY = new RobotId("nobody");
 
@@ -26,14 +27,11 @@ public final class SimNetwork {
   private final Rng root;
   private final StationTable stations = new StationTable();
   private final List<SimRadio> attached = new ArrayList<>();
-  private final List<Installed> rules = new ArrayList<>();
+  private final List<LinkRule> rules = new ArrayList<>();
   private final List<NetworkTap> taps = new ArrayList<>();
   private final DeliveryPool pool = new DeliveryPool();
   private Latency latency = new Latency.Constant(0);
   private Loss loss = Loss.NONE;
-  private LinkChoice choice = LinkChoice.seeded();
-  private boolean seeded = true;
-  private @Nullable BroadcastReach audience;
   private long sent;
   private long sentBytes;
   private long delivered;
@@ -53,17 +51,6 @@ public final class SimNetwork {
   public void base(Latency newLatency, Loss newLoss) {
     latency = newLatency;
     loss = newLoss;
-  }
-
-  /** Sets the choice of loss and delay for such copies; by default they are drawn by seed. */
-  public void choice(LinkChoice newChoice) {
-    choice = newChoice;
-    seeded = false;
-  }
-
-  /** Sets which robots may receive a broadcast; by default all. */
-  public void audience(BroadcastReach newAudience) {
-    audience = newAudience;
   }
 
   /**
@@ -109,9 +96,10 @@ public final class SimNetwork {
 
   /** Installs {@code rule} before the installed ones, until its handle removes it. */
   public LinkRule.Handle install(LinkRule rule) {
-    Installed installed = new Installed(rule);
-    rules.add(0, installed);
-    return () -> rules.remove(installed);
+    // A wrapper, so that a rule installed twice can be removed once.
+    LinkRule own = copy -> rule.judge(copy);
+    rules.add(0, own);
+    return () -> rules.remove(own);
   }
 
   /** Adds a listener to all datagrams sent from now on. */
@@ -149,21 +137,11 @@ public final class SimNetwork {
   void broadcast(SimRadio from, byte[] buffer, int length) {
     long datagram = countSent(from, buffer, length);
     Packet packet = pool.packet(buffer, length);
-    if (audience == null) {
-      for (int i = 0; i < attached.size(); i++) {
-        SimRadio to = attached.get(i);
-        if (to != from) {
-          transmit(from, to.id(), packet, datagram);
-        }
+    for (int i = 0; i < attached.size(); i++) {
+      SimRadio to = attached.get(i);
+      if (to != from) {
+        transmit(from, to.id(), packet, datagram);
       }
-    } else {
-      Consumer<RobotId> toHearer =
-          to -> {
-            if (!to.equals(from.id())) {
-              transmit(from, to, packet, datagram);
-            }
-          };
-      audience.forEachHearer(from.id(), toHearer);
     }
     packet.release();
   }
@@ -193,8 +171,8 @@ public final class SimNetwork {
       transmitByRules(from, to, packet, datagram);
       return;
     }
-    long delayNs = baseDelayNs(from, to, packet, datagram);
-    if (delayNs == LinkChoice.LOST) {
+    long delayNs = baseDelayNs(from, to, datagram);
+    if (delayNs == LOST) {
       dropped(from.id(), to, "loss");
     } else {
       deliver(from, to, packet, delayNs);
@@ -209,7 +187,7 @@ public final class SimNetwork {
     long laterNs = 0;
     List<Long> againNs = new ArrayList<>(0);
     for (int i = 0; i < rules.size(); i++) {
-      switch (rules.get(i).rule.judge(copy)) {
+      switch (rules.get(i).judge(copy)) {
         case Verdict.Pass pass -> {}
         case Verdict.Later later -> laterNs += later.extraNs();
         case Verdict.Again again -> againNs.add(again.afterNs());
@@ -217,16 +195,10 @@ public final class SimNetwork {
           dropped(from.id(), to, drop.why());
           return;
         }
-        case Verdict.Deliver deliver -> {
-          for (int k = 0; k < deliver.copies(); k++) {
-            deliver(from, to, packet, deliver.delayNs(k) + laterNs, againNs);
-          }
-          return;
-        }
       }
     }
-    long delayNs = baseDelayNs(from, to, packet, datagram);
-    if (delayNs == LinkChoice.LOST) {
+    long delayNs = baseDelayNs(from, to, datagram);
+    if (delayNs == LOST) {
       dropped(from.id(), to, "loss");
     } else {
       deliver(from, to, packet, delayNs + laterNs, againNs);
@@ -240,19 +212,13 @@ public final class SimNetwork {
     }
   }
 
-  private long baseDelayNs(SimRadio from, RobotId to, Packet packet, long datagram) {
-    if (!seeded) {
-      Rng rng = new Rng(from.copySeed(key(to), datagram));
-      Transmission copy =
-          new Transmission(from.id(), to, kernel.nowNs(), datagram, packet.length(), rng);
-      return choice.delayNsOrLost(copy, latency, loss);
-    }
+  /** The delay in ns, or {@link #LOST}. */
+  private long baseDelayNs(SimRadio from, RobotId to, long datagram) {
     if (loss.isCertain() && latency.isConstant()) {
-      return loss.probability() > 0 ? LinkChoice.LOST : ((Latency.Constant) latency).ns();
+      return loss.probability() > 0 ? LOST : ((Latency.Constant) latency).ns();
     }
-    // Equal to LinkChoice.seeded(), without a Transmission.
     Rng rng = new Rng(from.copySeed(key(to), datagram));
-    return loss.strikes(rng) ? LinkChoice.LOST : latency.drawNs(rng);
+    return loss.strikes(rng) ? LOST : latency.drawNs(rng);
   }
 
   private void deliver(SimRadio from, RobotId to, Packet packet, long delayNs) {
@@ -274,14 +240,5 @@ public final class SimNetwork {
   /** The key of the robot's random numbers: a function of its name and the run's seed. */
   private long newKey(RobotId id) {
     return root.fork(id.name() + "/radio").nextLong();
-  }
-
-  /** A wrapper, so that a rule installed twice can be removed once. */
-  private static final class Installed {
-    private final LinkRule rule;
-
-    Installed(LinkRule rule) {
-      this.rule = rule;
-    }
   }
 }

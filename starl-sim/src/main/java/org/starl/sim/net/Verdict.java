@@ -10,15 +10,6 @@ public sealed interface Verdict {
     return new Drop(why);
   }
 
-  static Verdict deliverAfter(long delayNs) {
-    return new Deliver(new long[] {delayNs});
-  }
-
-  /** Delivers the copy several times, once after each delay. */
-  static Verdict duplicate(long... delaysNs) {
-    return new Deliver(delaysNs.clone());
-  }
-
   /** The next rule decides; if it delivers the copy, the copy arrives {@code extraNs} later. */
   static Verdict later(long extraNs) {
     return new Later(extraNs);
@@ -58,27 +49,4 @@ public sealed interface Verdict {
    * @param why one word for the trace: {@code partition}, {@code range}, ...
    */
   record Drop(String why) implements Verdict {}
-
-  /** The copy arrives after the first delay, and again after each further one. */
-  final class Deliver implements Verdict {
-    private final long[] delaysNs;
-
-    private Deliver(long[] delaysNs) {
-      if (delaysNs.length == 0) {
-        throw new IllegalArgumentException("no delay: expected at least one");
-      }
-      for (long delayNs : delaysNs) {
-        requireDelay(delayNs);
-      }
-      this.delaysNs = delaysNs;
-    }
-
-    int copies() {
-      return delaysNs.length;
-    }
-
-    long delayNs(int copy) {
-      return delaysNs[copy];
-    }
-  }
 }

@@ -5,8 +5,7 @@
  * <p>Contract: without rules every copy is lost with the base {@link org.starl.sim.net.Loss} and
  * otherwise takes the base {@link org.starl.sim.net.Latency}, independently for each recipient of a
  * broadcast. Faults are {@link org.starl.sim.net.LinkRule}s, which can be installed and removed
- * during a run; the first rule that drops or delivers decides, and rules before it may delay or
- * repeat the copy. All randomness is a function of the run's seed, the sender, the recipient and
+ * during a run; a rule may drop, delay or repeat a copy. All randomness is a function of the run's seed, the sender, the recipient and
  * the sender's count of datagrams, so that neither an additional robot nor an additional rule
  * changes the random numbers of other robots. The network does not depend on specific faults or on
  * positions.

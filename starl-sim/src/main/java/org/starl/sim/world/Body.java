@@ -253,10 +253,6 @@ public final class Body {
     return !touchedBodies.isEmpty() || !touchedWalls.isEmpty();
   }
 
-  boolean isGone() {
-    return gone;
-  }
-
   void leave() {
     gone = true;
     timer.cancel();

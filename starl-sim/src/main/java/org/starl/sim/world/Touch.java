@@ -1,7 +1,5 @@
 package org.starl.sim.world;
 
-import org.starl.body.Bumps;
-
 /**
  * The effect of a contact on a body. The bearing of a contact is its direction from the body's
  * centre, relative to the heading, counter-clockwise.
@@ -44,10 +42,6 @@ final class Touch {
 
   static boolean pressesRight(double bearingRad) {
     return bearingRad <= BOTH_RAD && bearingRad >= -FRONT_RAD;
-  }
-
-  static Bumps bumps(double bearingRad) {
-    return Bumps.of(pressesLeft(bearingRad), pressesRight(bearingRad));
   }
 
   /**

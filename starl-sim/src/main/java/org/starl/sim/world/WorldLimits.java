@@ -20,11 +20,6 @@ public record WorldLimits(double maxMmPerS, double maxRadPerS, boolean collision
     }
   }
 
-  /** The same limits with bodies that pass through each other and through walls. */
-  public WorldLimits withoutCollisions() {
-    return new WorldLimits(maxMmPerS, maxRadPerS, false);
-  }
-
   double mmPerS(double wanted) {
     return Math.max(-maxMmPerS, Math.min(maxMmPerS, wanted));
   }

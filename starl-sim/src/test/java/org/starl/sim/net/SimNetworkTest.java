@@ -196,7 +196,7 @@ final class SimNetworkTest {
   @Test
   void theFirstRuleThatAnswersDecidesUntilItIsRemoved() {
     Air air = new Air(2);
-    LinkRule.Handle late = air.network.install(copy -> Verdict.deliverAfter(30 * MS));
+    LinkRule.Handle late = air.network.install(copy -> Verdict.later(30 * MS));
     LinkRule.Handle cut = air.network.install(copy -> Verdict.drop("partition"));
     air.network.install(copy -> Verdict.PASS);
     air.send("bot0", "bot1", "cut");
@@ -243,16 +243,6 @@ final class SimNetworkTest {
   }
 
   @Test
-  void aRuleCanDuplicate() {
-    Air air = new Air(2);
-    air.network.install(copy -> Verdict.duplicate(MS, 3 * MS));
-    air.send("bot0", "bot1", "twice");
-    air.runFor(1);
-    assertThat(air.log("bot1")).containsExactly(MS + " twice", 3 * MS + " twice");
-    assertThatThrownBy(() -> Verdict.deliverAfter(-1)).isInstanceOf(IllegalArgumentException.class);
-  }
-
-  @Test
   void delaysAndCopiesOfRulesAddToLaterDecisions() {
     Air air = new Air(2);
     air.network.base(new Latency.Constant(5 * MS), Loss.NONE);
@@ -266,6 +256,12 @@ final class SimNetworkTest {
     air.runFor(1);
     assertThat(air.log("bot1")).containsExactly(35 * MS + " twice", 37 * MS + " twice");
     assertThat(air.network.statistics().lost()).isEqualTo(1);
+  }
+
+  @Test
+  void aDelayBelow0IsABug() {
+    assertThatThrownBy(() -> Verdict.later(-1)).isInstanceOf(IllegalArgumentException.class);
+    assertThatThrownBy(() -> Verdict.again(-1)).isInstanceOf(IllegalArgumentException.class);
   }
 
   @Test
@@ -335,50 +331,6 @@ final class SimNetworkTest {
     assertThatThrownBy(() -> deaf.onReceive((buffer, length) -> {}))
         .isInstanceOf(IllegalStateException.class);
     assertThatThrownBy(() -> air.attach("bot0")).isInstanceOf(IllegalStateException.class);
-  }
-
-  @Test
-  void anExplorerControlsEveryChoice() {
-    Air air = new Air(2);
-    air.network.base(Latency.parse("uniform(0ms,10ms)"), new Loss(0.5));
-    List<Long> asked = new ArrayList<>();
-    air.network.choice((copy, latency, loss) -> {
-      asked.add(copy.datagram());
-      return copy.datagram() % 2 == 0 ? LinkChoice.LOST : 77;
-    });
-    air.send("bot0", "bot1", "a");
-    air.send("bot0", "bot1", "b");
-    air.runFor(1);
-    assertThat(asked).containsExactly(0L, 1L);
-    assertThat(air.log("bot1")).containsExactly("77 b");
-  }
-
-  @Test
-  void theNetworkChoosesRandomlyByDefault() {
-    Air byItself = new Air(2);
-    Air byChoice = new Air(2);
-    byChoice.network.choice(LinkChoice.seeded());
-    for (Air air : List.of(byItself, byChoice)) {
-      air.network.base(Latency.parse("normal(50ms,30ms)"), new Loss(0.4));
-      for (int i = 0; i < 50; i++) {
-        air.send("bot0", "bot1", "m" + i);
-      }
-      air.runFor(10);
-    }
-    assertThat(byChoice.log("bot1")).isEqualTo(byItself.log("bot1")).isNotEmpty();
-  }
-
-  @Test
-  void anAudienceLimitsTheRecipientsOfBroadcasts() {
-    Air air = new Air(4);
-    air.network.audience((sender, hearer) -> {
-      hearer.accept(sender);
-      hearer.accept(new RobotId("bot3"));
-    });
-    air.broadcast("bot0", "near");
-    air.runFor(1);
-    assertThat(air.log("bot3")).containsExactly("0 near");
-    assertThat(air.network.statistics().delivered()).isOne();
   }
 
   @Test

@@ -203,7 +203,7 @@ final class WorldTest {
             time,
             time,
             trace,
-            WorldLimits.CREATE.withoutCollisions(),
+            new WorldLimits(500, 4, false),
             Obstacles.of(Obstacle.wall(point(500, -500), point(500, 500))));
     Body body = bot(0, 0, 0, EAST);
     bot(1, 1000, 0, NORTH);
