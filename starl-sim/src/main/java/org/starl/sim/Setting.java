@@ -1,19 +1,19 @@
 package org.starl.sim;
 
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.Collections;
 import java.util.List;
-import java.util.function.Function;
 import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
-import org.starl.input.Quantities;
-import org.starl.input.Quantity;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.net.Latency;
+import org.starl.time.Time;
 
 /**
  * One setting: its key in {@code --set key=value}, its meaning, its default, and how its text is read
@@ -24,221 +24,179 @@ import org.starl.sim.net.Latency;
  */
 public final class Setting<T> {
 
+  // Filled by the constants, in their order.
+  private static final List<Setting<?>> TABLE = new ArrayList<>();
+
   // The run.
-  public static final Setting<Integer> ROBOTS =
-      whole("robots", 4, 0, "number of robots that start");
+  public static final Setting<Integer> ROBOTS = count("robots", 4, "number of robots that start");
   public static final Setting<Integer> DISCOVERY_ROBOTS =
-      whole("discoveryRobots", 0, 0, "number of these that explore by bumping");
+      count("discoveryRobots", 0, "number of these that explore by bumping");
   public static final Setting<Integer> RANDOM_ROBOTS =
-      whole("randomRobots", 0, 0, "number of these that wander and get in the way");
+      count("randomRobots", 0, "number of these that wander and get in the way");
   public static final Setting<Duration> DURATION =
-      duration("duration", 0, "simulated time after which the run ends; 0ms for no limit");
+      duration("duration", "simulated time after which the run ends; 0ms for no limit");
 
   // The floor.
   public static final Setting<Double> FLOOR_WIDTH =
-      distance("floorWidth", 5000, "size of the floor along x");
+      size("floorWidth", 5000.0, "size of the floor along x");
   public static final Setting<Double> FLOOR_HEIGHT =
-      distance("floorHeight", 3000, "size of the floor along y");
+      size("floorHeight", 3000.0, "size of the floor along y");
   public static final Setting<String> OBSTACLE_FILE =
-      text("obstacleFile", "", "file of obstacles (Obstacle and Hidden lines); empty for none");
+      text("obstacleFile", "file of obstacles (Obstacle and Hidden lines); empty for none");
   public static final Setting<String> START_FILE =
-      text(
-          "startFile",
-          "",
-          "file of start poses (WAY lines with robots' names); empty: drawn by seed");
+      text("startFile", "file of start poses (WAY lines with robots' names); empty: drawn by seed");
   public static final Setting<Double> START_SPACING =
-      number("startSpacing", 2.8, "least distance of drawn starts between centres, in body radii");
+      own(
+          "startSpacing",
+          SettingType.NUMBER,
+          2.8,
+          "least distance of drawn starts between centres, in body radii");
 
   // The bodies.
   public static final Setting<String> ROBOT_NAME =
-      new Setting<>(
+      own(
           "robotName",
-          String.class,
+          new SettingType<>(
+              String.class,
+              String::strip,
+              text -> text,
+              text -> RobotId.isValid(text + "00000000"),
+              "a letter, then up to 23 of A-Z a-z 0-9 _ - .",
+              new Form.Text("^\\s*[A-Za-z][A-Za-z0-9_.-]{0,23}\\s*$")),
           "bot",
-          "first part of robots' names, before a number from 0",
-          String::strip,
-          text -> text,
-          text -> RobotId.isValid(text + "00000000"),
-          "a letter, then up to 23 of A-Z a-z 0-9 _ - .",
-          new Form.Text("^\\s*[A-Za-z][A-Za-z0-9_.-]{0,23}\\s*$"));
+          "first part of robots' names, before a number from 0");
   public static final Setting<Double> ROBOT_RADIUS =
-      distance("robotRadius", 165, "radius of a robot's body");
+      size("robotRadius", 165.0, "radius of a robot's body");
   public static final Setting<Boolean> IDEAL_MOTION =
-      yesOrNo("idealMotion", false, "bodies pass through everything, wheel speeds are exact");
+      flag("idealMotion", false, "bodies pass through everything, wheel speeds are exact");
   public static final Setting<Double> MAX_SPEED =
-      new Setting<>(
-          "maxSpeed",
-          Double.class,
-          500.0,
-          "largest speed of a body",
-          Quantities::speedMmPerS,
-          Quantities::speedText,
-          value -> value > 0,
-          "a speed above 0",
-          Form.above0(Quantity.SPEED));
+      own("maxSpeed", SettingType.SPEED, 500.0, "largest speed of a body");
   public static final Setting<CollisionPolicy> COLLISION_POLICY =
-      new Setting<>(
+      own(
           "collisionPolicy",
-          CollisionPolicy.class,
+          SettingType.choice(CollisionPolicy.class, Setting::collisionPolicy),
           CollisionPolicy.STOP_ON_COLLISION,
-          "reaction to a bump: BUMPERCARS, STOP_ON_COLLISION, USE_COLAVOID or USE_COLBACK",
-          Setting::collisionPolicy,
-          CollisionPolicy::name,
-          value -> true,
-          "a collision policy",
-          Form.choice(Arrays.stream(CollisionPolicy.values()).map(CollisionPolicy::name).toList()));
+          "reaction to a bump: BUMPERCARS, STOP_ON_COLLISION, USE_COLAVOID or USE_COLBACK");
   public static final Setting<Double> SPEED_ERROR =
       probability("speedError", "largest relative error of a wheel speed, drawn per command");
 
   // Positioning, clocks and storage.
   public static final Setting<Duration> POSITION_PERIOD =
-      new Setting<>(
+      own(
           "positionPeriod",
-          Duration.class,
+          SettingType.PERIOD,
           Duration.ofMillis(75),
-          "time between two fixes of a robot",
-          Setting::readDuration,
-          Setting::durationText,
-          value -> !value.isZero() && !value.isNegative(),
-          "a duration above 0",
-          Form.above0(Quantity.DURATION));
+          "time between two fixes of a robot");
   public static final Setting<Double> POSITION_NOISE =
-      distance("positionNoise", 0, "largest error of a position fix");
+      own("positionNoise", SettingType.DISTANCE, 0.0, "largest error of a position fix");
   public static final Setting<Double> HEADING_NOISE =
-      new Setting<>(
-          "headingNoise",
-          Double.class,
-          0.0,
-          "largest error of the heading in a fix",
-          Quantities::angleRad,
-          Quantities::angleText,
-          value -> value >= 0 && value <= StrictMath.PI,
-          "an angle from 0 to 180deg",
-          Form.amount(Quantity.ANGLE));
+      own("headingNoise", SettingType.ANGLE, 0.0, "largest error of the heading in a fix");
   public static final Setting<Boolean> POSITION_IN_PHASE =
-      yesOrNo("positionInPhase", false, "all robots get their fixes at the same times");
+      flag("positionInPhase", false, "all robots get their fixes at the same times");
   public static final Setting<Duration> STABLE_DELAY =
-      duration("stableDelay", 0, "time until a write to stable storage survives a crash");
+      duration("stableDelay", "time until a write to stable storage survives a crash");
   public static final Setting<Duration> COMPUTE_TIME =
-      duration("computeTime", 0, "time of a robot's long computation, such as planning a path");
+      duration("computeTime", "time of a robot's long computation, such as planning a path");
 
   // The network.
   public static final Setting<Latency> MESSAGE_DELAY =
-      new Setting<>(
+      own(
           "messageDelay",
-          Latency.class,
-          new Latency.Uniform(10_000_000, 20_000_000),
-          "delay of a datagram: 100ms, uniform(..), normal(..), exponential(..)",
-          Latency::parse,
-          Latency::toString,
-          value -> true,
-          "a delay",
-          new Form.Text(Latency.PATTERN));
+          SettingType.unlimited(
+              Latency.class, Latency::parse, Latency::toString, new Form.Text(Latency.PATTERN)),
+          new Latency.Uniform(10 * Time.NS_PER_MS, 20 * Time.NS_PER_MS),
+          "delay of a datagram: 100ms, uniform(..), normal(..), exponential(..)");
   public static final Setting<Double> MESSAGE_LOSS =
       probability("messageLoss", "probability that a datagram is lost, for each recipient");
   public static final Setting<Boolean> SEALED =
-      yesOrNo("sealed", false, "seal datagrams with a key that all robots of the run share");
+      flag("sealed", false, "seal datagrams with a key that all robots of the run share");
 
   // Faults.
   public static final Setting<FaultPlan> FAULTS =
-      new Setting<>(
+      own(
           "faults",
-          FaultPlan.class,
+          SettingType.unlimited(
+              FaultPlan.class, FaultPlan::parse, FaultPlan::toString, Form.FAULTS),
           FaultPlan.NONE,
-          "faults to inject, with ; between them; see below",
-          FaultPlan::parse,
-          FaultPlan::toString,
-          value -> true,
-          "faults",
-          Form.FAULTS);
+          "faults to inject, with ; between them; see below");
 
   public static final Setting<Envelope> CHAOS =
-      new Setting<>(
+      own(
           "chaos",
-          Envelope.class,
+          SettingType.choice(Envelope.class, Envelope::parse),
           Envelope.NONE,
-          "faults drawn by seed: " + Arrays.toString(Envelope.values()),
-          Envelope::parse,
-          Envelope::toString,
-          value -> true,
-          "an envelope of faults",
-          Form.choice(Arrays.stream(Envelope.values()).map(Envelope::toString).toList()));
+          "faults drawn by seed: " + Arrays.toString(Envelope.values()));
   public static final Setting<Duration> CHAOS_FOR =
-      duration(
-          "chaosFor", 0, "time after which chaos has ended; 0ms: half of the run, at most 60s");
+      duration("chaosFor", "time after which chaos has ended; 0ms: half of the run, at most 60s");
 
   // What robots learn of hidden obstacles.
   public static final Setting<Double> CONTACT_MARK =
-      distance(
+      size(
           "contactMark",
           MotionParameters.DEFAULT.contactMarkMm(),
           "side of the square that a bump adds to a robot's map");
 
-  private static final List<Setting<?>> TABLE =
-      List.of(
-          ROBOTS,
-          DISCOVERY_ROBOTS,
-          RANDOM_ROBOTS,
-          DURATION,
-          FLOOR_WIDTH,
-          FLOOR_HEIGHT,
-          OBSTACLE_FILE,
-          START_FILE,
-          START_SPACING,
-          ROBOT_NAME,
-          ROBOT_RADIUS,
-          IDEAL_MOTION,
-          MAX_SPEED,
-          COLLISION_POLICY,
-          SPEED_ERROR,
-          POSITION_PERIOD,
-          POSITION_NOISE,
-          HEADING_NOISE,
-          POSITION_IN_PHASE,
-          STABLE_DELAY,
-          COMPUTE_TIME,
-          MESSAGE_DELAY,
-          MESSAGE_LOSS,
-          SEALED,
-          FAULTS,
-          CHAOS,
-          CHAOS_FOR,
-          CONTACT_MARK);
-
   private final String key;
-  private final Class<T> type;
+  private final SettingType<T> type;
   private final T defaultValue;
   private final String meaning;
-  private final Function<String, T> reader;
-  private final Function<T, String> writer;
-  private final Function<T, Boolean> isValid;
-  private final String expected;
-  private final Form form;
 
-  private Setting(
-      String key,
-      Class<T> type,
-      T defaultValue,
-      String meaning,
-      Function<String, T> reader,
-      Function<T, String> writer,
-      Function<T, Boolean> isValid,
-      String expected,
-      Form form) {
+  private Setting(String key, SettingType<T> type, T defaultValue, String meaning) {
     this.key = key;
     this.type = type;
     this.defaultValue = defaultValue;
     this.meaning = meaning;
-    this.reader = reader;
-    this.writer = writer;
-    this.isValid = isValid;
-    this.expected = expected;
-    this.form = form;
+  }
+
+  private static <T> Setting<T> own(
+      String key, SettingType<T> type, T defaultValue, String meaning) {
+    Setting<T> setting = new Setting<>(key, type, defaultValue, meaning);
+    TABLE.add(setting);
+    return setting;
+  }
+
+  private static Setting<Integer> count(String key, int initial, String meaning) {
+    return own(key, SettingType.whole(0), initial, meaning);
+  }
+
+  private static Setting<Double> size(String key, double initialMm, String meaning) {
+    return own(key, SettingType.SIZE, initialMm, meaning);
+  }
+
+  private static Setting<Double> probability(String key, String meaning) {
+    return own(key, SettingType.PROBABILITY, 0.0, meaning);
+  }
+
+  private static Setting<Duration> duration(String key, String meaning) {
+    return own(key, SettingType.DURATION, Duration.ZERO, meaning);
+  }
+
+  private static Setting<Boolean> flag(String key, boolean initial, String meaning) {
+    return own(key, SettingType.YES_NO, initial, meaning);
+  }
+
+  private static Setting<String> text(String key, String meaning) {
+    return own(key, SettingType.TEXT, "", meaning);
+  }
+
+  /** A whole number of at least {@code least}. */
+  public static Setting<Integer> whole(String key, int initial, int least, String meaning) {
+    return new Setting<>(key, SettingType.whole(least), initial, meaning);
+  }
+
+  /** A number of at least 0. */
+  public static Setting<Double> number(String key, double initial, String meaning) {
+    return new Setting<>(key, SettingType.NUMBER, initial, meaning);
+  }
+
+  /** Yes or no. */
+  public static Setting<Boolean> yesOrNo(String key, boolean initial, String meaning) {
+    return new Setting<>(key, SettingType.YES_NO, initial, meaning);
   }
 
   /** The simulator's settings, in the order to show them. */
   public static List<Setting<?>> all() {
-    return TABLE;
+    return Collections.unmodifiableList(TABLE);
   }
 
   /** Its name in {@code --set key=value}. */
@@ -253,7 +211,7 @@ public final class Setting<T> {
 
   /** The values it takes. */
   public Form form() {
-    return form;
+    return type.form();
   }
 
   public T defaultValue() {
@@ -262,14 +220,14 @@ public final class Setting<T> {
 
   /** The default as text, which {@code --set} reads. */
   public String defaultText() {
-    return writer.apply(defaultValue);
+    return type.writer().apply(defaultValue);
   }
 
   /** @throws BadInput naming key, text and what was expected */
   T read(String text) {
     T value;
     try {
-      value = reader.apply(text);
+      value = type.reader().apply(text);
     } catch (BadInput unreadable) {
       throw new BadInput(key + "=" + unreadable.getMessage());
     }
@@ -278,118 +236,23 @@ public final class Setting<T> {
 
   /** @throws BadInput if the value is out of range */
   T checked(T value) {
-    if (!isValid.apply(value)) {
-      throw new BadInput(key + "=" + writer.apply(value) + ": expected " + expected);
+    if (!type.isValid().test(value)) {
+      throw new BadInput(key + "=" + type.writer().apply(value) + ": expected " + type.expected());
     }
     return value;
   }
 
   String text(Object value) {
-    return writer.apply(type.cast(value));
+    return type.writer().apply(cast(value));
   }
 
   T cast(Object value) {
-    return type.cast(value);
+    return type.values().cast(value);
   }
 
   @Override
   public String toString() {
     return key;
-  }
-
-  /** A whole number of at least {@code least}. */
-  public static Setting<Integer> whole(String key, int initial, int least, String meaning) {
-    return new Setting<>(
-        key,
-        Integer.class,
-        initial,
-        meaning,
-        text -> (int) Quantities.whole(text, least, Integer.MAX_VALUE),
-        String::valueOf,
-        value -> value >= least,
-        "a whole number of at least " + least,
-        Form.whole(least, Integer.MAX_VALUE));
-  }
-
-  /** A number of at least 0. */
-  public static Setting<Double> number(String key, double initial, String meaning) {
-    return new Setting<>(
-        key,
-        Double.class,
-        initial,
-        meaning,
-        Quantities::number,
-        Quantities::numberText,
-        Setting::isAmount,
-        "a number of at least 0",
-        Form.amount(Quantity.NUMBER));
-  }
-
-  private static Setting<Double> distance(String key, double initialMm, String meaning) {
-    // A size, which is positive by default, cannot be 0; noise can.
-    return new Setting<>(
-        key,
-        Double.class,
-        initialMm,
-        meaning,
-        Quantities::distanceMm,
-        Quantities::distanceText,
-        value -> isAmount(value) && (value > 0 || initialMm == 0),
-        initialMm > 0 ? "a distance above 0" : "a distance of at least 0",
-        new Form.Amount(Quantity.DISTANCE, initialMm > 0));
-  }
-
-  private static Setting<Double> probability(String key, String meaning) {
-    return new Setting<>(
-        key,
-        Double.class,
-        0.0,
-        meaning,
-        Quantities::probability,
-        Quantities::numberText,
-        value -> value >= 0 && value <= 1,
-        "a number from 0 to 1",
-        Form.amount(Quantity.PROBABILITY));
-  }
-
-  private static Setting<Duration> duration(String key, long initialMs, String meaning) {
-    return new Setting<>(
-        key,
-        Duration.class,
-        Duration.ofMillis(initialMs),
-        meaning,
-        Setting::readDuration,
-        Setting::durationText,
-        value -> !value.isNegative(),
-        "a duration of at least 0",
-        Form.amount(Quantity.DURATION));
-  }
-
-  /** Yes or no. */
-  public static Setting<Boolean> yesOrNo(String key, boolean initial, String meaning) {
-    return new Setting<>(
-        key,
-        Boolean.class,
-        initial,
-        meaning,
-        Quantities::yesOrNo,
-        String::valueOf,
-        value -> true,
-        "true or false",
-        Form.YES_NO);
-  }
-
-  private static Setting<String> text(String key, String initial, String meaning) {
-    return new Setting<>(
-        key,
-        String.class,
-        initial,
-        meaning,
-        String::strip,
-        text -> text,
-        value -> true,
-        "a text",
-        Form.TEXT);
   }
 
   private static CollisionPolicy collisionPolicy(String text) {
@@ -400,17 +263,5 @@ public final class Setting<T> {
     }
     throw new BadInput(
         BadInput.quote(text) + ": expected one of " + Arrays.toString(CollisionPolicy.values()));
-  }
-
-  private static boolean isAmount(double value) {
-    return value >= 0 && value < Double.POSITIVE_INFINITY;
-  }
-
-  private static Duration readDuration(String text) {
-    return Duration.ofNanos(Quantities.durationNs(text));
-  }
-
-  private static String durationText(Duration duration) {
-    return Quantities.durationText(duration.toNanos());
   }
 }
