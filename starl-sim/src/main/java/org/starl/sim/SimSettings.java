@@ -15,6 +15,7 @@ import org.starl.sim.net.Latency;
 import org.starl.sim.net.Loss;
 import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.WorldLimits;
+import org.starl.time.Time;
 
 /**
  * Typed values of {@link Setting}s: the values that were set, and the defaults of the others.
@@ -26,7 +27,7 @@ public final class SimSettings {
 
   private static final double IDEAL_RAD_PER_S = 1000;
   private static final double WHEEL_TRACK_MM = 258;
-  private static final long MOST_CHAOS_NS = 60_000_000_000L;
+  private static final long MOST_CHAOS_NS = 60 * Time.NS_PER_S;
 
   private final Map<Setting<?>, Object> values;
 

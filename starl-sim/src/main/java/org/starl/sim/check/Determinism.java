@@ -1,18 +1,21 @@
 package org.starl.sim.check;
 
 import java.io.BufferedInputStream;
-import java.io.FilterOutputStream;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.math.BigDecimal;
+import java.math.BigInteger;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardOpenOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
@@ -32,7 +35,7 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
 
   private static final Pattern PLACE =
       Pattern.compile("\"timeNs\":(\\d+)(?:,\"robot\":\"([^\"]+)\")?");
-  private static final int WHOLE_SECOND_DIGITS = 9;
+  private static final int NANOS = 9;
 
   /**
    * The first line that differs between two runs: a line of the trace, or the outcome after it.
@@ -64,11 +67,9 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
       if (!matcher.find()) {
         return "";
       }
-      String digits = "0".repeat(WHOLE_SECOND_DIGITS) + matcher.group(1);
-      int point = digits.length() - WHOLE_SECOND_DIGITS;
-      String seconds = digits.substring(0, point).replaceFirst("^0+(?=.)", "");
+      BigDecimal seconds = new BigDecimal(new BigInteger(matcher.group(1)), NANOS);
       String robot = matcher.group(2) == null ? "" : ", " + matcher.group(2);
-      return " (" + seconds + "." + digits.substring(point) + " s" + robot + ")";
+      return " (" + seconds.toPlainString() + " s" + robot + ")";
     }
   }
 
@@ -91,27 +92,20 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
    */
   public static Determinism verify(Supplier<Simulation.Builder> scenario) throws IOException {
     List<Planned> plan = plan();
-    List<String> done = new ArrayList<>();
+    String first = plan.get(0).name();
+    List<String> done = new ArrayList<>(List.of(first));
     Path reference = Files.createTempFile("starl-determinism", ".trace");
     try {
-      long lines;
-      try (OutputStream out = Files.newOutputStream(reference)) {
-        LineCounter counter = new LineCounter(out);
-        run(scenario, plan.get(0), counter);
-        lines = counter.lines;
+      String outcome = run(scenario, plan.get(0), Files.newOutputStream(reference));
+      Files.writeString(reference, outcome, StandardOpenOption.APPEND);
+      Difference difference = null;
+      for (int i = 1; i < plan.size() && difference == null; i++) {
+        done.add(plan.get(i).name());
+        difference = compare(scenario, plan.get(i), reference, first);
       }
-      done.add(plan.get(0).name());
-      for (Planned next : plan.subList(1, plan.size())) {
-        done.add(next.name());
-        LineComparer.DifferentLines found = compare(scenario, next, reference);
-        if (found != null) {
-          Difference difference =
-              new Difference(
-                  done.get(0), next.name(), found.line(), found.reference(), found.written());
-          return new Determinism(done, lines, difference);
-        }
+      try (Stream<String> lines = Files.lines(reference)) {
+        return new Determinism(done, lines.count(), difference);
       }
-      return new Determinism(done, lines, null);
     } finally {
       Files.delete(reference);
     }
@@ -128,64 +122,30 @@ public record Determinism(List<String> runs, long lines, @Nullable Difference di
         platform);
   }
 
-  private static LineComparer.@Nullable DifferentLines compare(
-      Supplier<Simulation.Builder> scenario, Planned run, Path reference) throws IOException {
+  private static @Nullable Difference compare(
+      Supplier<Simulation.Builder> scenario, Planned run, Path reference, String first)
+      throws IOException {
     try (InputStream in = new BufferedInputStream(Files.newInputStream(reference), 1 << 16)) {
       LineComparer comparer = new LineComparer(in);
-      run(scenario, run, comparer);
-      return comparer.difference();
+      comparer.write(run(scenario, run, comparer).getBytes(StandardCharsets.UTF_8));
+      return comparer.difference(first, run.name());
     }
   }
 
-  /** Writes the trace to {@code out}, then one line with the outcome. */
-  private static void run(Supplier<Simulation.Builder> scenario, Planned run, OutputStream out)
+  /** Writes the trace to {@code out}, which it closes; returns one line with the outcome. */
+  private static String run(Supplier<Simulation.Builder> scenario, Planned run, OutputStream out)
       throws IOException {
-    String outcome;
-    try (TraceRecorder recorder = new TraceRecorder(new NotClosing(out))) {
+    try (TraceRecorder recorder = new TraceRecorder(out)) {
       SimResult result = scenario.get().carriers(run.carriers()).observer(recorder).build().run();
-      outcome =
-          "outcome: "
-              + result.events()
-              + " kernel events, unfinished "
-              + result.unfinished()
-              + ", "
-              + result.network();
+      return "outcome: "
+          + result.events()
+          + " kernel events, unfinished "
+          + result.unfinished()
+          + ", "
+          + result.network()
+          + "\n";
     } catch (SimulationFailed e) {
-      outcome = "outcome: " + e.getMessage();
-    }
-    out.write((outcome + "\n").getBytes(StandardCharsets.UTF_8));
-  }
-
-  /** Prevents the recorder from closing the underlying stream. */
-  private static final class NotClosing extends FilterOutputStream {
-    NotClosing(OutputStream out) {
-      super(out);
-    }
-
-    @Override
-    public void write(byte[] bytes, int from, int length) throws IOException {
-      out.write(bytes, from, length);
-    }
-
-    @Override
-    public void close() throws IOException {
-      flush();
-    }
-  }
-
-  private static final class LineCounter extends FilterOutputStream {
-    private long lines;
-
-    LineCounter(OutputStream out) {
-      super(out);
-    }
-
-    @Override
-    public void write(byte[] bytes, int from, int length) throws IOException {
-      for (int i = from; i < from + length; i++) {
-        lines += bytes[i] == '\n' ? 1 : 0;
-      }
-      out.write(bytes, from, length);
+      return "outcome: " + e.getMessage() + "\n";
     }
   }
 }

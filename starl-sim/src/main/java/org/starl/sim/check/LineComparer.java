@@ -6,6 +6,7 @@ import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import org.jspecify.annotations.Nullable;
+import org.starl.sim.check.Determinism.Difference;
 
 /**
  * Compares written bytes with a reference and keeps the first line that differs. A premature end of
@@ -15,9 +16,6 @@ final class LineComparer extends OutputStream {
 
   /** The text of a missing line. */
   static final String NOTHING = "(nothing more)";
-
-  /** The first difference; lines count from 1. */
-  record DifferentLines(long line, String reference, String written) {}
 
   private final InputStream reference;
   private final ByteArrayOutputStream line = new ByteArrayOutputStream();
@@ -66,17 +64,23 @@ final class LineComparer extends OutputStream {
     return lineNumber - 1;
   }
 
-  /** The first difference, or null; call it once, after the last write. */
-  @Nullable DifferentLines difference() throws IOException {
+  /**
+   * The first difference, or null; call it once, after the last write.
+   *
+   * @param referenceName name of the run that wrote the reference
+   * @param writtenName name of the other run
+   */
+  @Nullable Difference difference(String referenceName, String writtenName) throws IOException {
+    String writtenLine = line.toString(StandardCharsets.UTF_8);
     if (referenceLine == null) {
       int next = reference.read();
       if (next < 0) {
         return null;
       }
       referenceLine = restOfReference(next);
-      return new DifferentLines(lineNumber, referenceLine, line.size() == 0 ? NOTHING : text());
+      writtenLine = line.size() == 0 ? NOTHING : writtenLine;
     }
-    return new DifferentLines(lineNumber, referenceLine, text());
+    return new Difference(referenceName, writtenName, lineNumber, referenceLine, writtenLine);
   }
 
   /**
@@ -89,9 +93,5 @@ final class LineComparer extends OutputStream {
       whole.write(b);
     }
     return whole.toString(StandardCharsets.UTF_8);
-  }
-
-  private String text() {
-    return line.toString(StandardCharsets.UTF_8);
   }
 }

@@ -37,11 +37,7 @@ public record ReplayCheck(
     } catch (SimulationFailed e) {
       failure = e;
     }
-    LineComparer.@Nullable DifferentLines found = comparer.difference();
-    Difference difference =
-        found == null
-            ? null
-            : new Difference("trace", "replay", found.line(), found.reference(), found.written());
+    Difference difference = comparer.difference("trace", "replay");
     return new ReplayCheck(comparer.equalLines(), difference, failure);
   }
 }

@@ -8,6 +8,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimulationFailed;
 import org.starl.sim.kernel.RobotError;
 import org.starl.spec.SpecReport;
+import org.starl.time.Time;
 
 /**
  * The outcome of one run of a campaign.
@@ -22,7 +23,6 @@ import org.starl.spec.SpecReport;
 public record RunOutcome(
     Verdict verdict, String what, long atNs, String detail, SortedMap<String, Double> figures) {
 
-  private static final double NS_PER_S = 1e9;
   private static final long UNKNOWN = -1;
 
   /** The verdict of a run, from good to bad. */
@@ -64,7 +64,7 @@ public record RunOutcome(
    */
   public static RunOutcome of(SimResult result) {
     SortedMap<String, Double> figures = new TreeMap<>();
-    figures.put("end_s", result.endNs() / NS_PER_S);
+    figures.put("end_s", Time.seconds(result.endNs()));
     figures.put("kernel_events", (double) result.events());
     figures.put("datagrams_sent", (double) result.network().sent());
     figures.put("datagrams_lost", (double) result.network().lost());
@@ -74,8 +74,8 @@ public record RunOutcome(
       return violated(result.spec().violations().get(0), figures);
     }
     if (!result.isFinished()) {
-      String who = "not finished: " + result.unfinished();
-      return new RunOutcome(Verdict.UNFINISHED, "", UNKNOWN, who, figures);
+      String detail = "not finished: " + result.unfinished();
+      return new RunOutcome(Verdict.UNFINISHED, "", UNKNOWN, detail, figures);
     }
     return good(figures);
   }

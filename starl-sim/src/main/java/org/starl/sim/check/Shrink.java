@@ -8,6 +8,7 @@ import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.fault.Fault;
 import org.starl.sim.fault.Span;
 import org.starl.sim.fault.TimeRange;
+import org.starl.time.Time;
 
 /**
  * Reduces a bad run to a small one that fails in the same way (same lemma, same type of exception):
@@ -21,9 +22,8 @@ import org.starl.sim.fault.TimeRange;
  */
 public final class Shrink {
 
-  private static final long NS_PER_MS = 1_000_000;
-  private static final long END_STEP_NS = 100 * NS_PER_MS;
-  private static final long SHORTEST_FAULT_NS = 100 * NS_PER_MS;
+  private static final long END_STEP_NS = 100 * Time.NS_PER_MS;
+  private static final long SHORTEST_FAULT_NS = 100 * Time.NS_PER_MS;
 
   /** The end of a run is searched to this relative precision. */
   private static final int END_PARTS = 50;
@@ -177,7 +177,7 @@ public final class Shrink {
   }
 
   private static long wholeMs(long ns) {
-    return ns / NS_PER_MS * NS_PER_MS;
+    return ns / Time.NS_PER_MS * Time.NS_PER_MS;
   }
 
   private Best withEarlierEnd(Best start) {

@@ -1,5 +1,7 @@
 package org.starl.sim.kernel;
 
+import org.starl.time.Time;
+
 /**
  * A robot's app, handler or timer threw an exception: a bug in the robot's program, which ends the
  * run. The cause is that exception.
@@ -34,7 +36,7 @@ public final class RobotError extends RuntimeException {
   }
 
   private static String seconds(long timeNs) {
-    String nanos = Long.toString(1_000_000_000 + timeNs % 1_000_000_000);
-    return timeNs / 1_000_000_000 + "." + nanos.substring(1) + " s";
+    String nanos = Long.toString(Time.NS_PER_S + timeNs % Time.NS_PER_S);
+    return timeNs / Time.NS_PER_S + "." + nanos.substring(1) + " s";
   }
 }

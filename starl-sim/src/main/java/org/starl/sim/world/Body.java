@@ -10,6 +10,7 @@ import org.starl.geometry.Kinematics;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
+import org.starl.time.Time;
 
 /**
  * A robot's true body in the {@link World}: a disc that drives. Its <em>budget</em> is the distance
@@ -19,7 +20,6 @@ public final class Body {
 
   static final long NEVER = Long.MAX_VALUE;
 
-  private static final double NS_PER_S = 1e9;
   private static final double LONGEST_NS = 1e18;
 
   private final World world;
@@ -157,7 +157,7 @@ public final class Body {
     if (mmPerS == 0 && radPerS == 0) {
       return;
     }
-    double seconds = (nowNs - anchorNs) / NS_PER_S;
+    double seconds = Time.seconds(nowNs - anchorNs);
     double turn = radPerS * seconds;
     double chordMm = Kinematics.chordMm(mmPerS, turn, seconds);
     headingRad = Angles.normalize(anchorRad + turn);
@@ -210,14 +210,14 @@ public final class Body {
 
   private void spendBudget(long nowNs) {
     if (nowNs != budgetNs) {
-      budgetMm = Math.max(0, budgetMm - speedMmPerS() * ((nowNs - budgetNs) / NS_PER_S));
+      budgetMm = Math.max(0, budgetMm - speedMmPerS() * Time.seconds(nowNs - budgetNs));
       budgetNs = nowNs;
     }
   }
 
   /** The time at which the budget is spent at the current speeds; never in the past. */
   long spentNs() {
-    double ns = budgetMm / speedMmPerS() * NS_PER_S;
+    double ns = budgetMm / speedMmPerS() * Time.NS_PER_S;
     return mmPerS == 0 || ns > LONGEST_NS ? NEVER : budgetNs + (long) ns;
   }
 

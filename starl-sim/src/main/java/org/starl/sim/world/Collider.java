@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.geometry.Angles;
+import org.starl.time.Time;
 
 /**
  * Prevents overlaps by conservative advancement with <em>budgets</em>: each body may drive its
@@ -16,7 +17,6 @@ import org.starl.geometry.Angles;
  * command needs no check of the neighbours. A body that has spent its budget is checked: of each
  * gap it takes a share in proportion to the two speeds, and more if the other body does not use its
  * share.
- * share of the two speeds, and more where the other does not use its share.
  *
  * <p>Bodies that touch are checked after each {@link #STEP_MM}, at each command, and when a turning
  * body reaches a bearing of a contact at which its bumps or its freedom change. In one step, a body
@@ -32,7 +32,6 @@ final class Collider {
 
   private static final double STEP_MM = 1;
   private static final double KEEP_MM = World.TOUCH_MM / 2;
-  private static final double NS_PER_S = 1e9;
 
   /** The minimum interval of checks of a body that turns in contact. */
   private static final long LEAST_TURN_NS = 1_000;
@@ -273,7 +272,7 @@ final class Collider {
     for (Wall wall : body.touchedWalls) {
       seconds = Math.min(seconds, Touch.secondsToEdge(bearingRad(body, wall), radPerS));
     }
-    return nowNs + Math.max(LEAST_TURN_NS, (long) Math.ceil(seconds * NS_PER_S));
+    return nowNs + Math.max(LEAST_TURN_NS, (long) Math.ceil(seconds * Time.NS_PER_S));
   }
 
   private static double gapMm(Body body, Body other) {

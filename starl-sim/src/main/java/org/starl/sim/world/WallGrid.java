@@ -7,6 +7,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Segment;
+import org.starl.time.Time;
 
 /** Finds the walls near a point: a fixed grid over the bounding box of all walls. */
 final class WallGrid {
@@ -18,7 +19,6 @@ final class WallGrid {
 
   private static final double LEAST_CELL_MM = 500;
   private static final int MOST_CELLS_A_SIDE = 512;
-  private static final long NS_PER_MS = 1_000_000;
 
   private final List<Wall> walls = new ArrayList<>();
   private final List<Solid> solids = new ArrayList<>();
@@ -161,7 +161,7 @@ final class WallGrid {
   private static long untilNs(Obstacle obstacle) {
     return obstacle.lifetimeMs() == Obstacle.FOREVER
         ? Body.NEVER
-        : obstacle.lifetimeMs() * NS_PER_MS;
+        : obstacle.lifetimeMs() * Time.NS_PER_MS;
   }
 
   /** A solid obstacle with its bounding box. */

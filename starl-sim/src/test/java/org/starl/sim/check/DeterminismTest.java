@@ -20,7 +20,6 @@ import org.starl.geometry.ItemPosition;
 import org.starl.random.Rng;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.Determinism.Difference;
-import org.starl.sim.check.LineComparer.DifferentLines;
 import org.starl.sim.kernel.CarrierKind;
 
 class DeterminismTest {
@@ -150,9 +149,11 @@ class DeterminismTest {
     byte[] bytes = reference.replace(',', '\n').getBytes(StandardCharsets.UTF_8);
     LineComparer comparer = new LineComparer(new ByteArrayInputStream(bytes));
     comparer.write(written.replace(',', '\n').getBytes(StandardCharsets.UTF_8));
-    DifferentLines found = comparer.difference();
+    Difference found = comparer.difference("a", "b");
     assertThat(
-            found == null ? null : found.line() + " " + found.reference() + " " + found.written())
+            found == null
+                ? null
+                : found.line() + " " + found.firstLine() + " " + found.secondLine())
         .isEqualTo(expected);
   }
 }

@@ -9,6 +9,7 @@ import java.io.UncheckedIOException;
 import java.io.Writer;
 import java.nio.charset.StandardCharsets;
 import org.starl.sim.SimObserver;
+import org.starl.time.Time;
 import org.starl.trace.TraceHeader;
 
 /**
@@ -17,8 +18,6 @@ import org.starl.trace.TraceHeader;
  */
 abstract sealed class CsvTable implements SimObserver, Closeable
     permits MessageTable, PositionTable, VariableTable {
-
-  private static final double NS_PER_S = 1e9;
 
   private final Writer out;
   private final String[] columns;
@@ -34,7 +33,7 @@ abstract sealed class CsvTable implements SimObserver, Closeable
   }
 
   static double seconds(long timeNs) {
-    return timeNs / NS_PER_S;
+    return Time.seconds(timeNs);
   }
 
   final void row(Object... values) {

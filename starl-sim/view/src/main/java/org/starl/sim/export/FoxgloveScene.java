@@ -9,6 +9,7 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.LogSink.Level;
 import org.starl.spec.Bodies;
+import org.starl.time.Time;
 
 /**
  * Makes Foxglove's messages as JSON (docs.foxglove.dev/docs/visualization/message-schemas). All
@@ -18,7 +19,6 @@ final class FoxgloveScene {
 
   private static final String FRAME = "world";
   private static final double MM_PER_M = 1000;
-  private static final long NS_PER_S = 1_000_000_000;
   private static final double BODY_HEIGHT_M = 0.09; // an iRobot Create's
   private static final double WALL_WIDTH_M = 0.02;
   private static final int LINE_STRIP = 0;
@@ -137,7 +137,7 @@ final class FoxgloveScene {
   }
 
   private static void time(ObjectNode node, long timeNs) {
-    node.put("sec", timeNs / NS_PER_S).put("nsec", timeNs % NS_PER_S);
+    node.put("sec", timeNs / Time.NS_PER_S).put("nsec", timeNs % Time.NS_PER_S);
   }
 
   private static void xyz(ObjectNode node, double x, double y, double z) {

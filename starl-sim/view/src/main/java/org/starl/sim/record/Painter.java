@@ -12,6 +12,7 @@ import java.util.Optional;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 
 /**
  * Paints a {@link Scene} with its {@link Layer}, for the window and for files. Objects outside the
@@ -27,7 +28,7 @@ public final class Painter {
 
   private static final double LARGE_PX = 40;
   private static final double SPECK_PX = 1.5;
-  private static final long BUMP_SHOWN_NS = 10_000_000_000L;
+  private static final long BUMP_SHOWN_NS = 10 * Time.NS_PER_S;
 
   private final BodyPainter bodies = new BodyPainter();
   private final Sprites sprites = new Sprites();

@@ -8,11 +8,10 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Obstacles;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
+import org.starl.time.Time;
 
 /** Takes one picture of a run. */
 public final class PictureRecorder extends SceneRecorder {
-
-  private static final long SECOND_NS = 1_000_000_000;
 
   private final PictureTime moment;
   private double best;
@@ -50,7 +49,7 @@ public final class PictureRecorder extends SceneRecorder {
         best = interest;
         picture = paint(nextLookNs);
       }
-      nextLookNs += SECOND_NS;
+      nextLookNs += Time.NS_PER_S;
     }
   }
 

@@ -11,6 +11,7 @@ import org.starl.sim.SimResult;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.Scene;
 import org.starl.spec.SpecReport;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Intervention;
@@ -28,7 +29,6 @@ public final class Recording implements SimObserver {
 
   private static final int ALL = Integer.MAX_VALUE;
   private static final long BYTES_IN_MB = 1 << 20;
-  private static final long NS_PER_S = 1_000_000_000;
 
   private final Obstacles obstacles;
   private final Checkpoints checkpoints;
@@ -79,7 +79,7 @@ public final class Recording implements SimObserver {
           "too many events for the memory: "
               + index
               + " events until "
-              + event.timeNs() / NS_PER_S
+              + event.timeNs() / Time.NS_PER_S
               + " s fill "
               + mostBytes / BYTES_IN_MB
               + " MB; expected a shorter run, or more memory for Java (STARL_JAVA_OPTS=-Xmx8g)");

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Part;
 import org.starl.sim.replay.Mark;
+import org.starl.time.Time;
 
 /** All commands with keys, for menus, buttons and the help sheet. */
 final class Commands {
@@ -15,8 +16,8 @@ final class Commands {
   private static final String PICTURE = "Picture";
   private static final String WINDOW = "Window";
 
-  private static final long STEP_NS = 100_000_000;
-  private static final long LONG_STEP_NS = 1_000_000_000;
+  private static final long STEP_NS = 100 * Time.NS_PER_MS;
+  private static final long LONG_STEP_NS = Time.NS_PER_S;
   private static final double ZOOM = 1.25;
   private static final double PAN_PX = 60;
 

@@ -23,12 +23,13 @@ import javax.swing.JTabbedPane;
 import javax.swing.KeyStroke;
 import javax.swing.UIManager;
 import org.starl.sim.record.Theme;
+import org.starl.time.Time;
 
 /** The components of the window and its commands. Works without a screen. */
 final class Content {
 
   private static final int SIDE_PX = 380;
-  private static final long TOLD_NS = 8_000_000_000L;
+  private static final long TOLD_NS = 8 * Time.NS_PER_S;
 
   private final Session session;
   private final Runnable close;

@@ -12,6 +12,7 @@ import org.starl.id.RobotId;
 import org.starl.sim.record.Scene;
 import org.starl.sim.replay.LogLine;
 import org.starl.sim.replay.Recording;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
@@ -22,7 +23,6 @@ final class Inspection {
 
   private static final int MOST_LINES = 60;
   private static final int MOST_EVENTS = 60_000;
-  private static final double NS_PER_S = 1e9;
 
   private Inspection() {}
 
@@ -153,6 +153,6 @@ final class Inspection {
 
   /** {@code 12.345 s}. */
   static String seconds(long timeNs) {
-    return String.format(Locale.ROOT, "%.3f s", timeNs / NS_PER_S);
+    return String.format(Locale.ROOT, "%.3f s", Time.seconds(timeNs));
   }
 }

@@ -1,10 +1,11 @@
 package org.starl.sim.view;
 
+import org.starl.time.Time;
+
 /** Measures the rate of a counter over at least half a second. */
 final class RateMeter {
 
-  private static final long SPAN_NS = 500_000_000;
-  private static final double NS_PER_S = 1e9;
+  private static final long SPAN_NS = Time.NS_PER_S / 2;
 
   private long sinceNs = Long.MIN_VALUE;
   private long sinceCount;
@@ -20,7 +21,7 @@ final class RateMeter {
       sinceNs = realNs;
       sinceCount = count;
     } else if (realNs - sinceNs >= SPAN_NS) {
-      rate = (count - sinceCount) * NS_PER_S / (realNs - sinceNs);
+      rate = (count - sinceCount) / Time.seconds(realNs - sinceNs);
       sinceNs = realNs;
       sinceCount = count;
     }

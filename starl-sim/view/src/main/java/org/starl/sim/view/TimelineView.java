@@ -16,6 +16,7 @@ import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Mark;
+import org.starl.time.Time;
 
 /** The timeline: dragging seeks, a click on a mark goes to it. */
 final class TimelineView {
@@ -25,7 +26,6 @@ final class TimelineView {
   private static final int TRACK_PX = 22;
   private static final int NEAR_PX = 6;
   private static final double LEAST_TICK_PX = 80;
-  private static final long SECOND_NS = 1_000_000_000;
   private static final double[] TICKS_S = {
     0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1800, 3600, 7200
   };
@@ -50,9 +50,9 @@ final class TimelineView {
   private long spanNs() {
     long endNs = session.recording().endNs();
     if (session.recording().isOver()) {
-      return Math.max(SECOND_NS / 10, endNs);
+      return Math.max(Time.NS_PER_S / 10, endNs);
     }
-    long span = 20 * SECOND_NS;
+    long span = 20 * Time.NS_PER_S;
     while (span < endNs + endNs / 20) {
       span += span / 2;
     }
@@ -95,7 +95,7 @@ final class TimelineView {
   }
 
   private void ticks(Graphics2D page, Theme theme) {
-    double pxPerS = (surface.getWidth() - 2.0 * SIDE_PX) * SECOND_NS / spanNs();
+    double pxPerS = (surface.getWidth() - 2.0 * SIDE_PX) * Time.NS_PER_S / spanNs();
     double stepS = TICKS_S[TICKS_S.length - 1];
     for (int i = TICKS_S.length - 1; i >= 0; i--) {
       stepS = TICKS_S[i] * pxPerS >= LEAST_TICK_PX ? TICKS_S[i] : stepS;
@@ -103,8 +103,8 @@ final class TimelineView {
     page.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, 10));
     page.setColor(theme.muted());
     page.setStroke(new BasicStroke(1));
-    for (int i = 0; i * stepS * SECOND_NS <= spanNs() && i < 1000; i++) {
-      double x = xPx((long) (i * stepS * SECOND_NS));
+    for (int i = 0; i * stepS * Time.NS_PER_S <= spanNs() && i < 1000; i++) {
+      double x = xPx((long) (i * stepS * Time.NS_PER_S));
       page.draw(new Line2D.Double(x, TRACK_PX + 9, x, TRACK_PX + 13));
       String text = label(i * stepS);
       int width = page.getFontMetrics().stringWidth(text);

@@ -10,6 +10,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Flight;
 import org.starl.sim.replay.Recording;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Delivered;
 import org.starl.trace.TraceEvent.Dropped;
@@ -22,13 +23,13 @@ import org.starl.trace.TraceEvent.Sent;
 final class Traffic {
 
   /** Limits of the search before and after the moment. */
-  private static final long WINDOW_NS = 2_000_000_000;
+  private static final long WINDOW_NS = 2 * Time.NS_PER_S;
 
   private static final int MOST_EVENTS = 8_000;
   private static final int MOST_FLIGHTS = 300;
 
   /** Assumed transit time of messages whose end is not recorded yet. */
-  private static final long USUAL_NS = 200_000_000;
+  private static final long USUAL_NS = 200 * Time.NS_PER_MS;
 
   private static final double LOST_AT = 0.75;
 

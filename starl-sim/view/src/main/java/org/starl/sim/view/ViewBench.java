@@ -9,6 +9,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.record.Layer;
 import org.starl.sim.replay.LiveRun;
 import org.starl.sim.replay.Recording;
+import org.starl.time.Time;
 
 /**
  * Measures the frame rate of the floor while the simulation runs on another thread. Paints in
@@ -28,8 +29,6 @@ public record ViewBench(
   private static final int WIDTH_PX = 1280;
   private static final int HEIGHT_PX = 800;
   private static final int WARM_UP_FRAMES = 20;
-  private static final double NS_PER_S = 1e9;
-  private static final double NS_PER_MS = 1e6;
 
   /**
    * Runs the measurement.
@@ -64,7 +63,7 @@ public record ViewBench(
     long longestNs = 0;
     long cpuFromNs = 0;
     ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-    while (frames < 0 || lastNs - fromNs < forS * NS_PER_S) {
+    while (frames < 0 || Time.seconds(lastNs - fromNs) < forS) {
       long nowNs = System.nanoTime();
       if (frames == 0) {
         fromNs = nowNs;
@@ -83,10 +82,10 @@ public record ViewBench(
     }
     return new ViewBench(
         frames,
-        (threads.getCurrentThreadCpuTime() - cpuFromNs) / NS_PER_MS / frames,
-        longestNs / NS_PER_MS,
-        (lastNs - fromNs) / NS_PER_S,
-        (session.playback().nowNs() - simulatedFromNs) / NS_PER_S,
+        (threads.getCurrentThreadCpuTime() - cpuFromNs) / (double) Time.NS_PER_MS / frames,
+        longestNs / (double) Time.NS_PER_MS,
+        Time.seconds(lastNs - fromNs),
+        Time.seconds(session.playback().nowNs() - simulatedFromNs),
         session.playback().index() - eventsFrom);
   }
 
