@@ -14,10 +14,8 @@ import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
+import org.starl.sim.export.CsvTable;
 import org.starl.sim.export.McapRecorder;
-import org.starl.sim.export.MessageTable;
-import org.starl.sim.export.PositionTable;
-import org.starl.sim.export.VariableTable;
 import org.starl.sim.record.GifRecorder;
 import org.starl.sim.record.PictureTime;
 import picocli.CommandLine.ArgGroup;
@@ -186,9 +184,9 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   private Recorded csv(Recordable run, String target) throws IOException {
     String wanted = output == null || output.csv == null ? "" : output.csv;
     return switch (wanted) {
-      case "", "positions" -> table(run, target, PositionTable::new);
-      case "messages" -> table(run, target, MessageTable::new);
-      case "variables" -> table(run, target, VariableTable::new);
+      case "", "positions" -> table(run, target, CsvTable::positions);
+      case "messages" -> table(run, target, CsvTable::messages);
+      case "variables" -> table(run, target, CsvTable::variables);
       default ->
           throw new BadInput(
               "--csv: " + BadInput.quote(wanted) + ": expected positions, messages or variables");

@@ -16,9 +16,7 @@ import org.starl.proof.RunTheories;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
-import org.starl.sim.export.MessageTable;
-import org.starl.sim.export.PositionTable;
-import org.starl.sim.export.VariableTable;
+import org.starl.sim.export.CsvTable;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.record.PictureTime;
 import picocli.CommandLine.Command;
@@ -200,10 +198,10 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
       PrintWriter err)
       throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
-        ObserverFile csvFile = ObserverFile.of("--csv", csv, PositionTable::new);
-        ObserverFile messages = ObserverFile.of("--csv-messages", csvMessages, MessageTable::new);
+        ObserverFile csvFile = ObserverFile.of("--csv", csv, CsvTable::positions);
+        ObserverFile messages = ObserverFile.of("--csv-messages", csvMessages, CsvTable::messages);
         ObserverFile variables =
-            ObserverFile.of("--csv-variables", csvVariables, VariableTable::new);
+            ObserverFile.of("--csv-variables", csvVariables, CsvTable::variables);
         ObserverFile theories = ObserverFile.of("--pvs", pvs, RunTheories::new);
         Picture picture = new Picture(plan, new PictureTime.Best(), "--png", pictureName)) {
       plan.simulation()

@@ -1,123 +1,78 @@
 package org.starl.sim.export;
 
+import java.util.Arrays;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.stream.Collectors;
+
 /** The JSON schemas of the messages in an MCAP file. */
 final class McapSchemas {
 
-  private static final String NUMBER = type("number");
-  private static final String INTEGER = type("integer");
-  private static final String TEXT = type("string");
-  private static final String FLAG = type("boolean");
-  private static final String OBJECTS = list(type("object"));
+  private static final Map<String, String> TYPES = new LinkedHashMap<>();
 
-  private static final String TIME = fields("sec", INTEGER, "nsec", INTEGER);
-  private static final String XYZ = fields("x", NUMBER, "y", NUMBER, "z", NUMBER);
-  private static final String TURN = fields("x", NUMBER, "y", NUMBER, "z", NUMBER, "w", NUMBER);
-  private static final String PLACE = fields("position", XYZ, "orientation", TURN);
-  private static final String COLOUR = fields("r", NUMBER, "g", NUMBER, "b", NUMBER, "a", NUMBER);
+  static {
+    for (String type : new String[] {"number", "integer", "string", "boolean", "object"}) {
+      TYPES.put(type, "{\"type\":\"" + type + "\"}");
+    }
+    define("Time", "sec integer, nsec integer");
+    define("Xyz", "x number, y number, z number");
+    define("Turn", "x number, y number, z number, w number");
+    define("Pose", "position Xyz, orientation Turn");
+    define("Colour", "r number, g number, b number, a number");
+    define("Deletion", "timestamp Time, type integer, id string");
+    define("Metadata", "key string, value string");
+    define(
+        "Arrow",
+        "pose Pose, shaft_length number, shaft_diameter number, head_length number,"
+            + " head_diameter number, color Colour");
+    define("Cylinder", "pose Pose, size Xyz, bottom_scale number, top_scale number, color Colour");
+    define(
+        "Line",
+        "type integer, pose Pose, thickness number, scale_invariant boolean, points Xyz[],"
+            + " color Colour, colors Colour[], indices integer[]");
+    define(
+        "Text",
+        "pose Pose, billboard boolean, font_size number, scale_invariant boolean, color Colour,"
+            + " text string");
+    define(
+        "Entity",
+        "timestamp Time, frame_id string, id string, lifetime Time, frame_locked boolean,"
+            + " metadata Metadata[], arrows Arrow[], cubes object[], spheres object[],"
+            + " cylinders Cylinder[], lines Line[], triangles object[], texts Text[],"
+            + " models object[]");
+  }
 
-  static final String POSE = fields("timestamp", TIME, "frame_id", TEXT, "pose", PLACE);
-
+  static final String POSE = schema("timestamp Time, frame_id string, pose Pose");
   static final String LOG =
-      fields(
-          "timestamp", TIME,
-          "level", INTEGER,
-          "message", TEXT,
-          "name", TEXT,
-          "file", TEXT,
-          "line", INTEGER);
-
-  static final String VARIABLE = fields("robot", TEXT, "source", TEXT, "name", TEXT, "value", TEXT);
-
+      schema(
+          "timestamp Time, level integer, message string, name string, file string, line integer");
+  static final String VARIABLE = schema("robot string, source string, name string, value string");
   static final String MESSAGE =
-      fields(
-          "fate", TEXT, "from", TEXT, "to", TEXT, "channel", TEXT, "seq", INTEGER, "bytes", INTEGER,
-          "text", TEXT, "why", TEXT);
-
-  private static final String DELETIONS =
-      list(fields("timestamp", TIME, "type", INTEGER, "id", TEXT));
-  private static final String METADATA = list(fields("key", TEXT, "value", TEXT));
-  private static final String COLOURS = list(COLOUR);
-  private static final String POINTS = list(XYZ);
-  private static final String INDICES = list(INTEGER);
-
-  private static final String ARROWS =
-      list(
-          fields(
-              "pose", PLACE,
-              "shaft_length", NUMBER,
-              "shaft_diameter", NUMBER,
-              "head_length", NUMBER,
-              "head_diameter", NUMBER,
-              "color", COLOUR));
-
-  private static final String CYLINDERS =
-      list(
-          fields(
-              "pose", PLACE,
-              "size", XYZ,
-              "bottom_scale", NUMBER,
-              "top_scale", NUMBER,
-              "color", COLOUR));
-
-  private static final String LINES =
-      list(
-          fields(
-              "type", INTEGER,
-              "pose", PLACE,
-              "thickness", NUMBER,
-              "scale_invariant", FLAG,
-              "points", POINTS,
-              "color", COLOUR,
-              "colors", COLOURS,
-              "indices", INDICES));
-
-  private static final String TEXTS =
-      list(
-          fields(
-              "pose", PLACE,
-              "billboard", FLAG,
-              "font_size", NUMBER,
-              "scale_invariant", FLAG,
-              "color", COLOUR,
-              "text", TEXT));
-
-  private static final String ENTITIES =
-      list(
-          fields(
-              "timestamp", TIME,
-              "frame_id", TEXT,
-              "id", TEXT,
-              "lifetime", TIME,
-              "frame_locked", FLAG,
-              "metadata", METADATA,
-              "arrows", ARROWS,
-              "cubes", OBJECTS,
-              "spheres", OBJECTS,
-              "cylinders", CYLINDERS,
-              "lines", LINES,
-              "triangles", OBJECTS,
-              "texts", TEXTS,
-              "models", OBJECTS));
-
-  static final String SCENE = fields("deletions", DELETIONS, "entities", ENTITIES);
+      schema(
+          "fate string, from string, to string, channel string, seq integer, bytes integer,"
+              + " text string, why string");
+  static final String SCENE = schema("deletions Deletion[], entities Entity[]");
 
   private McapSchemas() {}
 
-  private static String type(String name) {
-    return "{\"type\":\"" + name + "\"}";
+  private static void define(String type, String fields) {
+    TYPES.put(type, schema(fields));
   }
 
-  private static String list(String of) {
-    return "{\"type\":\"array\",\"items\":" + of + "}";
+  /** The schema of an object; {@code fields} are names and types, {@code []} marks a list. */
+  private static String schema(String fields) {
+    return Arrays.stream(fields.split(", ", -1))
+        .map(McapSchemas::field)
+        .collect(Collectors.joining(",", "{\"type\":\"object\",\"properties\":{", "}}"));
   }
 
-  /** Names and schemas alternate. */
-  private static String fields(String... namesAndSchemas) {
-    StringBuilder schema = new StringBuilder("{\"type\":\"object\",\"properties\":{");
-    for (int i = 0; i < namesAndSchemas.length; i += 2) {
-      schema.append(i == 0 ? "\"" : ",\"").append(namesAndSchemas[i]).append("\":");
-      schema.append(namesAndSchemas[i + 1]);
-    }
-    return schema.append("}}").toString();
+  private static String field(String nameAndType) {
+    String[] words = nameAndType.split(" ", -1);
+    boolean isList = words[1].endsWith("[]");
+    String type = TYPES.get(words[1].replace("[]", ""));
+    return "\""
+        + words[0]
+        + "\":"
+        + (isList ? "{\"type\":\"array\",\"items\":" + type + "}" : type);
   }
 }

@@ -4,7 +4,6 @@ import java.awt.BasicStroke;
 import java.awt.Component;
 import java.awt.Graphics;
 import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
@@ -23,10 +22,7 @@ enum Glyph implements Icon {
   FIRST,
   LAST,
   NEXT_MARK,
-  PREVIOUS_MARK,
-  FIT,
-  THEME,
-  HELP;
+  PREVIOUS_MARK;
 
   private static final int SIZE = 16;
 
@@ -62,21 +58,6 @@ enum Glyph implements Icon {
       case FIRST -> last(mirrored(page));
       case NEXT_MARK -> mark(page);
       case PREVIOUS_MARK -> mark(mirrored(page));
-      case FIT -> fit(page);
-      case THEME -> {
-        page.draw(new Ellipse2D.Double(2.5, 2.5, 11, 11));
-        page.clip(new Rectangle2D.Double(8, 0, 8, 16));
-        page.fill(new Ellipse2D.Double(2.5, 2.5, 11, 11));
-      }
-      case HELP -> {
-        page.draw(new Ellipse2D.Double(1.5, 1.5, 13, 13));
-        Path2D hook = new Path2D.Double();
-        hook.moveTo(5.8, 6.3);
-        hook.curveTo(5.8, 3.2, 10.4, 3.4, 10.2, 6.2);
-        hook.curveTo(10.1, 7.8, 8, 7.6, 8, 9.4);
-        page.draw(hook);
-        page.fill(new Ellipse2D.Double(7.1, 11, 1.8, 1.8));
-      }
     }
     page.dispose();
   }
@@ -115,17 +96,5 @@ enum Glyph implements Icon {
   private static void mark(Graphics2D page) {
     page.draw(new Line2D.Double(4, 2, 4, 14));
     page.fill(triangle(4, 2.5, 13, 9));
-  }
-
-  private static void fit(Graphics2D page) {
-    for (int corner = 0; corner < 4; corner++) {
-      Path2D path = new Path2D.Double();
-      path.moveTo(2.5, 6);
-      path.lineTo(2.5, 2.5);
-      path.lineTo(6, 2.5);
-      page.draw(path);
-      page.rotate(Math.PI / 2, SIZE / 2.0, SIZE / 2.0);
-    }
-    page.fill(new Ellipse2D.Double(5.8, 5.8, 4.4, 4.4));
   }
 }
