@@ -1,7 +1,5 @@
 package org.starl.motion;
 
-import org.starl.body.WheelCommand;
-
 /**
  * The commands that may still be in effect, because a new one takes effect late: the hull of their
  * speeds and standstill.
@@ -25,12 +23,12 @@ record LingeringSpeeds(
     return Math.max(beyond(told, leastRadPerS), beyond(told, mostRadPerS));
   }
 
-  LingeringSpeeds with(WheelCommand command) {
+  LingeringSpeeds with(double mmPerS, double radPerS) {
     return new LingeringSpeeds(
-        Math.min(leastMmPerS, command.linearMmPerS()),
-        Math.max(mostMmPerS, command.linearMmPerS()),
-        Math.min(leastRadPerS, command.angularRadPerS()),
-        Math.max(mostRadPerS, command.angularRadPerS()));
+        Math.min(leastMmPerS, mmPerS),
+        Math.max(mostMmPerS, mmPerS),
+        Math.min(leastRadPerS, radPerS),
+        Math.max(mostRadPerS, radPerS));
   }
 
   /** By how much {@code old} is outside the range from 0 to {@code told}. */

@@ -1,6 +1,7 @@
 package org.starl.motion;
 
-import java.util.Arrays;
+import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Kinematics;
 import org.starl.time.Time;
@@ -16,24 +17,38 @@ import org.starl.time.Time;
  */
 final class Odometry {
 
-  private static final int KNOTS = 64;
+  /** It forgets older commands, unless they may still be in effect. */
+  private static final int MAX_KNOTS = 64;
 
   // Contact with an object may turn the body, as if it rolled on a wheel of this radius.
   private static final double ROLLING_MM = 100;
 
-  // These arrays grow up to KNOTS: most robots of a swarm never drive.
-  private long[] atNs = {Long.MIN_VALUE};
-  private double[] x = {0};
-  private double[] y = {0};
-  private double[] heading = {0};
-  private double[] path = {0};
-  private double[] stray = {0};
-  private double[] turned = {0};
-  private double[] linear = {0};
-  private double[] angular = {0};
-  private boolean[] touching = {false};
-  private int newest;
-  private int used = 1;
+  /** A command, with the ideal pose and the sums of deviations at its time. */
+  private static final class Knot {
+    final long atNs;
+    final double linear;
+    final double angular;
+    final boolean touching;
+    double x;
+    double y;
+    double heading;
+    double path;
+    double stray;
+    double turned;
+    @Nullable Knot older;
+    @Nullable Knot newer;
+
+    Knot(long atNs, WheelCommand command, boolean touching) {
+      this.atNs = atNs;
+      this.linear = command.linearMmPerS();
+      this.angular = command.angularRadPerS();
+      this.touching = touching;
+    }
+  }
+
+  private Knot newest = new Knot(Long.MIN_VALUE, WheelCommand.STOP, false);
+  private Knot oldest = newest;
+  private int knots = 1;
 
   // Properties of the wheels: the worst values ever assumed.
   private double speedError;
@@ -66,41 +81,41 @@ final class Odometry {
 
   void commanded(WheelCommand command, boolean bumped, long nowNs) {
     seek(nowNs);
-    int next = (newest + 1) % KNOTS;
-    if (next == atNs.length) {
-      grow();
+    Knot knot = new Knot(nowNs, command, bumped);
+    knot.x = atX;
+    knot.y = atY;
+    knot.heading = atHeading;
+    knot.path = atPath;
+    knot.stray = atStray;
+    knot.turned = atTurned;
+    knot.older = newest;
+    newest.newer = knot;
+    newest = knot;
+    knots++;
+  }
+
+  /** The stored commands cover the motion since this time. */
+  long coveredSinceNs() {
+    return oldest.atNs + reactionNs;
+  }
+
+  /**
+   * The first time that is still covered once {@link #forget} has been called. The estimates must
+   * be advanced to it before.
+   */
+  long coveredFromNs(long nowNs) {
+    Knot second = oldest.newer;
+    if (knots <= MAX_KNOTS || second == null || second.atNs + reactionNs > nowNs) {
+      return Long.MIN_VALUE;
     }
-    atNs[next] = nowNs;
-    x[next] = atX;
-    y[next] = atY;
-    heading[next] = atHeading;
-    path[next] = atPath;
-    stray[next] = atStray;
-    turned[next] = atTurned;
-    touching[next] = bumped;
-    linear[next] = command.linearMmPerS();
-    angular[next] = command.angularRadPerS();
-    newest = next;
-    used = Math.min(KNOTS, used + 1);
+    return second.atNs + reactionNs;
   }
 
-  private void grow() {
-    int knots = Math.min(KNOTS, 4 * atNs.length);
-    atNs = Arrays.copyOf(atNs, knots);
-    x = Arrays.copyOf(x, knots);
-    y = Arrays.copyOf(y, knots);
-    heading = Arrays.copyOf(heading, knots);
-    path = Arrays.copyOf(path, knots);
-    stray = Arrays.copyOf(stray, knots);
-    turned = Arrays.copyOf(turned, knots);
-    linear = Arrays.copyOf(linear, knots);
-    angular = Arrays.copyOf(angular, knots);
-    touching = Arrays.copyOf(touching, knots);
-  }
-
-  /** Whether the stored commands cover {@code timeNs}. */
-  boolean reaches(long timeNs) {
-    return atNs[(newest - used + 1 + KNOTS) % KNOTS] + reactionNs <= timeNs;
+  /** Forgets the oldest command. */
+  void forget() {
+    oldest = Objects.requireNonNull(oldest.newer);
+    oldest.older = null;
+    knots--;
   }
 
   /** The commands that may still be in effect if a new one is given at {@code nowNs}. */
@@ -108,11 +123,11 @@ final class Odometry {
     if (reactionNs == 0) {
       return LingeringSpeeds.NONE;
     }
-    int knot = newest;
-    LingeringSpeeds all = LingeringSpeeds.NONE.with(new WheelCommand(linear[knot], angular[knot]));
-    for (int i = 1; i < used && atNs[knot] + reactionNs > nowNs; i++) {
-      knot = (knot - 1 + KNOTS) % KNOTS;
-      all = all.with(new WheelCommand(linear[knot], angular[knot]));
+    Knot knot = newest;
+    LingeringSpeeds all = LingeringSpeeds.NONE.with(knot.linear, knot.angular);
+    while (knot.older != null && knot.atNs + reactionNs > nowNs) {
+      knot = knot.older;
+      all = all.with(knot.linear, knot.angular);
     }
     return all;
   }
@@ -145,39 +160,37 @@ final class Odometry {
   }
 
   private void seek(long timeNs) {
-    int knot = newest;
-    int older = used - 1;
-    while (older > 0 && atNs[knot] > timeNs) {
-      knot = (knot - 1 + KNOTS) % KNOTS;
-      older--;
+    Knot knot = newest;
+    while (knot.older != null && knot.atNs > timeNs) {
+      knot = knot.older;
     }
-    atX = x[knot];
-    atY = y[knot];
-    atHeading = heading[knot];
-    atPath = path[knot];
-    atStray = stray[knot];
-    atTurned = turned[knot];
-    if (timeNs > atNs[knot]) {
-      if (linear[knot] != 0 || angular[knot] != 0) {
-        drive(knot, Time.seconds(timeNs - atNs[knot]));
+    atX = knot.x;
+    atY = knot.y;
+    atHeading = knot.heading;
+    atPath = knot.path;
+    atStray = knot.stray;
+    atTurned = knot.turned;
+    if (timeNs > knot.atNs) {
+      if (knot.linear != 0 || knot.angular != 0) {
+        drive(knot, Time.seconds(timeNs - knot.atNs));
       }
       if (reactionNs > 0) {
-        linger(knot, older, timeNs);
+        linger(knot, timeNs);
       }
     }
   }
 
-  private void drive(int knot, double seconds) {
-    double turn = angular[knot] * seconds;
-    double chord = Kinematics.chordMm(linear[knot], turn, seconds);
+  private void drive(Knot knot, double seconds) {
+    double turn = knot.angular * seconds;
+    double chord = Kinematics.chordMm(knot.linear, turn, seconds);
     if (chord != 0) {
       atX += chord * StrictMath.cos(atHeading + turn / 2);
       atY += chord * StrictMath.sin(atHeading + turn / 2);
     }
     atHeading += turn;
     atTurned += Math.abs(turn);
-    double lengthMm = Math.abs(linear[knot]) * seconds;
-    if (touching[knot]) {
+    double lengthMm = Math.abs(knot.linear) * seconds;
+    if (knot.touching) {
       // The body may slide along the object in any direction, no faster than its wheels turn.
       atStray += (2 + speedError) * lengthMm;
       atTurned += (1 + speedError) * lengthMm / ROLLING_MM;
@@ -187,36 +200,36 @@ final class Odometry {
   }
 
   /**
-   * Adds the deviation that the {@code older} commands before {@code knot} may have caused since
-   * its command was given: each may be in effect until {@code reactionNs} after its successor was
-   * given; the oldest ends first.
+   * Adds the deviation that the commands before {@code knot} may have caused since its command was
+   * given: each may be in effect until {@code reactionNs} after its successor was given; the oldest
+   * ends first.
    */
-  private void linger(int knot, int older, long timeNs) {
+  private void linger(Knot knot, long timeNs) {
     double mmPerS = 0;
     double radPerS = 0;
     long untilNs = timeNs;
-    int successor = knot;
-    for (int i = 0; i < older; i++) {
-      long outNs = Math.min(timeNs, atNs[successor] + reactionNs);
-      if (outNs <= atNs[knot]) {
+    long successorNs = knot.atNs;
+    for (Knot old = knot.older; old != null; old = old.older) {
+      long outNs = Math.min(timeNs, successorNs + reactionNs);
+      if (outNs <= knot.atNs) {
         break;
       }
       strayBy(knot, mmPerS, radPerS, untilNs - outNs);
       untilNs = outNs;
-      successor = (successor - 1 + KNOTS) % KNOTS;
-      mmPerS = Math.max(mmPerS, LingeringSpeeds.beyond(linear[knot], linear[successor]));
-      radPerS = Math.max(radPerS, LingeringSpeeds.beyond(angular[knot], angular[successor]));
+      successorNs = old.atNs;
+      mmPerS = Math.max(mmPerS, LingeringSpeeds.beyond(knot.linear, old.linear));
+      radPerS = Math.max(radPerS, LingeringSpeeds.beyond(knot.angular, old.angular));
     }
-    strayBy(knot, mmPerS, radPerS, untilNs - atNs[knot]);
+    strayBy(knot, mmPerS, radPerS, untilNs - knot.atNs);
   }
 
-  private void strayBy(int knot, double mmPerS, double radPerS, long ns) {
+  private void strayBy(Knot knot, double mmPerS, double radPerS, long ns) {
     if (mmPerS == 0 && radPerS == 0) {
       return;
     }
     double most = (1 + speedError) * Time.seconds(ns);
     atStray += most * mmPerS;
-    atTurned += most * (touching[knot] ? radPerS + mmPerS / ROLLING_MM : radPerS);
+    atTurned += most * (knot.touching ? radPerS + mmPerS / ROLLING_MM : radPerS);
   }
 
   double forwardMm() {

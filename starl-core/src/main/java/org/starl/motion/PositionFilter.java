@@ -53,6 +53,19 @@ final class PositionFilter {
    */
   void commanded(WheelCommand command, boolean bumped, long nowNs) {
     odometry.commanded(command, bumped, nowNs);
+    // A closing and opening bump sensor may cause any number of commands between two fixes.
+    long coveredFromNs = odometry.coveredFromNs(nowNs);
+    if (coveredFromNs > Long.MIN_VALUE) {
+      advance(estimate, coveredFromNs);
+      advance(rival, coveredFromNs);
+      odometry.forget();
+    }
+  }
+
+  private void advance(@Nullable PoseEstimate old, long toNs) {
+    if (old != null && old.atNs() < toNs) {
+      old.advanceTo(toNs, odometry);
+    }
   }
 
   /** The commands that may still be in effect if a new one is given at {@code nowNs}. */
@@ -74,7 +87,7 @@ final class PositionFilter {
     return contradictions;
   }
 
-  /** Number of fixes that were older than an earlier one, or from the future. */
+  /** Number of fixes that were older than the estimate or the stored commands, or from the future. */
   long outdated() {
     return outdated;
   }
@@ -86,11 +99,12 @@ final class PositionFilter {
    */
   boolean fixed(Fix fix, long nowNs) {
     PoseEstimate known = estimate;
-    if (fix.timeNs() > nowNs || (known != null && fix.timeNs() < known.atNs())) {
+    long sinceNs = known == null ? odometry.coveredSinceNs() : known.atNs();
+    if (fix.timeNs() < sinceNs || fix.timeNs() > nowNs) {
       outdated++;
       return false;
     }
-    if (known == null || !odometry.reaches(known.atNs())) {
+    if (known == null) {
       accept(new PoseEstimate(fix), fix);
       return true;
     }
@@ -117,7 +131,7 @@ final class PositionFilter {
   /** Updates the rival estimate; a fix that contradicts it too starts a new one. */
   private PoseEstimate updateRival(Fix fix) {
     PoseEstimate other = rival;
-    if (other != null && odometry.reaches(other.atNs())) {
+    if (other != null) {
       other.advanceTo(fix.timeNs(), odometry);
       if (other.intersect(fix)) {
         return other;
@@ -145,9 +159,8 @@ final class PositionFilter {
   private Location.Known ahead(PoseEstimate from, long nowNs) {
     odometry.locate(from.atNs(), nowNs);
     Pose pose = new Pose(from.aheadXMm(odometry), from.aheadYMm(odometry), from.aheadRad(odometry));
-    double errorMm =
-        odometry.reaches(from.atNs()) ? from.aheadRadiusMm(odometry) : Double.POSITIVE_INFINITY;
-    return new Location.Known(pose, errorMm, from.aheadSpreadRad(odometry), nowNs, fixNs);
+    return new Location.Known(
+        pose, from.aheadRadiusMm(odometry), from.aheadSpreadRad(odometry), nowNs, fixNs);
   }
 
   /** The pose of {@code one}, with bounds that cover both. */

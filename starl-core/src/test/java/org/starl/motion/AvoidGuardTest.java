@@ -86,7 +86,7 @@ class AvoidGuardTest {
 
   @Test
   void theLingeringEffectOfTheLastCommandIsAllowedFor() {
-    LingeringSpeeds fast = LingeringSpeeds.NONE.with(new WheelCommand(250, 0));
+    LingeringSpeeds fast = LingeringSpeeds.NONE.with(250, 0);
     double down = -StrictMath.PI / 2;
     // 100 ms of the old command, 60 ms of the new one.
     assertThat(nearestMm(LATE, new WheelCommand(25, 0), down, Bumps.NONE, fast))
@@ -97,7 +97,7 @@ class AvoidGuardTest {
 
   @Test
   void aLingeringTurnIsAllowedFor() {
-    LingeringSpeeds turning = LingeringSpeeds.NONE.with(new WheelCommand(0, -2));
+    LingeringSpeeds turning = LingeringSpeeds.NONE.with(0, -2);
     // It turns by 0.2 and then drives for 60 ms.
     assertThat(
             nearestMm(LATE, new WheelCommand(250, 0), -0.5, Bumps.NONE, turning)

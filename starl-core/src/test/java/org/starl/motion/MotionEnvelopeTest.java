@@ -7,6 +7,7 @@ import java.util.stream.Stream;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Named;
+import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
@@ -139,6 +140,11 @@ class MotionEnvelopeTest {
     world.idle(1_000);
     assertThat(world.nearestToAvoidMm).isGreaterThan(RADIUS_MM);
     assertThat(world.worstErrorPastBoundMm).isLessThan(1e-6);
+  }
+
+  @Test
+  void theContractHoldsWhileABumpSensorClosesAndOpensManyTimesBetweenTwoFixes() {
+    theContractHoldsUnderEverythingInTheEnvelope(-11218);
   }
 
   static Stream<Arguments> understatements() {

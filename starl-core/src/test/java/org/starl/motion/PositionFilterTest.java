@@ -154,25 +154,36 @@ class PositionFilterTest {
   }
 
   @Test
-  void aFixOlderThanAllStoredCommandsGivesNoBound() {
+  void moreCommandsThanItStoresWidenTheBoundAndDoNotResetTheEstimate() {
     fix(0, 0, 5, 0, 0);
     for (int i = 0; i < 100; i++) {
       drive(i % 2, 0, 10L * i);
     }
-    assertThat(at(1000).errorMm()).isInfinite();
-    assertThat(fix(7, 0, 5, 1000, 1000)).isTrue();
-    assertThat(at(1000).errorMm()).isEqualTo(5);
+    assertThat(at(1000).errorMm()).isCloseTo(5.5, within(1e-9));
+    assertThat(fix(3000, 0, 5, 1000, 1000)).isFalse();
+    assertThat(fix(7, 0, 5, 1010, 1010)).isTrue();
   }
 
   @Test
-  void aFixOlderThanTheReactionToTheOldestCommandGivesNoBound() {
+  void commandsThatMayStillBeInEffectAreNotForgotten() {
+    filter.assume(0, 500 * MS);
+    fix(0, 0, 0, 0, 0);
+    drive(100, 0, 0);
+    for (int i = 0; i < 100; i++) {
+      filter.commanded(WheelCommand.STOP, i % 2 == 0, i * MS);
+    }
+    assertThat(at(1000).errorMm()).isCloseTo(50, within(1e-9));
+  }
+
+  @Test
+  void aFirstFixOlderThanTheReactionToTheOldestStoredCommandIsOutdated() {
     filter.assume(0, 50 * MS);
     for (int i = 0; i < 100; i++) {
       drive(i % 2, 0, 10L * i);
     }
     // The oldest command that it remembers was given at 360 ms.
-    fix(0, 0, 5, 380, 990);
-    assertThat(at(990).errorMm()).isInfinite();
+    assertThat(fix(0, 0, 5, 380, 990)).isFalse();
+    assertThat(filter.outdated()).isEqualTo(1);
     assertThat(fix(0, 0, 5, 410, 990)).isTrue();
     assertThat(at(990).errorMm()).isFinite();
   }
