@@ -1,6 +1,5 @@
 package org.starl.primitives.geocast;
 
-import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -8,6 +7,7 @@ import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
@@ -119,27 +119,17 @@ final class CastRecord {
 
   /** Robots with known bodies that delivered although they were always outside. */
   List<RobotId> intruders() {
-    List<RobotId> intruders = new ArrayList<>();
-    for (RobotId robot : deliveredNs.keySet()) {
-      Presence presence = presences.get(robot);
-      if (presence != null && !presence.everIn()) {
-        intruders.add(robot);
-      }
-    }
-    return intruders;
+    return deliveredNs.keySet().stream()
+        .filter(robot -> presences.containsKey(robot) && !presences.get(robot).everIn())
+        .collect(Collectors.toList());
   }
 
   /** Robots that had to deliver: reached by a copy, and always deep inside. */
   List<RobotId> required() {
-    List<RobotId> required = new ArrayList<>();
-    for (RobotId robot : owed) {
-      Presence presence = presences.get(robot);
-      boolean inside = presence != null && presence.alwaysDeep();
-      // If the origin sent no copy, the network is not the cause.
-      if (inside && (copies.isEmpty() || reached.contains(robot))) {
-        required.add(robot);
-      }
-    }
-    return required;
+    // If the origin sent no copy, the network is not the cause.
+    return owed.stream()
+        .filter(robot -> presences.containsKey(robot) && presences.get(robot).alwaysDeep())
+        .filter(robot -> copies.isEmpty() || reached.contains(robot))
+        .collect(Collectors.toList());
   }
 }

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.locationtech.jts.algorithm.Orientation;
 import org.locationtech.jts.geom.Coordinate;
+import org.locationtech.jts.geom.CoordinateArrays;
 import org.locationtech.jts.geom.Envelope;
 import org.locationtech.jts.geom.Geometry;
 import org.locationtech.jts.geom.GeometryFactory;
@@ -69,7 +70,7 @@ final class FloorPlan {
     // The many small parts are united first, so that the large one is processed only once.
     Geometry whole = OverlayNG.overlay(known, plan.union(more), OverlayNG.UNION, WHOLE_MM);
     whole.normalize();
-    List<int[][]> rings = new ArrayList<>();
+    List<Coordinate[]> rings = new ArrayList<>();
     for (int i = 0; i < whole.getNumGeometries(); i++) {
       if (!(whole.getGeometryN(i) instanceof Polygon polygon)) {
         throw new IllegalStateException("widened to " + whole.getGeometryN(i).getGeometryType());
@@ -149,24 +150,19 @@ final class FloorPlan {
     return new Coordinate(FreeSpace.whole(point.xMm()), FreeSpace.whole(point.yMm()));
   }
 
-  private static void addRings(Polygon polygon, List<int[][]> rings) {
+  private static void addRings(Polygon polygon, List<Coordinate[]> rings) {
     rings.add(ring(polygon.getExteriorRing(), true));
     for (int i = 0; i < polygon.getNumInteriorRing(); i++) {
       rings.add(ring(polygon.getInteriorRingN(i), false));
     }
   }
 
-  /** The corners, x and y, in the order that has the solid side on the left. */
-  private static int[][] ring(LinearRing ring, boolean shell) {
-    Coordinate[] corners = ring.getCoordinates();
-    int count = corners.length - 1;
-    boolean forward = Orientation.isCCW(corners) == shell;
-    int[][] xy = new int[2][count];
-    for (int i = 0; i < count; i++) {
-      Coordinate corner = corners[forward ? i : count - i];
-      xy[0][i] = FreeSpace.whole(corner.x);
-      xy[1][i] = FreeSpace.whole(corner.y);
+  /** The corners in the order that has the solid side on the left. */
+  private static Coordinate[] ring(LinearRing ring, boolean shell) {
+    Coordinate[] corners = ring.getCoordinates().clone();
+    if (Orientation.isCCW(corners) != shell) {
+      CoordinateArrays.reverse(corners);
     }
-    return xy;
+    return corners;
   }
 }

@@ -2,6 +2,7 @@ package org.starl.primitives.paths;
 
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.locationtech.jts.geom.Coordinate;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
@@ -27,23 +28,20 @@ final class FreeSpace {
   private final TouchedCorners touches = new TouchedCorners();
 
   /**
-   * @param rings x and y of their corners, the solid side on the left; may touch, but not cross
+   * @param rings closed, in whole mm, the solid side on the left; may touch, but not cross
    */
-  FreeSpace(List<int[][]> rings, Rectangle bounds, double marginMm) {
-    int count = 0;
-    for (int[][] ring : rings) {
-      count += ring[0].length;
-    }
+  FreeSpace(List<Coordinate[]> rings, Rectangle bounds, double marginMm) {
+    int count = rings.stream().mapToInt(ring -> ring.length - 1).sum();
     x = new int[count];
     y = new int[count];
     next = new int[count];
     previous = new int[count];
     int first = 0;
-    for (int[][] ring : rings) {
-      int length = ring[0].length;
+    for (Coordinate[] ring : rings) {
+      int length = ring.length - 1;
       for (int i = 0; i < length; i++) {
-        x[first + i] = ring[0][i];
-        y[first + i] = ring[1][i];
+        x[first + i] = whole(ring[i].x);
+        y[first + i] = whole(ring[i].y);
         next[first + i] = first + (i + 1) % length;
         previous[first + i] = first + (i + length - 1) % length;
       }
@@ -82,10 +80,10 @@ final class FreeSpace {
   /** Whether a room may reach one of these sides of the bounds; true if the room is unknown. */
   boolean reachesSide(int room, boolean left, boolean bottom, boolean right, boolean top) {
     return room == Rooms.NONE
-        || (left && rooms.xMin(room) <= xMin)
-        || (bottom && rooms.yMin(room) <= yMin)
-        || (right && rooms.xMax(room) >= xMax)
-        || (top && rooms.yMax(room) >= yMax);
+        || (left && rooms.box(room).getMinX() <= xMin)
+        || (bottom && rooms.box(room).getMinY() <= yMin)
+        || (right && rooms.box(room).getMaxX() >= xMax)
+        || (top && rooms.box(room).getMaxY() >= yMax);
   }
 
   /** The nearest whole number of mm. */

@@ -1,12 +1,10 @@
 package org.starl.primitives.paths;
 
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
-import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
 
 /**
@@ -92,60 +90,46 @@ public final class LocalPlanner implements PathPlanner {
   /** The window around both ends, within the floor; an end outside the floor is Blocked anyway. */
   private static Rectangle window(PlanTask task, double reachMm) {
     Rectangle all = task.bounds();
-    Point a = task.start();
-    Point b = task.goal();
-    double xMin = Math.max(all.xMinMm(), Math.min(a.xMm(), b.xMm()) - reachMm);
-    double yMin = Math.max(all.yMinMm(), Math.min(a.yMm(), b.yMm()) - reachMm);
-    double xMax = Math.min(all.xMaxMm(), Math.max(a.xMm(), b.xMm()) + reachMm);
-    double yMax = Math.min(all.yMaxMm(), Math.max(a.yMm(), b.yMm()) + reachMm);
+    Rectangle near = Rectangle.around(List.of(task.start(), task.goal())).widened(reachMm);
+    double xMin = Math.max(all.xMinMm(), near.xMinMm());
+    double yMin = Math.max(all.yMinMm(), near.yMinMm());
+    double xMax = Math.min(all.xMaxMm(), near.xMaxMm());
+    double yMax = Math.min(all.yMaxMm(), near.yMaxMm());
     return xMin < xMax && yMin < yMax ? new Rectangle(xMin, yMin, xMax, yMax) : all;
   }
 
   /** The task in the window, without obstacles whose bounding boxes are far from it. */
   private static PlanTask part(Rectangle window, PlanTask task) {
     double marginMm = 2 * task.marginMm();
-    List<Obstacle> obstacles = new ArrayList<>();
-    for (Obstacle obstacle : task.obstacles().all()) {
-      if (isNear(window, obstacle.points(), marginMm)) {
-        obstacles.add(obstacle);
-      }
-    }
-    List<Capsule> taken = new ArrayList<>();
-    for (Capsule capsule : task.taken()) {
-      List<Point> ends = List.of(capsule.axis().from(), capsule.axis().to());
-      if (isNear(window, ends, marginMm + capsule.radiusMm())) {
-        taken.add(capsule);
-      }
-    }
-    List<Polygon> keepOut = new ArrayList<>();
-    for (Polygon place : task.keepOut()) {
-      if (isNear(window, place.vertices(), marginMm)) {
-        keepOut.add(place);
-      }
-    }
     return new PlanTask(
         task.start(),
         task.goal(),
         window,
-        new Obstacles(obstacles),
-        taken,
-        keepOut,
+        new Obstacles(
+            task.obstacles().all().stream()
+                .filter(obstacle -> isNear(window, obstacle.points(), marginMm))
+                .collect(Collectors.toList())),
+        task.taken().stream()
+            .filter(capsule ->
+                isNear(
+                    window,
+                    List.of(capsule.axis().from(), capsule.axis().to()),
+                    marginMm + capsule.radiusMm()))
+            .collect(Collectors.toList()),
+        task.keepOut().stream()
+            .filter(place -> isNear(window, place.vertices(), marginMm))
+            .collect(Collectors.toList()),
         task.bodyRadiusMm(),
         task.clearanceMm());
   }
 
   /** Whether the bounding box of the points is within {@code rangeMm} of the window. */
   private static boolean isNear(Rectangle window, List<Point> points, double rangeMm) {
-    boolean left = true;
-    boolean right = true;
-    boolean below = true;
-    boolean above = true;
-    for (Point point : points) {
-      left &= point.xMm() < window.xMinMm() - rangeMm;
-      right &= point.xMm() > window.xMaxMm() + rangeMm;
-      below &= point.yMm() < window.yMinMm() - rangeMm;
-      above &= point.yMm() > window.yMaxMm() + rangeMm;
-    }
-    return !(left || right || below || above);
+    Rectangle near = window.widened(rangeMm);
+    Rectangle box = Rectangle.around(points);
+    return box.xMaxMm() >= near.xMinMm()
+        && box.xMinMm() <= near.xMaxMm()
+        && box.yMaxMm() >= near.yMinMm()
+        && box.yMinMm() <= near.yMaxMm();
   }
 }

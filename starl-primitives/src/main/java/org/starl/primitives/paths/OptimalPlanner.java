@@ -1,10 +1,11 @@
 package org.starl.primitives.paths;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.Collections;
+import java.util.Comparator;
 import java.util.List;
 import java.util.PriorityQueue;
+import java.util.stream.IntStream;
 import org.starl.geometry.Point;
 
 /**
@@ -35,19 +36,12 @@ public final class OptimalPlanner implements PathPlanner {
   }
 
   /** An edge of the graph that is not tested yet: it is tested when it leaves the queue. */
-  private record Candidate(double estimateMm, double lengthMm, int node, int parent)
-      implements Comparable<Candidate> {
+  private record Candidate(double estimateMm, double lengthMm, int node, int parent) {}
 
-    @Override
-    public int compareTo(Candidate other) {
-      int byEstimate = Double.compare(estimateMm, other.estimateMm);
-      if (byEstimate != 0) {
-        return byEstimate;
-      }
-      int byNode = Integer.compare(node, other.node);
-      return byNode != 0 ? byNode : Integer.compare(parent, other.parent);
-    }
-  }
+  private static final Comparator<Candidate> ORDER =
+      Comparator.comparingDouble(Candidate::estimateMm)
+          .thenComparingInt(Candidate::node)
+          .thenComparingInt(Candidate::parent);
 
   private static final class Search {
     private static final int START = 0;
@@ -64,19 +58,13 @@ public final class OptimalPlanner implements PathPlanner {
 
     private final int[] parent;
     private final boolean[] reached;
-    private final PriorityQueue<Candidate> queue = new PriorityQueue<>();
+    private final PriorityQueue<Candidate> queue = new PriorityQueue<>(ORDER);
 
     Search(FreeSpace space, Ends ends) {
       this.space = space;
-      int count = FIRST_CORNER;
-      int[] corners = new int[FIRST_CORNER + space.corners()];
-      for (int i = 0; i < space.corners(); i++) {
-        if (space.sticksOut(i)) {
-          corners[count] = i;
-          count++;
-        }
-      }
-      corner = Arrays.copyOf(corners, count);
+      IntStream corners = IntStream.range(0, space.corners()).filter(space::sticksOut);
+      corner = IntStream.concat(IntStream.of(NONE, NONE), corners).toArray();
+      int count = corner.length;
       x = new int[count];
       y = new int[count];
       for (int i = FIRST_CORNER; i < count; i++) {

@@ -2,7 +2,6 @@ package org.starl.primitives.paths;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -90,11 +89,8 @@ class TubeVoter {
   /** The latest holding of each robot except {@code me}. */
   SortedMap<RobotId, Holding> others(RobotId me) {
     SortedMap<RobotId, Holding> others = new TreeMap<>();
-    for (Map.Entry<RobotId, Note> note : notes.entrySet()) {
-      if (!note.getKey().equals(me)) {
-        others.put(note.getKey(), note.getValue().holding());
-      }
-    }
+    notes.forEach((robot, note) -> others.put(robot, note.holding()));
+    others.remove(me);
     return others;
   }
 
