@@ -37,7 +37,7 @@ public final class GlobalVarHolder {
     variables = new Variables(trace);
     id = new Identity(platform.id(), platform.deployment(), boot);
     comms = new Comms(platform, boot);
-    gps = new Gps(platform, trace, variables);
+    gps = new Gps(platform, variables);
     plat =
         new Plat(
             new MotionController(platform, gps, log, trace, variables),

@@ -2,6 +2,7 @@ package org.starl.geometry;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Collectors;
 
 /** All obstacles of a floor, or all that a robot knows. Immutable. */
 public record Obstacles(List<Obstacle> all) {
@@ -18,13 +19,8 @@ public record Obstacles(List<Obstacle> all) {
 
   /** The obstacles that are not hidden: every robot's map at the start. */
   public Obstacles known() {
-    List<Obstacle> known = new ArrayList<>();
-    for (Obstacle obstacle : all) {
-      if (!obstacle.hidden()) {
-        known.add(obstacle);
-      }
-    }
-    return new Obstacles(known);
+    return new Obstacles(
+        all.stream().filter(obstacle -> !obstacle.hidden()).collect(Collectors.toList()));
   }
 
   /** The obstacles that still exist. */

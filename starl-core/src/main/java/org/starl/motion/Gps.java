@@ -12,7 +12,6 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.gvh.GvhVariable;
-import org.starl.gvh.Trace;
 import org.starl.gvh.Variables;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
@@ -30,18 +29,15 @@ import org.starl.platform.Platform;
 public final class Gps {
 
   private final Clock clock;
-  private final Trace trace;
   private final PositionFilter filter = new PositionFilter();
   private final LocationVariable currentlocation = new LocationVariable(this);
   private final KnownObstacles knownObstacles;
   private final List<Runnable> listeners = new ArrayList<>();
   private final long knownFromNs;
-  private boolean tracesFixes;
   private long fixes;
 
-  public Gps(Platform platform, Trace trace, Variables variables) {
+  public Gps(Platform platform, Variables variables) {
     clock = platform.clock();
-    this.trace = trace;
     knownObstacles = new KnownObstacles(platform.knownObstacles());
     variables.register(currentlocation);
     MotionParameters parameters = platform.motionParameters();
@@ -100,11 +96,6 @@ public final class Gps {
     listeners.add(listener);
   }
 
-  /** Sets whether each fix writes {@code currentlocation} to the trace; off at first. */
-  public void setTraceFixes(boolean on) {
-    tracesFixes = on;
-  }
-
   /**
    * Whether a disc around this robot is certainly outside {@code zone}, border included: the
    * condition for releasing a zone. False before the first fix.
@@ -125,12 +116,6 @@ public final class Gps {
     return known == null
         ? Double.NEGATIVE_INFINITY
         : zone.distanceMm(known.pose().at()) - known.errorMm() - radiusMm;
-  }
-
-  /** Whether this robot's centre is certainly in {@code area}. False before the first fix. */
-  public boolean isCertainlyIn(Region area) {
-    Location.Known known = filter.at(clock.nowNs());
-    return known != null && area.depthMm(known.pose().at()) > known.errorMm();
   }
 
   /**
@@ -195,11 +180,7 @@ public final class Gps {
 
   private void fixed(Fix fix) {
     fixes++;
-    boolean accepted = fix.timeNs() >= knownFromNs && filter.fixed(fix, clock.nowNs());
-    if (tracesFixes && trace.isOn()) {
-      trace.variable(currentlocation.source(), currentlocation.name(), location());
-    }
-    if (accepted) {
+    if (fix.timeNs() >= knownFromNs && filter.fixed(fix, clock.nowNs())) {
       for (int i = 0; i < listeners.size(); i++) {
         listeners.get(i).run();
       }

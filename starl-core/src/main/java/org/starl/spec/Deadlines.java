@@ -7,7 +7,7 @@ import org.starl.id.RobotId;
 
 /**
  * What each robot owes in each instance of a primitive under one lemma: a {@link Within} that
- * reports what was not met. Without a bound, nothing is ever owed.
+ * reports missed deadlines. Without a bound, nothing is owed.
  */
 public final class Deadlines {
 
@@ -20,7 +20,7 @@ public final class Deadlines {
 
   /**
    * @param boundNs as {@link Within} has it, or {@link #NO_BOUND}
-   * @param complaint what is wrong, of a debt since so many ns
+   * @param complaint what is wrong with a deadline that runs since so many ns
    */
   public Deadlines(String lemma, long boundNs, LongFunction<String> complaint) {
     this.lemma = lemma;
@@ -40,27 +40,27 @@ public final class Deadlines {
   }
 
   /** As {@link Within#start}. */
-  public void start(ProcessKey seat, long nowNs) {
+  public void start(ProcessKey key, long nowNs) {
     if (isBounded()) {
-      within.start(seat, nowNs);
+      within.start(key, nowNs);
     }
   }
 
   /** As {@link Within#stop}. */
-  public boolean stop(ProcessKey seat) {
-    return within.stop(seat);
+  public boolean stop(ProcessKey key) {
+    return within.stop(key);
   }
 
-  /** What was owed, if it was, has come: the lemma holds once more. */
-  public void meet(ProcessKey seat, Monitor.Report report) {
-    if (within.stop(seat)) {
+  /** The deadline, if there is one, is met: the lemma holds once more. */
+  public void meet(ProcessKey key, Monitor.Report report) {
+    if (within.stop(key)) {
       report.checked(lemma);
     }
   }
 
   /** As {@link Within#assume}. */
-  public void assume(ProcessKey seat, boolean holds, long nowNs) {
-    within.assume(seat, holds, nowNs);
+  public void assume(ProcessKey key, boolean holds, long nowNs) {
+    within.assume(key, holds, nowNs);
   }
 
   /** As {@link Within#assumeEach}. */
@@ -68,17 +68,17 @@ public final class Deadlines {
     within.assumeEach(holds, nowNs);
   }
 
-  /** Reports every debt whose bound has passed before {@code nowNs}; call as {@link Within#expire}. */
+  /** Reports every deadline whose bound has passed before {@code nowNs}; call as {@link Within#expire}. */
   public void expire(long nowNs, Monitor.Report report) {
     within.expire(
         nowNs,
-        (seat, sinceNs, deadlineNs) -> {
+        (key, sinceNs, deadlineNs) -> {
           report.checked(lemma);
           report.violated(
               lemma,
               deadlineNs,
-              List.of(seat.robot()),
-              seat.source() + ": " + complaint.apply(sinceNs));
+              List.of(key.robot()),
+              key.source() + ": " + complaint.apply(sinceNs));
         });
   }
 }

@@ -18,13 +18,13 @@ public final class FaultState {
 
   private final Set<RobotId> down = new TreeSet<>();
   // Active faults, each as affected robot and text. A fault may be in the list twice.
-  private final List<String> underWay = new ArrayList<>();
+  private final List<String> active = new ArrayList<>();
 
   /** An independent copy of the current state. */
   public FaultState copy() {
     FaultState copy = new FaultState();
     copy.down.addAll(down);
-    copy.underWay.addAll(underWay);
+    copy.active.addAll(active);
     return copy;
   }
 
@@ -49,7 +49,7 @@ public final class FaultState {
 
   /** Whether no fault except crashes is active. */
   public boolean isFaultFree() {
-    return underWay.isEmpty();
+    return active.isEmpty();
   }
 
   private boolean fault(Fault fault) {
@@ -57,12 +57,12 @@ public final class FaultState {
     return switch (fault.name()) {
       case Fault.CRASH -> down.add(fault.robot());
       case Fault.RESTART -> down.remove(fault.robot());
-      case Fault.BEGIN -> underWay.add(which);
-      case Fault.END -> underWay.remove(which);
+      case Fault.BEGIN -> active.add(which);
+      case Fault.END -> active.remove(which);
       case Fault.HEALED -> {
-        boolean wasFoul = !underWay.isEmpty();
-        underWay.clear();
-        yield wasFoul;
+        boolean anyActive = !active.isEmpty();
+        active.clear();
+        yield anyActive;
       }
       default -> false;
     };

@@ -1,7 +1,5 @@
 package org.starl.spec;
 
-import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.function.Predicate;
@@ -10,16 +8,15 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * A monitor of all instances of one primitive. It holds the table of lemmas, keeps one state for each
- * instance, and hands each event to the method for its kind. Instances are told apart by their source
- * in the trace: {@code mutex/crossing}.
+ * A monitor of all instances of one primitive. It keeps one state for each instance, and passes each
+ * event to the method for its kind. The source in the trace identifies the instance: {@code
+ * mutex/crossing}.
  *
  * @param <R> the state kept for one instance
  */
-public abstract class InstanceMonitor<R> implements Monitor {
+public abstract class InstanceMonitor<R> extends LemmaMonitor {
 
   private final Predicate<String> isInstance;
-  private final Map<String, String> sentences = new LinkedHashMap<>();
   private final Map<String, R> instances = new TreeMap<>();
 
   /**
@@ -27,21 +24,6 @@ public abstract class InstanceMonitor<R> implements Monitor {
    */
   protected InstanceMonitor(Predicate<String> isInstance) {
     this.isInstance = isInstance;
-  }
-
-  /** Adds a lemma, and the sentence that explains it to a user. For constructors. */
-  protected final void lemma(String name, String sentence) {
-    sentences.put(name, sentence);
-  }
-
-  @Override
-  public final List<String> lemmas() {
-    return List.copyOf(sentences.keySet());
-  }
-
-  @Override
-  public final String description(String lemma) {
-    return sentences.getOrDefault(lemma, "");
   }
 
   /** The state of an instance before its first event. */

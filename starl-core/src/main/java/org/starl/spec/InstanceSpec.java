@@ -18,7 +18,7 @@ import org.starl.trace.TraceEvent.Left;
  */
 public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
 
-  protected final FaultState circumstances = new FaultState();
+  protected final FaultState faults = new FaultState();
   private final List<Deadlines> progress = new ArrayList<>();
 
   /**
@@ -32,22 +32,22 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
    * Adds a lemma of progress. Without a bound it is not among the {@link #lemmas}. For constructors.
    *
    * @param boundNs as {@link Deadlines} has it, or {@link Deadlines#NO_BOUND}
-   * @param complaint the violation's text, for a debt since so many ns
+   * @param complaint the violation's text, for a deadline that runs since so many ns
    */
   protected final Deadlines progress(
       String lemma, String sentence, long boundNs, LongFunction<String> complaint) {
-    Deadlines dues = new Deadlines(lemma, boundNs, complaint);
-    if (dues.isBounded()) {
+    Deadlines deadlines = new Deadlines(lemma, boundNs, complaint);
+    if (deadlines.isBounded()) {
       lemma(lemma, sentence);
     }
-    progress.add(dues);
-    return dues;
+    progress.add(deadlines);
+    return deadlines;
   }
 
   @Override
   public final void observe(TraceEvent event, Report report) {
     finish(event.timeNs(), report);
-    boolean isReviewed = circumstances.observe(event);
+    boolean isReviewed = faults.observe(event);
     if (event instanceof Left || (event instanceof Fault f && f.name().equals(Fault.CRASH))) {
       ended(event.robot());
     }
@@ -59,7 +59,7 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
 
   @Override
   public final void finish(long endNs, Report report) {
-    progress.forEach(dues -> dues.expire(endNs, report));
+    progress.forEach(deadlines -> deadlines.expire(endNs, report));
   }
 
   /** The robot's program has ended: it crashed, or the robot left. */
@@ -67,12 +67,12 @@ public abstract class InstanceSpec<R> extends InstanceMonitor<R> {
 
   /**
    * Updates what is owed, and whether the assumptions of progress hold. Called after each event of an
-   * instance, and after each change of the {@link #circumstances}.
+   * instance, and after each change of the {@link #faults}.
    */
   protected abstract void review(long nowNs, Report report);
 
   /** Whether more than half of {@code voters} are up. */
   protected final boolean hasMajorityUp(Collection<RobotId> voters) {
-    return 2 * voters.stream().filter(circumstances::isUp).count() > voters.size();
+    return 2 * voters.stream().filter(faults::isUp).count() > voters.size();
   }
 }

@@ -72,7 +72,7 @@ public final class Within<K> {
     }
   }
 
-  /** As {@link #assume}, for every debt. */
+  /** As {@link #assume}, for every deadline. */
   public void assumeEach(Predicate<? super K> holds, long nowNs) {
     for (Collection<K> keys : List.of(sinceNs.keySet(), suspended)) {
       List.copyOf(keys).forEach(key -> assume(key, holds.test(key), nowNs));
@@ -90,16 +90,6 @@ public final class Within<K> {
     allSuspended = !holds;
   }
 
-  /** Whether {@code key} has a deadline, suspended or not. */
-  public boolean isPending(K key) {
-    return sinceNs.containsKey(key) || suspended.contains(key);
-  }
-
-  /** Number of deadlines that are not suspended. */
-  public int countRunning() {
-    return allSuspended ? 0 : sinceNs.size();
-  }
-
   /**
    * Removes every deadline that passed before {@code nowNs}, and reports each to {@code expired}.
    */
@@ -109,12 +99,12 @@ public final class Within<K> {
     }
     Iterator<Map.Entry<K, Long>> oldestFirst = sinceNs.entrySet().iterator();
     while (oldestFirst.hasNext()) {
-      Map.Entry<K, Long> debt = oldestFirst.next();
-      long since = debt.getValue();
+      Map.Entry<K, Long> deadline = oldestFirst.next();
+      long since = deadline.getValue();
       if (nowNs - since <= boundNs) {
         return;
       }
-      K key = debt.getKey();
+      K key = deadline.getKey();
       oldestFirst.remove();
       expired.expired(key, since, since + boundNs);
     }

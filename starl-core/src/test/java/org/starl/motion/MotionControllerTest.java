@@ -201,7 +201,6 @@ class MotionControllerTest {
     fix(423, 0, 0);
     assertThat(gvh.gps.errorMm()).isLessThanOrEqualTo(4);
     assertThat(gvh.gps.isClearOf(zone, 165)).isTrue();
-    assertThat(gvh.gps.isCertainlyIn(zone)).isFalse();
     assertThat(gvh.gps.maxDistanceMm(new Point(0, 0))).isGreaterThan(423);
     assertThat(gvh.gps.minDistanceMm(new Point(0, 0))).isLessThan(423);
   }
@@ -234,14 +233,12 @@ class MotionControllerTest {
   }
 
   @Test
-  void fixesAreTracedOnlyOnRequest() {
+  void fixesAreNotTraced() {
     int[] heard = {0};
     gvh.gps.onFix(() -> heard[0]++);
     fix(0, 0, 0);
-    assertThat(traced()).noneMatch(line -> line.startsWith("currentlocation"));
-    gvh.gps.setTraceFixes(true);
     fix(1, 0, 0);
-    assertThat(traced()).anyMatch(line -> line.startsWith("currentlocation="));
+    assertThat(traced()).noneMatch(line -> line.startsWith("currentlocation"));
     assertThat(heard[0]).isEqualTo(2);
     assertThat(gvh.gps.fixes()).isEqualTo(2);
   }

@@ -14,29 +14,29 @@ class FaultStateTest {
 
   private static final RobotId A = new RobotId("a");
 
-  private final FaultState circumstances = new FaultState();
+  private final FaultState faults = new FaultState();
 
   @Test
   void initiallyAllRobotsAreUpWithoutFaults() {
-    assertThat(circumstances.isUp(A)).isTrue();
-    assertThat(circumstances.isFaultFree()).isTrue();
+    assertThat(faults.isUp(A)).isTrue();
+    assertThat(faults.isFaultFree()).isTrue();
   }
 
   @Test
   void aCrashedRobotIsDownUntilItRestarts() {
     assertThat(sees(A, Fault.CRASH, "")).isTrue();
-    assertThat(circumstances.isUp(A)).isFalse();
-    assertThat(circumstances.isFaultFree()).as("a crash is counted by who is up").isTrue();
+    assertThat(faults.isUp(A)).isFalse();
+    assertThat(faults.isFaultFree()).as("a crash is counted by who is up").isTrue();
     assertThat(sees(A, Fault.RESTART, "lost")).isTrue();
-    assertThat(circumstances.isUp(A)).isTrue();
+    assertThat(faults.isUp(A)).isTrue();
   }
 
   @Test
   void aRobotThatLeftIsDownUntilItJoins() {
-    assertThat(circumstances.observe(new Left(1, A))).isTrue();
-    assertThat(circumstances.isUp(A)).isFalse();
-    assertThat(circumstances.observe(new Joined(2, A, new Pose(0, 0, 0), 165))).isTrue();
-    assertThat(circumstances.isUp(A)).isTrue();
+    assertThat(faults.observe(new Left(1, A))).isTrue();
+    assertThat(faults.isUp(A)).isFalse();
+    assertThat(faults.observe(new Joined(2, A, new Pose(0, 0, 0), 165))).isTrue();
+    assertThat(faults.isUp(A)).isTrue();
   }
 
   @Test
@@ -44,9 +44,9 @@ class FaultStateTest {
     sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
     sees(A, Fault.BEGIN, "slow");
     assertThat(sees(Fault.WORLD, Fault.END, "loss 0.3")).isTrue();
-    assertThat(circumstances.isFaultFree()).isFalse();
+    assertThat(faults.isFaultFree()).isFalse();
     assertThat(sees(A, Fault.END, "slow")).isTrue();
-    assertThat(circumstances.isFaultFree()).isTrue();
+    assertThat(faults.isFaultFree()).isTrue();
   }
 
   @Test
@@ -54,9 +54,9 @@ class FaultStateTest {
     sees(Fault.WORLD, Fault.BEGIN, "loss(0.3)");
     sees(Fault.WORLD, Fault.BEGIN, "loss(0.3)");
     sees(Fault.WORLD, Fault.END, "loss(0.3)");
-    assertThat(circumstances.isFaultFree()).isFalse();
+    assertThat(faults.isFaultFree()).isFalse();
     sees(Fault.WORLD, Fault.END, "loss(0.3)");
-    assertThat(circumstances.isFaultFree()).isTrue();
+    assertThat(faults.isFaultFree()).isTrue();
   }
 
   @Test
@@ -64,16 +64,16 @@ class FaultStateTest {
     sees(Fault.WORLD, Fault.BEGIN, "loss 0.3");
     sees(A, Fault.CRASH, "");
     assertThat(sees(Fault.WORLD, Fault.HEALED, "")).isTrue();
-    assertThat(circumstances.isFaultFree()).isTrue();
-    assertThat(circumstances.isUp(A)).isFalse();
+    assertThat(faults.isFaultFree()).isTrue();
+    assertThat(faults.isUp(A)).isFalse();
   }
 
   @Test
   void otherEventsChangeNothing() {
-    assertThat(circumstances.observe(new TraceEvent.Dropped(1, A, "b", "loss"))).isFalse();
+    assertThat(faults.observe(new TraceEvent.Dropped(1, A, "b", "loss"))).isFalse();
   }
 
   private boolean sees(RobotId robot, String name, String detail) {
-    return circumstances.observe(new Fault(1, robot, name, detail));
+    return faults.observe(new Fault(1, robot, name, detail));
   }
 }

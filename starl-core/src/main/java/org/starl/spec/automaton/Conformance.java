@@ -1,5 +1,6 @@
 package org.starl.spec.automaton;
 
+import java.util.function.Function;
 import java.util.function.Predicate;
 import org.starl.spec.InstanceMonitor;
 
@@ -13,14 +14,24 @@ import org.starl.spec.InstanceMonitor;
  */
 public abstract class Conformance<R> extends InstanceMonitor<R> {
 
+  private final Function<String, R> begin;
+
   /**
    * @param theory its name: {@code Mutex_decls}
    * @param subject the primitive, for the user: {@code every mutex}
    * @param isInstance whether a source is an instance of the primitive
+   * @param begin the state of an instance before its first event, by its source
    */
   @SuppressWarnings("this-escape") // a lemma only adds a row to the table of the superclass
-  protected Conformance(String theory, String subject, Predicate<String> isInstance) {
+  protected Conformance(
+      String theory, String subject, Predicate<String> isInstance, Function<String, R> begin) {
     super(isInstance);
+    this.begin = begin;
     lemma(theory, "The run of " + subject + " is one of the theory's automaton, step by step.");
+  }
+
+  @Override
+  protected final R begin(String source) {
+    return begin.apply(source);
   }
 }

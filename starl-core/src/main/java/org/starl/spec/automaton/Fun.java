@@ -1,6 +1,7 @@
 package org.starl.spec.automaton;
 
-import java.util.Arrays;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.function.BiConsumer;
 import java.util.function.BiPredicate;
 import org.jspecify.annotations.Nullable;
@@ -15,40 +16,36 @@ import org.jspecify.annotations.Nullable;
 public final class Fun<K extends Comparable<? super K>, V> {
 
   private final V defaultValue;
-  // Parallel arrays: arguments ascend, and no value equals the default.
-  private final Object[] arguments;
-  private final Object[] values;
+  // No value equals the default.
+  private final SortedMap<K, V> exceptions;
 
-  private Fun(V elsewhere, Object[] arguments, Object[] values) {
-    this.defaultValue = elsewhere;
-    this.arguments = arguments;
-    this.values = values;
+  private Fun(V defaultValue, SortedMap<K, V> exceptions) {
+    this.defaultValue = defaultValue;
+    this.exceptions = exceptions;
   }
 
   /** {@code LAMBDA x: value}. */
   public static <K extends Comparable<? super K>, V> Fun<K, V> always(V value) {
-    return new Fun<>(value, new Object[0], new Object[0]);
+    return new Fun<>(value, new TreeMap<K, V>());
   }
 
   /** Its value at {@code argument}. */
   public V at(K argument) {
-    int place = place(argument);
-    return place < 0 ? defaultValue : value(place);
+    return exceptions.getOrDefault(argument, defaultValue);
   }
 
   /** {@code f WITH [(argument) := value]}. */
   public Fun<K, V> with(K argument, V value) {
-    int place = place(argument);
+    if (value.equals(at(argument))) {
+      return this;
+    }
+    SortedMap<K, V> changed = new TreeMap<>(exceptions);
     if (value.equals(defaultValue)) {
-      return place < 0 ? this : new Fun<>(defaultValue, cut(arguments, place), cut(values, place));
+      changed.remove(argument);
+    } else {
+      changed.put(argument, value);
     }
-    if (place >= 0) {
-      Object[] changed = values.clone();
-      changed[place] = value;
-      return new Fun<>(defaultValue, arguments, changed);
-    }
-    int before = -place - 1;
-    return new Fun<>(defaultValue, put(arguments, before, argument), put(values, before, value));
+    return new Fun<>(defaultValue, changed);
   }
 
   /** The default value. */
@@ -58,85 +55,34 @@ public final class Fun<K extends Comparable<? super K>, V> {
 
   /** The number of exceptions. */
   public int size() {
-    return arguments.length;
+    return exceptions.size();
   }
 
   /** Whether it has no exception. */
   public boolean isConstant() {
-    return arguments.length == 0;
+    return exceptions.isEmpty();
   }
 
   /** Visits every exception, in order: argument and value. */
   public void forEach(BiConsumer<? super K, ? super V> visitor) {
-    for (int place = 0; place < arguments.length; place++) {
-      visitor.accept(argument(place), value(place));
-    }
+    exceptions.forEach(visitor);
   }
 
   /** Whether {@code test} is true of every exception: argument and value. */
   public boolean allMatch(BiPredicate<? super K, ? super V> test) {
-    for (int place = 0; place < arguments.length; place++) {
-      if (!test.test(argument(place), value(place))) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  private int place(K argument) {
-    int from = 0;
-    int to = arguments.length - 1;
-    while (from <= to) {
-      int middle = (from + to) >>> 1;
-      int order = argument(middle).compareTo(argument);
-      if (order == 0) {
-        return middle;
-      }
-      if (order < 0) {
-        from = middle + 1;
-      } else {
-        to = middle - 1;
-      }
-    }
-    return -from - 1;
-  }
-
-  // Safe: only with() fills the arrays.
-  @SuppressWarnings("unchecked")
-  private K argument(int place) {
-    return (K) arguments[place];
-  }
-
-  // Safe: only with() fills the arrays.
-  @SuppressWarnings("unchecked")
-  private V value(int place) {
-    return (V) values[place];
-  }
-
-  private static Object[] cut(Object[] row, int place) {
-    Object[] shorter = Arrays.copyOf(row, row.length - 1);
-    System.arraycopy(row, place + 1, shorter, place, shorter.length - place);
-    return shorter;
-  }
-
-  private static Object[] put(Object[] row, int place, Object what) {
-    Object[] longer = Arrays.copyOf(row, row.length + 1);
-    System.arraycopy(row, place, longer, place + 1, row.length - place);
-    longer[place] = what;
-    return longer;
+    return exceptions.entrySet().stream().allMatch(e -> test.test(e.getKey(), e.getValue()));
   }
 
   @Override
   public boolean equals(@Nullable Object other) {
     return other instanceof Fun<?, ?> that
         && defaultValue.equals(that.defaultValue)
-        && Arrays.equals(arguments, that.arguments)
-        && Arrays.equals(values, that.values);
+        && exceptions.equals(that.exceptions);
   }
 
   @Override
   public int hashCode() {
-    return 31 * Arrays.hashCode(arguments) + Arrays.hashCode(values);
+    return exceptions.hashCode();
   }
 
   /** {@code (bot0: [A, C], bot1: [B])}: the exceptions. */

@@ -26,8 +26,6 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class AgreementConformance extends Conformance<Replay<States, AgreementAction>> {
 
-  private final AutomatonListener<States, AgreementAction> steps;
-
   public AgreementConformance() {
     this(AutomatonListener.none());
   }
@@ -36,13 +34,11 @@ public final class AgreementConformance extends Conformance<Replay<States, Agree
    * @param steps receives every step of every instance
    */
   public AgreementConformance(AutomatonListener<States, AgreementAction> steps) {
-    super(AgreementAutomaton.SET_AGREEMENT_DECLS, "every agreement", SetAgreement::isAgreement);
-    this.steps = steps;
-  }
-
-  @Override
-  protected Replay<States, AgreementAction> begin(String source) {
-    return new Replay<>(new AgreementAutomaton(), source, steps);
+    super(
+        AgreementAutomaton.SET_AGREEMENT_DECLS,
+        "every agreement",
+        SetAgreement::isAgreement,
+        source -> new Replay<>(new AgreementAutomaton(), source, steps));
   }
 
   @Override

@@ -151,7 +151,6 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
   @Override
   protected void review(long nowNs, Report report) {
     progress.assumeEach(
-        seat -> circumstances.isFaultFree() && hasMajorityUp(instance(seat.source()).acceptors),
-        nowNs);
+        key -> faults.isFaultFree() && hasMajorityUp(instance(key.source()).acceptors), nowNs);
   }
 }

@@ -1,5 +1,7 @@
 package org.starl.primitives.agreement;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
 import org.starl.gvh.GvhCell;

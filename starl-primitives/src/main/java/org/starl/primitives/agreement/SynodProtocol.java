@@ -13,8 +13,6 @@ import org.starl.random.Rng;
  */
 public abstract class SynodProtocol implements SynodListener {
 
-  protected static final long NS_PER_MS = 1_000_000;
-
   /** The due time of a timer that is not set. */
   protected static final long NEVER = Long.MAX_VALUE;
 

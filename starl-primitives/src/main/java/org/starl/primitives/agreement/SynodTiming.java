@@ -1,5 +1,7 @@
 package org.starl.primitives.agreement;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.random.Rng;
 
 /**
@@ -15,7 +17,6 @@ public record SynodTiming(long resendMs, long maxResendMs, long backoffMs, long 
 
   public static final SynodTiming DEFAULT = new SynodTiming(250, 2_000, 250, 4_000);
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final int MAX_DOUBLINGS = 20;
 
   public SynodTiming {

@@ -40,8 +40,6 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class BarrierConformance extends Conformance<BarrierRun> {
 
-  private final AutomatonListener<States, BarrierAction> steps;
-
   public BarrierConformance() {
     this(AutomatonListener.none());
   }
@@ -50,13 +48,11 @@ public final class BarrierConformance extends Conformance<BarrierRun> {
    * @param steps receives every step of every instance
    */
   BarrierConformance(AutomatonListener<States, BarrierAction> steps) {
-    super(BarrierAutomaton.BARRIER_DECLS, "every barrier", BarrierTrace::isBarrier);
-    this.steps = steps;
-  }
-
-  @Override
-  protected BarrierRun begin(String source) {
-    return new BarrierRun(source, steps);
+    super(
+        BarrierAutomaton.BARRIER_DECLS,
+        "every barrier",
+        BarrierTrace::isBarrier,
+        source -> new BarrierRun(source, steps));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.starl.primitives.barrier;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.Collections;
 import java.util.Set;
 import java.util.SortedSet;

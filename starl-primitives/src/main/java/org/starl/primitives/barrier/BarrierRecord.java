@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Variable;
 final class BarrierRecord {
 
   private final String source;
-  private final FaultState circumstances;
+  private final FaultState faults;
   private final SortedSet<ProcessId> first = new TreeSet<>();
   private final Set<RobotId> seen = new TreeSet<>();
 
@@ -32,9 +32,9 @@ final class BarrierRecord {
   /** The first robot to be told the outcome of a generation, and the outcome: passed or failed. */
   private record First(RobotId robot, BarrierOutcome outcome) {}
 
-  BarrierRecord(String source, FaultState circumstances) {
+  BarrierRecord(String source, FaultState faults) {
     this.source = source;
-    this.circumstances = circumstances;
+    this.faults = faults;
   }
 
   void created(ProcessId id, List<ProcessId> members) {
@@ -140,7 +140,7 @@ final class BarrierRecord {
   }
 
   boolean isUp(RobotId robot) {
-    return ids.containsKey(robot) && circumstances.isUp(robot);
+    return ids.containsKey(robot) && faults.isUp(robot);
   }
 
   boolean isWaiting(RobotId robot) {

@@ -58,7 +58,7 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
 
   @Override
   protected BarrierRecord begin(String source) {
-    return new BarrierRecord(source, circumstances);
+    return new BarrierRecord(source, faults);
   }
 
   @Override
@@ -99,16 +99,16 @@ public final class BarrierSpec extends InstanceSpec<BarrierRecord> {
   protected void review(long nowNs, Report report) {
     instances()
         .forEach((source, generations) -> {
-          boolean isFair = circumstances.isFaultFree() && generations.hasMajorityUp();
+          boolean isFair = faults.isFaultFree() && generations.hasMajorityUp();
           for (RobotId robot : generations.robots()) {
-            ProcessKey seat = new ProcessKey(source, robot);
+            ProcessKey key = new ProcessKey(source, robot);
             if (generations.isWaiting(robot)) {
-              told.start(seat, nowNs);
-              released.start(seat, nowNs);
-              released.assume(seat, isFair && generations.isNoneToCome(robot), nowNs);
+              told.start(key, nowNs);
+              released.start(key, nowNs);
+              released.assume(key, isFair && generations.isNoneToCome(robot), nowNs);
             } else {
-              released.stop(seat);
-              if (told.stop(seat) && generations.isUp(robot)) {
+              released.stop(key);
+              if (told.stop(key) && generations.isUp(robot)) {
                 report.checked(NOT_HUNG);
               }
             }

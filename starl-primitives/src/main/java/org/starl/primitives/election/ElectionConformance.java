@@ -37,8 +37,6 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class ElectionConformance extends Conformance<ElectionConformance.Run> {
 
-  private final AutomatonListener<States, ElectionAction> steps;
-
   /** One instance: its replay, and each robot's present id. */
   record Run(Replay<States, ElectionAction> replay, Map<RobotId, ProcessId> ids) {}
 
@@ -50,13 +48,11 @@ public final class ElectionConformance extends Conformance<ElectionConformance.R
    * @param steps receives every step of every instance
    */
   public ElectionConformance(AutomatonListener<States, ElectionAction> steps) {
-    super(ElectionAutomaton.ELECTION_DECLS, "every election", ElectionTrace::isElection);
-    this.steps = steps;
-  }
-
-  @Override
-  protected Run begin(String source) {
-    return new Run(new Replay<>(new ElectionAutomaton(), source, steps), new TreeMap<>());
+    super(
+        ElectionAutomaton.ELECTION_DECLS,
+        "every election",
+        ElectionTrace::isElection,
+        source -> new Run(new Replay<>(new ElectionAutomaton(), source, steps), new TreeMap<>()));
   }
 
   @Override

@@ -1,5 +1,7 @@
 package org.starl.primitives.election;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;

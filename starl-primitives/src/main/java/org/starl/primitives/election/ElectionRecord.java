@@ -29,7 +29,7 @@ final class ElectionRecord {
   }
 
   private final String source;
-  private final FaultState circumstances;
+  private final FaultState faults;
   private int size;
   private long latestTerm;
 
@@ -44,9 +44,9 @@ final class ElectionRecord {
   /** The first robot to know the leader of a term, and the leader. */
   private record First(RobotId robot, ProcessId leader) {}
 
-  ElectionRecord(String source, FaultState circumstances) {
+  ElectionRecord(String source, FaultState faults) {
     this.source = source;
-    this.circumstances = circumstances;
+    this.faults = faults;
   }
 
   void created(int participants, ProcessId id) {
@@ -106,12 +106,12 @@ final class ElectionRecord {
   }
 
   boolean hasMajorityUp() {
-    long up = ids.keySet().stream().filter(circumstances::isUp).count();
+    long up = ids.keySet().stream().filter(faults::isUp).count();
     return 2 * up > size;
   }
 
   Standing standing(RobotId robot) {
-    if (!callers.contains(robot) || !circumstances.isUp(robot)) {
+    if (!callers.contains(robot) || !faults.isUp(robot)) {
       return Standing.NO_CANDIDATE;
     }
     String value = shown.getOrDefault(robot, Leader.NONE.toString());
@@ -128,7 +128,7 @@ final class ElectionRecord {
     First latest = leaders.get(latestTerm);
     return latest != null
         && value.equals(latestTerm + ":" + latest.leader())
-        && circumstances.isUp(latest.leader().robot())
+        && faults.isUp(latest.leader().robot())
         && latest.leader().equals(ids.get(latest.leader().robot()));
   }
 }

@@ -58,7 +58,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
 
   @Override
   protected ElectionRecord begin(String source) {
-    return new ElectionRecord(source, circumstances);
+    return new ElectionRecord(source, faults);
   }
 
   @Override
@@ -103,7 +103,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
   protected void review(long nowNs, Report report) {
     instances()
         .forEach((source, ballots) -> {
-          boolean assumed = circumstances.isFaultFree() && ballots.hasMajorityUp();
+          boolean assumed = faults.isFaultFree() && ballots.hasMajorityUp();
           for (RobotId robot : ballots.robots()) {
             review(new ProcessKey(source, robot), ballots.standing(robot), nowNs, report);
             elected.assume(new ProcessKey(source, robot), assumed, nowNs);
@@ -111,28 +111,27 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
         });
   }
 
-  private void review(
-      ProcessKey seat, ElectionRecord.Standing standing, long nowNs, Report report) {
+  private void review(ProcessKey key, ElectionRecord.Standing standing, long nowNs, Report report) {
     switch (standing) {
       case NO_CANDIDATE -> {
-        elected.stop(seat);
-        told.stop(seat);
+        elected.stop(key);
+        told.stop(key);
       }
       case FAILED -> {
-        elected.stop(seat);
-        told.meet(seat, report);
+        elected.stop(key);
+        told.meet(key, report);
       }
       case KNOWS_LEADER -> {
-        elected.meet(seat, report);
-        told.meet(seat, report);
+        elected.meet(key, report);
+        told.meet(key, report);
       }
       case KNOWS_OLD_LEADER -> {
-        elected.start(seat, nowNs);
-        told.meet(seat, report);
+        elected.start(key, nowNs);
+        told.meet(key, report);
       }
       case WAITING -> {
-        elected.start(seat, nowNs);
-        told.start(seat, nowNs);
+        elected.start(key, nowNs);
+        told.start(key, nowNs);
       }
     }
   }

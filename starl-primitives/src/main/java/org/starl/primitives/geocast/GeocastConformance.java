@@ -39,7 +39,6 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
 
   // The depth inside the area decides nothing here.
   private final Casts casts = new Casts(Double.POSITIVE_INFINITY);
-  private final AutomatonListener<States, GeocastAction> steps;
 
   public GeocastConformance() {
     this(AutomatonListener.none());
@@ -49,13 +48,11 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
    * @param steps receives every step of every instance
    */
   GeocastConformance(AutomatonListener<States, GeocastAction> steps) {
-    super(GeocastAutomaton.GEOCAST_DECLS, "every geocast", GeocastTrace::isGeocast);
-    this.steps = steps;
-  }
-
-  @Override
-  protected Replay<States, GeocastAction> begin(String source) {
-    return new Replay<>(new GeocastAutomaton(), source, steps);
+    super(
+        GeocastAutomaton.GEOCAST_DECLS,
+        "every geocast",
+        GeocastTrace::isGeocast,
+        source -> new Replay<>(new GeocastAutomaton(), source, steps));
   }
 
   @Override

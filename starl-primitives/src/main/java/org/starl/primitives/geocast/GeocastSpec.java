@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.primitives.geocast.CastRecord.Copy;
+import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -22,7 +23,7 @@ import org.starl.trace.TraceEvent.Sent;
  * <p>Inclusion is owed for robots that a copy has reached in time (or for all robots, if the origin
  * never sent a copy): the network decides which copies arrive.
  */
-public final class GeocastSpec implements Monitor {
+public final class GeocastSpec extends LemmaMonitor {
 
   static final String EXCLUSION = "exclusion";
   static final String INCLUSION = "inclusion";
@@ -53,25 +54,14 @@ public final class GeocastSpec implements Monitor {
     this.positionErrorMm = positionErrorMm;
     this.clockSkewNs = clockSkewNs;
     casts = new Casts(2 * positionErrorMm);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(EXCLUSION, INCLUSION, DEADLINE, ONCE);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case EXCLUSION ->
-          "A robot outside the area during the whole interval does not get the message.";
-      case INCLUSION ->
-          "A robot that is in the area during the whole interval, and that a copy reaches in time,"
-              + " gets the message.";
-      case DEADLINE -> "No robot gets the message after its interval is over.";
-      case ONCE -> "No robot gets the message twice.";
-      default -> "";
-    };
+    lemma(
+        EXCLUSION, "A robot outside the area during the whole interval does not get the message.");
+    lemma(
+        INCLUSION,
+        "A robot that is in the area during the whole interval, and that a copy reaches in time,"
+            + " gets the message.");
+    lemma(DEADLINE, "No robot gets the message after its interval is over.");
+    lemma(ONCE, "No robot gets the message twice.");
   }
 
   @Override

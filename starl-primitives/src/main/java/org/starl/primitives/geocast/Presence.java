@@ -1,9 +1,12 @@
 package org.starl.primitives.geocast;
 
+import static org.starl.time.Time.NS_PER_S;
+
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
+import org.starl.time.Time;
 
 /**
  * Decides whether a robot's true centre was ever in an area during an interval, and whether it was
@@ -16,7 +19,6 @@ import org.starl.spec.Bodies;
 final class Presence {
 
   private static final long MIN_STEP_NS = 1_000_000;
-  private static final double NS_PER_S = 1e9;
 
   // A recorded trace rounds each coordinate by up to half a micrometre.
   private static final double TOLERANCE_MM = 0.01;
@@ -59,7 +61,7 @@ final class Presence {
 
   /** Follows the body, which moves at {@code speedMmPerS}, until {@code toNs}. */
   void follow(Bodies bodies, double speedMmPerS, long toNs) {
-    double minStepMm = speedMmPerS * (MIN_STEP_NS / NS_PER_S);
+    double minStepMm = speedMmPerS * Time.seconds(MIN_STEP_NS);
     while (alwaysDeep || !everIn) {
       Point at = bodies.poseAt(robot, checkedNs).at();
       double outsideMm = area.distanceMm(at) - TOLERANCE_MM;

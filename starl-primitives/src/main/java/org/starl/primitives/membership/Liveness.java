@@ -15,7 +15,7 @@ import org.starl.trace.TraceEvent.Left;
  */
 public final class Liveness {
 
-  private final FaultState circumstances = new FaultState();
+  private final FaultState faults = new FaultState();
   // The number of ended starts of each robot's program.
   private final Map<RobotId, Long> ended = new TreeMap<>();
 
@@ -27,10 +27,10 @@ public final class Liveness {
   public boolean observe(TraceEvent event) {
     boolean ends =
         event instanceof Left || (event instanceof Fault fault && fault.name().equals(Fault.CRASH));
-    if (ends && circumstances.isUp(event.robot())) {
+    if (ends && faults.isUp(event.robot())) {
       ended.merge(event.robot(), 1L, Long::sum);
     }
-    return circumstances.observe(event);
+    return faults.observe(event);
   }
 
   public boolean isDead(ProcessId id) {
@@ -40,11 +40,11 @@ public final class Liveness {
   }
 
   public boolean isUp(RobotId robot) {
-    return circumstances.isUp(robot);
+    return faults.isUp(robot);
   }
 
   /** Whether no fault but crashes is active. */
   public boolean isFair() {
-    return circumstances.isFaultFree();
+    return faults.isFaultFree();
   }
 }

@@ -1,5 +1,7 @@
 package org.starl.primitives.motion;
 
+import static org.starl.time.Time.NS_PER_S;
+
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
@@ -14,8 +16,6 @@ final class BodyPath {
 
   /** The least step: a part of the path inside a region is found if it is longer. */
   private static final double GRAIN_MM = 0.25;
-
-  private static final double NS_PER_S = 1e9;
 
   private BodyPath() {}
 

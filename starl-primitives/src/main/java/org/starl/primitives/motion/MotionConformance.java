@@ -45,7 +45,6 @@ import org.starl.trace.TraceEvent.Variable;
 public final class MotionConformance extends Conformance<Replay<States, MotionControlAction>> {
 
   private final MotionBodies bodies;
-  private final AutomatonListener<States, MotionControlAction> steps;
 
   /**
    * @param parameters how the robots move, as for {@link MotionSpec}
@@ -59,14 +58,12 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
    */
   MotionConformance(
       MotionParameters parameters, AutomatonListener<States, MotionControlAction> steps) {
-    super(MotionControlAutomaton.MOTION_CONTROL_DECLS, "all motions", MotionTrace.SOURCE::equals);
+    super(
+        MotionControlAutomaton.MOTION_CONTROL_DECLS,
+        "all motions",
+        MotionTrace.SOURCE::equals,
+        source -> new Replay<>(new MotionControlAutomaton(), source, steps));
     bodies = new MotionBodies(parameters);
-    this.steps = steps;
-  }
-
-  @Override
-  protected Replay<States, MotionControlAction> begin(String source) {
-    return new Replay<>(new MotionControlAutomaton(), source, steps);
   }
 
   /** The single instance, for the motions of all robots. */

@@ -11,6 +11,7 @@ import org.starl.geometry.Pose;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
+import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
@@ -24,7 +25,7 @@ import org.starl.trace.TraceEvent.Variable;
  * {@code arrives} and {@code told}. It uses the true bodies. It watches {@code gvh.plat.moat}, and
  * so both {@link MotionControl} and apps that use the motion automaton directly.
  */
-public final class MotionSpec implements Monitor {
+public final class MotionSpec extends LemmaMonitor {
 
   static final String AVOIDS = "avoids";
   static final String ARRIVES = "arrives";
@@ -65,22 +66,11 @@ public final class MotionSpec implements Monitor {
     double rollMm = mostMmPerS * p.reactionMs() / 1e3;
     double stepMm = mostMmPerS * p.automatonPeriodMs() / 1e3;
     marginMm = SWERVE_MM + 2 * (positionErrorMm + rollMm + stepMm);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(AVOIDS, ARRIVES, TOLD);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case AVOIDS -> "No part of a robot enters the area that its move must avoid.";
-      case ARRIVES -> "A move without an obstacle succeeds.";
-      case TOLD ->
-          "A robot that reports done is at its goal; every move reports done or failed in time.";
-      default -> "";
-    };
+    lemma(AVOIDS, "No part of a robot enters the area that its move must avoid.");
+    lemma(ARRIVES, "A move without an obstacle succeeds.");
+    lemma(
+        TOLD,
+        "A robot that reports done is at its goal; every move reports done or failed in time.");
   }
 
   @Override

@@ -35,7 +35,6 @@ import org.starl.trace.TraceEvent.Fault;
  */
 public final class MutexConformance extends Conformance<Replay<States, MutexAction>> {
 
-  private final AutomatonListener<States, MutexAction> steps;
   private final Set<RobotId> gone = new TreeSet<>();
 
   public MutexConformance() {
@@ -46,13 +45,11 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
    * @param steps receives every step of every instance
    */
   public MutexConformance(AutomatonListener<States, MutexAction> steps) {
-    super(MutexAutomaton.MUTEX_DECLS, "every mutex", MutexTrace::isMutex);
-    this.steps = steps;
-  }
-
-  @Override
-  protected Replay<States, MutexAction> begin(String source) {
-    return new Replay<>(new MutexAutomaton(), source, steps);
+    super(
+        MutexAutomaton.MUTEX_DECLS,
+        "every mutex",
+        MutexTrace::isMutex,
+        source -> new Replay<>(new MutexAutomaton(), source, steps));
   }
 
   @Override

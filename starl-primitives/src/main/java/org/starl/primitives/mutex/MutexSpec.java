@@ -6,12 +6,14 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Liveness;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
+import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
@@ -43,7 +45,7 @@ import org.starl.trace.TraceEvent;
  * again, and when the set of participants whose consent is needed changes. A participant that is
  * dead, has left the floor or was removed from the views is owed nothing.
  */
-public final class MutexSpec implements Monitor {
+public final class MutexSpec extends LemmaMonitor {
 
   static final String EXCLUSIVE = "Exclusive";
   static final String PROMISE = "Promise";
@@ -53,11 +55,9 @@ public final class MutexSpec implements Monitor {
   static final String COMPLETE = "Complete";
 
   private final String source;
-  private final List<String> lemmas =
-      new ArrayList<>(List.of(EXCLUSIVE, PROMISE, CONNECTED, KEPT, COMPLETE));
   private final @Nullable MutexProgress progress;
   private final Requests requests = new Requests();
-  private final Liveness lives = new Liveness();
+  private final Liveness liveness = new Liveness();
 
   // The latest view that any robot has learned, and the ids of all views.
   private View last = View.NONE;
@@ -73,32 +73,26 @@ public final class MutexSpec implements Monitor {
     source = MutexTrace.source(xid);
     progress =
         bounds == null ? null : new MutexProgress(bounds, requests, new ProgressAssumptions());
+    lemma(EXCLUSIVE, "No two robots hold a section in common.");
+    lemma(
+        PROMISE, "Of two overlapping requests, the one that has the other's consent comes first.");
+    lemma(CONNECTED, "Of two requests by listed processes, one needs the other's consent.");
+    lemma(KEPT, "A removed process holds only its fenced sections.");
+    lemma(COMPLETE, "A process that holds a section was on the list.");
     if (progress != null) {
-      lemmas.add(MutexProgress.SERVED);
-      lemmas.add(MutexProgress.NON_INTERFERENCE);
+      lemma(
+          MutexProgress.SERVED,
+          "Every request is served within the bound, if no process holds sections for too long.");
+      lemma(
+          MutexProgress.NON_INTERFERENCE,
+          "A request without competing requests is served within its shorter bound.");
     }
   }
 
-  @Override
-  public List<String> lemmas() {
-    return List.copyOf(lemmas);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case EXCLUSIVE -> "No two robots hold a section in common.";
-      case PROMISE ->
-          "Of two overlapping requests, the one that has the other's consent comes first.";
-      case CONNECTED -> "Of two requests by listed processes, one needs the other's consent.";
-      case KEPT -> "A removed process holds only its fenced sections.";
-      case COMPLETE -> "A process that holds a section was on the list.";
-      case MutexProgress.SERVED ->
-          "Every request is served within the bound, if no process holds sections for too long.";
-      case MutexProgress.NON_INTERFERENCE ->
-          "A request without competing requests is served within its shorter bound.";
-      default -> "";
-    };
+  private void progress(Consumer<MutexProgress> step) {
+    if (progress != null) {
+      step.accept(progress);
+    }
   }
 
   @Override
@@ -113,17 +107,17 @@ public final class MutexSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    boolean changes = lives.observe(event);
-    if (changes && progress != null) {
-      progress.expire(event.timeNs(), report);
-      progress.look(event.timeNs());
+    boolean changes = liveness.observe(event);
+    if (changes) {
+      progress(p -> {
+        p.expire(event.timeNs(), report);
+        p.look(event.timeNs());
+      });
     }
     if (event instanceof TraceEvent.Action action && action.source().equals(source)) {
       Optional<MutexEvent> read = MutexTrace.read(action);
       if (read.isPresent()) {
-        if (progress != null) {
-          progress.expire(action.timeNs(), report);
-        }
+        progress(p -> p.expire(action.timeNs(), report));
         happened(read.get(), action.timeNs(), report);
       }
     }
@@ -131,9 +125,7 @@ public final class MutexSpec implements Monitor {
 
   @Override
   public void finish(long endNs, Report report) {
-    if (progress != null) {
-      progress.expire(endNs, report);
-    }
+    progress(p -> p.expire(endNs, report));
   }
 
   private void happened(MutexEvent event, long nowNs, Report report) {
@@ -143,23 +135,17 @@ public final class MutexSpec implements Monitor {
         requests.begin(request, e);
         checkConnected(request, nowNs, report);
         checkPromises(request, nowNs, report);
-        if (progress != null) {
-          progress.began(request, nowNs);
-        }
+        progress(p -> p.began(request, nowNs));
       }
       case MutexEvent.OdMutex e -> {
         requests.enter(request, e.held());
         checkExclusive(request, nowNs, report);
         checkListed(request, nowNs, report);
-        if (progress != null) {
-          progress.entered(request, nowNs, report);
-        }
+        progress(p -> p.entered(request, nowNs, report));
       }
       case MutexEvent.Release e -> {
         requests.shrink(request, e.left());
-        if (progress != null) {
-          progress.shrank(request, e.given(), nowNs);
-        }
+        progress(p -> p.shrank(request, e.given(), nowNs));
       }
       case MutexEvent.Withdraw e -> withdrew(request, nowNs);
       case MutexEvent.Grant e -> granted(requests.of(e.to()), e, nowNs, report);
@@ -171,9 +157,7 @@ public final class MutexSpec implements Monitor {
       case MutexEvent.Known e -> {
         request.known = e.known();
         checkConnected(request, nowNs, report);
-        if (progress != null) {
-          progress.needsOthers(request, nowNs);
-        }
+        progress(p -> p.needsOthers(request, nowNs));
       }
     }
   }
@@ -182,9 +166,7 @@ public final class MutexSpec implements Monitor {
     listed.addAll(view.ids());
     if (view.number() > last.number()) {
       last = view;
-      if (progress != null) {
-        progress.look(nowNs);
-      }
+      progress(p -> p.look(nowNs));
       for (Requests.Request request : requests.active()) {
         if (request.critical) {
           checkListed(request, nowNs, report);
@@ -202,9 +184,7 @@ public final class MutexSpec implements Monitor {
         requests.shrink(
             request,
             request.critical ? Sections.common(before, declared.sections()) : Sections.NONE);
-        if (progress != null) {
-          progress.shrank(request, Sections.without(before, request.want), nowNs);
-        }
+        progress(p -> p.shrank(request, Sections.without(before, request.want), nowNs));
       }
     }
   }
@@ -241,9 +221,7 @@ public final class MutexSpec implements Monitor {
     }
     TreeSet<String> wanted = new TreeSet<>(request.want);
     requests.shrink(request, Sections.NONE);
-    if (progress != null) {
-      progress.shrank(request, wanted, nowNs);
-    }
+    progress(p -> p.shrank(request, wanted, nowNs));
   }
 
   private void checkExclusive(Requests.Request entering, long nowNs, Report report) {
@@ -313,8 +291,8 @@ public final class MutexSpec implements Monitor {
   private final class ProgressAssumptions implements MutexProgress.Assumptions {
     @Override
     public boolean isImpeded(Requests.Request request) {
-      return !lives.isFair()
-          || request.known.stream().anyMatch(lives::isDead)
+      return !liveness.isFair()
+          || request.known.stream().anyMatch(liveness::isDead)
           || last.ghosts().entrySet().stream()
               .anyMatch(ghost ->
                   !ghost.getKey().robot().equals(request.who.robot())
@@ -324,7 +302,7 @@ public final class MutexSpec implements Monitor {
     @Override
     public boolean isOwedNothing(Requests.Request request) {
       return (listed.contains(request.who) && !last.contains(request.who))
-          || (lives.isDead(request.who) && !request.critical);
+          || (liveness.isDead(request.who) && !request.critical);
     }
   }
 }

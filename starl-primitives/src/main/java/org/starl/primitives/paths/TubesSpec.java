@@ -11,7 +11,7 @@ import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.spec.Deadlines;
 import org.starl.spec.Deadlines.ProcessKey;
-import org.starl.spec.Monitor;
+import org.starl.spec.InstanceMonitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -29,7 +29,7 @@ import org.starl.trace.TraceEvent.Variable;
  *       crashes.
  * </ul>
  */
-public final class TubesSpec implements Monitor {
+public final class TubesSpec extends InstanceMonitor<SortedMap<RobotId, List<Tube>>> {
 
   static final String TUBES = "Tubes";
   static final String INSIDE = "Inside";
@@ -40,7 +40,6 @@ public final class TubesSpec implements Monitor {
   /** Rounding of positions in closed form. */
   private static final double ROUNDING_MM = 1e-3;
 
-  private final SortedMap<String, SortedMap<RobotId, List<Tube>>> held = new TreeMap<>();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> outside = new TreeSet<>();
   private final Deadlines tasks;
@@ -50,24 +49,18 @@ public final class TubesSpec implements Monitor {
    * @param boundNs the settings' deadline plus the longest drive
    */
   public TubesSpec(long boundNs) {
+    super(TubeTrace::isTubes);
+    lemma(TUBES, "No two robots hold tubes that meet.");
+    lemma(INSIDE, "A robot's body lies wholly within a tube that it holds.");
+    lemma(TOLD, "Every drive ends, done or failed, within the bound.");
     tasks =
         new Deadlines(
             TOLD, boundNs, sinceNs -> "goTo at " + sinceNs + " ns is neither done nor failed");
   }
 
   @Override
-  public List<String> lemmas() {
-    return List.of(TUBES, INSIDE, TOLD);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case TUBES -> "No two robots hold tubes that meet.";
-      case INSIDE -> "A robot's body lies wholly within a tube that it holds.";
-      case TOLD -> "Every drive ends, done or failed, within the bound.";
-      default -> "";
-    };
+  protected SortedMap<RobotId, List<Tube>> begin(String source) {
+    return new TreeMap<>();
   }
 
   @Override
@@ -75,26 +68,22 @@ public final class TubesSpec implements Monitor {
     tasks.expire(event.timeNs(), report);
     checkInsideUntil(event.timeNs(), report);
     bodies.observe(event);
-    switch (event) {
-      case Variable variable -> {
-        if (TubeTrace.isTubes(variable.source())) {
-          changed(variable, report);
-        }
-      }
-      case Action action -> {
-        if (TubeTrace.isTubes(action.source()) && action.name().equals(TubeTrace.GO_TO)) {
-          tasks.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
-        }
-      }
-      case Fault fault -> {
-        if (fault.name().equals(Fault.CRASH)) {
-          held.keySet().forEach(source -> tasks.stop(new ProcessKey(source, fault.robot())));
-        }
-      }
-      case TraceEvent.Moved moved -> checkInsideAt(moved.timeNs(), report);
-      default -> {
-        // Not checked here.
-      }
+    super.observe(event, report);
+  }
+
+  @Override
+  protected void acted(Action action, Report report) {
+    if (action.name().equals(TubeTrace.GO_TO)) {
+      tasks.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
+    }
+  }
+
+  @Override
+  protected void happened(TraceEvent event, Report report) {
+    if (event instanceof Fault fault && fault.name().equals(Fault.CRASH)) {
+      instances().keySet().forEach(source -> tasks.stop(new ProcessKey(source, fault.robot())));
+    } else if (event instanceof TraceEvent.Moved moved) {
+      checkInsideAt(moved.timeNs(), report);
     }
   }
 
@@ -105,11 +94,11 @@ public final class TubesSpec implements Monitor {
     checkInsideAt(endNs, report);
   }
 
-  private void changed(Variable variable, Report report) {
+  @Override
+  protected void changed(Variable variable, Report report) {
     RobotId robot = variable.robot();
     if (variable.name().equals(TubeTrace.HELD)) {
-      SortedMap<RobotId, List<Tube>> all =
-          held.computeIfAbsent(variable.source(), source -> new TreeMap<>());
+      SortedMap<RobotId, List<Tube>> all = instance(variable.source());
       all.put(robot, Tube.parse(variable.value()));
       checkTubes(variable, all, report);
       checkInsideAt(variable.timeNs(), report);
@@ -151,13 +140,13 @@ public final class TubesSpec implements Monitor {
   }
 
   private void checkInsideAt(long timeNs, Report report) {
-    for (Map.Entry<String, SortedMap<RobotId, List<Tube>>> instance : held.entrySet()) {
-      for (Map.Entry<RobotId, List<Tube>> entry : instance.getValue().entrySet()) {
-        if (!entry.getValue().isEmpty() && bodies.isOnFloor(entry.getKey())) {
-          checkInside(instance.getKey(), entry.getKey(), entry.getValue(), timeNs, report);
-        }
-      }
-    }
+    instances()
+        .forEach((source, held) ->
+            held.forEach((robot, tubes) -> {
+              if (!tubes.isEmpty() && bodies.isOnFloor(robot)) {
+                checkInside(source, robot, tubes, timeNs, report);
+              }
+            }));
   }
 
   private void checkInside(

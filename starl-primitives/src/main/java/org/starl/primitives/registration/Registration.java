@@ -67,7 +67,6 @@ public final class Registration implements RegPrim, Membership {
             settings,
             gvh.plat.entropy.fork(source),
             wire,
-            gvh.id.boot() == 1,
             new Port(),
             gvh.plat.clock.nowNs());
     shownMe = protocol.me();
@@ -204,11 +203,6 @@ public final class Registration implements RegPrim, Membership {
     @Override
     public ProcessId freshProcess() {
       return gvh.id.freshProcess();
-    }
-
-    @Override
-    public void given(View first) {
-      gvh.trace.action(source, RegistrationTrace.FIRST_VIEW, first);
     }
 
     @Override

@@ -16,16 +16,14 @@ import org.starl.trace.TraceEvent.Variable;
  *
  * <pre>
  * event                                  action
- * first_view V                           do_register(i) for each i in V that has not asked: the
- *                                        deployment has asked for it
  * do_register i                          do_register(i), and learn(i, n) if its robot knows list n
  * unregister i                           unregister(i), if i is an id of the event's robot
  * give_up i                              give_up(i), if i is an id of the event's robot and has asked
  * confine i sections fencers             confine(i), if there are fencers, or i is an id of the
  *                                        event's robot
  * view n: L, for the first time          decide(L)
- * view n: L                              learn(i, n), where i is the id that the robot asked for or
- *                                        was given last; rList(i) is L
+ * view n: L                              learn(i, n), where i is the id that the robot asked for
+ *                                        last; rList(i) is L
  * rList n: robots                        none; rList(i) has these robots, and ts(i) is n
  * all other events                       none
  * </pre>
@@ -42,8 +40,6 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class RegistrationConformance extends Conformance<RegistrationRun> {
 
-  private final AutomatonListener<States, RegistrationAction> steps;
-
   public RegistrationConformance() {
     this(AutomatonListener.none());
   }
@@ -55,13 +51,8 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
     super(
         RegistrationAutomaton.REGISTRATION_DECLS,
         "every registration",
-        RegistrationTrace::isRegistration);
-    this.steps = steps;
-  }
-
-  @Override
-  protected RegistrationRun begin(String source) {
-    return new RegistrationRun(new Replay<>(new RegistrationAutomaton(), source, steps));
+        RegistrationTrace::isRegistration,
+        source -> new RegistrationRun(new Replay<>(new RegistrationAutomaton(), source, steps)));
   }
 
   @Override
@@ -73,8 +64,6 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
   protected void acted(Action action, Report report) {
     RegistrationRun run = instance(action.source());
     switch (action.name()) {
-      case RegistrationTrace.FIRST_VIEW ->
-          run.given(action, View.parse(action.args().get(0)), report);
       case RegistrationTrace.DO_REGISTER -> run.asked(action, id(action), report);
       case RegistrationTrace.UNREGISTER -> run.unregistered(action, id(action), report);
       case RegistrationTrace.GIVE_UP -> run.gaveUp(action, id(action), report);

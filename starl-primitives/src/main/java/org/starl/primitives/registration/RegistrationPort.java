@@ -4,7 +4,6 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.membership.Confinement;
-import org.starl.primitives.membership.View;
 
 /** The effects of a {@link RegistrationProtocol}: messages, ids, and what the trace shows. */
 interface RegistrationPort {
@@ -14,9 +13,6 @@ interface RegistrationPort {
 
   /** An id that this robot has never used and will never use again. */
   ProcessId freshProcess();
-
-  /** The deployment gives this first view. */
-  void given(View first);
 
   /** This robot asks to admit {@code id}. */
   void register(ProcessId id);

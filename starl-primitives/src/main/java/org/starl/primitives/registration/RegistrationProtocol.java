@@ -1,5 +1,7 @@
 package org.starl.primitives.registration;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
@@ -64,17 +66,12 @@ class RegistrationProtocol extends SynodProtocol {
   // Others gave up the id of this robot: it need not unregister, and may register again.
   private boolean evicted;
 
-  /**
-   * @param isFirstStart whether this is the robot's first start, so that the initial view's id for it
-   *     is this robot's
-   */
   RegistrationProtocol(
       RobotId self,
       Participants acceptors,
       RegistrationSettings settings,
       Rng rng,
       SynodLink link,
-      boolean isFirstStart,
       RegistrationPort port,
       long nowNs) {
     super(self, acceptors, port.freshProcess(), settings.timing(), rng, link, nowNs);
@@ -86,27 +83,9 @@ class RegistrationProtocol extends SynodProtocol {
     this.pending = new PendingChanges(self, port);
     this.me = synod.proposerId();
     pending.addOwn(me);
-    start(isFirstStart);
-  }
-
-  private void start(boolean isFirstStart) {
-    View initial = settings.initialView();
-    if (initial.number() > 0) {
-      port.given(initial);
-    }
-    for (ProcessId id : initial.ids()) {
-      if (isFirstStart && id.robot().equals(self)) {
-        me = id;
-        pending.addOwn(id);
-        settle(Phase.IN);
-      }
-    }
     SynodMessage.Decided known = synod.latest();
     if (known != null) {
       learn(ViewFormat.read(known.number(), known.value()));
-    }
-    if (initial.number() > view.number()) {
-      synod.learn(initial.number(), ViewFormat.toValue(initial));
     }
   }
 

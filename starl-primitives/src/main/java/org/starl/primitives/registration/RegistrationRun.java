@@ -30,7 +30,6 @@ final class RegistrationRun {
   private static final class Program {
     private @Nullable ProcessId id;
     private long knows;
-    private boolean isLater;
   }
 
   /** A list that a robot has shown before the lists of all lower numbers are decided. */
@@ -55,18 +54,6 @@ final class RegistrationRun {
 
   void step(TraceEvent event, RegistrationAction action, Report report) {
     replay.step(event, action, report);
-  }
-
-  void given(TraceEvent event, View first, Report report) {
-    Program program = program(event.robot());
-    for (ProcessId id : first.ids()) {
-      if (!replay.state().asked().at(id)) {
-        step(event, new RegistrationAction.do_register(id), report);
-      }
-      if (id.robot().equals(event.robot()) && !program.isLater) {
-        program.id = id;
-      }
-    }
   }
 
   void asked(TraceEvent event, ProcessId id, Report report) {
@@ -98,9 +85,7 @@ final class RegistrationRun {
   void saw(Variable event, View view, Report report) {
     if (view.number() == 0) {
       // The first value: the program has started.
-      Program begins = new Program();
-      begins.isLater = programs.containsKey(event.robot());
-      programs.put(event.robot(), begins);
+      programs.put(event.robot(), new Program());
       return;
     }
     Program program = program(event.robot());

@@ -1,7 +1,6 @@
 package org.starl.primitives.registration;
 
 import org.starl.primitives.agreement.SynodTiming;
-import org.starl.primitives.membership.View;
 
 /**
  * Times of a registration. Safety does not depend on them.
@@ -11,14 +10,11 @@ import org.starl.primitives.membership.View;
  * @param nullMs a rumour of a newer view keeps {@code rList} null for at most this time, in ms
  * @param queryMs a registered robot asks the acceptors in turn for a newer view, one in this period, in
  *     ms
- * @param initialView the first view if the deployment gives one, else {@link View#NONE}; the same on
- *     every robot
  */
-public record RegistrationSettings(
-    SynodTiming timing, long deadlineMs, long nullMs, long queryMs, View initialView) {
+public record RegistrationSettings(SynodTiming timing, long deadlineMs, long nullMs, long queryMs) {
 
   public static final RegistrationSettings DEFAULT =
-      new RegistrationSettings(SynodTiming.DEFAULT, 30_000, 1_000, 2_000, View.NONE);
+      new RegistrationSettings(SynodTiming.DEFAULT, 30_000, 1_000, 2_000);
 
   public RegistrationSettings {
     if (deadlineMs <= 0 || nullMs <= 0 || queryMs <= 0) {
@@ -27,10 +23,6 @@ public record RegistrationSettings(
   }
 
   public RegistrationSettings withDeadlineMs(long newDeadlineMs) {
-    return new RegistrationSettings(timing, newDeadlineMs, nullMs, queryMs, initialView);
-  }
-
-  public RegistrationSettings withInitialView(View newInitialView) {
-    return new RegistrationSettings(timing, deadlineMs, nullMs, queryMs, newInitialView);
+    return new RegistrationSettings(timing, newDeadlineMs, nullMs, queryMs);
   }
 }

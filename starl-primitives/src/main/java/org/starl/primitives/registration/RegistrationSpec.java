@@ -77,7 +77,6 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
       }
       case RegistrationTrace.ACCEPTORS -> history.vote(action.args());
-      case RegistrationTrace.FIRST_VIEW -> history.given(View.parse(action.args().get(0)));
       case RegistrationTrace.CONFINE ->
           history.mayBeConfined(action.robot(), Confinement.parse(action.args()));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
@@ -91,7 +90,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   @Override
   protected void changed(Variable variable, Report report) {
     ViewHistory history = instance(variable.source());
-    ProcessKey seat = new ProcessKey(variable.source(), variable.robot());
+    ProcessKey key = new ProcessKey(variable.source(), variable.robot());
     switch (variable.name()) {
       case RegistrationTrace.VIEW -> {
         View view = View.parse(variable.value());
@@ -99,15 +98,15 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
         ProcessId asked = history.latestAsked(variable.robot());
         if (view.number() == 0) {
           // The program has started: what its predecessor was owed is void.
-          progress.stop(seat);
+          progress.stop(key);
         } else if (asked != null && view.contains(asked)) {
-          progress.meet(seat, report);
+          progress.meet(key, report);
         }
       }
       case RegistrationTrace.R_LIST -> history.shown(variable, report);
       case RegistrationTrace.FAILED -> {
         if (variable.value().equals("true")) {
-          progress.stop(seat);
+          progress.stop(key);
         }
       }
       default -> {
@@ -124,9 +123,9 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
   @Override
   protected void review(long nowNs, Report report) {
     progress.assumeEach(
-        seat -> {
-          List<RobotId> voters = instance(seat.source()).acceptors();
-          return circumstances.isFaultFree() && (voters.isEmpty() || hasMajorityUp(voters));
+        key -> {
+          List<RobotId> voters = instance(key.source()).acceptors();
+          return faults.isFaultFree() && (voters.isEmpty() || hasMajorityUp(voters));
         },
         nowNs);
   }

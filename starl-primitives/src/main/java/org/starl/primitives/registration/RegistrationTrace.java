@@ -11,9 +11,6 @@ final class RegistrationTrace {
   /** Action with the robots that vote, each an argument. */
   static final String ACCEPTORS = "acceptors";
 
-  /** Action with the first view, if the deployment gives one. */
-  static final String FIRST_VIEW = "first_view";
-
   /** Action with the id that asks to be admitted; one for each attempt of a call. */
   static final String DO_REGISTER = "do_register";
 

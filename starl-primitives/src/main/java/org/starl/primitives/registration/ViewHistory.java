@@ -51,11 +51,6 @@ final class ViewHistory {
     }
   }
 
-  /** The ids in the deployment's own view need not ask. */
-  void given(View first) {
-    asked.addAll(first.ids());
-  }
-
   /** Counts only if {@code id} is of {@code robot}. */
   void asked(RobotId robot, ProcessId id) {
     if (id.robot().equals(robot)) {

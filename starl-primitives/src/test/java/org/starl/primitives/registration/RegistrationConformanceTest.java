@@ -81,26 +81,6 @@ class RegistrationConformanceTest {
   }
 
   @Test
-  void theFirstViewGivesTheRobotsTheirIds() {
-    sees("a", "0:");
-    acts("a", "first_view", "1:a#1@1,b#1@1");
-    sees("a", "1:a#1@1,b#1@1");
-    sees("b", "0:");
-    sees("b", "0:");
-    acts("b", "first_view", "1:a#1@1,b#1@1");
-    sees("b", "1:a#1@1,b#1@1");
-    assertThat(details()).isEmpty();
-    assertThat(run.steps())
-        .containsExactly(
-            "do_register(a#1)",
-            "do_register(b#1)",
-            "decide([a#1, b#1])",
-            "learn(a#1, 1)",
-            "rList(a#1) = [a#1, b#1]",
-            "list(1) = [a#1, b#1]");
-  }
-
-  @Test
   void aListSeenTooEarlyWaitsForLowerNumbers() {
     acts("a", "do_register", "a#1");
     acts("b", "do_register", "b#1");

@@ -35,8 +35,7 @@ class RegistrationMutantTest {
         town ->
             town.maker =
                 (self, acceptors, settings, rng, link, port, now) ->
-                    new RegistrationProtocol(
-                        self, acceptors, settings, rng, link, false, port, now) {
+                    new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                       private View first = View.NONE;
 
                       @Override
@@ -51,8 +50,7 @@ class RegistrationMutantTest {
         town ->
             town.maker =
                 (self, acceptors, settings, rng, link, port, now) ->
-                    new RegistrationProtocol(
-                        self, acceptors, settings, rng, link, false, port, now) {
+                    new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         SortedMap<ProcessId, Long> fewer = new TreeMap<>(decided.admitted());
@@ -66,8 +64,7 @@ class RegistrationMutantTest {
         town ->
             town.maker =
                 (self, acceptors, settings, rng, link, port, now) ->
-                    new RegistrationProtocol(
-                        self, acceptors, settings, rng, link, false, port, now) {
+                    new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         View next = super.proposal(decided, wanted, wishes);
@@ -84,8 +81,7 @@ class RegistrationMutantTest {
         town ->
             town.maker =
                 (self, acceptors, settings, rng, link, port, now) ->
-                    new RegistrationProtocol(
-                        self, acceptors, settings, rng, link, false, port, now) {
+                    new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         View next = super.proposal(decided, wanted, wishes);
@@ -97,8 +93,7 @@ class RegistrationMutantTest {
         town ->
             town.maker =
                 (self, acceptors, settings, rng, link, port, now) ->
-                    new RegistrationProtocol(
-                        self, acceptors, settings, rng, link, false, port, now) {
+                    new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                       private final List<ProcessId> seen = new ArrayList<>();
 
                       @Override
@@ -115,8 +110,7 @@ class RegistrationMutantTest {
         town ->
             town.maker =
                 (self, acceptors, settings, rng, link, port, now) ->
-                    new RegistrationProtocol(
-                        self, acceptors, settings, rng, link, false, port, now) {
+                    new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                       @Override
                       View proposal(View decided, Change wanted, List<Value> wishes) {
                         View next = super.proposal(decided, wanted, wishes);
@@ -177,7 +171,7 @@ class RegistrationMutantTest {
     if (isWrong) {
       town.maker =
           (self, acceptors, settings, rng, link, port, now) ->
-              new RegistrationProtocol(self, acceptors, settings, rng, link, false, port, now) {
+              new RegistrationProtocol(self, acceptors, settings, rng, link, port, now) {
                 @Override
                 View proposal(View decided, Change wanted, List<Value> wishes) {
                   return decided.next();

@@ -182,30 +182,6 @@ class RegistrationProtocolTest {
   }
 
   @Test
-  void laterViewsDeriveFromAGivenFirstView() {
-    Town town = new Town(11, 3, 3, new RegistrationSpec());
-    View first =
-        View.closed(
-            List.of(new ProcessId(town.robot(0).name, 1), new ProcessId(town.robot(1).name, 1)));
-    town.settings = town.settings.withInitialView(first);
-    town.maker =
-        (self, who, set, rng, link, port, now) ->
-            new RegistrationProtocol(self, who, set, rng, link, link.record() == null, port, now);
-    town.startAll();
-    assertThat(isIn(town, 0)).isTrue();
-    assertThat(town.robot(1).protocol().rList().isAgreed()).isTrue();
-    town.robot(2).do_register();
-    town.runForMs(200);
-    View second = town.robot(2).protocol().view();
-    assertThat(second.number()).isEqualTo(2);
-    assertThat(second.ids()).containsAll(first.ids()).hasSize(3);
-    town.robot(0).crash();
-    town.robot(0).start();
-    assertThat(isIn(town, 0)).as("a restarted robot has a new id").isFalse();
-    assertThat(town.finish().holds()).isTrue();
-  }
-
-  @Test
   void aConfinedRobotIsRemovedAndItsGhostGoesAfterStandsIn() {
     Town town = fourUp();
     town.robots.values().forEach(TownRobot::do_register);

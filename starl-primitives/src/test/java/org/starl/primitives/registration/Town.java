@@ -36,7 +36,7 @@ final class Town extends FoulNetwork {
   RegistrationSettings settings = RegistrationSettings.DEFAULT;
   Maker maker =
       (self, who, set, r, link, port, now) ->
-          new RegistrationProtocol(self, who, set, r, link, false, port, now);
+          new RegistrationProtocol(self, who, set, r, link, port, now);
 
   /** What becomes of a message on its way. */
   UnaryOperator<SynodMessage> tamper = UnaryOperator.identity();

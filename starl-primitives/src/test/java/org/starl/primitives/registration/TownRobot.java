@@ -282,12 +282,6 @@ final class TownRobot {
     }
 
     @Override
-    public void given(View first) {
-      List<String> args = List.of(first.toString());
-      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, "first_view", args));
-    }
-
-    @Override
     public void register(ProcessId id) {
       action("do_register", id);
     }
