@@ -2,12 +2,15 @@ package org.starl.apps;
 
 import java.util.OptionalInt;
 import java.util.SortedMap;
+import java.util.function.Function;
+import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 
 /**
- * What a user asks of an app.
+ * A user's request to run an app.
  *
- * @param robots how many, where the user says so
- * @param parameters of the app, every one of them: the user's values over the defaults
+ * @param robots their number, if the user gave it
+ * @param parameters all parameters of the app: the user's values, else the defaults
  */
 public record Request(long seed, OptionalInt robots, SortedMap<String, String> parameters) {
 
@@ -18,5 +21,19 @@ public record Request(long seed, OptionalInt robots, SortedMap<String, String> p
       throw new IllegalArgumentException("no parameter '" + key + "'");
     }
     return value;
+  }
+
+  /**
+   * Parses the value of a parameter.
+   *
+   * @param parser throws {@link BadInput} if it cannot use the text
+   * @throws BadInput of the parser, with the parameter's key before the message
+   */
+  public <T> T parse(Parameter parameter, Function<String, T> parser) {
+    try {
+      return parser.apply(parameter(parameter.key()));
+    } catch (BadInput error) {
+      throw Quantities.in(parameter.key(), error);
+    }
   }
 }

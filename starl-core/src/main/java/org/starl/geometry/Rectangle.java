@@ -59,6 +59,15 @@ public record Rectangle(double xMinMm, double yMinMm, double xMaxMm, double yMax
     return new Point((xMinMm + xMaxMm) / 2, (yMinMm + yMaxMm) / 2);
   }
 
+  /** The rectangle, which must have an area, as a polygon, from its lower left corner. */
+  public Polygon outline() {
+    return Polygon.of(
+        new Point(xMinMm, yMinMm),
+        new Point(xMaxMm, yMinMm),
+        new Point(xMaxMm, yMaxMm),
+        new Point(xMinMm, yMaxMm));
+  }
+
   @Override
   public boolean contains(Point point) {
     return xMinMm <= point.xMm()

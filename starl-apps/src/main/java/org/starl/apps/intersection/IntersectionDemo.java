@@ -7,7 +7,6 @@ import java.util.TreeMap;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
-import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
@@ -139,8 +138,7 @@ public final class IntersectionDemo implements Demo {
       int given = request.robots().getAsInt();
       throw new BadInput("robots: " + given + ": expected " + cars.size() + " for " + scenario);
     }
-    long pieces =
-        ParameterParser.parse(request, DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));
+    long pieces = request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));
     Obstacles floor = Floor.withDebris(obstacles, CROSSING, (int) pieces, rng.fork("debris"));
     IntersectionPlan plan = new IntersectionPlan(CROSSING, floor, settings);
     return isOpen ? plan.open(rateHz(request), rng.fork("arrivals")) : plan.closed(cars);
@@ -168,7 +166,7 @@ public final class IntersectionDemo implements Demo {
   }
 
   private static double rateHz(Request request) {
-    return ParameterParser.parse(
-        request, ARRIVALS, text -> Quantities.rateHz(text.isEmpty() ? DEFAULT_ARRIVALS : text));
+    return request.parse(
+        ARRIVALS, text -> Quantities.rateHz(text.isEmpty() ? DEFAULT_ARRIVALS : text));
   }
 }

@@ -5,41 +5,40 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
+import java.util.function.IntPredicate;
+import java.util.stream.IntStream;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 
 /**
- * The true floor in square cells: which cells are free, and between which neighbours there is a wall,
- * hidden obstacles included. A body that fits a cell with its margin gets from the middle of a cell to
- * the middle of another exactly if free neighbours lead there. A cell is its number, row by row from
- * the lower left.
+ * A graph of the true floor, hidden obstacles included: its nodes are square cells, its links join
+ * neighbours without a wall between them. A body that fits a cell with its margin gets from the
+ * middle of a cell to the middle of another exactly if links lead there. A cell is its number, row
+ * by row from the lower left.
+ *
+ * @param free the cells without an obstacle
+ * @param links of each cell, in any order
  */
-final class Board {
+record Board(int columns, int rows, double cellMm, BitSet free, List<List<Integer>> links) {
 
-  private final int columns;
-  private final int rows;
-  private final double cellMm;
-  private final BitSet blocked = new BitSet();
-  // For each cell: whether there is a wall on its right side, and on its upper side.
-  private final BitSet wallRight = new BitSet();
-  private final BitSet wallAbove = new BitSet();
-
-  Board(int columns, int rows, double cellMm) {
-    this.columns = columns;
-    this.rows = rows;
-    this.cellMm = cellMm;
+  /** A board without links. */
+  Board(int columns, int rows, double cellMm, IntPredicate isFree) {
+    this(columns, rows, cellMm, new BitSet(), new ArrayList<>());
+    for (int cell = 0; cell < cells(); cell++) {
+      free.set(cell, isFree.test(cell));
+      links.add(new ArrayList<>());
+    }
   }
 
-  int columns() {
-    return columns;
-  }
-
-  int rows() {
-    return rows;
-  }
-
-  double cellMm() {
-    return cellMm;
+  /** A board on which all free neighbours are linked. */
+  static Board open(int columns, int rows, double cellMm, IntPredicate isFree) {
+    Board board = new Board(columns, rows, cellMm, isFree);
+    board.free.stream()
+        .forEach(cell ->
+            board.neighbours(cell).stream()
+                .filter(board.free::get)
+                .forEach(board.links.get(cell)::add));
+    return board;
   }
 
   int cells() {
@@ -51,50 +50,30 @@ final class Board {
   }
 
   Point middle(int cell) {
-    int column = cell % columns;
     int row = cell / columns;
-    return new Point((column + 0.5) * cellMm, (row + 0.5) * cellMm);
+    return new Point((cell % columns + 0.5) * cellMm, (row + 0.5) * cellMm);
   }
 
-  boolean isFree(int cell) {
-    return !blocked.get(cell);
-  }
-
-  void setFree(int cell, boolean isFree) {
-    blocked.set(cell, !isFree);
-  }
-
-  /** Whether there is a wall between two neighbours. */
-  boolean hasWall(int cell, int neighbour) {
-    return walls(cell, neighbour).get(Math.min(cell, neighbour));
-  }
-
-  void setWall(int cell, int neighbour, boolean stands) {
-    walls(cell, neighbour).set(Math.min(cell, neighbour), stands);
-  }
-
-  private BitSet walls(int cell, int neighbour) {
-    return Math.abs(cell - neighbour) == 1 && cell / columns == neighbour / columns
-        ? wallRight
-        : wallAbove;
-  }
-
-  /** The cells beside a cell, free or not, whatever wall is between. */
+  /** The cells beside a cell, free or not, linked or not. */
   List<Integer> neighbours(int cell) {
-    List<Integer> neighbours = new ArrayList<>(4);
-    if (cell % columns > 0) {
-      neighbours.add(cell - 1);
+    return IntStream.of(cell - 1, cell + 1, cell - columns, cell + columns)
+        .filter(next -> next >= 0 && next < cells())
+        .filter(next -> next % columns == cell % columns || next / columns == cell / columns)
+        .boxed()
+        .toList();
+  }
+
+  boolean isLinked(int cell, int neighbour) {
+    return links.get(cell).contains(neighbour);
+  }
+
+  void setLinked(int cell, int neighbour, boolean isLinked) {
+    links.get(cell).remove((Integer) neighbour);
+    links.get(neighbour).remove((Integer) cell);
+    if (isLinked) {
+      links.get(cell).add(neighbour);
+      links.get(neighbour).add(cell);
     }
-    if (cell % columns < columns - 1) {
-      neighbours.add(cell + 1);
-    }
-    if (cell >= columns) {
-      neighbours.add(cell - columns);
-    }
-    if (cell < columns * (rows - 1)) {
-      neighbours.add(cell + columns);
-    }
-    return neighbours;
   }
 
   /**
@@ -105,14 +84,12 @@ final class Board {
   int[] steps(int from, BitSet avoided) {
     int[] steps = new int[cells()];
     Arrays.fill(steps, -1);
-    ArrayDeque<Integer> open = new ArrayDeque<>();
+    ArrayDeque<Integer> open = new ArrayDeque<>(List.of(from));
     steps[from] = 0;
-    open.add(from);
     while (!open.isEmpty()) {
       int cell = open.remove();
-      for (int next : neighbours(cell)) {
-        boolean isOpen = steps[next] < 0 && isFree(next) && !avoided.get(next);
-        if (isOpen && !hasWall(cell, next)) {
+      for (int next : links.get(cell)) {
+        if (steps[next] < 0 && !avoided.get(next)) {
           steps[next] = steps[cell] + 1;
           open.add(next);
         }
@@ -125,19 +102,15 @@ final class Board {
   List<Integer> way(int from, int to, BitSet avoided) {
     int[] steps = steps(to, avoided);
     List<Integer> way = new ArrayList<>();
-    if (steps[from] < 0) {
-      return way;
-    }
     int cell = from;
-    way.add(cell);
-    while (cell != to) {
+    for (int left = steps[from]; left >= 0; left--) {
+      way.add(cell);
       for (int next : neighbours(cell)) {
-        if (steps[next] == steps[cell] - 1 && !hasWall(cell, next)) {
+        if (isLinked(cell, next) && steps[next] == left - 1) {
           cell = next;
           break;
         }
       }
-      way.add(cell);
     }
     return way;
   }

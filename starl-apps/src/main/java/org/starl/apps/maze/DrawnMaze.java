@@ -7,12 +7,11 @@ import java.util.List;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.geometry.Rectangle;
 import org.starl.random.Rng;
 
 /**
- * A maze drawn from the seed: random walks join the cells to a tree, then some walls are removed so that
- * there are several ways, and one cell is walled in.
+ * A maze drawn from the seed: random walks join the cells to a tree, then some walls are removed so
+ * that there are several ways, and one cell is walled in.
  */
 final class DrawnMaze {
 
@@ -24,10 +23,8 @@ final class DrawnMaze {
   private static final int COLUMNS_FOR_MANY = 12;
   private static final int ROWS = 6;
   private static final double CELL_MM = 1_000;
-  private static final Point ORIGIN = new Point(0, 0);
   private static final double REMOVED = 0.15;
   private static final int FEWEST_STEPS = 5;
-  private static final int MOST_STEPS = 60;
 
   // A maze may have too few places far apart: then another one is drawn, up to so many.
   private static final int MAZES = 10;
@@ -35,15 +32,7 @@ final class DrawnMaze {
   // Length in cells of a piece of wall that is known or hidden as a whole, at most.
   private static final int LONGEST_WALL = 2;
 
-  private final int columns;
-  private final Board board;
-  private final Rng rng;
-
-  private DrawnMaze(int columns, Rng rng) {
-    this.columns = columns;
-    board = new Board(columns, ROWS, CELL_MM);
-    this.rng = rng;
-  }
+  private DrawnMaze() {}
 
   /**
    * @param hidden the part of the walls that is on no map
@@ -54,43 +43,35 @@ final class DrawnMaze {
     Rng draw = rng.fork("places");
     int most = 0;
     for (int i = 0; i < MAZES; i++) {
-      DrawnMaze maze = new DrawnMaze(robots > MANY_ROBOTS ? COLUMNS_FOR_MANY : COLUMNS, walls);
-      maze.build();
-      Places places = new Places(maze.board, FEWEST_STEPS, MOST_STEPS, draw);
+      Board board = board(robots > MANY_ROBOTS ? COLUMNS_FOR_MANY : COLUMNS, walls);
+      Places places = new Places(board, FEWEST_STEPS, draw);
       int found = places.draw(robots);
       if (found == robots) {
-        Obstacles obstacles = maze.walls(hidden, rng.fork("hidden"));
-        return new Layout(maze.board.floor(), obstacles, places.robots());
+        return new Layout(board.floor(), walls(board, hidden, rng.fork("hidden")), places.robots());
       }
       most = Math.max(most, found);
     }
     throw Places.noRoom(robots, most);
   }
 
-  private void build() {
-    for (int cell = 0; cell < board.cells(); cell++) {
-      for (int next : board.neighbours(cell)) {
-        board.setWall(cell, next, true);
-      }
-    }
-    joinAll();
+  private static Board board(int columns, Rng rng) {
+    Board board = new Board(columns, ROWS, CELL_MM, cell -> true);
+    joinAll(board, rng);
     for (int cell = 0; cell < board.cells(); cell++) {
       for (int next : board.neighbours(cell)) {
         if (next > cell && rng.nextBoolean(REMOVED)) {
-          board.setWall(cell, next, false);
+          board.setLinked(cell, next, true);
         }
       }
     }
     int closed = rng.nextInt(board.cells());
-    for (int next : board.neighbours(closed)) {
-      board.setWall(closed, next, true);
-    }
+    board.neighbours(closed).forEach(next -> board.setLinked(closed, next, false));
+    return board;
   }
 
-  private void joinAll() {
+  private static void joinAll(Board board, Rng rng) {
     BitSet joined = new BitSet();
-    ArrayDeque<Integer> walk = new ArrayDeque<>();
-    walk.push(0);
+    ArrayDeque<Integer> walk = new ArrayDeque<>(List.of(0));
     joined.set(0);
     while (!walk.isEmpty()) {
       int cell = walk.element();
@@ -100,53 +81,50 @@ final class DrawnMaze {
         walk.pop();
       } else {
         int next = choice.get(rng.nextInt(choice.size()));
-        board.setWall(cell, next, false);
+        board.setLinked(cell, next, true);
         joined.set(next);
         walk.push(next);
       }
     }
   }
 
-  private Obstacles walls(double hidden, Rng draw) {
-    Rectangle floor = board.floor();
-    Point upperLeft = new Point(0, floor.yMaxMm());
-    Point lowerRight = new Point(floor.xMaxMm(), 0);
-    Point upperRight = new Point(floor.xMaxMm(), floor.yMaxMm());
+  private static Obstacles walls(Board board, double hidden, Rng rng) {
+    List<Point> border = new ArrayList<>(board.floor().outline().vertices());
+    border.add(border.get(0));
     List<Obstacle> walls = new ArrayList<>();
-    walls.add(Obstacle.wall(ORIGIN, lowerRight, upperRight, upperLeft, ORIGIN));
-    for (int column = 0; column < columns - 1; column++) {
-      addLine(walls, column, 1, columns, ROWS, hidden, draw);
+    walls.add(Obstacle.wall(border.toArray(Point[]::new)));
+    for (int column = 1; column < board.columns(); column++) {
+      addLine(walls, board, true, column, hidden, rng);
     }
-    for (int row = 0; row < ROWS - 1; row++) {
-      addLine(walls, row * columns, columns, 1, columns, hidden, draw);
+    for (int row = 1; row < board.rows(); row++) {
+      addLine(walls, board, false, row, hidden, rng);
     }
     return new Obstacles(walls);
   }
 
-  /** Adds the walls on one line, between each cell and its neighbour across the line. */
-  private void addLine(
-      List<Obstacle> walls, int first, int across, int along, int count, double hidden, Rng draw) {
+  /** Adds the walls on one line: above a row of cells, or, upright, to the right of a column. */
+  private static void addLine(
+      List<Obstacle> walls, Board board, boolean isUpright, int line, double hidden, Rng rng) {
+    int across = isUpright ? 1 : board.columns();
+    int along = isUpright ? board.columns() : 1;
+    int count = isUpright ? board.rows() : board.columns();
     int from = 0;
-    while (from < count) {
-      int to = from;
-      while (to < count
-          && to - from < LONGEST_WALL
-          && board.hasWall(first + to * along, first + to * along + across)) {
-        to++;
+    for (int to = 0; to <= count; to++) {
+      int cell = (line - 1) * across + to * along;
+      boolean isWall = to < count && !board.isLinked(cell, cell + across);
+      if (to > from && (!isWall || to - from == LONGEST_WALL)) {
+        List<Point> ends = List.of(corner(isUpright, line, from), corner(isUpright, line, to));
+        walls.add(new Obstacle(ends, false, rng.nextBoolean(hidden), Obstacle.FOREVER));
+        from = to;
       }
-      if (to > from) {
-        walls.add(wall(first, across, from, to, draw.nextBoolean(hidden)));
+      if (!isWall) {
+        from = to + 1;
       }
-      from = Math.max(to, from + 1);
     }
   }
 
-  private Obstacle wall(int first, int across, int from, int to, boolean isHidden) {
-    boolean isUpright = across == 1;
-    int line = isUpright ? first + 1 : first / columns + 1;
-    double off = line * CELL_MM;
-    Point a = isUpright ? new Point(off, from * CELL_MM) : new Point(from * CELL_MM, off);
-    Point b = isUpright ? new Point(off, to * CELL_MM) : new Point(to * CELL_MM, off);
-    return new Obstacle(List.of(a, b), false, isHidden, Obstacle.FOREVER);
+  private static Point corner(boolean isUpright, int line, int along) {
+    Point corner = isUpright ? new Point(line, along) : new Point(along, line);
+    return corner.times(CELL_MM);
   }
 }

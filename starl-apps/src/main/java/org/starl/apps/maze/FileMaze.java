@@ -4,10 +4,10 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.IntStream;
 import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
-import org.starl.apps.maze.spec.MazeTruth;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -19,11 +19,11 @@ import org.starl.sim.world.Waypoint;
 import org.starl.sim.world.WaypointFiles;
 
 /**
- * The original StarL's files: {@code dest.wpt} with the goals, which are dealt to the robots in turn,
- * {@code obstacles.wpt}, and optionally {@code start.wpt} with the robots' poses. Without it starts are
- * drawn so that every goal that can be reached can be reached past the other robots.
+ * The original StarL's files: {@code dest.wpt} with the goals, which are dealt to the robots in
+ * turn, {@code obstacles.wpt}, and optionally {@code start.wpt} with the robots' poses. Without it
+ * starts are drawn so that every goal that can be reached can be reached past the other robots.
  */
-final class FileMaze {
+record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double bodyMm) {
 
   private static final double TOLERANCE_MM = 20;
   private static final int TRIES = 2_000;
@@ -32,44 +32,28 @@ final class FileMaze {
   // A planner needs a little more room than the margin.
   private static final double SPARE_MM = 10;
 
-  private final Rectangle floor;
-  private final double bodyMm;
-  private final Rng rng;
-  private final Obstacles obstacles;
-  private final List<Goal> goals = new ArrayList<>();
-
-  private FileMaze(Path folder, Rectangle floor, double bodyMm, Rng rng) {
-    this.floor = floor;
-    this.bodyMm = bodyMm;
-    this.rng = rng;
+  static Layout read(Path folder, Rectangle floor, int robots, double bodyMm, Rng rng) {
     Path dest = folder.resolve("dest.wpt");
-    for (Waypoint goal : places(dest)) {
+    List<Goal> goals = new ArrayList<>();
+    for (Waypoint goal : places(dest, floor)) {
       double toleranceMm = Math.max(1, goal.radiusMm().orElse(TOLERANCE_MM));
       goals.add(new Goal(goal.name(), goal.position().at(), toleranceMm));
     }
     if (goals.isEmpty()) {
       throw new BadInput(dest + ": no goal: expected a line WAY,x,y,angle,name[,radius]");
     }
-    Path walls = folder.resolve("obstacles.wpt");
-    obstacles = WaypointFiles.read(walls).obstacles();
-    for (Obstacle obstacle : obstacles.all()) {
-      if (obstacle.lifetimeMs() != Obstacle.FOREVER) {
-        throw new BadInput(
-            walls
-                + (": an obstacle with lifetime " + obstacle.lifetimeMs())
-                + ": expected -1: a proof that there is no way must stay true");
+    FileMaze maze = new FileMaze(floor, walls(folder.resolve("obstacles.wpt")), goals, bodyMm);
+    Path file = folder.resolve("start.wpt");
+    if (Files.exists(file)) {
+      List<Waypoint> starts = places(file, floor);
+      if (starts.size() < robots) {
+        throw new BadInput(file + ": " + starts.size() + " starts: expected " + robots);
       }
-    }
-  }
-
-  static Layout read(Path folder, Rectangle floor, int robots, double bodyMm, Rng rng) {
-    FileMaze maze = new FileMaze(folder, floor, bodyMm, rng);
-    Path starts = folder.resolve("start.wpt");
-    if (Files.exists(starts)) {
-      return maze.layout(maze.fromFile(starts, robots));
+      return maze.layout(
+          starts.stream().limit(robots).map(start -> start.position().pose()).toList());
     }
     for (int i = 0; i < ROUNDS; i++) {
-      Layout layout = maze.layout(maze.drawn(robots));
+      Layout layout = maze.layout(maze.drawStarts(robots, rng));
       if (robots == 1 || maze.isFreeOfBlocking(layout)) {
         return layout;
       }
@@ -79,7 +63,7 @@ final class FileMaze {
   }
 
   /** The places in a file, all of which must be on the floor. */
-  private List<Waypoint> places(Path file) {
+  private static List<Waypoint> places(Path file, Rectangle floor) {
     List<Waypoint> places = WaypointFiles.read(file).waypoints();
     for (Waypoint place : places) {
       if (!floor.contains(place.position().at())) {
@@ -91,22 +75,27 @@ final class FileMaze {
     return places;
   }
 
-  private List<Pose> fromFile(Path file, int robots) {
-    List<Waypoint> starts = places(file);
-    if (starts.size() < robots) {
-      throw new BadInput(file + ": " + starts.size() + " starts: expected " + robots);
+  private static Obstacles walls(Path file) {
+    Obstacles walls = WaypointFiles.read(file).obstacles();
+    for (Obstacle wall : walls.all()) {
+      if (wall.lifetimeMs() != Obstacle.FOREVER) {
+        throw new BadInput(
+            file
+                + (": an obstacle with lifetime " + wall.lifetimeMs())
+                + ": expected -1: a proof that there is no way must stay true");
+      }
     }
-    return starts.stream().limit(robots).map(start -> start.position().pose()).toList();
+    return walls;
   }
 
-  private List<Pose> drawn(int robots) {
+  private List<Pose> drawStarts(int robots, Rng rng) {
     List<Pose> starts = new ArrayList<>();
     double roomMm = bodyMm + Errand.MARGIN_MM + SPARE_MM;
+    double apartMm = bodyMm + roomMm;
     for (int i = 0; i < TRIES && starts.size() < robots; i++) {
       double x = floor.xMinMm() + rng.nextDouble() * (floor.xMaxMm() - floor.xMinMm());
       double y = floor.yMinMm() + rng.nextDouble() * (floor.yMaxMm() - floor.yMinMm());
       Point at = new Point(x, y);
-      double apartMm = bodyMm + roomMm;
       if (floor.depthMm(at) > roomMm
           && obstacles.distanceMm(at) > roomMm
           && starts.stream().noneMatch(start -> start.distanceMm(at) < apartMm)
@@ -115,7 +104,7 @@ final class FileMaze {
       }
     }
     if (starts.size() < robots) {
-      throw new BadInput("robots: " + robots + ": no room for more than " + starts.size());
+      throw Places.noRoom(robots, starts.size());
     }
     return starts;
   }
@@ -134,15 +123,12 @@ final class FileMaze {
 
   /** Whether every goal that can be reached can be reached past the other robots' places. */
   private boolean isFreeOfBlocking(Layout layout) {
-    for (int i = 0; i < layout.robots().size(); i++) {
-      Errand errand = layout.errand(i, bodyMm, CollisionMode.STOP);
-      for (Goal goal : errand.goals()) {
-        if (MazeTruth.leadsTo(errand, goal, obstacles, List.of(), bodyMm)
-            && !MazeTruth.leadsTo(errand, goal, obstacles, errand.others(), bodyMm)) {
-          return false;
-        }
-      }
-    }
-    return true;
+    return IntStream.range(0, layout.robots().size())
+        .mapToObj(i -> layout.errand(i, bodyMm, CollisionMode.STOP))
+        .allMatch(errand ->
+            errand.goals().stream()
+                .allMatch(goal ->
+                    !errand.hasWay(goal, obstacles, List.of(), bodyMm)
+                        || errand.hasWay(goal, obstacles, errand.others(), bodyMm)));
   }
 }

@@ -25,25 +25,11 @@ record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
   private static final double OFF_MM = 10;
 
   /** One robot: its start, and its goals in turn. */
-  record Robot(Pose start, List<Goal> goals) {
-    Robot {
-      goals = List.copyOf(goals);
-    }
-  }
-
-  Layout {
-    robots = List.copyOf(robots);
-  }
+  record Robot(Pose start, List<Goal> goals) {}
 
   /** The task of robot {@code index}. */
   Errand errand(int index, double bodyMm, CollisionMode mode) {
     Robot robot = robots.get(index);
-    List<Capsule> others = others(index, bodyMm);
-    return new Errand(robot.start().at(), robot.goals(), others, floor, Blocks.of(floor), mode);
-  }
-
-  /** Where the other robots stand while they hold no block. */
-  List<Capsule> others(int index, double bodyMm) {
     List<Capsule> others = new ArrayList<>();
     for (int i = 0; i < robots.size(); i++) {
       if (i != index) {
@@ -53,7 +39,7 @@ record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
         }
       }
     }
-    return others;
+    return new Errand(robot.start().at(), robot.goals(), others, floor, Blocks.of(floor), mode);
   }
 
   private static Capsule disc(Point center, double radiusMm) {

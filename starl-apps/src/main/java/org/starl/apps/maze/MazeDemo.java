@@ -8,10 +8,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Function;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
-import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
@@ -19,8 +19,9 @@ import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.MazeApp;
 import org.starl.apps.maze.spec.MazeSpec;
-import org.starl.apps.maze.spec.MazeTruth;
 import org.starl.apps.maze.view.MazeLayer;
+import org.starl.geometry.Obstacles;
+import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
@@ -35,6 +36,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.world.GridMap;
 import org.starl.sim.world.GridMaps;
+import org.starl.time.Time;
 
 /** The paper's section 5.4: {@code starl run maze}. */
 public final class MazeDemo implements Demo {
@@ -47,7 +49,7 @@ public final class MazeDemo implements Demo {
   private static final double MOST_CELL_MM = 10_000;
 
   // Bound for one robot that drives alone and bumps along every wall.
-  private static final long TURN_NS = 1_800_000_000_000L;
+  private static final long TURN_NS = 1_800 * Time.NS_PER_S;
 
   private static final Parameter SCENARIO =
       new Parameter("scenario", "drawn", "one of the scenarios above");
@@ -110,22 +112,18 @@ public final class MazeDemo implements Demo {
   @Override
   public List<Input> inputs(Path data) {
     List<Input> inputs = new ArrayList<>();
-    Path original = data.resolve("starl-original").resolve("maze");
-    if (Files.isDirectory(original)) {
-      inputs.add(input("maze", FILES, original, "3 of 3 runs hold for ever: Path not found"));
-    }
+    Path original = data.resolve("starl-original/maze");
+    inputs.add(input("maze", FILES, original, "3 of 3 runs hold for ever: Path not found"));
     for (String map : MAPS) {
-      Path file = data.resolve("maps").resolve(map + ".map");
-      if (Files.exists(file)) {
-        inputs.add(input(map + ".map", MAP, file, ""));
-      }
+      inputs.add(input(map + ".map", MAP, data.resolve("maps/" + map + ".map"), ""));
     }
+    inputs.removeIf(input -> !Files.exists(input.path()));
     return inputs;
   }
 
-  private static Input input(String name, Parameter parameter, Path value, String original) {
-    Map<String, String> parameters = Map.of(parameter.key(), value.toString());
-    return new Input(name, value, new TreeMap<>(parameters), original);
+  private static Input input(String name, Parameter parameter, Path path, String original) {
+    Map<String, String> parameters = Map.of(parameter.key(), path.toString());
+    return new Input(name, path, new TreeMap<>(parameters), original);
   }
 
   @Override
@@ -133,7 +131,7 @@ public final class MazeDemo implements Demo {
     int robots = robots(request);
     return SimSettings.builder()
         .set(Setting.ROBOTS, robots)
-        .set(Setting.DURATION.key(), (robots + 1) * (TURN_NS / 1_000_000_000) + "s");
+        .set(Setting.DURATION.key(), (robots + 1) * (TURN_NS / Time.NS_PER_S) + "s");
   }
 
   private static int robots(Request request) {
@@ -150,9 +148,29 @@ public final class MazeDemo implements Demo {
   public Plan plan(Request request, SimSettings settings) {
     int robots = request.robots().orElse(settings.robots());
     if (robots < 1 || robots > MOST_ROBOTS) {
-      throw new BadInput("robots: " + robots + ": expected 1 to 8 in a maze");
+      throw new BadInput("robots: " + robots + ": expected 1 to " + MOST_ROBOTS + " in a maze");
     }
-    return plan(layout(request, settings, robots), mode(request), settings);
+    Layout layout = layout(request, settings, robots);
+    CollisionMode mode = mode(request);
+    Obstacles obstacles = layout.obstacles();
+    double bodyMm = settings.robotRadiusMm();
+    Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(obstacles);
+    SortedMap<RobotId, Errand> errands = new TreeMap<>();
+    int goals = 0;
+    for (int i = 0; i < robots; i++) {
+      RobotId id = new RobotId(settings.robotName() + i);
+      Pose start = layout.robots().get(i).start();
+      Errand errand = layout.errand(i, bodyMm, mode);
+      errands.put(id, errand);
+      goals += errand.goals().size();
+      simulation.robot(new RobotSpec(id, start, true, gvh -> new MazeApp(gvh, errand)));
+    }
+    MazeStory story = new MazeStory(goals);
+    simulation
+        .observer(story)
+        .monitor(() -> new MazeSpec(obstacles, errands, bodyMm, robots * TURN_NS))
+        .monitor(() -> new MutexSpec(MazeApp.FLOOR));
+    return new Plan(simulation, story, new MazeLayer(errands), obstacles);
   }
 
   private static String scenario(Request request) {
@@ -175,41 +193,22 @@ public final class MazeDemo implements Demo {
     double bodyMm = settings.robotRadiusMm();
     return switch (scenario(request)) {
       case "files" -> {
-        Rectangle floor =
-            new Rectangle(
-                0, 0, settings.get(Setting.FLOOR_WIDTH), settings.get(Setting.FLOOR_HEIGHT));
+        double widthMm = settings.get(Setting.FLOOR_WIDTH);
+        Rectangle floor = new Rectangle(0, 0, widthMm, settings.get(Setting.FLOOR_HEIGHT));
         Path folder = Path.of(request.parameter(FILES.key()));
         yield FileMaze.read(folder, floor, robots, bodyMm, rng.fork("files"));
       }
       case "map" -> {
         GridMap map = GridMaps.read(Path.of(request.parameter(MAP.key())));
-        yield MapMaze.draw(map, cellMm(request, bodyMm), robots, boxes(request, robots), rng);
+        int boxes = hidden(request, robots, text -> (int) Quantities.whole(text, 0, MOST_BOXES));
+        yield Places.onMap(map, cellMm(request, bodyMm), robots, boxes, rng);
       }
-      default -> DrawnMaze.draw(robots, hiddenPart(request), rng);
+      default -> DrawnMaze.draw(robots, hidden(request, HIDDEN_PART, Quantities::probability), rng);
     };
   }
 
-  private static Plan plan(Layout layout, CollisionMode mode, SimSettings settings) {
-    SortedMap<RobotId, Errand> errands = new TreeMap<>();
-    double bodyMm = settings.robotRadiusMm();
-    int goals = 0;
-    Simulation.Builder simulation =
-        Simulation.builder().settings(settings).obstacles(layout.obstacles());
-    for (int i = 0; i < layout.robots().size(); i++) {
-      RobotId id = new RobotId(settings.robotName() + i);
-      Errand errand = layout.errand(i, bodyMm, mode);
-      errands.put(id, errand);
-      goals += errand.goals().size();
-      simulation.robot(
-          new RobotSpec(id, layout.robots().get(i).start(), true, gvh -> new MazeApp(gvh, errand)));
-    }
-    MazeStory story = new MazeStory(goals);
-    MazeTruth truth = new MazeTruth(layout.obstacles(), errands, bodyMm);
-    simulation
-        .observer(story)
-        .monitor(() -> new MazeSpec(truth, errands.size() * TURN_NS))
-        .monitor(() -> new MutexSpec(MazeApp.FLOOR));
-    return new Plan(simulation, story, new MazeLayer(errands), layout.obstacles());
+  private static <T> T hidden(Request request, T usual, Function<String, T> parser) {
+    return request.parse(HIDDEN, text -> text.isEmpty() ? usual : parser.apply(text));
   }
 
   private static CollisionMode mode(Request request) {
@@ -223,30 +222,13 @@ public final class MazeDemo implements Demo {
   }
 
   private static double cellMm(Request request, double bodyMm) {
-    double cellMm = ParameterParser.parse(request, CELL, Quantities::distanceMm);
+    double cellMm = request.parse(CELL, Quantities::distanceMm);
     double leastMm = Math.max(LEAST_CELL_MM, 2 * (bodyMm + Errand.MARGIN_MM)) + CELL_SPARE_MM;
     if (cellMm < leastMm || cellMm > MOST_CELL_MM) {
       String least = Math.round(leastMm) + "mm (room for a body and its margin)";
       throw bad(CELL, request.parameter(CELL.key()), least + " to 10m");
     }
     return cellMm;
-  }
-
-  private static int boxes(Request request, int robots) {
-    return ParameterParser.parse(
-        request,
-        HIDDEN,
-        text -> text.isEmpty() ? robots : (int) Quantities.whole(text, 0, MOST_BOXES));
-  }
-
-  private static double hiddenPart(Request request) {
-    double part =
-        ParameterParser.parse(
-            request, HIDDEN, text -> text.isEmpty() ? HIDDEN_PART : Quantities.number(text));
-    if (part > 1) {
-      throw bad(HIDDEN, request.parameter(HIDDEN.key()), "0 to 1");
-    }
-    return part;
   }
 
   private static BadInput bad(Parameter parameter, String text, String expected) {

@@ -3,12 +3,17 @@ package org.starl.apps.maze;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;
-import java.util.stream.IntStream;
+import java.util.function.IntPredicate;
+import org.jspecify.annotations.Nullable;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.geometry.Obstacle;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
+import org.starl.geometry.Rectangle;
 import org.starl.input.BadInput;
 import org.starl.random.Rng;
+import org.starl.sim.world.GridMap;
 
 /**
  * Draws a start and a goal for each robot, in the middle of cells. About three of four goals can be
@@ -17,33 +22,58 @@ import org.starl.random.Rng;
  */
 final class Places {
 
+  private static final int FEWEST_STEPS_ON_A_MAP = 6;
+  private static final int MOST_STEPS = 60;
   private static final double TOLERANCE_MM = 20;
   private static final double CUT_OFF = 0.25;
   private static final int TRIES = 3_000;
   private static final int TRIES_FOR_CUT_OFF = 40;
   private static final int TRIES_FOR_A_BOX = 20;
-  private static final int NONE = -1;
 
   private final Board board;
   private final int fewestSteps;
-  private final int mostSteps;
   private final Rng rng;
   private final List<Pair> pairs = new ArrayList<>();
 
-  // Goals that were to be cut off and are not, for want of such places.
+  // Cells with a hidden box.
+  private final BitSet boxes = new BitSet();
+
+  // Goals that were to be cut off, but no such place was found.
   private final List<Integer> toClose = new ArrayList<>();
 
   /** The cells of one robot. */
   private record Pair(int start, int goal) {}
 
   /**
-   * @param mostSteps to a goal that can be reached, without boxes on the way
+   * @param fewestSteps to a goal that can be reached
    */
-  Places(Board board, int fewestSteps, int mostSteps, Rng rng) {
+  Places(Board board, int fewestSteps, Rng rng) {
     this.board = board;
     this.fewestSteps = fewestSteps;
-    this.mostSteps = mostSteps;
     this.rng = rng;
+  }
+
+  /**
+   * A grid map with drawn robots, and with hidden boxes on their ways.
+   *
+   * @param boxes number of hidden boxes of one cell each, fewer if there is no room
+   */
+  static Layout onMap(GridMap map, double cellMm, int robots, int boxes, Rng rng) {
+    int columns = map.columns();
+    IntPredicate isFree = cell -> map.isFree(cell % columns, cell / columns);
+    Board board = Board.open(columns, map.rows(), cellMm, isFree);
+    Places places = new Places(board, FEWEST_STEPS_ON_A_MAP, rng.fork("places"));
+    int found = places.draw(robots);
+    if (found < robots) {
+      throw noRoom(robots, found);
+    }
+    List<Obstacle> obstacles = new ArrayList<>(map.walls(cellMm).all());
+    for (int cell : places.hideBoxes(boxes)) {
+      List<Point> corners =
+          Rectangle.around(board.middle(cell), cellMm, cellMm).outline().vertices();
+      obstacles.add(new Obstacle(corners, true, true, Obstacle.FOREVER));
+    }
+    return new Layout(board.floor(), new Obstacles(obstacles), places.robots());
   }
 
   /**
@@ -52,10 +82,7 @@ final class Places {
    * @return the number of robots that found room
    */
   int draw(int robots) {
-    boolean hasRoom = true;
-    while (hasRoom && pairs.size() < robots) {
-      hasRoom = drawOne();
-    }
+    while (pairs.size() < robots && drawOne()) {}
     return pairs.size();
   }
 
@@ -67,13 +94,12 @@ final class Places {
     boolean isCutOff = rng.nextBoolean(CUT_OFF);
     for (int i = 0; i < TRIES; i++) {
       int start = rng.nextInt(board.cells());
-      boolean isFree = board.isFree(start) && !used(NONE).get(start);
-      int goal = isFree ? goal(start, isCutOff && i < TRIES_FOR_CUT_OFF) : NONE;
-      if (goal != NONE) {
-        pairs.add(new Pair(start, goal));
+      List<Integer> goals = goals(start, isCutOff && i < TRIES_FOR_CUT_OFF);
+      if (!goals.isEmpty()) {
+        pairs.add(new Pair(start, goals.get(rng.nextInt(goals.size()))));
         if (isFreeOfBlocking()) {
           if (isCutOff && i >= TRIES_FOR_CUT_OFF) {
-            toClose.add(goal);
+            toClose.add(pairs.get(pairs.size() - 1).goal());
           }
           return true;
         }
@@ -83,94 +109,80 @@ final class Places {
     return false;
   }
 
-  private int goal(int start, boolean isCutOff) {
-    int[] steps = board.steps(start, new BitSet());
-    BitSet used = used(NONE);
-    List<Integer> choice =
-        IntStream.range(0, board.cells())
-            .filter(cell -> cell != start && board.isFree(cell) && !used.get(cell))
-            .filter(cell ->
-                isCutOff
-                    ? steps[cell] < 0 && isNear(start, cell)
-                    : steps[cell] >= fewestSteps && steps[cell] <= mostSteps)
-            .boxed()
-            .toList();
-    return choice.isEmpty() ? NONE : choice.get(rng.nextInt(choice.size()));
+  /** The cells from which to choose the goal of a robot that starts at {@code start}. */
+  private List<Integer> goals(int start, boolean isCutOff) {
+    BitSet open = (BitSet) board.free().clone();
+    open.andNot(occupied(null));
+    if (!open.get(start)) {
+      return List.of();
+    }
+    int[] steps = board.steps(start, boxes);
+    double nearMm = MOST_STEPS * board.cellMm() / 2;
+    return open.stream()
+        .filter(cell ->
+            isCutOff
+                ? steps[cell] < 0 && board.middle(start).distanceMm(board.middle(cell)) <= nearMm
+                : steps[cell] >= fewestSteps && steps[cell] <= MOST_STEPS)
+        .boxed()
+        .toList();
   }
 
-  private boolean isNear(int a, int b) {
-    return board.middle(a).distanceMm(board.middle(b)) <= mostSteps * board.cellMm() / 2;
-  }
-
-  /** The starts and goals of all robots but one. */
-  private BitSet used(int except) {
-    BitSet used = new BitSet();
-    for (int i = 0; i < pairs.size(); i++) {
-      if (i != except) {
-        used.set(pairs.get(i).start());
-        used.set(pairs.get(i).goal());
+  /** The boxes, and the starts and goals of all robots but one. */
+  private BitSet occupied(@Nullable Pair except) {
+    BitSet occupied = (BitSet) boxes.clone();
+    for (Pair pair : pairs) {
+      if (pair != except) {
+        occupied.set(pair.start());
+        occupied.set(pair.goal());
       }
     }
-    return used;
+    return occupied;
   }
 
   /** Whether every goal that can be reached can be reached past the other robots' places. */
   private boolean isFreeOfBlocking() {
-    for (int i = 0; i < pairs.size(); i++) {
-      int start = pairs.get(i).start();
-      int goal = pairs.get(i).goal();
-      if (board.steps(start, used(i))[goal] < 0 && board.steps(start, new BitSet())[goal] >= 0) {
-        return false;
-      }
-    }
-    return true;
+    return pairs.stream()
+        .allMatch(pair ->
+            board.steps(pair.start(), occupied(pair))[pair.goal()] >= 0
+                || board.steps(pair.start(), boxes)[pair.goal()] < 0);
   }
 
   /**
-   * Blocks {@code count} cells on the robots' shortest ways, in turn, fewer if there is no room. This
-   * cuts off some goals. If {@code count} is above 0, also blocks the cells around the goals that were
-   * to be cut off.
+   * Blocks {@code count} cells on the robots' shortest ways, in turn, fewer if there is no room.
+   * This cuts off some goals. If {@code count} is above 0, also blocks the cells around the goals
+   * that were to be cut off.
    *
    * @return the cells
    */
   List<Integer> hideBoxes(int count) {
-    List<Integer> boxes = new ArrayList<>();
     if (count > 0) {
-      toClose.forEach(goal -> boxes.addAll(close(goal)));
+      toClose.forEach(goal -> tryToHide(board.links().get(goal)));
     }
-    for (int i = 0; i < count && !pairs.isEmpty(); i++) {
-      int box = hideBox(i % pairs.size());
-      if (box != NONE) {
-        boxes.add(box);
-      }
+    for (int i = 0; i < count; i++) {
+      hideBox(pairs.get(i % pairs.size()));
     }
-    return boxes;
+    return boxes.stream().boxed().toList();
   }
 
-  private List<Integer> close(int goal) {
-    List<Integer> around = board.neighbours(goal).stream().filter(board::isFree).toList();
-    around.forEach(cell -> board.setFree(cell, false));
-    if (around.stream().anyMatch(used(NONE)::get) || !isFreeOfBlocking()) {
-      around.forEach(cell -> board.setFree(cell, true));
-      return List.of();
+  private void hideBox(Pair pair) {
+    List<Integer> way = board.way(pair.start(), pair.goal(), occupied(pair));
+    boolean isHidden = false;
+    for (int i = 0; way.size() > 2 && !isHidden && i < TRIES_FOR_A_BOX; i++) {
+      isHidden = tryToHide(List.of(way.get(1 + rng.nextInt(way.size() - 2))));
     }
-    return around;
   }
 
-  private int hideBox(int index) {
-    List<Integer> way = board.way(pairs.get(index).start(), pairs.get(index).goal(), used(index));
-    BitSet used = used(NONE);
-    for (int i = 0; way.size() > 2 && i < TRIES_FOR_A_BOX; i++) {
-      int cell = way.get(1 + rng.nextInt(way.size() - 2));
-      if (!used.get(cell)) {
-        board.setFree(cell, false);
-        if (isFreeOfBlocking()) {
-          return cell;
-        }
-        board.setFree(cell, true);
-      }
+  /** Puts boxes on cells, unless one is a robot's place, or robots would block each other's way. */
+  private boolean tryToHide(List<Integer> cells) {
+    BitSet before = (BitSet) boxes.clone();
+    boolean isPlace =
+        pairs.stream().anyMatch(p -> cells.contains(p.start()) || cells.contains(p.goal()));
+    cells.forEach(boxes::set);
+    if (isPlace || !isFreeOfBlocking()) {
+      boxes.and(before);
+      return false;
     }
-    return NONE;
+    return true;
   }
 
   List<Layout.Robot> robots() {

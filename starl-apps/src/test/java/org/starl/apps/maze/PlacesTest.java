@@ -8,27 +8,19 @@ import java.util.TreeSet;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
+import org.starl.apps.maze.logic.CollisionMode;
+import org.starl.apps.maze.logic.Errand;
 import org.starl.geometry.Point;
-import org.starl.primitives.paths.LocalPlanner;
-import org.starl.primitives.paths.Plan;
-import org.starl.primitives.paths.PlanTask;
+import org.starl.primitives.paths.Capsule;
 import org.starl.random.Rng;
 
 /** Drawn places against the planner that robots use. */
 class PlacesTest {
 
-  private static boolean leads(Layout layout, int i, boolean pastTheOthers) {
-    Layout.Robot robot = layout.robots().get(i);
-    PlanTask task =
-        new PlanTask(
-            robot.start().at(),
-            robot.goals().get(0).at(),
-            layout.floor(),
-            layout.obstacles(),
-            pastTheOthers ? layout.others(i, 165) : List.of(),
-            165,
-            75);
-    return new LocalPlanner().plan(task) instanceof Plan.Found;
+  private static boolean hasWay(Layout layout, int i, boolean pastTheOthers) {
+    Errand errand = layout.errand(i, 165, CollisionMode.STOP);
+    List<Capsule> others = pastTheOthers ? errand.others() : List.of();
+    return errand.hasWay(errand.goals().get(0), layout.obstacles(), others, 165);
   }
 
   /** The first maze that this seed draws has no room for four. */
@@ -42,20 +34,18 @@ class PlacesTest {
     Layout layout = DrawnMaze.draw(4, 0.5, new Rng(seed));
     assertThat(layout.robots()).hasSize(4);
     for (int i = 0; i < 4; i++) {
-      assertThat(leads(layout, i, true)).as("robot %d", i).isEqualTo(leads(layout, i, false));
+      assertThat(hasWay(layout, i, true)).as("robot %d", i).isEqualTo(hasWay(layout, i, false));
     }
   }
 
   @Property(tries = 10)
   void placesAreDistinctOnABoardWithBoxes(@ForAll long seed) {
-    Board board = new Board(9, 7, 500);
     Rng rng = new Rng(seed);
-    for (int i = 0; i < 12; i++) {
-      board.setFree(rng.nextInt(board.cells()), false);
-    }
-    Places places = new Places(board, 3, 30, rng);
+    Board board = Board.open(9, 7, 500, cell -> rng.nextBoolean(0.8));
+    Places places = new Places(board, 3, rng);
     places.draw(3);
-    places.hideBoxes(3);
+    List<Integer> boxes = places.hideBoxes(3);
+    assertThat(boxes).doesNotHaveDuplicates().allMatch(board.free()::get);
     TreeSet<Double> corners = new TreeSet<>();
     for (Layout.Robot robot : places.robots()) {
       corners.add(robot.start().xMm() * 1e6 + robot.start().yMm());
@@ -67,24 +57,21 @@ class PlacesTest {
 
   @Property(tries = 50)
   void aWayIsAsLongAsItsSteps(@ForAll long seed) {
-    Board board = new Board(8, 8, 500);
     Rng rng = new Rng(seed);
-    for (int i = 0; i < 20; i++) {
-      board.setFree(rng.nextInt(64), false);
-      int cell = rng.nextInt(64);
-      board.setWall(cell, board.neighbours(cell).get(0), true);
-    }
     int from = rng.nextInt(64);
     int to = rng.nextInt(64);
-    board.setFree(from, true);
-    board.setFree(to, true);
+    Board board = Board.open(8, 8, 500, cell -> cell == from || cell == to || rng.nextBoolean(0.7));
+    for (int i = 0; i < 20; i++) {
+      int cell = rng.nextInt(64);
+      board.setLinked(cell, board.neighbours(cell).get(0), false);
+    }
     List<Integer> way = board.way(from, to, new BitSet());
     int steps = board.steps(from, new BitSet())[to];
     assertThat(way).hasSize(steps + 1);
     for (int i = 1; i < way.size(); i++) {
       assertThat(board.neighbours(way.get(i))).contains(way.get(i - 1));
-      assertThat(board.hasWall(way.get(i), way.get(i - 1))).isFalse();
-      assertThat(board.isFree(way.get(i))).isTrue();
+      assertThat(board.isLinked(way.get(i), way.get(i - 1))).isTrue();
+      assertThat(board.free().get(way.get(i))).isTrue();
     }
   }
 }

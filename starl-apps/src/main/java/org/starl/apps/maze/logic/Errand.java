@@ -1,17 +1,22 @@
 package org.starl.apps.maze.logic;
 
 import java.util.List;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.motion.Contact;
 import org.starl.primitives.paths.Capsule;
+import org.starl.primitives.paths.LocalPlanner;
+import org.starl.primitives.paths.Plan;
+import org.starl.primitives.paths.PlanTask;
 
 /**
  * One robot's task, and what all robots know of the floor beforehand, apart from obstacles.
  *
  * @param start where it stands at first
  * @param goals in the order in which it drives to them
- * @param others discs in which the other robots stand while they hold no block: their starts and goals
+ * @param others discs in which the other robots stand while they hold no block: their starts and
+ *     goals
  * @param floor all bodies stay in it
  */
 public record Errand(
@@ -28,9 +33,13 @@ public record Errand(
   // A contact this near to another robot's place may be with that robot.
   private static final double NEAR_MM = 40;
 
-  public Errand {
-    goals = List.copyOf(goals);
-    others = List.copyOf(others);
+  /**
+   * Whether there is a way from the start to a goal for a body that is wider by the margin, past
+   * {@code others}.
+   */
+  public boolean hasWay(Goal goal, Obstacles obstacles, List<Capsule> others, double bodyMm) {
+    PlanTask task = new PlanTask(start, goal.at(), floor, obstacles, others, bodyMm, MARGIN_MM);
+    return new LocalPlanner().plan(task) instanceof Plan.Found;
   }
 
   /**

@@ -6,6 +6,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.geometry.RegionText;
 import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.Path;
+import org.starl.trace.TraceEvent.Action;
 
 /** How one robot in a maze appears in a trace. Strand only. */
 public final class MazeTrace {
@@ -36,6 +37,11 @@ public final class MazeTrace {
     this.gvh = gvh;
     toward = gvh.variable(SOURCE, TOWARD, "");
     way = gvh.variable(SOURCE, WAY, "");
+  }
+
+  /** Whether it is this app's action of that name. */
+  public static boolean is(Action action, String name) {
+    return action.source().equals(SOURCE) && action.name().equals(name);
   }
 
   void toward(String goal) {

@@ -2,12 +2,15 @@ package org.starl.apps.maze.spec;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
+import java.util.Objects;
+import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.apps.maze.logic.Answer;
+import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
 import org.starl.apps.maze.logic.MazeTrace;
+import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
 import org.starl.geometry.Rectangle;
@@ -17,6 +20,7 @@ import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -41,7 +45,7 @@ public final class MazeSpec implements Monitor {
   static final String APART = "Apart";
   static final String ANSWERED = "Answered";
 
-  private static final long STEP_NS = 20_000_000;
+  private static final long STEP_NS = 20 * Time.NS_PER_MS;
   private static final double ROUNDING_MM = 0.01;
 
   // Solid bodies never overlap. They may touch from a gap of a millimetre on.
@@ -50,20 +54,27 @@ public final class MazeSpec implements Monitor {
   // Distance of the points at which a mark is checked.
   private static final double GRAIN_MM = 20;
 
-  private final MazeTruth truth;
-  private final Within<Task> answers;
-  private final FaultState circumstances = new FaultState();
+  private final Obstacles obstacles;
+  private final SortedMap<RobotId, Errand> errands;
+  private final double bodyMm;
+  private final Within<GoalOf> answers;
+  private final FaultState faults = new FaultState();
   private final Bodies bodies = new Bodies();
   private final SortedSet<String> touching = new TreeSet<>();
   private long nextCheckNs;
 
-  private record Task(RobotId robot, String goal) {}
+  private record GoalOf(RobotId robot, String goal) {}
 
   /**
+   * @param obstacles the true ones, hidden ones included
+   * @param errands of all robots
    * @param boundNs from a robot's start to its last answer
    */
-  public MazeSpec(MazeTruth truth, long boundNs) {
-    this.truth = truth;
+  public MazeSpec(
+      Obstacles obstacles, SortedMap<RobotId, Errand> errands, double bodyMm, long boundNs) {
+    this.obstacles = obstacles;
+    this.errands = errands;
+    this.bodyMm = bodyMm;
     answers = new Within<>(boundNs);
   }
 
@@ -87,71 +98,79 @@ public final class MazeSpec implements Monitor {
 
   @Override
   public void observe(TraceEvent event, Report report) {
-    expire(event.timeNs(), report);
-    checkApartUntil(event.timeNs(), report);
+    finish(event.timeNs(), report);
     bodies.observe(event);
-    if (circumstances.observe(event)) {
-      answers.assumeAll(circumstances.isFaultFree(), event.timeNs());
+    if (faults.observe(event)) {
+      answers.assumeAll(faults.isFaultFree(), event.timeNs());
     }
     if (event instanceof Joined joined) {
-      for (Goal goal : truth.goals(joined.robot())) {
-        answers.start(new Task(joined.robot(), goal.name()), joined.timeNs());
+      for (Goal goal : goals(joined.robot())) {
+        answers.start(new GoalOf(joined.robot(), goal.name()), joined.timeNs());
       }
-    } else if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
-      switch (action.name()) {
-        case MazeTrace.MARK -> checkMark(action, report);
-        case MazeTrace.ANSWER -> checkAnswer(action, report);
-        default -> {
-          // Not checked here.
-        }
-      }
+    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.MARK)) {
+      checkMark(action, report);
+    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.ANSWER)) {
+      checkAnswer(action, report);
     }
   }
 
   @Override
   public void finish(long endNs, Report report) {
-    expire(endNs, report);
-    checkApartUntil(endNs, report);
+    answers.expire(
+        endNs,
+        (late, sinceNs, deadlineNs) -> {
+          String detail = "no answer for " + late.goal() + " within ";
+          report.violated(
+              ANSWERED,
+              deadlineNs,
+              List.of(late.robot()),
+              detail + answers.boundNs() / Time.NS_PER_S + " s");
+        });
+    while (nextCheckNs <= endNs) {
+      if (bodies.robots().stream().noneMatch(bodies::isMoving)) {
+        nextCheckNs = endNs + 1;
+      } else {
+        checkApart(report);
+        nextCheckNs += STEP_NS;
+      }
+    }
   }
 
-  private void expire(long nowNs, Report report) {
-    long boundS = answers.boundNs() / 1_000_000_000;
-    answers.expire(
-        nowNs,
-        (task, sinceNs, deadlineNs) ->
-            report.violated(
-                ANSWERED,
-                deadlineNs,
-                List.of(task.robot()),
-                "no answer for " + task.goal() + " within " + boundS + " s"));
+  /** The goals of a robot; none for an unknown robot. */
+  private List<Goal> goals(RobotId robot) {
+    Errand errand = errands.get(robot);
+    return errand == null ? List.of() : errand.goals();
   }
 
   private void checkAnswer(Action action, Report report) {
     RobotId robot = action.robot();
     String name = action.args().get(0);
-    if (answers.stop(new Task(robot, name))) {
+    if (answers.stop(new GoalOf(robot, name))) {
       report.checked(ANSWERED);
     }
-    Optional<Goal> goal =
-        truth.goals(robot).stream().filter(g -> g.name().equals(name)).findFirst();
-    if (goal.isEmpty()) {
+    Goal goal = goals(robot).stream().filter(g -> g.name().equals(name)).findFirst().orElse(null);
+    if (goal == null) {
       violated(REACHED, action, name + " is not its goal", report);
       return;
     }
-    Answer answer = Answer.valueOf(action.args().get(1));
-    if (answer == Answer.REACHED) {
-      report.checked(REACHED);
-      double errorMm = Double.parseDouble(action.args().get(2));
-      double offMm = bodies.poseAt(robot, action.timeNs()).distanceMm(goal.get().at());
-      if (!(offMm <= goal.get().toleranceMm() + errorMm + ROUNDING_MM)) {
-        String detail = "answers that it is at " + name + ", but is " + Math.round(offMm);
-        violated(REACHED, action, detail + " mm off", report);
+    switch (Answer.valueOf(action.args().get(1))) {
+      case REACHED -> {
+        report.checked(REACHED);
+        double errorMm = Double.parseDouble(action.args().get(2));
+        double offMm = bodies.poseAt(robot, action.timeNs()).distanceMm(goal.at());
+        if (!(offMm <= goal.toleranceMm() + errorMm + ROUNDING_MM)) {
+          String detail = "answers that it is at " + name + ", but is " + Math.round(offMm);
+          violated(REACHED, action, detail + " mm off", report);
+        }
       }
-    } else if (answer == Answer.NO_WAY) {
-      report.checked(NO_WAY);
-      if (truth.leadsTo(robot, goal.get())) {
-        violated(NO_WAY, action, "there is a way to " + name, report);
+      case NO_WAY -> {
+        report.checked(NO_WAY);
+        Errand errand = Objects.requireNonNull(errands.get(robot));
+        if (errand.hasWay(goal, obstacles, List.of(), bodyMm)) {
+          violated(NO_WAY, action, "there is a way to " + name, report);
+        }
       }
+      case GAVE_UP -> {}
     }
   }
 
@@ -162,14 +181,11 @@ public final class MazeSpec implements Monitor {
     Rectangle box = Rectangle.around(mark.vertices());
     for (double x = box.xMinMm(); x <= box.xMaxMm(); x += GRAIN_MM) {
       for (double y = box.yMinMm(); y <= box.yMaxMm(); y += GRAIN_MM) {
-        Point at = new Point(x, y);
-        if (mark.contains(at)) {
-          points.add(at);
-        }
+        points.add(new Point(x, y));
       }
     }
     points.stream()
-        .filter(truth::isRoomAt)
+        .filter(at -> mark.contains(at) && obstacles.distanceMm(at) > bodyMm + Errand.MARGIN_MM)
         .findFirst()
         .ifPresent(
             at -> violated(BELIEF, action, "has marked " + text(at) + ", but fits there", report));
@@ -183,24 +199,13 @@ public final class MazeSpec implements Monitor {
     return "(" + Math.round(at.xMm()) + ", " + Math.round(at.yMm()) + ") mm";
   }
 
-  private void checkApartUntil(long timeNs, Report report) {
-    while (nextCheckNs <= timeNs) {
-      if (bodies.robots().stream().noneMatch(bodies::isMoving)) {
-        nextCheckNs = timeNs + 1;
-        return;
-      }
-      checkApart(report);
-      nextCheckNs += STEP_NS;
-    }
-  }
-
   private void checkApart(Report report) {
     report.checked(APART);
-    for (RobotId one : bodies.robots()) {
-      for (RobotId other : bodies.robots()) {
-        boolean isMoving = bodies.isMoving(one) || bodies.isMoving(other);
-        if (one.compareTo(other) < 0 && isMoving) {
-          checkApart(one, other, report);
+    List<RobotId> robots = List.copyOf(bodies.robots());
+    for (int i = 0; i < robots.size(); i++) {
+      for (RobotId other : robots.subList(i + 1, robots.size())) {
+        if (bodies.isMoving(robots.get(i)) || bodies.isMoving(other)) {
+          checkApart(robots.get(i), other, report);
         }
       }
     }

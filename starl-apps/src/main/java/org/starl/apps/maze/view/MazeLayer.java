@@ -7,11 +7,11 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
-import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import java.util.StringJoiner;
 import java.util.TreeMap;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.Errand;
@@ -19,7 +19,6 @@ import org.starl.apps.maze.logic.Goal;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
-import org.starl.geometry.Rectangle;
 import org.starl.geometry.RegionText;
 import org.starl.id.RobotId;
 import org.starl.sim.record.Layer;
@@ -59,26 +58,22 @@ public final class MazeLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    if (event instanceof Action action && action.source().equals(MazeTrace.SOURCE)) {
-      if (action.name().equals(MazeTrace.MARK)) {
-        Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
-        marks.computeIfAbsent(action.robot(), robot -> new ArrayList<>()).add(mark);
-      } else if (action.name().equals(MazeTrace.ANSWER)) {
-        answers.put(
-            action.robot() + " " + action.args().get(0), Answer.valueOf(action.args().get(1)));
-      }
+    if (event instanceof Action action && MazeTrace.is(action, MazeTrace.MARK)) {
+      Polygon mark = (Polygon) RegionText.parse(action.args().get(0));
+      marks.computeIfAbsent(action.robot(), robot -> new ArrayList<>()).add(mark);
+    } else if (event instanceof Action action && MazeTrace.is(action, MazeTrace.ANSWER)) {
+      String goal = action.robot() + " " + action.args().get(0);
+      answers.put(goal, Answer.valueOf(action.args().get(1)));
     }
   }
 
   @Override
   public List<Point> corners() {
-    List<Point> corners = new ArrayList<>();
-    for (Errand errand : errands.values()) {
-      Rectangle area = errand.floor();
-      corners.add(new Point(area.xMinMm(), area.yMinMm()));
-      corners.add(new Point(area.xMaxMm(), area.yMaxMm()));
-    }
-    return corners;
+    return errands.isEmpty() ? List.of() : floor().vertices();
+  }
+
+  private Polygon floor() {
+    return errands.get(errands.firstKey()).floor().outline();
   }
 
   @Override
@@ -89,11 +84,8 @@ public final class MazeLayer implements Layer {
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     if (!errands.isEmpty()) {
-      Rectangle area = errands.firstEntry().getValue().floor();
-      double widthMm = area.xMaxMm() - area.xMinMm();
-      double heightMm = area.yMaxMm() - area.yMinMm();
       floor.setColor(look.theme().floor());
-      floor.fill(new Rectangle2D.Double(area.xMinMm(), area.yMinMm(), widthMm, heightMm));
+      floor.fill(line(floor().vertices()));
     }
     for (RobotId robot : scene.robots()) {
       // If a robot is selected, only its own marks.
@@ -103,10 +95,12 @@ public final class MazeLayer implements Layer {
         marks.getOrDefault(robot, List.of()).forEach(mark -> paintMark(floor, mark, colour, look));
       }
     }
-    for (RobotId robot : scene.robots()) {
+    for (RobotId robot : look.shows(WAYS) ? scene.robots() : List.<RobotId>of()) {
       String way = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.WAY);
-      if (!way.isEmpty() && look.shows(WAYS)) {
-        paintWay(floor, way, look.robot(scene, robot), look);
+      if (!way.isEmpty()) {
+        floor.setColor(look.robot(scene, robot));
+        floor.setStroke(look.dots(4 * look.pixelMm(), 8 * look.pixelMm()));
+        floor.draw(line(points(way)));
       }
     }
   }
@@ -131,17 +125,13 @@ public final class MazeLayer implements Layer {
     floor.draw(outline);
   }
 
-  private static void paintWay(Graphics2D floor, String way, Color colour, Look look) {
+  private static List<Point> points(String way) {
     List<Point> points = new ArrayList<>();
     for (String point : way.split(">", -1)) {
-      int comma = point.indexOf(',');
-      double x = Double.parseDouble(point.substring(0, comma));
-      double y = Double.parseDouble(point.substring(comma + 1));
-      points.add(new Point(x, y));
+      String[] xy = point.split(",", -1);
+      points.add(new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1])));
     }
-    floor.setColor(colour);
-    floor.setStroke(look.dots(4 * look.pixelMm(), 8 * look.pixelMm()));
-    floor.draw(line(points));
+    return points;
   }
 
   private static Path2D line(List<Point> points) {
@@ -187,7 +177,8 @@ public final class MazeLayer implements Layer {
     if (errand == null) {
       return "";
     }
-    List<String> answered = new ArrayList<>();
+    StringJoiner answered = new StringJoiner(", ", "\n", "");
+    answered.setEmptyValue("");
     for (Goal goal : errand.goals()) {
       Answer answer = answers.get(robot + " " + goal.name());
       if (answer != null) {
@@ -201,21 +192,17 @@ public final class MazeLayer implements Layer {
       }
     }
     String toward = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.TOWARD);
-    String location = scene.variable(robot, MazeTrace.SOURCE, MazeTrace.LOCATION);
     int learned = marks.getOrDefault(robot, List.of()).size();
-    return location
+    return scene.variable(robot, MazeTrace.SOURCE, MazeTrace.LOCATION)
         + (toward.isEmpty() ? "" : ", to " + toward)
         + (learned == 0 ? "" : ", " + learned + " marks")
-        + (answered.isEmpty() ? "" : "\n" + String.join(", ", answered));
+        + answered;
   }
 
   /** Highest at the end of a run, when all goals are answered. */
   @Override
   public double interest(Scene scene) {
-    double seen = answers.size();
-    for (RobotId robot : scene.robots()) {
-      seen += 1e-4 * scene.trail(robot).size();
-    }
-    return seen;
+    int trails = scene.robots().stream().mapToInt(robot -> scene.trail(robot).size()).sum();
+    return answers.size() + 1e-4 * trails;
   }
 }

@@ -3,7 +3,10 @@ package org.starl.apps.maze.logic;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.List;
+import java.util.Map;
+import java.util.Set;
 import java.util.SortedSet;
+import java.util.stream.Collectors;
 import net.jqwik.api.Example;
 import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
@@ -26,35 +29,33 @@ class BlocksTest {
     Blocks blocks = Blocks.of(new Rectangle(0, 0, width, height));
     assertThat(blocks.all()).hasSizeBetween(1, 32);
     Point at = new Point(width * rng.nextDouble(), height * rng.nextDouble());
-    assertThat(blocks.around(at, 1)).isNotEmpty();
-    assertThat(blocks.around(at, 1)).hasSizeLessThanOrEqualTo(4);
+    assertThat(blocks.toRequest(new Path(List.of(at, at)), -119)).hasSizeBetween(1, 4);
   }
 
   @Property(tries = 300)
-  void aDiscWithItsCentreNotOutsideTouchesOnlyHeldBlocks(@ForAll long seed) {
+  void aDiscWithItsCentreNotForbiddenTouchesOnlyHeldBlocks(@ForAll long seed) {
     Rng rng = new Rng(seed);
     Path path = new Path(List.of(place(rng), place(rng), place(rng)));
-    SortedSet<String> held = FLOOR.along(path, 300);
-    List<Polygon> outside = FLOOR.outside(held, 200);
+    SortedSet<String> held = FLOOR.toRequest(path, 180);
+    List<Polygon> forbidden = FLOOR.forbidden(held, 150);
     for (int i = 0; i < 50; i++) {
       Point at = place(rng);
-      boolean isOutside = outside.stream().anyMatch(polygon -> polygon.contains(at));
-      if (!isOutside) {
-        assertThat(held).containsAll(FLOOR.around(at, 199));
+      if (forbidden.stream().noneMatch(polygon -> polygon.contains(at))) {
+        assertThat(held).containsAll(touched(at, 199));
       }
     }
     for (int i = 0; i < path.legs(); i++) {
       Point middle = path.leg(i).from().plus(path.leg(i).to()).times(0.5);
-      assertThat(outside).noneMatch(polygon -> polygon.contains(middle));
+      assertThat(forbidden).noneMatch(polygon -> polygon.contains(middle));
     }
   }
 
   @Example
   void aWayThroughTheMiddleOfABlockNeedsOnlyThatBlock() {
-    Blocks blocks = new Blocks(new Rectangle(0, 0, 9_000, 6_000), 3, 2);
+    Blocks blocks = Blocks.of(new Rectangle(0, 0, 9_000, 6_000), 3, 2);
     Path path = new Path(List.of(new Point(4_000, 1_000), new Point(5_000, 2_000)));
-    assertThat(blocks.along(path, 500)).containsExactly("1.0");
-    assertThat(blocks.along(path, 1_000)).containsExactly("0.0", "1.0", "1.1", "2.0");
+    assertThat(blocks.toRequest(path, 380)).containsExactly("1.0");
+    assertThat(blocks.toRequest(path, 880)).containsExactly("0.0", "1.0", "1.1", "2.0");
   }
 
   @Property(tries = 300)
@@ -79,8 +80,15 @@ class BlocksTest {
     Rng rng = new Rng(seed);
     Point at = place(rng);
     SortedSet<String> spare = FLOOR.spare(FLOOR.all(), at, BODY_MM);
-    assertThat(spare).isNotEmpty().doesNotContainAnyElementsOf(FLOOR.around(at, BODY_MM));
+    assertThat(spare).isNotEmpty().doesNotContainAnyElementsOf(touched(at, BODY_MM));
     assertThat(spare).containsAll(FLOOR.spare(spare, at, BODY_MM));
+  }
+
+  private static Set<String> touched(Point at, double radiusMm) {
+    return FLOOR.byName().entrySet().stream()
+        .filter(block -> block.getValue().distanceMm(at) <= radiusMm)
+        .map(Map.Entry::getKey)
+        .collect(Collectors.toSet());
   }
 
   private static Point place(Rng rng) {

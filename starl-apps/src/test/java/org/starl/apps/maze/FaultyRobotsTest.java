@@ -14,7 +14,6 @@ import org.starl.apps.maze.logic.CollisionMode;
 import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.apps.maze.spec.MazeSpec;
-import org.starl.apps.maze.spec.MazeTruth;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -26,32 +25,33 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.time.Time;
 
 /** Simulates faulty robots: the specification must report each planted bug. */
-class RudeRobotsTest {
+class FaultyRobotsTest {
 
   private static final int SEEDS = 20;
   private static final double BODY_MM = 165;
-  private static final long BOUND_NS = 300_000_000_000L;
+  private static final long BOUND_NS = 300 * Time.NS_PER_S;
 
   enum Bug {
-    /** Takes a bump for an arrival, as the original's motion did. */
+    /** Treats a bump as an arrival, as the original's motion did. */
     BUMPED_IS_THERE,
     /** Answers that there is no way at the first bump, as the original did when its planner failed. */
     BUMPED_IS_NO_WAY,
     /** Marks a square around a guessed point of contact, widened by the body. */
     MARKS_A_GUESS,
-    /** Does not ask for blocks, and drives to where another robot stands. */
-    ASKS_NOBODY,
+    /** Requests no blocks, and drives to where another robot stands. */
+    REQUESTS_NO_BLOCKS,
     /** Waits for ever after a bump, without an answer. */
     HOLDS_FOR_EVER
   }
 
-  private static final class RudeRobot extends LogicThread {
+  private static final class FaultyRobot extends LogicThread {
     private final Errand errand;
     private final Bug bug;
 
-    RudeRobot(GlobalVarHolder gvh, Errand errand, Bug bug) {
+    FaultyRobot(GlobalVarHolder gvh, Errand errand, Bug bug) {
       super(gvh);
       this.errand = errand;
       this.bug = bug;
@@ -77,7 +77,7 @@ class RudeRobotsTest {
     public List<Object> callStarL() {
       await(gvh.gps::hasFix);
       var goal = errand.goals().get(0);
-      Point to = bug == Bug.ASKS_NOBODY ? errand.others().get(0).axis().from() : goal.at();
+      Point to = bug == Bug.REQUESTS_NO_BLOCKS ? errand.others().get(0).axis().from() : goal.at();
       gvh.plat.moat.doMove(new ItemPosition(goal.name(), to.xMm(), to.yMm()));
       await(() -> !gvh.plat.moat.inMotion());
       boolean isThere = !gvh.plat.moat.failed();
@@ -88,7 +88,7 @@ class RudeRobotsTest {
           await(() -> isThere);
           answer(Answer.REACHED);
         }
-        case MARKS_A_GUESS, ASKS_NOBODY -> answer(Answer.GAVE_UP);
+        case MARKS_A_GUESS, REQUESTS_NO_BLOCKS -> answer(Answer.GAVE_UP);
       }
       return List.of();
     }
@@ -101,7 +101,7 @@ class RudeRobotsTest {
 
   private static SimResult run(Bug bug, long seed) {
     Layout walled = DrawnMaze.draw(4, 0.5, new Rng(seed).fork("maze"));
-    Obstacles obstacles = bug == Bug.ASKS_NOBODY ? Obstacles.NONE : walled.obstacles();
+    Obstacles obstacles = bug == Bug.REQUESTS_NO_BLOCKS ? Obstacles.NONE : walled.obstacles();
     Layout layout = new Layout(walled.floor(), obstacles, walled.robots());
     SortedMap<RobotId, Errand> errands = new TreeMap<>();
     SimSettings settings = SimSettings.builder().set("duration", "400s").build();
@@ -113,10 +113,12 @@ class RudeRobotsTest {
       errands.put(id, errand);
       simulation.robot(
           new RobotSpec(
-              id, layout.robots().get(i).start(), true, gvh -> new RudeRobot(gvh, errand, bug)));
+              id, layout.robots().get(i).start(), true, gvh -> new FaultyRobot(gvh, errand, bug)));
     }
-    MazeTruth truth = new MazeTruth(layout.obstacles(), errands, BODY_MM);
-    return simulation.monitor(() -> new MazeSpec(truth, BOUND_NS)).build().run();
+    return simulation
+        .monitor(() -> new MazeSpec(layout.obstacles(), errands, BODY_MM, BOUND_NS))
+        .build()
+        .run();
   }
 
   @ParameterizedTest
@@ -124,10 +126,10 @@ class RudeRobotsTest {
     "BUMPED_IS_THERE, Reached",
     "BUMPED_IS_NO_WAY, NoWay",
     "MARKS_A_GUESS, Belief",
-    "ASKS_NOBODY, Apart",
+    "REQUESTS_NO_BLOCKS, Apart",
     "HOLDS_FOR_EVER, Answered",
   })
-  void aRudeRobotIsSeen(Bug bug, String lemma) {
+  void aFaultyRobotIsSeen(Bug bug, String lemma) {
     long seed = 0;
     SimResult result;
     do {
