@@ -1,5 +1,8 @@
 package org.starl.comms;
 
+import java.util.function.BiConsumer;
+import java.util.function.Function;
+
 /**
  * Encodes and decodes one channel's messages. {@code read(write(m))} equals {@code m}. {@code read}
  * throws {@link WireFormatException} for bytes that {@code write} cannot have written, as {@link
@@ -11,4 +14,19 @@ public interface Codec<T> {
   void write(T message, WireWriter out);
 
   T read(WireReader in);
+
+  /** A codec of two functions, for messages of a few fields. */
+  static <T> Codec<T> of(BiConsumer<T, WireWriter> writer, Function<WireReader, T> reader) {
+    return new Codec<>() {
+      @Override
+      public void write(T message, WireWriter out) {
+        writer.accept(message, out);
+      }
+
+      @Override
+      public T read(WireReader in) {
+        return reader.apply(in);
+      }
+    };
+  }
 }

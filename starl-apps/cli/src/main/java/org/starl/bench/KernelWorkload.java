@@ -9,7 +9,6 @@ import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
@@ -17,6 +16,7 @@ import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.time.Time;
 
 /**
  * B1: N robots, each 100 times: wait 100 ms, send one message to a random other robot with an
@@ -27,23 +27,9 @@ public final class KernelWorkload implements Workload {
 
   private static final int ROUNDS = 100;
   private static final long PERIOD_MS = 100;
-  private static final long NS_PER_MS = 1_000_000;
 
   private static final Channel<Integer> CHANNEL =
-      new Channel<>(
-          "bench",
-          "b1",
-          new Codec<>() {
-            @Override
-            public void write(Integer message, WireWriter out) {
-              out.u8(message);
-            }
-
-            @Override
-            public Integer read(WireReader in) {
-              return in.u8();
-            }
-          });
+      new Channel<>("bench", "b1", Codec.of((message, out) -> out.u8(message), WireReader::u8));
 
   @Override
   public String name() {
@@ -64,17 +50,14 @@ public final class KernelWorkload implements Workload {
     for (int i = 0; i < robots; i++) {
       ids.add(new RobotId("bot" + i));
     }
-    Simulation.Builder builder =
-        Simulation.builder()
-            .name("b1")
-            .seed(seed)
-            .settings(SimSettings.builder().set("messageDelay", "exponential(50ms)").build());
+    SimSettings settings = SimSettings.builder().set("messageDelay", "exponential(50ms)").build();
+    Simulation.Builder builder = Simulation.builder().name("b1").seed(seed).settings(settings);
     for (int i = 0; i < robots; i++) {
       int me = i;
       Function<GlobalVarHolder, LogicThread> app =
           gvh -> {
             Rng rng = gvh.plat.entropy.fork("b1");
-            long phaseNs = rng.nextLong(0, PERIOD_MS * NS_PER_MS - 1);
+            long phaseNs = rng.nextLong(0, PERIOD_MS * Time.NS_PER_MS - 1);
             return style == Style.BLOCKING
                 ? new Blocking(gvh, ids, me, rng, phaseNs)
                 : new Stepping(gvh, ids, me, rng, phaseNs);
@@ -121,7 +104,7 @@ public final class KernelWorkload implements Workload {
     private int round;
 
     Stepping(GlobalVarHolder gvh, List<RobotId> ids, int me, Rng rng, long phaseNs) {
-      super(gvh, PERIOD_MS, PERIOD_MS * NS_PER_MS + phaseNs);
+      super(gvh, PERIOD_MS, PERIOD_MS * Time.NS_PER_MS + phaseNs);
       this.ids = ids;
       this.me = me;
       this.rng = rng;

@@ -2,7 +2,7 @@ package org.starl.bench;
 
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
-import java.lang.management.ThreadMXBean;
+import java.lang.management.MemoryMXBean;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -11,11 +11,13 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.function.IntConsumer;
+import java.util.function.LongFunction;
 import org.starl.input.BadInput;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
+import org.starl.time.Time;
 
 /**
  * One run of a workload, in numbers. CPU time is that of the thread that ran the simulation. With
@@ -39,13 +41,16 @@ public record Measurement(
     long bytesPerRobot,
     double peakRssMb) {
 
-  private static final double NS_PER_S = 1e9;
   private static final double KB_PER_MB = 1024;
+
+  /** All robots have started then, and no workload has ended. */
+  private static final long HEAP_MEASURED_AT_NS = 5 * Time.NS_PER_S;
 
   /**
    * Runs {@code workload} {@code runs} times in this JVM; the first run is cold.
    *
-   * @param afterRun called with the number of runs so far, after each run and outside of the measured time
+   * @param afterRun called with the number of runs so far, after each run and outside of the
+   *     measured time
    * @throws BadInput if the workload cannot run with these arguments
    */
   public static List<Measurement> take(
@@ -55,46 +60,54 @@ public record Measurement(
       int runs,
       long seed,
       IntConsumer afterRun) {
-    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
-    List<Measurement> taken = new ArrayList<>();
+    // Each makes its measurement from the heap per robot, which is measured last.
+    List<LongFunction<Measurement>> timed = new ArrayList<>();
     for (int i = 0; i < runs; i++) {
+      int coldness = i;
       Start start = new Start();
       Simulation.Builder plan = workload.plan(robots, style, seed);
       long setUpNs = System.nanoTime();
       SimResult result = plan.director(start).build().run();
-      taken.add(
+      double cpuS = Time.seconds(cpuNs() - start.cpuNs);
+      double wallS = Time.seconds(System.nanoTime() - start.wallNs);
+      double peakRssMb = readPeakRssMb();
+      timed.add(bytesPerRobot ->
           new Measurement(
               workload.name(),
               robots,
               style,
-              i,
+              coldness,
               result.events() - start.events,
-              result.endNs() / NS_PER_S,
-              (start.wallNs - setUpNs) / NS_PER_S,
-              (threads.getCurrentThreadCpuTime() - start.cpuNs) / NS_PER_S,
-              (System.nanoTime() - start.wallNs) / NS_PER_S,
-              0,
-              readPeakRssMb()));
-      afterRun.accept(taken.size());
+              Time.seconds(result.endNs()),
+              Time.seconds(start.wallNs - setUpNs),
+              cpuS,
+              wallS,
+              bytesPerRobot,
+              peakRssMb));
+      afterRun.accept(timed.size());
     }
-    long bytesPerRobot = Footprint.bytesPerRobot(workload, robots, style, seed);
-    taken.replaceAll(measurement -> measurement.withBytesPerRobot(bytesPerRobot));
-    return taken;
+    long bytesPerRobot = heapBytes(workload.plan(robots, style, seed)) / robots;
+    return timed.stream().map(measurement -> measurement.apply(bytesPerRobot)).toList();
   }
 
-  private Measurement withBytesPerRobot(long bytes) {
-    return new Measurement(
-        workload,
-        robots,
-        style,
-        coldness,
-        events,
-        simulatedS,
-        setUpS,
-        cpuS,
-        wallS,
-        bytes,
-        peakRssMb);
+  /** The heap of all robots, measured in a run of its own: it collects garbage during the run. */
+  private static long heapBytes(Simulation.Builder plan) {
+    long before = heldBytes();
+    long[] during = {before};
+    plan.director(control -> control.at(HEAP_MEASURED_AT_NS, () -> during[0] = heldBytes()))
+        .build()
+        .run();
+    return Math.max(0, during[0] - before);
+  }
+
+  private static long heldBytes() {
+    MemoryMXBean memory = ManagementFactory.getMemoryMXBean();
+    memory.gc();
+    return memory.getHeapMemoryUsage().getUsed();
+  }
+
+  private static long cpuNs() {
+    return ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
   }
 
   /** Events per CPU second. */
@@ -116,14 +129,18 @@ public record Measurement(
     map.put("run", coldness);
     map.put("events", events);
     map.put("ev_per_cpu_s", Math.round(eventsPerCpuS()));
-    map.put("rtf", Math.round(realTimeFactor() * 100) / 100.0);
-    map.put("set_up_s", Math.round(setUpS * 1000) / 1000.0);
-    map.put("cpu_s", Math.round(cpuS * 1000) / 1000.0);
-    map.put("wall_s", Math.round(wallS * 1000) / 1000.0);
+    map.put("rtf", rounded(realTimeFactor(), 100));
+    map.put("set_up_s", rounded(setUpS, 1000));
+    map.put("cpu_s", rounded(cpuS, 1000));
+    map.put("wall_s", rounded(wallS, 1000));
     map.put("bytes_per_robot", bytesPerRobot);
-    map.put("peak_rss_mb", Math.round(peakRssMb * 10) / 10.0);
+    map.put("peak_rss_mb", rounded(peakRssMb, 10));
     map.put("jvm", Runtime.version().toString());
     return map;
+  }
+
+  private static double rounded(double value, double perUnit) {
+    return Math.round(value * perUnit) / perUnit;
   }
 
   /** Reads the clocks when all robots have started, which they do at time 0. */
@@ -139,7 +156,7 @@ public record Measurement(
           () -> {
             events = control.events();
             wallNs = System.nanoTime();
-            cpuNs = ManagementFactory.getThreadMXBean().getCurrentThreadCpuTime();
+            cpuNs = Measurement.cpuNs();
           });
     }
   }

@@ -17,6 +17,7 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.check.Percentile;
 import org.starl.sim.net.Latency;
+import org.starl.time.Time;
 
 /**
  * {@code starl bench mutex}: the cost of an entry into a section in a group of N robots, in virtual
@@ -30,21 +31,8 @@ import org.starl.sim.net.Latency;
  *       delta) + 2 delta. A robot that waits longer than the first resend period repeats its request,
  *       which is acknowledged: these are the messages beyond 3 (N - 1).
  * </ul>
- *
- * @param robots N
- * @param freeMs maximum time to enter
- * @param freeMessages messages per entry
- * @param busyMedianMs median time to enter
- * @param busyMostMs maximum time to enter
- * @param busyMessages messages per entry
  */
-public record MutexCost(
-    int robots,
-    double freeMs,
-    double freeMessages,
-    double busyMedianMs,
-    double busyMostMs,
-    double busyMessages) {
+public final class MutexCost {
 
   /** Name in {@code starl bench NAME}. */
   public static final String NAME = "mutex";
@@ -54,73 +42,49 @@ public record MutexCost(
       "messages and time per entry, 2 to 64 robots, compared with theory";
 
   /** Delta: the delay of every message. */
-  public static final long DELTA_MS = 10;
+  private static final long DELTA_MS = 10;
 
   /** d1: how long every robot holds the section. */
-  public static final long HOLD_MS = 100;
+  private static final long HOLD_MS = 100;
 
-  private static final long NS_PER_MS = 1_000_000;
-  private static final double NS_PER_MS_EXACTLY = 1e6;
   private static final String SECTION = "A";
 
-  /** A row for 2 robots, for 4, 8, and so on, up to {@code mostRobots}; calls {@code afterRow} after each. */
-  public static List<MutexCost> take(int mostRobots, long seed, IntConsumer afterRow) {
-    List<MutexCost> rows = new ArrayList<>();
+  private MutexCost() {}
+
+  /**
+   * A row for 2 robots, for 4, 8, and so on, up to {@code mostRobots}; calls {@code afterRow} after
+   * each.
+   *
+   * @return for each row its figures in display order; those with {@code theory} or {@code bound}
+   *     in their names are computed, the others are measured
+   */
+  public static List<Map<String, Object>> take(int mostRobots, long seed, IntConsumer afterRow) {
+    List<Map<String, Object>> rows = new ArrayList<>();
     for (int robots = 2; robots <= mostRobots; robots *= 2) {
       // So far apart that each robot finds the section free and no message under way.
       Entries free = enter(robots, HOLD_MS + 10 * DELTA_MS, seed);
       Entries busy = enter(robots, 0, seed);
-      rows.add(
-          new MutexCost(
-              robots,
-              free.mostMs(),
-              free.messagesEach(),
-              busy.medianMs(),
-              busy.mostMs(),
-              busy.messagesEach()));
+      Map<String, Object> row = new LinkedHashMap<>();
+      row.put("n", robots);
+      row.put("free_ms", free.percentileMs(100));
+      row.put("free_theory_ms", 2.0 * DELTA_MS);
+      row.put("free_messages", free.messagesEach());
+      row.put("messages_theory", 3.0 * (robots - 1));
+      row.put("busy_median_ms", busy.percentileMs(50));
+      row.put("busy_most_ms", busy.percentileMs(100));
+      row.put("busy_bound_ms", (robots - 1.0) * (HOLD_MS + 2 * DELTA_MS) + 2 * DELTA_MS);
+      row.put("busy_messages", busy.messagesEach());
+      rows.add(row);
       afterRow.accept(rows.size());
     }
     return rows;
   }
 
-  /** 2 delta. */
-  public double freeTheoryMs() {
-    return 2 * DELTA_MS;
-  }
-
-  /** 3 (N - 1): requests, answers, releases. */
-  public double messagesTheory() {
-    return 3 * (robots - 1);
-  }
-
-  /** (N - 1)(d1 + 2 delta) + 2 delta. */
-  public double busyBoundMs() {
-    return (robots - 1) * (HOLD_MS + 2 * DELTA_MS) + 2 * DELTA_MS;
-  }
-
-  /** The figures in display order. */
-  public Map<String, Object> asMap() {
-    Map<String, Object> map = new LinkedHashMap<>();
-    map.put("n", robots);
-    map.put("free_ms", freeMs);
-    map.put("free_theory_ms", freeTheoryMs());
-    map.put("free_messages", freeMessages);
-    map.put("messages_theory", messagesTheory());
-    map.put("busy_median_ms", busyMedianMs);
-    map.put("busy_most_ms", busyMostMs);
-    map.put("busy_bound_ms", busyBoundMs());
-    map.put("busy_messages", busyMessages);
-    return map;
-  }
-
   private record Entries(List<Long> sortedWaitsNs, long messages) {
 
-    double medianMs() {
-      return sortedWaitsNs.get(Percentile.index(sortedWaitsNs.size(), 50)) / NS_PER_MS_EXACTLY;
-    }
-
-    double mostMs() {
-      return sortedWaitsNs.get(sortedWaitsNs.size() - 1) / NS_PER_MS_EXACTLY;
+    double percentileMs(int percent) {
+      long ns = sortedWaitsNs.get(Percentile.index(sortedWaitsNs.size(), percent));
+      return ns / (double) Time.NS_PER_MS;
     }
 
     double messagesEach() {
@@ -132,15 +96,14 @@ public record MutexCost(
   private static Entries enter(int robots, long apartMs, long seed) {
     SimSettings settings =
         SimSettings.builder()
-            .set(Setting.MESSAGE_DELAY, new Latency.Constant(DELTA_MS * NS_PER_MS))
+            .set(Setting.MESSAGE_DELAY, new Latency.Constant(DELTA_MS * Time.NS_PER_MS))
             .build();
     Simulation.Builder simulation = Simulation.builder().name(NAME).seed(seed).settings(settings);
     for (int i = 0; i < robots; i++) {
       long askMs = i * apartMs;
+      RobotId id = new RobotId("bot" + i);
       // Without bodies: only messages cause events.
-      simulation.robot(
-          new RobotSpec(
-              new RobotId("bot" + i), new Pose(0, 0, 0), false, gvh -> new Entrant(gvh, askMs)));
+      simulation.robot(new RobotSpec(id, new Pose(0, 0, 0), false, gvh -> new Entrant(gvh, askMs)));
     }
     SimResult result = simulation.build().run();
     List<Long> waitsNs = new ArrayList<>();

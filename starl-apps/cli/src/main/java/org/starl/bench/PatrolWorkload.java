@@ -7,7 +7,6 @@ import org.starl.comms.Channel;
 import org.starl.comms.Codec;
 import org.starl.comms.Endpoint;
 import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -30,20 +29,7 @@ public final class PatrolWorkload implements Workload {
   private static final int BEACON_EVERY = 10;
 
   private static final Channel<Long> CHANNEL =
-      new Channel<>(
-          "bench",
-          "b2",
-          new Codec<>() {
-            @Override
-            public void write(Long message, WireWriter out) {
-              out.i64(message);
-            }
-
-            @Override
-            public Long read(WireReader in) {
-              return in.i64();
-            }
-          });
+      new Channel<>("bench", "b2", Codec.of((message, out) -> out.i64(message), WireReader::i64));
 
   @Override
   public String name() {
@@ -64,20 +50,15 @@ public final class PatrolWorkload implements Workload {
       throw new BadInput("b2: style step: expected blocking");
     }
     int side = (int) Math.ceil(Math.sqrt(robots));
-    Simulation.Builder builder =
-        Simulation.builder()
-            .name("b2")
-            .seed(seed)
-            .settings(SimSettings.builder().set("messageDelay", "uniform(10ms,20ms)").build());
+    SimSettings settings = SimSettings.builder().set("messageDelay", "uniform(10ms,20ms)").build();
+    Simulation.Builder builder = Simulation.builder().name("b2").seed(seed).settings(settings);
     for (int i = 0; i < robots; i++) {
-      int column = i % side;
-      int row = i / side;
-      Pose start = new Pose(SPACING_MM * column + 1000, SPACING_MM * row + 1000, 0);
       int me = i;
+      int row = i / side;
+      Pose start = new Pose(SPACING_MM * (i % side) + 1000, SPACING_MM * row + 1000, 0);
+      RobotId id = new RobotId("bot" + i);
       RobotId next = new RobotId("bot" + (i + 1) % robots);
-      builder.robot(
-          new RobotSpec(
-              new RobotId("bot" + i), start, true, gvh -> new Patrol(gvh, me, start, next)));
+      builder.robot(new RobotSpec(id, start, true, gvh -> new Patrol(gvh, me, start, next)));
     }
     return builder;
   }
@@ -85,7 +66,7 @@ public final class PatrolWorkload implements Workload {
   private static final class Patrol extends LogicThread {
     private final int me;
     private final RobotId next;
-    private final ItemPosition[] ends;
+    private final List<ItemPosition> ends;
     private final Endpoint<Long> endpoint;
     private int leg;
     private int received;
@@ -95,10 +76,9 @@ public final class PatrolWorkload implements Workload {
       this.me = me;
       this.next = next;
       ends =
-          new ItemPosition[] {
-            new ItemPosition("right", start.xMm() + REACH_MM, start.yMm()),
-            new ItemPosition("left", start.xMm() - REACH_MM, start.yMm())
-          };
+          List.of(
+              new ItemPosition("right", start.xMm() + REACH_MM, start.yMm()),
+              new ItemPosition("left", start.xMm() - REACH_MM, start.yMm()));
       endpoint = gvh.comms.open(CHANNEL, (from, beacon) -> received++);
     }
 
@@ -106,7 +86,7 @@ public final class PatrolWorkload implements Workload {
     public List<Object> callStarL() {
       for (int round = 0; round < ROUNDS; round++) {
         if (!gvh.plat.moat.inMotion()) {
-          gvh.plat.moat.doMove(ends[leg % ends.length]);
+          gvh.plat.moat.doMove(ends.get(leg % ends.size()));
           leg++;
         }
         if ((round + me) % BEACON_EVERY == 0) {

@@ -1,9 +1,15 @@
 package org.starl.bench;
 
+import java.util.List;
 import org.starl.sim.Simulation;
 
 /** A simulation whose speed is measured. */
 public interface Workload {
+
+  /** All workloads. */
+  static List<Workload> all() {
+    return List.of(new KernelWorkload(), new PatrolWorkload());
+  }
 
   /** Name in {@code starl bench NAME}. */
   String name();

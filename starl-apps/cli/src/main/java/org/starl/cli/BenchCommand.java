@@ -11,7 +11,6 @@ import org.starl.bench.Measurement;
 import org.starl.bench.MutexCost;
 import org.starl.bench.PatrolWorkload;
 import org.starl.bench.Workload;
-import org.starl.bench.Workloads;
 import org.starl.input.BadInput;
 import org.starl.sim.view.ViewBench;
 import picocli.CommandLine.Command;
@@ -108,7 +107,9 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       return showApps(out) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
     }
     Workload workload =
-        Workloads.byName(name)
+        Workload.all().stream()
+            .filter(one -> one.name().equals(name))
+            .findFirst()
             .orElseThrow(() ->
                 new BadInput(
                     "no workload is called "
@@ -184,32 +185,19 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
     int most = (int) Numbers.whole("--robots", robots == null ? "64" : robots, 2, 256);
     int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
     ProgressLine progress = new ProgressLine(err, "sizes");
-    List<MutexCost> rows =
+    List<Map<String, Object>> rows =
         MutexCost.take(most, Seeds.of(seed), done -> progress.show(done, planned));
     progress.end();
     if (json.isOn()) {
-      rows.forEach(row -> out.println(Json.line(row.asMap())));
+      rows.forEach(row -> out.println(Json.line(row)));
       return;
     }
     out.println(
         "| robots | free: ms to enter (theory) | free: messages an entry (theory)"
             + " | busy: ms to enter, median | most (bound) | busy: messages an entry |");
     out.println("|---|---|---|---|---|---|");
-    for (MutexCost row : rows) {
-      out.println(
-          String.format(
-              Locale.ROOT,
-              "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |",
-              row.robots(),
-              row.freeMs(),
-              row.freeTheoryMs(),
-              row.freeMessages(),
-              row.messagesTheory(),
-              row.busyMedianMs(),
-              row.busyMostMs(),
-              row.busyBoundMs(),
-              row.busyMessages()));
-    }
+    String format = "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |";
+    rows.forEach(row -> out.println(String.format(Locale.ROOT, format, row.values().toArray())));
   }
 
   private static String line(Measurement run) {

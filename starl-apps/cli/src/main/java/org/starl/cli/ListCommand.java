@@ -11,7 +11,6 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
 import org.starl.bench.MutexCost;
 import org.starl.bench.Workload;
-import org.starl.bench.Workloads;
 import org.starl.sim.Setting;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultGrammar;
@@ -103,7 +102,7 @@ final class ListCommand extends BaseCommand implements Runnable {
         items.add(new Item("parameter", app, p.key(), p.defaultValue(), p.what()));
       }
     }
-    for (Workload workload : Workloads.all()) {
+    for (Workload workload : Workload.all()) {
       items.add(new Item("bench", "", workload.name(), "", workload.summary()));
     }
     items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));

@@ -13,7 +13,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 import org.starl.apps.Demo;
 import org.starl.apps.Parameter;
 import org.starl.apps.Scenario;
-import org.starl.bench.Workloads;
+import org.starl.bench.Workload;
 import org.starl.sim.Setting;
 
 /** What tells a person what there is, and the commands with small jobs. */
@@ -64,7 +64,7 @@ class HelpTest {
         assertThat(cli.out()).anyMatch(line -> line.startsWith("  " + parameter.key() + "="));
       }
     }
-    Workloads.all()
+    Workload.all()
         .forEach(load -> assertThat(cli.out()).anyMatch(l -> l.startsWith("bench " + load.name())));
     for (Setting<?> setting : RunRequest.known()) {
       assertThat(cli.out())

@@ -180,7 +180,7 @@ class MazeTest {
           """
           robots=9 | expected 1 to 8 in a maze
           collision=bounce | collision='bounce': expected stop, back or discover
-          hidden=2 | hidden='2': expected 0 to 1
+          hidden=2 | hidden: '2': expected a probability from 0 to 1
           scenario=files | expected drawn, files with files=FOLDER, or map with map=FILE
           scenario=labyrinth | expected drawn, files with files=FOLDER, or map with map=FILE
           files=nowhere | nowhere/dest.wpt: no such file
