@@ -66,24 +66,20 @@ final class Expressions {
       fun.forEach((argument, isIn) -> members.add(argument));
       return set(domain, members);
     }
-    StringBuilder text = new StringBuilder("LAMBDA (i: ").append(domain).append("):");
-    String elsewhere = of(fun.defaultValue(), types[1]);
-    List<String> cases = new ArrayList<>();
+    String indent = "\n          ";
+    StringJoiner cases = new StringJoiner(indent + "ELS", indent, indent + "ELSE ");
+    cases.setEmptyValue(" ");
     fun.forEach(
         (argument, value) -> cases.add("IF i = " + of(argument) + " THEN " + of(value, types[1])));
-    if (cases.isEmpty()) {
-      return text.append(" ").append(elsewhere).toString();
-    }
-    String indent = "\n          ";
-    text.append(indent).append(String.join(indent + "ELS", cases));
-    return text.append(indent).append("ELSE ").append(elsewhere).append(" ENDIF").toString();
+    String elsewhere = of(fun.defaultValue(), types[1]);
+    String end = cases.toString().isBlank() ? "" : " ENDIF";
+    return "LAMBDA (i: " + domain + "):" + cases + elsewhere + end;
   }
 
   private String term(Term term) {
-    List<Object> args = term.args();
     StringJoiner text = new StringJoiner(", ", term.name() + "(", ")");
     text.setEmptyValue(term.name());
-    args.forEach(arg -> text.add(of(arg)));
+    term.args().forEach(arg -> text.add(of(arg)));
     return text.toString();
   }
 
@@ -95,8 +91,8 @@ final class Expressions {
   private String record(Record record, String separator) {
     StringJoiner text = new StringJoiner(separator, "(# ", " #)");
     for (RecordComponent component : record.getClass().getRecordComponents()) {
-      Object value = valueOf(component, record);
-      text.add(component.getName() + " := " + of(value, component.getGenericType()));
+      String value = of(valueOf(component, record), component.getGenericType());
+      text.add(component.getName() + " := " + value);
     }
     return text.toString();
   }

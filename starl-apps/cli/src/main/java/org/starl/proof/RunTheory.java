@@ -1,23 +1,21 @@
 package org.starl.proof;
 
 import java.util.ArrayList;
-import java.util.Arrays;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
+import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import java.util.stream.Collectors;
 import org.starl.proof.Expressions.Formal;
 import org.starl.spec.automaton.Action;
 import org.starl.spec.automaton.Fun;
 import org.starl.spec.automaton.Term;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 
 /** The run of one instance as a theory: add its steps, then write its text. */
 final class RunTheory {
-
-  private static final double NS_PER_S = 1e9;
 
   /** One step of the automaton. */
   private record Step(TraceEvent event, Action action, Record after, List<Result> results) {}
@@ -29,9 +27,11 @@ final class RunTheory {
   private final String library;
   private final List<Formal> formals;
   private final Record first;
+  private final Set<String> fields = new TreeSet<>();
   private final List<Step> steps = new ArrayList<>();
   private final Identifiers identifiers = new Identifiers();
   private final Expressions expressions;
+  private final StringBuilder text = new StringBuilder();
 
   /**
    * @param instance {@code mutex/crossing}
@@ -45,10 +45,11 @@ final class RunTheory {
     this.formals = formals;
     this.first = first;
     expressions = new Expressions(formals, identifiers);
-    formals.forEach(formal -> identifiers.take(formal.type()));
     for (var component : first.getClass().getRecordComponents()) {
-      identifiers.take(component.getName());
+      fields.add(component.getName());
     }
+    formals.forEach(formal -> identifiers.take(formal.type()));
+    fields.forEach(identifiers::take);
   }
 
   void stepped(TraceEvent event, Action action, Record after) {
@@ -63,95 +64,93 @@ final class RunTheory {
     }
   }
 
-  /** {@code run_mutex_crossing}. */
-  String name() {
-    return "run_" + Identifiers.plain(instance);
-  }
-
-  /** The theory's text. */
-  String text(String about) {
-    StringBuilder text = new StringBuilder();
-    line(text, "% " + about + ": " + instance + ", step by step, as a run of " + library + ".");
-    line(text, name() + ": THEORY");
-    line(text, "BEGIN");
-    types(text);
-    line(text, "");
-    constant(text, 0, first);
+  /**
+   * The theory's text; to be called once.
+   *
+   * @param run a description of the run
+   */
+  String text(String run) {
+    String name = "run_" + Identifiers.plain(instance);
+    line("% " + run + ": " + instance + ", step by step, as a run of " + library + ".");
+    line(name + ": THEORY");
+    line("BEGIN");
+    addTypes();
+    line("");
+    addState(0, first);
     for (int n = 1; n <= steps.size(); n++) {
       Step step = steps.get(n - 1);
-      line(text, "");
-      line(text, "  % " + described(step.event()));
-      line(text, "  a_" + n + ": actions = " + expressions.of(step.action()));
-      constant(text, n, step.after());
+      line("");
+      line("  % " + description(step.event()));
+      line("  a_" + n + ": actions = " + expressions.of(step.action()));
+      addState(n, step.after());
     }
-    begins(text);
+    addLemma("begins", "start(s_0)", "(grind)");
+    addLemma(
+        "reached_0",
+        "reachable(s_0)",
+        "(then (lemma \"begins\") (lemma \"reachable_start\" (\"s\" \"s_0\")) (assert))");
     for (int n = 1; n <= steps.size(); n++) {
-      step(text, n, steps.get(n - 1));
+      addStep("s_" + (n - 1), n, steps.get(n - 1));
     }
-    line(text, "END " + name());
+    line("END " + name);
     return text.toString();
   }
 
-  private void types(StringBuilder text) {
-    List<String> actuals = new ArrayList<>();
+  private void addTypes() {
     for (Formal formal : formals) {
-      List<String> names = new ArrayList<>();
-      constants(formal.values()).forEach(constant -> names.add(identifiers.of(constant)));
-      if (names.isEmpty()) {
-        names.add(identifiers.of("no_" + formal.type().toLowerCase(Locale.ROOT)));
-      }
-      line(text, "  " + formal.type() + ": TYPE = {" + String.join(", ", names) + "}");
-      actuals.add(formal.type());
+      SortedSet<Comparable<?>> constants = constants(formal.values());
+      String names =
+          constants.isEmpty()
+              ? identifiers.of("no_" + formal.type().toLowerCase(Locale.ROOT))
+              : constants.stream().map(identifiers::of).collect(Collectors.joining(", "));
+      line("  " + formal.type() + ": TYPE = {" + names + "}");
     }
     identifiers
         .all()
         .forEach((thing, name) -> {
           if (!thing.toString().equals(name)) {
-            line(text, "  % " + name + " is " + thing);
+            line("  % " + name + " is " + thing);
           }
         });
-    line(text, "  IMPORTING " + library + "[" + String.join(", ", actuals) + "]");
+    String actuals = formals.stream().map(Formal::type).collect(Collectors.joining(", "));
+    line("  IMPORTING " + library + "[" + actuals + "]");
   }
 
-  private void constant(StringBuilder text, int n, Record state) {
-    line(text, "  s_" + n + ": states =");
-    line(text, "    " + expressions.ofState(state));
+  private void addState(int n, Record state) {
+    line("  s_" + n + ": states =");
+    line("    " + expressions.ofState(state));
   }
 
-  private static void begins(StringBuilder text) {
-    lemma(text, "begins", "start(s_0)", "(grind)");
-    lemma(
-        text,
-        "reached_0",
-        "reachable(s_0)",
-        "(then (lemma \"begins\") (lemma \"reachable_start\" (\"s\" \"s_0\")) (assert))");
-  }
-
-  private void step(StringBuilder text, int n, Step step) {
-    int before = n - 1;
-    lemma(
-        text,
+  private void addStep(String before, int n, Step step) {
+    String action = "a_" + n;
+    String after = "s_" + n;
+    addLemma(
         "step_" + n,
-        "enabled(a_" + n + ", s_" + before + ") AND trans(a_" + n + ", s_" + before + ") = s_" + n,
-        proofOfStep(n, step.action()));
-    int results = 0;
-    for (Result result : step.results()) {
-      results++;
-      String name = "result_" + n + (results == 1 ? "" : "_" + results);
-      String claim = function(result, n) + " = " + expressions.of(result.value());
-      lemma(text, name, claim, "(grind-with-ext)");
-    }
-    lemma(
-        text,
-        "reached_" + n,
-        "reachable(s_" + n + ")",
-        "(then (lemma \"reached_"
+        "enabled("
+            + action
+            + ", "
             + before
-            + "\") (lemma \"step_"
-            + n
-            + "\") (flatten)"
-            + (" (lemma \"reachable_step\" (\"s\" \"s_" + before + "\" \"a\" \"a_" + n + "\"))")
-            + " (assert))");
+            + ") AND trans("
+            + action
+            + ", "
+            + before
+            + ") = "
+            + after,
+        proofOfStep(after, step.action()));
+    String name = "result_" + n;
+    int number = 1;
+    for (Result result : step.results()) {
+      String claim = function(result, after) + " = " + expressions.of(result.value());
+      addLemma(number == 1 ? name : name + "_" + number, claim, "(grind-with-ext)");
+      number++;
+    }
+    addLemma(
+        "reached_" + n,
+        "reachable(" + after + ")",
+        String.format(
+            "(then (lemma \"reached_%d\") (lemma \"step_%d\") (flatten)"
+                + " (lemma \"reachable_step\" (\"s\" \"%s\" \"a\" \"%s\")) (assert))",
+            n - 1, n, before, action));
   }
 
   /**
@@ -159,79 +158,78 @@ final class RunTheory {
    * then the proof needs a case for the point that is set. The point is the action's first argument
    * of a type parameter; a registration's {@code decide} has none, and adds list {@code number}.
    */
-  private String proofOfStep(int n, Action action) {
-    String place =
+  private String proofOfStep(String after, Action action) {
+    String point =
         action.args().stream()
-            .filter(arg -> formals.get(0).values().isInstance(arg))
+            .filter(formals.get(0).values()::isInstance)
             .map(expressions::of)
             .findFirst()
-            .orElse("s_" + n + "`number");
-    return "(then (split) (grind-with-ext) (case \"x!1 = " + place + "\") (grind))";
+            .orElse(after + "`number");
+    return "(then (split) (grind-with-ext) (case \"x!1 = " + point + "\") (grind))";
   }
 
   /** A component of the state is read as a field; anything else is a function of the theory. */
-  private String function(Result result, int n) {
+  private String function(Result result, String state) {
     String argument = expressions.of(result.argument());
-    boolean isField =
-        Arrays.stream(first.getClass().getRecordComponents())
-            .anyMatch(component -> component.getName().equals(result.function()));
-    return isField
-        ? "s_" + n + "`" + result.function() + "(" + argument + ")"
-        : result.function() + "(" + argument + ", s_" + n + ")";
+    return fields.contains(result.function())
+        ? state + "`" + result.function() + "(" + argument + ")"
+        : result.function() + "(" + argument + ", " + state + ")";
   }
 
-  private static void lemma(StringBuilder text, String name, String claim, String proof) {
-    line(text, "");
-    line(text, "  " + name + ": LEMMA " + claim);
-    line(text, "%|- " + name + " : PROOF " + proof + " QED");
+  private void addLemma(String name, String claim, String proof) {
+    line("");
+    line("  " + name + ": LEMMA " + claim);
+    line("%|- " + name + " : PROOF " + proof + " QED");
   }
 
-  private static String described(TraceEvent event) {
-    String what =
+  private static String description(TraceEvent event) {
+    String name =
         switch (event) {
           case TraceEvent.Action e -> e.name();
           case TraceEvent.Variable e -> e.name() + " " + e.value();
           case TraceEvent.Fault e -> e.name();
           default -> event.getClass().getSimpleName().toLowerCase(Locale.ROOT);
         };
-    String text =
-        String.format(Locale.ROOT, "%.3f s %s: %s", event.timeNs() / NS_PER_S, event.robot(), what);
+    double seconds = Time.seconds(event.timeNs());
+    String text = String.format(Locale.ROOT, "%.3f s %s: %s", seconds, event.robot(), name);
     return text.length() <= 100 ? text : text.substring(0, 97) + "...";
   }
 
   /** All constants of a type that occur anywhere, in order. */
   private SortedSet<Comparable<?>> constants(Class<?> type) {
-    Map<Object, Object> found = new LinkedHashMap<>();
+    SortedSet<Comparable<?>> found = new TreeSet<>();
     collect(first, type, found);
-    for (Step step : steps) {
-      collect(step.action(), type, found);
-      collect(step.after(), type, found);
-      step.results().forEach(result -> collect(result.argument(), type, found));
-      step.results().forEach(result -> collect(result.value(), type, found));
-    }
-    SortedSet<Comparable<?>> sorted = new TreeSet<>();
-    found.keySet().forEach(constant -> sorted.add((Comparable<?>) constant));
-    return sorted;
+    collect(steps, type, found);
+    return found;
   }
 
-  private static void collect(Object value, Class<?> type, Map<Object, Object> found) {
+  private static void collect(Object value, Class<?> type, SortedSet<Comparable<?>> found) {
     if (type.isInstance(value)) {
-      found.put(value, value);
-    } else if (value instanceof Iterable<?> values) {
-      values.forEach(each -> collect(each, type, found));
-    } else if (value instanceof Fun<?, ?> fun) {
-      fun.forEach((argument, image) -> {
-        collect(argument, type, found);
-        collect(image, type, found);
-      });
-    } else if (value instanceof Term term) {
-      term.args().forEach(arg -> collect(arg, type, found));
-    } else if (value instanceof Record state) {
-      Expressions.components(state).forEach(each -> collect(each, type, found));
+      found.add((Comparable<?>) value);
+      return;
+    }
+    switch (value) {
+      case Iterable<?> values -> values.forEach(each -> collect(each, type, found));
+      case Fun<?, ?> fun ->
+          fun.forEach((argument, image) -> {
+            collect(argument, type, found);
+            collect(image, type, found);
+          });
+      case Term term -> collect(term.args(), type, found);
+      case Step step -> {
+        collect(step.action(), type, found);
+        collect(step.after(), type, found);
+        step.results().forEach(result -> collect(result.argument(), type, found));
+        step.results().forEach(result -> collect(result.value(), type, found));
+      }
+      case Record state -> collect(Expressions.components(state), type, found);
+      default -> {
+        // Holds no constants.
+      }
     }
   }
 
-  private static void line(StringBuilder text, String line) {
+  private void line(String line) {
     text.append(line).append('\n');
   }
 }

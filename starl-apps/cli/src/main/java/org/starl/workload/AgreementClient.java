@@ -15,18 +15,17 @@ final class AgreementClient extends Client {
   // Created at the start: each serves as an acceptor even before this robot proposes.
   private final List<SetAgreement> agreements = new ArrayList<>();
 
-  private AgreementClient(GlobalVarHolder gvh, Course course, long deadlineMs) {
-    super(gvh, course, THINK_MS);
-    for (int i = 0; i < course.rounds(); i++) {
+  private AgreementClient(GlobalVarHolder gvh, Setup setup) {
+    super(gvh, setup, THINK_MS);
+    for (int i = 0; i < setup.course().rounds(); i++) {
       agreements.add(
           new SetAgreement(
-              gvh, "round" + i, gvh.id.participants(), SynodTiming.DEFAULT, deadlineMs));
+              gvh, "round" + i, gvh.id.participants(), SynodTiming.DEFAULT, setup.deadlineMs()));
     }
   }
 
   static void setUp(Setup setup) {
-    long deadlineMs = Bounds.deadlineMs(setup.withinNs());
-    setup.place(gvh -> new AgreementClient(gvh, setup.course(), deadlineMs));
+    setup.place(gvh -> new AgreementClient(gvh, setup));
     setup.simulation().monitor(() -> new AgreementSpec(setup.withinNs()));
   }
 

@@ -8,8 +8,8 @@ import org.starl.primitives.barrier.BarrierOutcome;
 import org.starl.primitives.barrier.BarrierSettings;
 import org.starl.primitives.barrier.BarrierSpec;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
+import org.starl.time.Time;
 
 /**
  * The registered robots meet, generation after generation, at a barrier for each view. A robot that
@@ -24,18 +24,18 @@ final class BarrierClient extends Client {
   private static final long DEADLINE_MS = 10_000;
 
   /** Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second. */
-  private static final long TOLD_NS = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * 1_000_000;
+  private static final long TOLD_NS = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * Time.NS_PER_MS;
 
   private final Registration reg;
   private final Map<Long, Barrier> barriers = new TreeMap<>();
 
-  private BarrierClient(GlobalVarHolder gvh, Course course, RegistrationSettings settings) {
-    super(gvh, course, THINK_MS);
-    reg = registration(XID, settings);
+  private BarrierClient(GlobalVarHolder gvh, Setup setup) {
+    super(gvh, setup, THINK_MS);
+    reg = registration(XID, setup.registration());
   }
 
   static void setUp(Setup setup) {
-    setup.place(gvh -> new BarrierClient(gvh, setup.course(), setup.registration()));
+    setup.place(gvh -> new BarrierClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
     setup.simulation().monitor(() -> new BarrierSpec(setup.withinNs(), TOLD_NS));
   }

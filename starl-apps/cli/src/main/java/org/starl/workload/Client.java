@@ -7,6 +7,7 @@ import org.starl.LogicThread;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.random.Rng;
+import org.starl.time.Time;
 
 /**
  * A robot that uses a primitive in rounds. In each round it asks until it is served; a request that
@@ -26,8 +27,6 @@ abstract class Client extends LogicThread {
   /** Action with the round's number: the request failed. */
   static final String TOLD = "told";
 
-  private static final long NS_PER_MS = 1_000_000;
-
   /** The robot's own random numbers; different after each restart. */
   protected final Rng rng;
 
@@ -37,9 +36,9 @@ abstract class Client extends LogicThread {
   /**
    * @param thinkMs maximum time that a robot waits before it asks
    */
-  Client(GlobalVarHolder gvh, Course course, long thinkMs) {
+  Client(GlobalVarHolder gvh, Setup setup, long thinkMs) {
     super(gvh);
-    this.course = course;
+    course = setup.course();
     this.thinkMs = thinkMs;
     rng = gvh.plat.entropy.fork(SOURCE + gvh.id.boot());
   }
@@ -48,7 +47,7 @@ abstract class Client extends LogicThread {
   public final List<Object> callStarL() {
     int told = 0;
     for (int round = 0; round < course.rounds(); round++) {
-      sleep(Math.max(0, course.beginMs(round) - gvh.plat.clock.nowNs() / NS_PER_MS));
+      sleep(Math.max(0, course.beginMs(round) - gvh.plat.clock.nowNs() / Time.NS_PER_MS));
       while (!isDone(round)) {
         told++;
       }

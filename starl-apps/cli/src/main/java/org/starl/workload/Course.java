@@ -9,6 +9,8 @@ package org.starl.workload;
  */
 record Course(int rounds, long busyMs) {
 
+  static final int MAX_ROUNDS = 1000;
+
   /** Rounds that begin after the faults. */
   private static final int LAST = 3;
 

@@ -9,6 +9,7 @@ import org.starl.primitives.election.Election;
 import org.starl.primitives.election.ElectionSettings;
 import org.starl.primitives.election.ElectionSpec;
 import org.starl.primitives.election.ElectionStrategy;
+import org.starl.time.Time;
 
 /** In each round all robots take part in one more election. */
 final class ElectionClient extends Client {
@@ -26,25 +27,25 @@ final class ElectionClient extends Client {
   private static final long THINK_MS = 1_000;
 
   /** Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second. */
-  private static final long TOLD_NS = (DEADLINE_MS + DEADLINE_MS / 5 + 1_000) * 1_000_000;
+  private static final long TOLD_NS = (DEADLINE_MS + DEADLINE_MS / 5 + 1_000) * Time.NS_PER_MS;
 
   // Created at the start: each votes even before this robot takes part.
   private final List<Election> elections = new ArrayList<>();
 
-  private ElectionClient(GlobalVarHolder gvh, Course course, ElectionSettings settings) {
-    super(gvh, course, THINK_MS);
-    for (int i = 0; i < course.rounds(); i++) {
+  private ElectionClient(GlobalVarHolder gvh, Setup setup, ElectionSettings settings) {
+    super(gvh, setup, THINK_MS);
+    for (int i = 0; i < setup.course().rounds(); i++) {
       elections.add(new Election(gvh, "round" + i, gvh.id.participants(), settings));
     }
   }
 
   static void setUp(Setup setup) {
-    boolean isBully = setup.choice(STRATEGY.key(), STRATEGIES).equals("bully");
+    boolean isBully = setup.choice(STRATEGY, STRATEGIES).equals("bully");
     ElectionSettings settings =
         ElectionSettings.DEFAULT
             .withStrategy(isBully ? ElectionStrategy.BULLY : ElectionStrategy.RANDOM_BALLOT)
             .withDeadlineMs(DEADLINE_MS);
-    setup.place(gvh -> new ElectionClient(gvh, setup.course(), settings));
+    setup.place(gvh -> new ElectionClient(gvh, setup, settings));
     setup.simulation().monitor(() -> new ElectionSpec(setup.withinNs(), TOLD_NS));
   }
 

@@ -4,7 +4,6 @@ import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Codec;
 import org.starl.comms.WireReader;
-import org.starl.comms.WireWriter;
 import org.starl.geometry.Circle;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
@@ -16,6 +15,7 @@ import org.starl.primitives.geocast.Geocast;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.primitives.geocast.GeocastSpec;
+import org.starl.time.Time;
 
 /** Robots drive about and send to areas of all shapes and, every other time, to all robots. */
 final class GeocastClient extends Client {
@@ -30,28 +30,18 @@ final class GeocastClient extends Client {
   private static final double POSITION_ERROR_MM = 50;
 
   /** Maximum difference, after two minutes, of clocks that are up to 200 ppm off. */
-  private static final long CLOCK_SKEW_NS = 50_000_000;
+  private static final long CLOCK_SKEW_NS = 50 * Time.NS_PER_MS;
 
   private static final Codec<Integer> CODEC =
-      new Codec<>() {
-        @Override
-        public void write(Integer message, WireWriter out) {
-          out.i32(message);
-        }
-
-        @Override
-        public Integer read(WireReader in) {
-          return in.i32();
-        }
-      };
+      Codec.of((message, out) -> out.i32(message), WireReader::i32);
 
   private final double sideMm;
   private final Geocast<Integer> geocast;
   private final Broadcast<Integer> broadcast;
 
-  private GeocastClient(GlobalVarHolder gvh, Course course, double sideMm) {
-    super(gvh, course, THINK_MS);
-    this.sideMm = sideMm;
+  private GeocastClient(GlobalVarHolder gvh, Setup setup) {
+    super(gvh, setup, THINK_MS);
+    sideMm = setup.sideMm();
     GeocastSettings d = GeocastSettings.DEFAULT;
     GeocastSettings settings =
         new GeocastSettings(d.resendMs(), d.maxResendMs(), CLOCK_SKEW_NS, d.openMembership());
@@ -60,7 +50,7 @@ final class GeocastClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    setup.place(gvh -> new GeocastClient(gvh, setup.course(), setup.sideMm()));
+    setup.place(gvh -> new GeocastClient(gvh, setup));
     setup.simulation().monitor(() -> new GeocastSpec(POSITION_ERROR_MM, CLOCK_SKEW_NS));
   }
 

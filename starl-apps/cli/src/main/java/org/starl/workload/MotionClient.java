@@ -23,13 +23,13 @@ final class MotionClient extends Client {
   private Point home = new Point(0, 0);
   private boolean hasHome;
 
-  private MotionClient(GlobalVarHolder gvh, Course course) {
-    super(gvh, course, THINK_MS);
+  private MotionClient(GlobalVarHolder gvh, Setup setup) {
+    super(gvh, setup, THINK_MS);
     motion = new MotionControl(gvh);
   }
 
   static void setUp(Setup setup) {
-    setup.place(gvh -> new MotionClient(gvh, setup.course()));
+    setup.place(gvh -> new MotionClient(gvh, setup));
     setup.simulation().monitor(() -> new MotionSpec(setup.settings().motionParameters(0)));
   }
 

@@ -7,6 +7,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.apps.Parameter;
 import org.starl.input.Form;
+import org.starl.input.Quantities;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexBounds;
@@ -15,6 +16,7 @@ import org.starl.primitives.mutex.MutexSpec;
 import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.registration.Registration;
 import org.starl.primitives.registration.RegistrationSpec;
+import org.starl.time.Time;
 
 /**
  * Robots register, enter one or two of a few sections again and again, release them one by one, and
@@ -42,9 +44,7 @@ final class MutexClient extends Client {
   private static final int MAX_REQUESTED = 2;
 
   /** Upper bound of the time to release two sections by a clock that is slow by a tenth. */
-  private static final long D1_NS = 2_000_000_000;
-
-  private static final long NS_PER_MS = 1_000_000;
+  private static final long D1_NS = 2 * Time.NS_PER_S;
 
   private final int sections;
   private final MutexPrim mux;
@@ -54,8 +54,8 @@ final class MutexClient extends Client {
    * @param reg the registration of the members, or null if all robots are members
    */
   private MutexClient(
-      GlobalVarHolder gvh, Course course, int sections, MutexPrim mux, @Nullable Registration reg) {
-    super(gvh, course, THINK_MS);
+      GlobalVarHolder gvh, Setup setup, int sections, MutexPrim mux, @Nullable Registration reg) {
+    super(gvh, setup, THINK_MS);
     this.sections = sections;
     this.mux = mux;
     this.reg = reg;
@@ -65,18 +65,19 @@ final class MutexClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    int sections = setup.whole(SECTIONS.key(), 1, 26);
-    boolean isOpen = setup.choice(MEMBERS.key(), MEMBERSHIPS).equals("registered");
-    MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Bounds.deltaNs(setup.settings()));
+    int sections =
+        (int) (long) setup.request().parse(SECTIONS, text -> Quantities.whole(text, 1, 26));
+    boolean isOpen = setup.choice(MEMBERS, MEMBERSHIPS).equals("registered");
+    MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Setup.deltaNs(setup.settings()));
     // After the bounds: a late grant violates the specification before the request fails.
-    MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / NS_PER_MS);
+    MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS);
     setup.simulation().monitor(() -> new MutexSpec(XID, bounds));
     setup.place(gvh -> {
       Registration reg =
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;
       Membership members = reg == null ? M_Mutex.closedGroup(gvh, gvh.id.participants()) : reg;
       M_Mutex mutex = new M_Mutex(gvh, XID, members, times);
-      return new MutexClient(gvh, setup.course(), sections, mutex, reg);
+      return new MutexClient(gvh, setup, sections, mutex, reg);
     });
     if (isOpen) {
       setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));

@@ -17,6 +17,7 @@ import org.starl.primitives.paths.RrtSettings;
 import org.starl.primitives.paths.TubeSettings;
 import org.starl.primitives.paths.TubesSpec;
 import org.starl.random.Rng;
+import org.starl.time.Time;
 
 /**
  * Robots drive to places all over a floor with walls, each in a tube that it has claimed. A robot that
@@ -38,14 +39,14 @@ final class PathsClient extends Client {
       new TubeSettings(60, 1_000, 30_000, 200, 2_000, 200, 2_000);
 
   /** The tubes' deadline, and the longest drive with its stops. */
-  private static final long TOLD_NS = 600_000_000_000L;
+  private static final long TOLD_NS = 600 * Time.NS_PER_S;
 
   private final double sideMm;
   private final DistributedPathPlanning paths;
 
-  private PathsClient(GlobalVarHolder gvh, Course course, double sideMm, boolean isOptimal) {
-    super(gvh, course, THINK_MS);
-    this.sideMm = sideMm;
+  private PathsClient(GlobalVarHolder gvh, Setup setup, boolean isOptimal) {
+    super(gvh, setup, THINK_MS);
+    sideMm = setup.sideMm();
     Rectangle floor = new Rectangle(0, 0, sideMm, sideMm);
     paths =
         new DistributedPathPlanning(
@@ -53,8 +54,8 @@ final class PathsClient extends Client {
   }
 
   static void setUp(Setup setup) {
-    boolean isOptimal = setup.choice(PLANNER.key(), PLANNERS).equals("optimal");
-    setup.place(gvh -> new PathsClient(gvh, setup.course(), setup.sideMm(), isOptimal));
+    boolean isOptimal = setup.choice(PLANNER, PLANNERS).equals("optimal");
+    setup.place(gvh -> new PathsClient(gvh, setup, isOptimal));
     setup.simulation().obstacles(walls(setup.sideMm()));
     setup.simulation().monitor(() -> new TubesSpec(TOLD_NS));
   }

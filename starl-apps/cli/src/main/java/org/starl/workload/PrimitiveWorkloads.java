@@ -1,8 +1,23 @@
 package org.starl.workload;
 
+import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.starl.apps.Demo;
+import org.starl.apps.Parameter;
+import org.starl.apps.Plan;
+import org.starl.apps.Request;
+import org.starl.input.BadInput;
+import org.starl.input.Form;
+import org.starl.input.Quantities;
+import org.starl.input.Quantity;
+import org.starl.sim.Setting;
+import org.starl.sim.SimSettings;
+import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
+import org.starl.sim.record.Layer;
+import org.starl.time.Time;
 
 /** The primitives that have a workload. */
 public final class PrimitiveWorkloads {
@@ -10,62 +25,131 @@ public final class PrimitiveWorkloads {
   /** By name. */
   public static final List<Demo> ALL =
       List.of(
-          new PrimitiveWorkload(
+          new Workload(
               "agreement",
               "robots agree on one value after another, each proposing its own",
               Envelope.LOGICAL,
               64,
-              PrimitiveWorkload.parameters(10, "20s"),
+              parameters(10, "20s"),
               AgreementClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "barrier",
               "registered robots meet at a barrier again and again",
               Envelope.LOGICAL,
               32,
-              PrimitiveWorkload.parameters(10, "20s"),
+              parameters(10, "20s"),
               BarrierClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "election",
               "robots elect one leader after another, and follow all of them",
               Envelope.LOGICAL,
               64,
-              PrimitiveWorkload.parameters(5, "20s", ElectionClient.STRATEGY),
+              parameters(5, "20s", ElectionClient.STRATEGY),
               ElectionClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "geocast",
               "moving robots send to areas of all shapes, and to all robots",
               Envelope.SPATIAL,
               64,
-              PrimitiveWorkload.parameters(12, "20s"),
+              parameters(12, "20s"),
               GeocastClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "motion",
               "robots drive to random places, outside regions that may be in the way",
               Envelope.SPATIAL,
               64,
-              PrimitiveWorkload.parameters(8, "20s"),
+              parameters(8, "20s"),
               MotionClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "mutex",
               "robots enter sets of sections, each again and again, over a registration",
               Envelope.LOGICAL,
               32,
-              PrimitiveWorkload.parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS),
+              parameters(10, "20s", MutexClient.SECTIONS, MutexClient.MEMBERS),
               MutexClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "paths",
               "robots drive all over a floor with walls, in tubes that never meet",
               Envelope.SPATIAL,
               16,
-              PrimitiveWorkload.parameters(6, "60s", PathsClient.PLANNER),
+              parameters(6, "60s", PathsClient.PLANNER),
               PathsClient::setUp),
-          new PrimitiveWorkload(
+          new Workload(
               "registration",
               "robots register, stay a while, and unregister, again and again",
               Envelope.LOGICAL,
               32,
-              PrimitiveWorkload.parameters(10, "20s"),
+              parameters(10, "20s"),
               RegistrationClient::setUp));
 
+  private static final int DEFAULT_ROBOTS = 5;
+
   private PrimitiveWorkloads() {}
+
+  /** The parameters that all workloads have, rounds and busy, and more. */
+  private static List<Parameter> parameters(int rounds, String busy, Parameter... more) {
+    List<Parameter> parameters = new ArrayList<>();
+    parameters.add(
+        new Parameter(
+            "rounds",
+            Integer.toString(rounds),
+            "how often each robot asks, from 1",
+            Form.whole(1, Course.MAX_ROUNDS)));
+    parameters.add(
+        new Parameter(
+            "busy",
+            busy,
+            "time over which rounds and chaos are spread; the last three rounds begin after it",
+            Form.amount(Quantity.DURATION)));
+    parameters.addAll(List.of(more));
+    return List.copyOf(parameters);
+  }
+
+  /**
+   * A primitive's workload as the command line knows it.
+   *
+   * @param envelope the faults that the primitive tolerates
+   * @param preparation adds robots and monitors
+   */
+  private record Workload(
+      String name,
+      String summary,
+      Envelope envelope,
+      int maxRobots,
+      List<Parameter> parameters,
+      Consumer<Setup> preparation)
+      implements Demo {
+
+    @Override
+    public Kind kind() {
+      return Kind.PRIMITIVE;
+    }
+
+    private Course course(Request request) {
+      Parameter rounds = parameters.get(0);
+      Parameter busy = parameters.get(1);
+      return new Course(
+          (int) (long) request.parse(rounds, text -> Quantities.whole(text, 1, Course.MAX_ROUNDS)),
+          request.parse(busy, Quantities::durationNs) / Time.NS_PER_MS);
+    }
+
+    @Override
+    public SimSettings.Builder defaultSettings(Request request) {
+      return SimSettings.builder()
+          .set(Setting.CHAOS_FOR, Duration.ofMillis(course(request).busyMs()));
+    }
+
+    @Override
+    public Plan plan(Request request, SimSettings settings) {
+      Course course = course(request);
+      int robots = request.robots().orElse(DEFAULT_ROBOTS);
+      if (robots < 1 || robots > maxRobots) {
+        throw new BadInput("robots: " + robots + ": expected 1 to " + maxRobots);
+      }
+      RoundsStory story = new RoundsStory();
+      Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
+      preparation.accept(new Setup(request, settings, course, robots, simulation));
+      return new Plan(simulation, story, Layer.NONE, simulation.obstacles());
+    }
+  }
 }

@@ -2,7 +2,6 @@ package org.starl.workload;
 
 import org.starl.GlobalVarHolder;
 import org.starl.primitives.registration.Registration;
-import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.primitives.registration.RegistrationSpec;
 
 /** Robots register, stay a while, and unregister. */
@@ -13,13 +12,13 @@ final class RegistrationClient extends Client {
 
   private final Registration reg;
 
-  private RegistrationClient(GlobalVarHolder gvh, Course course, RegistrationSettings settings) {
-    super(gvh, course, THINK_MS);
-    reg = registration("town", settings);
+  private RegistrationClient(GlobalVarHolder gvh, Setup setup) {
+    super(gvh, setup, THINK_MS);
+    reg = registration("town", setup.registration());
   }
 
   static void setUp(Setup setup) {
-    setup.place(gvh -> new RegistrationClient(gvh, setup.course(), setup.registration()));
+    setup.place(gvh -> new RegistrationClient(gvh, setup));
     setup.simulation().monitor(() -> new RegistrationSpec(setup.withinNs()));
   }
 

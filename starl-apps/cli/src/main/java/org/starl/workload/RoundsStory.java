@@ -10,14 +10,13 @@ import org.starl.apps.Sample;
 import org.starl.apps.Story;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 
 /** How often each {@link Client} was served, how long it waited, and the faults. */
 final class RoundsStory implements Story {
-
-  private static final double NS_PER_S = 1e9;
 
   private final SortedMap<RobotId, Results> robots = new TreeMap<>();
   private final SortedMap<String, Long> faults = new TreeMap<>();
@@ -36,7 +35,9 @@ final class RoundsStory implements Story {
   public void observed(TraceEvent event) {
     switch (event) {
       case Action action when action.source().equals(Client.SOURCE) -> addAction(action);
-      case Fault fault -> addFault(fault);
+      case Fault fault when fault.name().equals(Fault.CRASH) -> robot(fault.robot()).crashes++;
+      case Fault fault when fault.name().equals(Fault.BEGIN) ->
+          faults.merge(fault.detail().split("\\(", 2)[0], 1L, Long::sum);
       default -> {
         // Not part of the story.
       }
@@ -56,20 +57,6 @@ final class RoundsStory implements Story {
     }
   }
 
-  private void addFault(Fault fault) {
-    switch (fault.name()) {
-      case Fault.CRASH -> robot(fault.robot()).crashes++;
-      case Fault.BEGIN -> count(fault.detail().split("\\(", 2)[0]);
-      default -> {
-        // Only the beginning of a fault is counted.
-      }
-    }
-  }
-
-  private void count(String kind) {
-    faults.merge(kind, 1L, Long::sum);
-  }
-
   private Results robot(RobotId id) {
     return robots.computeIfAbsent(id, any -> new Results());
   }
@@ -83,7 +70,7 @@ final class RoundsStory implements Story {
   @Override
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    robots.forEach((id, robot) -> lines.add(line(id, robot)));
+    robots.forEach((id, robot) -> lines.add(id + " was served " + text(robot)));
     if (!faults.isEmpty()) {
       List<String> kinds = new ArrayList<>();
       faults.forEach((kind, times) -> kinds.add(times + " " + kind));
@@ -92,43 +79,30 @@ final class RoundsStory implements Story {
     return lines;
   }
 
-  private static String line(RobotId id, Results robot) {
-    StringBuilder line = new StringBuilder(id + " was served ");
-    line.append(robot.waitsNs.size()).append(" times");
+  private static String text(Results robot) {
+    String text = robot.waitsNs.size() + " times";
     if (!robot.waitsNs.isEmpty()) {
       long[] sortedNs = robot.waitsNs.stream().mapToLong(Long::longValue).sorted().toArray();
-      line.append(", waited ").append(seconds(Measures.waitNs(sortedNs, 50)));
-      line.append(" (median), ").append(seconds(Measures.waitNs(sortedNs, 100)));
-      line.append(" at most");
+      double medianS = Time.seconds(Measures.waitNs(sortedNs, 50));
+      double mostS = Time.seconds(Measures.waitNs(sortedNs, 100));
+      text +=
+          String.format(Locale.ROOT, ", waited %.2f s (median), %.2f s at most", medianS, mostS);
     }
-    if (robot.failures > 0) {
-      line.append(", failed ").append(robot.failures).append(" times");
-    }
-    if (robot.crashes > 0) {
-      line.append(", crashed ").append(robot.crashes).append(" times");
-    }
-    return line.toString();
-  }
-
-  private static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.2f s", ns / NS_PER_S);
+    return text
+        + (robot.failures > 0 ? ", failed " + robot.failures + " times" : "")
+        + (robot.crashes > 0 ? ", crashed " + robot.crashes + " times" : "");
   }
 
   @Override
   public Measures measures() {
     List<Long> waitsNs = new ArrayList<>();
-    long failures = 0;
-    long crashes = 0;
-    for (Results robot : robots.values()) {
-      waitsNs.addAll(robot.waitsNs);
-      failures += robot.failures;
-      crashes += robot.crashes;
-    }
+    robots.values().forEach(robot -> waitsNs.addAll(robot.waitsNs));
     SortedMap<String, Long> counts = new TreeMap<>();
     counts.put("rounds", (long) waitsNs.size());
-    counts.put("rounds told failed", failures);
+    counts.put(
+        "rounds told failed", robots.values().stream().mapToLong(robot -> robot.failures).sum());
     counts.put("messages", messages);
-    counts.put("crashes", crashes);
+    counts.put("crashes", robots.values().stream().mapToLong(robot -> robot.crashes).sum());
     faults.forEach((kind, times) -> counts.put("faults: " + kind, times));
     return new Measures(robots.size(), finished, waitsNs, new TreeMap<>(), counts);
   }

@@ -3,85 +3,47 @@ package org.starl.workload;
 import java.util.List;
 import java.util.function.Function;
 import org.starl.GlobalVarHolder;
+import org.starl.apps.Parameter;
 import org.starl.apps.Request;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.input.Quantities;
 import org.starl.primitives.registration.RegistrationSettings;
 import org.starl.sim.RobotSpec;
+import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.time.Time;
 
-/** A run of a workload while its robots and monitors are added. */
-final class Setup {
+/**
+ * A run of a workload while its robots and monitors are added.
+ *
+ * @param robots their number
+ */
+record Setup(
+    Request request,
+    SimSettings settings,
+    Course course,
+    int robots,
+    Simulation.Builder simulation) {
 
-  /** Distance between the robots' starts: none is in another one's way. */
+  /** Distance between the robots' starts, so that no robot blocks another. */
   static final double SPACING_MM = 3000;
 
-  static final String ROUNDS = "rounds";
-  static final String BUSY = "busy";
-  static final int MAX_ROUNDS = 1000;
+  /** Maximum time between two copies of a message that is repeated until answered. */
+  private static final long RESEND_NS = 2 * Time.NS_PER_S;
 
-  private static final long NS_PER_MS = 1_000_000;
-  private static final int DEFAULT_ROBOTS = 5;
-
-  private final Request request;
-  private final SimSettings settings;
-  private final Course course;
-  private final int robots;
-  private final Simulation.Builder simulation;
-
-  /**
-   * @throws BadInput if the request has more robots than {@code maxRobots}, or a bad parameter
-   */
-  Setup(Request request, SimSettings settings, int maxRobots) {
-    this.request = request;
-    this.settings = settings;
-    course = course(request);
-    robots = request.robots().orElse(DEFAULT_ROBOTS);
-    if (robots < 1 || robots > maxRobots) {
-      throw new BadInput("robots: " + robots + ": expected 1 to " + maxRobots);
-    }
-    simulation = Simulation.builder().settings(settings);
-  }
-
-  static Course course(Request request) {
-    int rounds = whole(request, ROUNDS, 1, MAX_ROUNDS);
-    try {
-      return new Course(rounds, Quantities.durationNs(request.parameter(BUSY)) / NS_PER_MS);
-    } catch (BadInput error) {
-      throw Quantities.in(BUSY, error);
-    }
-  }
-
-  Simulation.Builder simulation() {
-    return simulation;
-  }
-
-  SimSettings settings() {
-    return settings;
-  }
-
-  Course course() {
-    return course;
-  }
-
-  int robots() {
-    return robots;
-  }
-
-  /** The whole number that is the value of a parameter. */
-  int whole(String key, int least, int most) {
-    return whole(request, key, least, most);
-  }
+  /** A probability so small that no campaign meets it. */
+  private static final double NEVER = 1e-9;
 
   /** The value of a parameter, one of {@code values}. */
-  String choice(String key, List<String> values) {
-    String value = request.parameter(key);
+  String choice(Parameter parameter, List<String> values) {
+    String value = request.parameter(parameter.key());
     if (!values.contains(value)) {
       throw new BadInput(
-          key + "=" + BadInput.quote(value) + ": expected " + String.join(" or ", values));
+          parameter.key()
+              + ("=" + BadInput.quote(value))
+              + (": expected " + String.join(" or ", values)));
     }
     return value;
   }
@@ -95,29 +57,42 @@ final class Setup {
   void place(Function<GlobalVarHolder, ? extends Client> client) {
     int side = (int) Math.ceil(Math.sqrt(robots));
     for (int i = 0; i < robots; i++) {
-      double xMm = SPACING_MM * (i % side + 0.5);
       int row = i / side;
-      double yMm = SPACING_MM * (row + 0.5);
+      Pose start = new Pose(SPACING_MM * (i % side + 0.5), SPACING_MM * (row + 0.5), 0);
       RobotId id = new RobotId(settings.robotName() + i);
-      simulation.robot(new RobotSpec(id, new Pose(xMm, yMm, 0), true, client));
+      simulation.robot(new RobotSpec(id, start, true, client));
     }
+  }
+
+  /**
+   * The paper's delta, in ns, for the network's loss and delay in the settings: the time within
+   * which a message that is repeated until answered, and its answer, arrive. One copy may have been
+   * lost just before the faults ended.
+   */
+  static long deltaNs(SimSettings settings) {
+    double lossOfOne = settings.get(Setting.MESSAGE_LOSS);
+    double loss = 1 - (1 - lossOfOne) * (1 - lossOfOne);
+    if (loss >= 1) {
+      return Long.MAX_VALUE / 1_000_000;
+    }
+    long copies = 1;
+    if (loss > 0) {
+      copies += (long) Math.ceil(StrictMath.log(NEVER) / StrictMath.log(loss));
+    }
+    return settings.messageDelay().longestNs() + copies * RESEND_NS;
   }
 
   /** Time within which a primitive that needs a few rounds of messages has answered. */
   long withinNs() {
-    return Bounds.withinNs(settings);
+    return 10 * deltaNs(settings);
   }
 
-  /** Registrations whose deadline is after {@link #withinNs}. */
+  /** A deadline after {@link #withinNs}: a late answer violates the specification first. */
+  long deadlineMs() {
+    return 3 * withinNs() / (2 * Time.NS_PER_MS);
+  }
+
   RegistrationSettings registration() {
-    return RegistrationSettings.DEFAULT.withDeadlineMs(Bounds.deadlineMs(withinNs()));
-  }
-
-  private static int whole(Request request, String key, int least, int most) {
-    try {
-      return (int) Quantities.whole(request.parameter(key), least, most);
-    } catch (BadInput error) {
-      throw Quantities.in(key, error);
-    }
+    return RegistrationSettings.DEFAULT.withDeadlineMs(deadlineMs());
   }
 }

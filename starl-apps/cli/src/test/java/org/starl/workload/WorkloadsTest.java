@@ -70,11 +70,11 @@ class WorkloadsTest {
 
   @Test
   void deltaGrowsWithLossAndDelay() {
-    long none = Bounds.deltaNs(SimSettings.builder().set("messageDelay", "100ms").build());
+    long none = Setup.deltaNs(SimSettings.builder().set("messageDelay", "100ms").build());
     assertThat(none).isEqualTo(2_100_000_000L);
     SimSettings.Builder lossy = SimSettings.builder().set("messageLoss", "0.5");
     // 0.75 to the 73rd is below one in a thousand million.
-    assertThat(Bounds.deltaNs(lossy.set("messageDelay", "uniform(1s,2s)").build()))
+    assertThat(Setup.deltaNs(lossy.set("messageDelay", "uniform(1s,2s)").build()))
         .isEqualTo(2_000_000_000L + 74 * 2_000_000_000L);
   }
 
