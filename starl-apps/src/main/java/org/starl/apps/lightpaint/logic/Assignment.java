@@ -6,6 +6,7 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
@@ -13,6 +14,7 @@ import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Decision;
 import org.starl.primitives.agreement.SetAgreement;
 import org.starl.primitives.geocast.Broadcast;
+import org.starl.time.Time;
 
 /**
  * Which painter paints which stroke. A {@link SetAgreement} for each stroke assigns it to one painter
@@ -22,13 +24,12 @@ import org.starl.primitives.geocast.Broadcast;
 final class Assignment {
 
   private static final String XID = "lightpaint";
-  private static final long NS_PER_MS = 1_000_000;
   private static final long HINT_PERIOD_MS = 4_000;
-  private static final long HINT_LIFETIME_NS = 15_000 * NS_PER_MS;
-  private static final long POSTPONE_NS = 20_000 * NS_PER_MS;
+  private static final long HINT_LIFETIME_NS = 15 * Time.NS_PER_S;
+  private static final long POSTPONE_NS = 20 * Time.NS_PER_S;
 
   /** Without progress for so long, the work is blocked by something that will not move. */
-  private static final long GIVE_UP_NS = 240_000 * NS_PER_MS;
+  private static final long GIVE_UP_NS = 240 * Time.NS_PER_S;
 
   private final GlobalVarHolder gvh;
   private final List<Stroke> strokes;
@@ -94,47 +95,48 @@ final class Assignment {
 
   /** The nearest unassigned stroke that no other painter works near to; null if there is none now. */
   @Nullable Stroke nearestFree(Point here) {
-    Stroke nearest = null;
-    double nearestMm = Double.POSITIVE_INFINITY;
-    for (Stroke stroke : strokes) {
-      if (painter(stroke) == null && !isPostponed(stroke) && conflict(stroke) == null) {
-        Polyline path = stroke.path();
-        double mm = Math.min(path.start().distanceMm(here), path.end().distanceMm(here));
-        if (mm < nearestMm) {
-          nearest = stroke;
-          nearestMm = mm;
-        }
-      }
-    }
-    return nearest;
+    return strokes.stream()
+        .filter(stroke -> painter(stroke) == null)
+        .filter(stroke -> nowNs() >= postponedToNs.getOrDefault(stroke.number(), Long.MIN_VALUE))
+        .filter(stroke -> rivals(stroke).findAny().isEmpty())
+        .min(Comparator.comparingDouble(stroke -> endsMm(stroke.path(), here)))
+        .orElse(null);
+  }
+
+  private static double endsMm(Polyline path, Point here) {
+    return Math.min(path.start().distanceMm(here), path.end().distanceMm(here));
   }
 
   /** Whether this robot, on its way to {@code stroke}, should choose another one. */
   boolean isContested(Stroke stroke) {
-    if (painter(stroke) != null) {
-      return isOfAnother(stroke);
-    }
-    Received other = conflict(stroke);
-    return other != null && (other.hint().paints() || isBeforeThis(other));
+    return painter(stroke) == null
+        ? rivals(stroke).anyMatch(rival -> rival.hint().paints() || isBeforeThis(rival))
+        : isOfAnother(stroke);
   }
 
   /** Whether a robot with a smaller name was assigned a stroke that is too near to {@code stroke}. */
   boolean mustWait(Stroke stroke) {
-    Received other = conflict(stroke);
-    return other != null && other.hint().paints() && isBeforeThis(other);
+    return rivals(stroke).anyMatch(rival -> rival.hint().paints() && isBeforeThis(rival));
   }
 
-  private boolean isBeforeThis(Received other) {
-    return other.from().compareTo(gvh.id.name()) < 0;
+  private boolean isBeforeThis(Received rival) {
+    return rival.from().compareTo(gvh.id.name()) < 0;
+  }
+
+  /** The latest hints of the robots that work too near to {@code stroke}. */
+  private Stream<Received> rivals(Stroke stroke) {
+    return received.values().stream()
+        .filter(other -> nowNs() - other.atNs() < HINT_LIFETIME_NS)
+        .filter(other -> other.hint().stroke() != CurrentWork.NONE)
+        .filter(other -> {
+          Polyline path = strokes.get(other.hint().stroke()).path();
+          return stroke.path().distanceMm(path) < apartMm;
+        });
   }
 
   /** Leaves {@code stroke} alone for a while: there is no path to it now. */
   void postpone(Stroke stroke) {
     postponedToNs.put(stroke.number(), nowNs() + POSTPONE_NS);
-  }
-
-  private boolean isPostponed(Stroke stroke) {
-    return nowNs() < postponedToNs.getOrDefault(stroke.number(), Long.MIN_VALUE);
   }
 
   /**
@@ -143,16 +145,16 @@ final class Assignment {
    * @param current number of the stroke that it still works on, or {@link CurrentWork#NONE}
    */
   int finished(int current) {
-    long own = strokes.stream().filter(this::isOwn).count();
-    return (int) own - (isOwn(current) ? 1 : 0);
+    return (int) strokes.stream().filter(this::isOwn).filter(s -> s.number() != current).count();
   }
 
   /** Broadcasts which stroke this robot works on: when that changes, and periodically. */
   void sendHint(int current) {
-    Hint hint = new Hint(current, isOwn(current), finished(current));
+    boolean paints = current != CurrentWork.NONE && isOwn(strokes.get(current));
+    Hint hint = new Hint(current, paints, finished(current));
     if (!hint.equals(sent) || nowNs() >= sendAgainNs) {
       sent = hint;
-      sendAgainNs = nowNs() + HINT_PERIOD_MS * NS_PER_MS;
+      sendAgainNs = nowNs() + HINT_PERIOD_MS * Time.NS_PER_MS;
       hints.BCast(hint, HINT_PERIOD_MS / 2);
     }
   }
@@ -178,27 +180,6 @@ final class Assignment {
       progressNs = nowNs();
     }
     return nowNs() - progressNs;
-  }
-
-  private boolean isOwn(int number) {
-    return number != CurrentWork.NONE && isOwn(strokes.get(number));
-  }
-
-  /**
-   * The hint of the robot that takes precedence among those that work too near to {@code stroke}: one
-   * whose stroke is assigned, else the one with the smallest name.
-   */
-  private @Nullable Received conflict(Stroke stroke) {
-    return received.values().stream()
-        .filter(other -> nowNs() - other.atNs() < HINT_LIFETIME_NS)
-        .filter(other -> other.hint().stroke() != CurrentWork.NONE)
-        .filter(other -> isTooNear(stroke, strokes.get(other.hint().stroke())))
-        .min(Comparator.comparing(other -> !other.hint().paints()))
-        .orElse(null);
-  }
-
-  private boolean isTooNear(Stroke a, Stroke b) {
-    return a.path().distanceMm(b.path()) < apartMm;
   }
 
   private void received(RobotId from, Hint hint) {

@@ -1,7 +1,6 @@
 package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
@@ -10,8 +9,8 @@ import org.starl.gvh.GvhCell;
 import org.starl.platform.StableStorage;
 
 /**
- * The stroke that a painter works on, if any, and the note of it on stable storage: after a restart
- * the painter continues from the note. Strand only.
+ * The stroke that a painter works on, if any, its progress, and the note of both on stable storage:
+ * after a restart the painter continues from the note. Strand only.
  */
 final class CurrentWork {
 
@@ -22,11 +21,22 @@ final class CurrentWork {
   private static final int NOTE_BYTES = 14;
   private static final double NOTE_EVERY_MM = 10;
 
+  /** A shorter remainder counts as done: the painter stands at its end already. */
+  private static final double MIN_REST_MM = 8;
+
+  /** Upper bound of what a painter paints between two notes. */
+  private static final double MAX_UNNOTED_MM = 150;
+
   private final List<Stroke> strokes;
   private final StableStorage stable;
   private final GvhCell<Integer> tracedNumber;
-  private @Nullable Work work;
-  private double notedMm = -NOTE_EVERY_MM;
+  private int number = NONE;
+  private boolean isReversed;
+
+  /** Painted so far, from the start of {@link #path}. */
+  private double doneMm;
+
+  private double notedMm;
   private int unflushedNotes;
 
   CurrentWork(GlobalVarHolder gvh, List<Stroke> strokes) {
@@ -36,57 +46,66 @@ final class CurrentWork {
   }
 
   boolean isNone() {
-    return work == null;
-  }
-
-  Work get() {
-    if (work == null) {
-      throw new IllegalStateException("no stroke to work on");
-    }
-    return work;
-  }
-
-  Stroke stroke() {
-    return get().stroke();
+    return number == NONE;
   }
 
   /** The stroke's number, or {@link #NONE}. */
   int number() {
-    return work == null ? NONE : work.stroke().number();
+    return number;
+  }
+
+  Stroke stroke() {
+    return strokes.get(number);
   }
 
   void traceNumber() {
-    tracedNumber.set(number());
+    tracedNumber.set(number);
   }
 
-  void set(Work next) {
-    work = next;
+  /** The stroke in the painter's direction. */
+  private Polyline path() {
+    return isReversed ? stroke().path().reversed() : stroke().path();
   }
 
-  /** Ends the work; the note stays. */
-  void clear() {
-    work = null;
+  /** Where painting continues. */
+  Point next() {
+    return path().at(doneMm);
   }
 
-  /** Ends the work and erases the note: the stroke belongs to another painter. */
-  void drop() {
-    work = null;
-    notedMm = -NOTE_EVERY_MM;
-    put(new byte[0]);
+  Polyline rest() {
+    Polyline path = path();
+    return path.between(doneMm, path.lengthMm());
+  }
+
+  boolean isDone() {
+    return path().lengthMm() - doneMm < MIN_REST_MM;
+  }
+
+  /** Begins with {@code stroke}, at the end that is nearer to {@code here}. */
+  void begin(Stroke stroke, Point here) {
+    number = stroke.number();
+    isReversed = stroke.path().end().distanceMm(here) < stroke.path().start().distanceMm(here);
+    doneMm = 0;
   }
 
   /** Records that the painter, with its light on, has come to {@code here}. */
   void paintedTo(Point here) {
-    work = get().paintedTo(here);
+    doneMm = path().nearestMm(here, doneMm, doneMm + MAX_UNNOTED_MM);
   }
 
   void finish() {
-    work = get().finished();
+    doneMm = path().lengthMm();
+  }
+
+  /** Ends the work and erases the note. */
+  void drop() {
+    number = NONE;
+    put(new byte[0]);
   }
 
   /** Writes the note if the painter, which is painting, has come 10 mm farther than the note says. */
   void noteProgress() {
-    if (get().doneMm() >= notedMm + NOTE_EVERY_MM) {
+    if (doneMm >= notedMm + NOTE_EVERY_MM) {
       note(true);
     }
   }
@@ -99,11 +118,11 @@ final class CurrentWork {
   void note(boolean isAtWork) {
     byte[] bytes = new byte[NOTE_BYTES];
     WireWriter out = new WireWriter(bytes);
-    out.i32(number());
-    out.bool(get().isReversed());
-    out.f64(get().doneMm());
+    out.i32(number);
+    out.bool(isReversed);
+    out.f64(doneMm);
     out.bool(isAtWork);
-    notedMm = get().doneMm();
+    notedMm = doneMm;
     put(bytes);
   }
 
@@ -125,13 +144,14 @@ final class CurrentWork {
    */
   void resume(Point here) {
     byte[] bytes = stable.get(KEY);
-    if (bytes == null || bytes.length == 0) {
-      return;
+    if (bytes != null && bytes.length > 0) {
+      WireReader in = new WireReader(bytes);
+      number = in.i32();
+      isReversed = in.bool();
+      doneMm = in.f64();
+      if (in.bool()) {
+        paintedTo(here);
+      }
     }
-    WireReader in = new WireReader(bytes);
-    Stroke stroke = strokes.get(in.i32());
-    boolean isReversed = in.bool();
-    Work noted = Work.of(stroke, isReversed, in.f64());
-    work = in.bool() ? noted.paintedTo(here) : noted;
   }
 }

@@ -6,6 +6,8 @@ import org.starl.LogicThread;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.DistributedPathPlanning;
+import org.starl.primitives.paths.OptimalPlanner;
+import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
 
 /**
@@ -35,7 +37,14 @@ public final class LightPaintApp extends LogicThread {
   public LightPaintApp(GlobalVarHolder gvh, Painting painting, Point home) {
     super(gvh);
     gvh.plat.moat.setParameters(Painting.motion(gvh.plat.moat.parameters()));
-    paths = painting.paths(gvh);
+    paths =
+        new DistributedPathPlanning(
+            gvh,
+            "lightpaint",
+            gvh.id.participants(),
+            new OptimalPlanner(),
+            painting.floor(),
+            Painting.TUBES);
     assignment = new Assignment(gvh, painting.strokes(), 2.0 * paths.radiusMm());
     location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
     motion = new PainterMotion(gvh, paths, home);
@@ -54,26 +63,18 @@ public final class LightPaintApp extends LogicThread {
           }
         }
         case PICK -> pick();
-        case GO -> go(work.get());
+        case GO -> go();
         case NOTE -> {
           if (work.isNoted()) {
             assignment.request(work.stroke());
             location.set(Location.ASK);
           }
         }
-        case ASK -> {
-          if (assignment.isOwn(work.stroke())) {
-            begin(work.get());
-          } else if (assignment.isOfAnother(work.stroke())) {
-            drop();
-          } else if (assignment.hasFailed(work.stroke())) {
-            assignment.request(work.stroke());
-          }
-        }
+        case ASK -> ask();
         case PAINT -> paint();
         case LEAVE -> {
           if (work.isNoted()) {
-            leave(work.get().isDone());
+            leave(work.isDone());
           }
         }
         case RETREAT -> {
@@ -97,38 +98,43 @@ public final class LightPaintApp extends LogicThread {
   }
 
   private void pick() {
-    Point here = gvh.gps.pose().at();
-    Stroke free = assignment.nearestFree(here);
+    Stroke free = assignment.nearestFree(gvh.gps.pose().at());
     if (assignment.unassigned() == 0 || assignment.isHopeless()) {
       location.set(Location.PARK);
     } else if (free == null) {
       location.set(Location.RETREAT);
     } else {
-      work.set(Work.from(free, here));
+      work.begin(free, gvh.gps.pose().at());
       setOut();
     }
   }
 
-  private void go(Work current) {
-    if (assignment.isContested(current.stroke())) {
+  private void go() {
+    if (assignment.isContested(work.stroke())) {
       paths.stop();
-      drop();
-    } else if (motion.isAt(current)) {
+      leave(true);
+    } else if (motion.isAt(work)) {
       work.note(true);
       location.set(Location.NOTE);
     } else if (paths.failed()) {
-      assignment.postpone(current.stroke());
-      leave(!assignment.isOwn(current.stroke()));
+      assignment.postpone(work.stroke());
+      leave(!assignment.isOwn(work.stroke()));
     } else if (!paths.isUnderWay()) {
       setOut();
     }
   }
 
-  private void begin(Work current) {
-    if (current.isDone()) {
+  private void ask() {
+    if (assignment.isOfAnother(work.stroke())) {
+      leave(true);
+    } else if (!assignment.isOwn(work.stroke())) {
+      if (assignment.hasFailed(work.stroke())) {
+        assignment.request(work.stroke());
+      }
+    } else if (work.isDone()) {
       location.set(Location.LEAVE);
-    } else if (motion.mayPaint(current)) {
-      motion.paint(current);
+    } else if (motion.mayPaint(work)) {
+      motion.paint(work);
       location.set(Location.PAINT);
     } else {
       location.set(Location.GO);
@@ -136,31 +142,31 @@ public final class LightPaintApp extends LogicThread {
   }
 
   private void paint() {
-    switch (motion.keepPainting(work)) {
-      case PAINTING -> work.noteProgress();
-      case STOPPED -> setOut();
-      case PAINTED, NO_TUBE -> {
-        work.note(false);
-        location.set(Location.LEAVE);
+    motion.shine(work);
+    if (paths.isUnderWay()) {
+      work.noteProgress();
+    } else if (paths.failure().get() == TubeFailure.MOTION) {
+      // Stopped on the stroke: stuck wheels, no fix.
+      setOut();
+    } else {
+      if (!paths.failed()) {
+        work.finish();
       }
+      work.note(false);
+      location.set(Location.LEAVE);
     }
   }
 
   /** Leaves the stroke and picks another; or, not for good, gives way and keeps the stroke. */
   private void leave(boolean isForGood) {
     if (isForGood) {
-      work.clear();
+      work.drop();
     }
     location.set(isForGood ? Location.PICK : Location.RETREAT);
   }
 
-  private void drop() {
-    work.drop();
-    location.set(Location.PICK);
-  }
-
   private void setOut() {
-    motion.goTo(work.get());
+    motion.goTo(work);
     location.set(Location.GO);
   }
 

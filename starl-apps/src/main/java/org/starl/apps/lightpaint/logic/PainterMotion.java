@@ -6,7 +6,6 @@ import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.Path;
-import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
 
 /**
@@ -14,15 +13,6 @@ import org.starl.primitives.paths.TubeFlag;
  * the light on. Strand only.
  */
 final class PainterMotion {
-
-  /** State of the latest {@link #paint}. */
-  enum PaintState {
-    PAINTING,
-    PAINTED,
-    /** Stopped on the stroke: stuck wheels, no fix. */
-    STOPPED,
-    NO_TUBE
-  }
 
   private static final double HOME_MM = 100;
   private static final double ARRIVED_MM = 12;
@@ -40,50 +30,43 @@ final class PainterMotion {
   }
 
   /** Sets out to where {@code work} continues. */
-  void goTo(Work work) {
-    String name = "stroke" + work.stroke().number();
-    paths.goTo(new ItemPosition(name, work.next().xMm(), work.next().yMm()));
+  void goTo(CurrentWork work) {
+    Point next = work.next();
+    paths.goTo(new ItemPosition("stroke" + work.number(), next.xMm(), next.yMm()));
   }
 
   /** Whether the painter has arrived where {@code work} continues, and {@link #mayPaint}. */
-  boolean isAt(Work work) {
+  boolean isAt(CurrentWork work) {
     boolean isNear = gvh.gps.pose().at().distanceMm(work.next()) <= ARRIVED_MM;
     boolean hasArrived = paths.tubeflag().get() == TubeFlag.DONE || isNear;
     return !paths.isUnderWay() && hasArrived && mayPaint(work);
   }
 
   /** Whether the painter is certainly near enough for {@link #paint}. */
-  boolean mayPaint(Work work) {
+  boolean mayPaint(CurrentWork work) {
     double offMm = Painting.TUBES.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm();
     return gvh.gps.maxDistanceMm(work.next()) <= offMm;
   }
 
   /** Starts to paint the rest of {@code work}; the painter stands where it continues. */
-  void paint(Work work) {
+  void paint(CurrentWork work) {
     paths.goAlong(new Path(work.rest().points()));
   }
 
   /**
    * Switches the light, on exactly while the painter moves in its tube, and records progress. To be
-   * called whenever the tube's flag changes and periodically, until the result is not PAINTING.
+   * called whenever the tube's flag changes and periodically, until the tube's end.
    */
-  PaintState keepPainting(CurrentWork work) {
+  void shine(CurrentWork work) {
     if (paths.tubeflag().get() == TubeFlag.MOVING) {
       light.set(Light.of(work.stroke()));
     }
     if (light.get().isOn()) {
       work.paintedTo(gvh.gps.pose().at());
     }
-    if (paths.isUnderWay()) {
-      return PaintState.PAINTING;
+    if (!paths.isUnderWay()) {
+      light.set(Light.OFF);
     }
-    light.set(Light.OFF);
-    if (paths.failed()) {
-      boolean isStopped = paths.failure().get() == TubeFailure.MOTION;
-      return isStopped ? PaintState.STOPPED : PaintState.NO_TUBE;
-    }
-    work.finish();
-    return PaintState.PAINTED;
   }
 
   /** Whether the painter is at home and holds only its place there; if not, it goes there. */
@@ -97,8 +80,7 @@ final class PainterMotion {
       return true;
     }
     // After an arrival the tube is given back once storage has flushed that. Setting out again
-    // before
-    // would claim another tube, for ever if storage is slow.
+    // before would claim another tube, for ever if storage is slow.
     boolean isGivingBack = isHome && paths.tubeflag().get() == TubeFlag.DONE;
     if (!isGivingBack) {
       paths.goTo(home);

@@ -1,12 +1,10 @@
 package org.starl.apps.lightpaint.logic;
 
 import java.util.List;
-import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Rectangle;
 import org.starl.primitives.paths.DistributedPathPlanning;
-import org.starl.primitives.paths.OptimalPlanner;
 import org.starl.primitives.paths.TubeSettings;
 
 /**
@@ -18,24 +16,12 @@ import org.starl.primitives.paths.TubeSettings;
 public record Painting(List<Stroke> strokes, Rectangle floor) {
 
   /** Painters drive slowly and know their positions well: narrow tubes, short deadlines. */
-  public static final TubeSettings TUBES =
-      new TubeSettings(40, 1_000, 10_000, 200, 2_000, 200, 2_000);
+  static final TubeSettings TUBES = new TubeSettings(40, 1_000, 10_000, 200, 2_000, 200, 2_000);
 
   private static final double GOAL_RADIUS_MM = 8;
 
   public Painting {
     strokes = List.copyOf(strokes);
-    for (int i = 0; i < strokes.size(); i++) {
-      if (strokes.get(i).number() != i) {
-        throw new IllegalArgumentException("stroke " + strokes.get(i).number() + " at " + i);
-      }
-    }
-  }
-
-  /** Path planning of one painter. */
-  DistributedPathPlanning paths(GlobalVarHolder gvh) {
-    return new DistributedPathPlanning(
-        gvh, "lightpaint", gvh.id.participants(), new OptimalPlanner(), floor, TUBES);
   }
 
   /** Motion parameters of a painter with this body: exact, but slower. */

@@ -10,6 +10,7 @@ import org.starl.apps.lightpaint.logic.Light;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
@@ -20,41 +21,36 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class LightTrail {
 
-  private static final long STEP_NS = 10_000_000;
+  private static final long STEP_NS = 10 * Time.NS_PER_MS;
 
   private final Bodies bodies;
+  private final Consumer<Pass> listener;
   private final SortedMap<RobotId, Pass> open = new TreeMap<>();
   private final List<Pass> passes = new ArrayList<>();
-  private final Consumer<Pass> listener;
   private long nextNs;
 
   public LightTrail() {
-    this(pass -> {});
+    this(new Bodies(), pass -> {});
   }
 
   /**
    * @param listener called with a pass after each point that is added to it
    */
-  LightTrail(Consumer<Pass> listener) {
-    this(listener, new Bodies());
-  }
-
-  private LightTrail(Consumer<Pass> listener, Bodies bodies) {
-    this.listener = listener;
+  LightTrail(Bodies bodies, Consumer<Pass> listener) {
     this.bodies = bodies;
+    this.listener = listener;
   }
 
   /** An independent copy of the present state, without a listener; finished passes are shared. */
   public LightTrail copy() {
-    LightTrail copy = new LightTrail(pass -> {}, bodies.copy());
-    for (Pass pass : passes) {
-      boolean isOpen = open.get(pass.robot()) == pass;
-      Pass same = isOpen ? pass.copy() : pass;
-      copy.passes.add(same);
-      if (isOpen) {
-        copy.open.put(pass.robot(), same);
-      }
-    }
+    LightTrail copy = new LightTrail(bodies.copy(), pass -> {});
+    copy.passes.addAll(passes);
+    copy.open.putAll(open);
+    copy.open.replaceAll((robot, pass) -> {
+      Pass same = new Pass(robot, pass.stroke(), pass.ink(), pass.points());
+      copy.passes.set(passes.indexOf(pass), same);
+      return same;
+    });
     copy.nextNs = nextNs;
     return copy;
   }
@@ -64,7 +60,7 @@ public final class LightTrail {
     return Collections.unmodifiableList(passes);
   }
 
-  /** Takes the next event. */
+  /** Processes the next event. */
   public void observe(TraceEvent event) {
     advance(event.timeNs());
     switch (event) {
@@ -98,7 +94,7 @@ public final class LightTrail {
 
   private void begin(RobotId robot, Light light, long timeNs) {
     if (light.ink() != null && bodies.isOnFloor(robot)) {
-      Pass pass = new Pass(robot, light.stroke(), light.ink());
+      Pass pass = new Pass(robot, light.stroke(), light.ink(), List.of());
       open.put(robot, pass);
       passes.add(pass);
       addPoint(robot, timeNs);

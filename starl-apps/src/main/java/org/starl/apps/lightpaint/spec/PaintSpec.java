@@ -1,6 +1,7 @@
 package org.starl.apps.lightpaint.spec;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.SortedMap;
@@ -13,11 +14,12 @@ import org.starl.apps.lightpaint.logic.Location;
 import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.apps.lightpaint.logic.Stroke;
-import org.starl.geometry.Point;
 import org.starl.id.RobotId;
+import org.starl.spec.Bodies;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -35,25 +37,24 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public final class PaintSpec implements Monitor {
 
-  static final String ON_THE_DRAWING = "OnTheDrawing";
-  static final String ONCE = "Once";
-  static final String COMPLETE = "Complete";
-  static final String PAINTED = "Painted";
+  private static final String ON_THE_DRAWING = "OnTheDrawing";
+  private static final String ONCE = "Once";
+  private static final String COMPLETE = "Complete";
+  private static final String PAINTED = "Painted";
 
   private static final String ALL = "all";
   private static final int MAX_NAMED = 8;
 
   private final List<Stroke> strokes;
   private final double toleranceMm;
-  private final Coverage coverage;
-  private final FaultState circumstances = new FaultState();
+  private final FaultState faults = new FaultState();
   private final Within<String> progress;
   private final SortedMap<RobotId, Boolean> ended = new TreeMap<>();
 
   /** The lemmas violated so far, with robot and stroke: each is reported once. */
   private final SortedSet<String> reported = new TreeSet<>();
 
-  private final LightTrail trail;
+  private final LightTrail trail = new LightTrail(new Bodies(), this::painted);
   private @Nullable Report report;
   private long nowNs;
 
@@ -65,9 +66,7 @@ public final class PaintSpec implements Monitor {
   public PaintSpec(List<Stroke> strokes, double toleranceMm, long boundNs) {
     this.strokes = List.copyOf(strokes);
     this.toleranceMm = toleranceMm;
-    coverage = new Coverage(strokes, toleranceMm);
     progress = new Within<>(boundNs);
-    trail = new LightTrail(this::painted);
   }
 
   @Override
@@ -94,8 +93,8 @@ public final class PaintSpec implements Monitor {
     nowNs = event.timeNs();
     expire(to);
     trail.observe(event);
-    if (circumstances.observe(event)) {
-      progress.assumeAll(circumstances.isFaultFree() && areAllUp(), nowNs);
+    if (faults.observe(event)) {
+      progress.assumeAll(faults.isFaultFree() && areAllUp(), nowNs);
     }
     switch (event) {
       case TraceEvent.Joined joined -> {
@@ -124,14 +123,14 @@ public final class PaintSpec implements Monitor {
   }
 
   private boolean areAllUp() {
-    return ended.keySet().stream().allMatch(circumstances::isUp);
+    return ended.keySet().stream().allMatch(faults::isUp);
   }
 
   private void allHaveEnded(Report to) {
     to.checked(COMPLETE);
-    List<Integer> missing = coverage.missing();
+    String missing = missing();
     if (!missing.isEmpty() && areAllUp()) {
-      to.violated(COMPLETE, nowNs, List.copyOf(ended.keySet()), "not painted: " + names(missing));
+      to.violated(COMPLETE, nowNs, List.copyOf(ended.keySet()), "not painted: " + missing);
     }
     if (missing.isEmpty() && progress.stop(ALL)) {
       to.checked(PAINTED);
@@ -144,11 +143,9 @@ public final class PaintSpec implements Monitor {
         (key, sinceNs, deadlineNs) -> {
           List<RobotId> late = new ArrayList<>(ended.keySet());
           late.removeIf(robot -> Boolean.TRUE.equals(ended.get(robot)));
-          String detail =
-              "not done since %d ms; not painted: %s"
-                  .formatted(sinceNs / 1_000_000, names(coverage.missing()));
+          String since = "not done since " + sinceNs / Time.NS_PER_MS + " ms; not painted: ";
           to.checked(PAINTED);
-          to.violated(PAINTED, deadlineNs, late, detail);
+          to.violated(PAINTED, deadlineNs, late, since + missing());
         });
   }
 
@@ -158,8 +155,7 @@ public final class PaintSpec implements Monitor {
     if (to == null) {
       return;
     }
-    List<Point> points = pass.points();
-    if (points.size() == 1) {
+    if (pass.points().size() == 1) {
       to.checked(ON_THE_DRAWING);
       to.checked(ONCE);
     }
@@ -169,12 +165,12 @@ public final class PaintSpec implements Monitor {
       return;
     }
     Polyline path = strokes.get(pass.stroke()).path();
-    double offMm = path.distanceMm(points.get(points.size() - 1));
+    double offMm = path.distanceMm(pass.latest());
     if (offMm > toleranceMm) {
       violated(ON_THE_DRAWING, pass, "its light is on " + text(offMm) + " off the stroke", to);
     }
-    coverage.add(pass);
-    double twiceMm = coverage.twiceMm(pass);
+    pass.cover(path, 2 * toleranceMm);
+    double twiceMm = twiceMm(pass);
     if (twiceMm > toleranceMm) {
       violated(ONCE, pass, "paints " + text(twiceMm) + " of it once more", to);
     }
@@ -186,17 +182,50 @@ public final class PaintSpec implements Monitor {
     }
   }
 
-  private static String text(double mm) {
-    return String.format(Locale.ROOT, "%.1f mm", mm);
+  private List<Pass> passes(int stroke) {
+    return trail.passes().stream().filter(pass -> pass.stroke() == stroke).toList();
   }
 
-  private String names(List<Integer> missing) {
-    String names =
-        missing.stream()
-            .limit(MAX_NAMED)
-            .map(number -> "stroke " + number + " (" + text(coverage.longestGapMm(number)) + ")")
-            .collect(Collectors.joining(" "));
+  /** The longest part, in mm, that {@code pass} painted although it, or another pass, had already. */
+  private double twiceMm(Pass pass) {
+    double twiceMm = pass.backMm();
+    for (Pass other : passes(pass.stroke())) {
+      if (other != pass) {
+        double fromMm = Math.max(pass.fromMm(), other.fromMm());
+        twiceMm = Math.max(twiceMm, Math.min(pass.toMm(), other.toMm()) - fromMm);
+      }
+    }
+    return twiceMm;
+  }
+
+  /** The longest unpainted part of a stroke, in mm. */
+  private double longestGapMm(Stroke stroke) {
+    double gapMm = 0;
+    double toMm = 0;
+    List<Pass> passes = new ArrayList<>(passes(stroke.number()));
+    passes.sort(Comparator.comparingDouble(Pass::fromMm));
+    for (Pass pass : passes) {
+      gapMm = Math.max(gapMm, pass.fromMm() - toMm);
+      toMm = Math.max(toMm, pass.toMm());
+    }
+    return Math.max(gapMm, stroke.path().lengthMm() - toMm);
+  }
+
+  /** The first strokes with a gap longer than the tolerance; empty if there are none. */
+  private String missing() {
+    List<String> missing = new ArrayList<>();
+    for (Stroke stroke : strokes) {
+      double gapMm = longestGapMm(stroke);
+      if (gapMm > toleranceMm || passes(stroke.number()).isEmpty()) {
+        missing.add("stroke " + stroke.number() + " (" + text(gapMm) + ")");
+      }
+    }
     int more = missing.size() - MAX_NAMED;
-    return more > 0 ? names + " and " + more + " more" : names;
+    return missing.stream().limit(MAX_NAMED).collect(Collectors.joining(" "))
+        + (more > 0 ? " and " + more + " more" : "");
+  }
+
+  private static String text(double mm) {
+    return String.format(Locale.ROOT, "%.1f mm", mm);
   }
 }

@@ -151,13 +151,16 @@ public final class SvgDrawing {
   }
 
   private void finish(List<Point> points, Ink ink) {
+    if (points.isEmpty()) {
+      return;
+    }
     for (Point point : points) {
       if (!point.isFinite() || Math.abs(point.xMm()) > MAX_MM || Math.abs(point.yMm()) > MAX_MM) {
         throw new BadInput(file + ": a line goes to " + point + ": expected within 1 km");
       }
     }
     List<Point> simple = Polyline.simplified(points, flatnessMm / 2);
-    List<Point> whole = Polyline.withoutRepeats(simple.stream().map(Polyline::rounded).toList());
+    List<Point> whole = Polyline.simplified(simple.stream().map(Polyline::rounded).toList(), 0);
     if (whole.size() > 1) {
       lines.add(new Line(new Polyline(whole), ink));
     }
