@@ -1,16 +1,18 @@
 package org.starl.apps.lightpaint;
 
-import java.nio.file.InvalidPathException;
+import java.io.File;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Map;
+import java.util.Objects;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
+import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.lightpaint.logic.LightPaintApp;
@@ -34,6 +36,9 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
+import org.starl.sim.world.Waypoint;
+import org.starl.sim.world.WaypointFiles;
+import org.starl.time.Time;
 
 /** The paper's section 5.4, Figure 9: {@code starl run lightpaint}. */
 public final class LightPaintDemo implements Demo {
@@ -44,30 +49,13 @@ public final class LightPaintDemo implements Demo {
   /** Without faults and position noise: the goal radius, and the distance driven in a period. */
   private static final double TOLERANCE_MM = 25;
 
-  private static final long BOUND_NS = 600_000_000_000L;
-  private static final long BOUND_PER_STROKE_NS = 60_000_000_000L;
+  private static final long BOUND_NS = 600 * Time.NS_PER_S;
+  private static final long BOUND_PER_STROKE_NS = 60 * Time.NS_PER_S;
 
   /** Start positions among the original drawings, and the drawing that they belong to. */
   private static final String ORIGINAL_STARTS = "startpoints_benchmark2.wpt";
 
   private static final String ORIGINAL_OF_STARTS = "benchmark.svg";
-
-  private static final List<String> ORIGINALS =
-      List.of(
-          ORIGINAL_OF_STARTS,
-          "bike.svg",
-          "bike.wpt",
-          "box.svg",
-          "collisiontest.svg",
-          "cube.svg",
-          "cube2.wpt",
-          "curve_parse_test.svg",
-          "gaptest.svg",
-          "hi.svg",
-          "kiva.svg",
-          "kiva.wpt",
-          "triforce.svg",
-          "triforce.wpt");
 
   private static final Parameter DRAWING =
       new Parameter("drawing", "", "file NAME.svg or NAME.wpt to paint (default: a house)");
@@ -99,21 +87,19 @@ public final class LightPaintDemo implements Demo {
 
   @Override
   public List<Input> inputs(Path data) {
-    Path folder = data.resolve("starl-original/lightpaint");
+    File folder = data.resolve("starl-original/lightpaint").toFile();
     List<Input> inputs = new ArrayList<>();
-    for (String name : ORIGINALS) {
-      inputs.add(input(folder, name, Map.of(DRAWING.key(), name)));
+    for (File file : Objects.requireNonNullElse(folder.listFiles(), new File[0])) {
+      SortedMap<String, String> parameters = new TreeMap<>();
+      parameters.put(DRAWING.key(), file.toString());
+      if (file.getName().equals(ORIGINAL_STARTS)) {
+        parameters.put(DRAWING.key(), new File(folder, ORIGINAL_OF_STARTS).toString());
+        parameters.put(STARTS.key(), file.toString());
+      }
+      inputs.add(new Input(file.getName(), file.toPath(), parameters, ""));
     }
-    Map<String, String> startsAndDrawing =
-        Map.of(STARTS.key(), ORIGINAL_STARTS, DRAWING.key(), ORIGINAL_OF_STARTS);
-    inputs.add(input(folder, ORIGINAL_STARTS, startsAndDrawing));
+    inputs.sort(Comparator.comparing(Input::name));
     return inputs;
-  }
-
-  private static Input input(Path folder, String name, Map<String, String> files) {
-    SortedMap<String, String> parameters = new TreeMap<>(files);
-    parameters.replaceAll((key, file) -> folder.resolve(file).toString());
-    return new Input(name, folder.resolve(name), parameters, "");
   }
 
   @Override
@@ -136,15 +122,13 @@ public final class LightPaintDemo implements Demo {
     List<Stroke> strokes = strokes(request);
     double radiusMm = Painting.radiusMm(body);
     String file = request.parameter(STARTS.key());
-    List<Point> starts =
-        file.isEmpty() ? List.of() : Room.readStarts(path(STARTS, file), painters, radiusMm);
-    Room room = Room.around(strokes, starts, painters, radiusMm);
-    Painting painting = new Painting(strokes, room.floor());
+    List<Point> starts = file.isEmpty() ? List.of() : readStarts(Path.of(file), painters, radiusMm);
+    Painting painting = Painting.of(strokes, starts, painters, radiusMm);
     LightPaintStory story = new LightPaintStory(painting);
     Simulation.Builder simulation = Simulation.builder().settings(settings).observer(story);
     for (int i = 0; i < painters; i++) {
       RobotId name = new RobotId(settings.robotName() + i);
-      Point home = room.homes().get(i);
+      Point home = painting.homes().get(i);
       Pose start = Pose.of(starts.isEmpty() ? home : starts.get(i), 0);
       simulation.robot(
           new RobotSpec(name, start, true, gvh -> new LightPaintApp(gvh, painting, home)));
@@ -165,7 +149,7 @@ public final class LightPaintDemo implements Demo {
     List<Line> lines =
         file.isEmpty()
             ? DrawingFiles.house(flatnessMm)
-            : DrawingFiles.read(path(DRAWING, file), scaleMm, flatnessMm);
+            : DrawingFiles.read(Path.of(file), scaleMm, flatnessMm);
     List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm, longestMm);
     if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
       throw new BadInput(
@@ -183,23 +167,49 @@ public final class LightPaintDemo implements Demo {
   }
 
   private static double mm(Request request, Parameter parameter, double least, double most) {
-    String text = request.parameter(parameter.key());
-    try {
-      double mm = Quantities.distanceMm(text);
-      if (mm < least || mm > most) {
-        throw new BadInput(BadInput.quote(text) + ": expected " + least + "mm to " + most + "mm");
-      }
-      return mm;
-    } catch (BadInput error) {
-      throw Quantities.in(parameter.key(), error);
-    }
+    return ParameterParser.parse(
+        request,
+        parameter,
+        text -> {
+          double mm = Quantities.distanceMm(text);
+          if (mm < least || mm > most) {
+            throw new BadInput(
+                BadInput.quote(text) + ": expected " + least + "mm to " + most + "mm");
+          }
+          return mm;
+        });
   }
 
-  private static Path path(Parameter parameter, String text) {
-    try {
-      return Path.of(text);
-    } catch (InvalidPathException e) {
-      throw new BadInput(parameter.key() + "=" + BadInput.quote(text) + ": expected a file's name");
+  /**
+   * The starts in a waypoint file, one line for each painter.
+   *
+   * @throws BadInput if there are fewer than painters, or two tubes at them would meet
+   */
+  private static List<Point> readStarts(Path file, int painters, double radiusMm) {
+    List<Waypoint> starts = WaypointFiles.read(file).waypoints();
+    if (starts.size() < painters) {
+      throw new BadInput(
+          file
+              + ": "
+              + starts.size()
+              + " starts: expected one for each of "
+              + painters
+              + " painters");
     }
+    double leastMm = 2 * radiusMm + 2;
+    List<Point> points = new ArrayList<>();
+    for (Waypoint start : starts.subList(0, painters)) {
+      Point at = new Point(start.xMm(), start.yMm());
+      for (int i = 0; i < points.size(); i++) {
+        double mm = points.get(i).distanceMm(at);
+        if (mm < leastMm) {
+          throw new BadInput(
+              "%s: %s and %s are %.0f mm apart: expected at least %.0f"
+                  .formatted(file, starts.get(i).name(), start.name(), mm, leastMm));
+        }
+      }
+      points.add(at);
+    }
+    return points;
   }
 }

@@ -3,11 +3,8 @@ package org.starl.apps.lightpaint;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.SortedMap;
-import java.util.SortedSet;
 import java.util.TreeMap;
-import java.util.TreeSet;
 import org.starl.apps.Measures;
 import org.starl.apps.Product;
 import org.starl.apps.Sample;
@@ -20,6 +17,7 @@ import org.starl.apps.lightpaint.spec.Pass;
 import org.starl.apps.lightpaint.view.PaintedDrawing;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
@@ -27,17 +25,12 @@ import org.starl.trace.TraceEvent.Variable;
 /** How much each robot painted, and when the drawing was done. */
 final class LightPaintStory implements Story {
 
-  private static final double NS_PER_S = 1e9;
-  private static final double MM_PER_M = 1e3;
-
   private final Painting painting;
   private final LightTrail trail = new LightTrail();
   private final SortedMap<RobotId, Painter> painters = new TreeMap<>();
   private long lastLightNs;
 
   private static final class Painter {
-    private final SortedSet<Integer> strokes = new TreeSet<>();
-    private double paintedMm;
     private int retreats;
     private int crashes;
     private long endNs = -1;
@@ -78,50 +71,49 @@ final class LightPaintStory implements Story {
 
   @Override
   public void finished(SimResult result) {
-    for (Pass pass : trail.passes()) {
-      Painter painter = painter(pass.robot());
-      painter.strokes.add(pass.stroke());
-      painter.paintedMm += pass.lengthMm();
-    }
     result.results().forEach((robot, ended) -> painter(robot).left = (Integer) ended.get(1));
   }
 
   @Override
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    double paintedMm = 0;
-    for (Map.Entry<RobotId, Painter> entry : painters.entrySet()) {
-      lines.add(entry.getKey() + " " + line(entry.getValue()));
-      paintedMm += entry.getValue().paintedMm;
-    }
+    painters.forEach((robot, painter) -> lines.add(robot + " " + line(robot, painter)));
+    double paintedMm = painters.keySet().stream().mapToDouble(trail::paintedMm).sum();
     double drawingMm =
         painting.strokes().stream().mapToDouble(stroke -> stroke.path().lengthMm()).sum();
     lines.add(
-        "painted %s of a drawing of %s in %d strokes; the last light went off at %s"
-            .formatted(
-                metres(paintedMm),
-                metres(drawingMm),
-                painting.strokes().size(),
-                seconds(lastLightNs)));
+        text(
+            "painted %.2f m of a drawing of %.2f m in %d strokes; the last light went off at %.1f s",
+            paintedMm / 1e3,
+            drawingMm / 1e3,
+            painting.strokes().size(),
+            Time.seconds(lastLightNs)));
     return lines;
   }
 
-  private static String line(Painter painter) {
-    int strokes = painter.strokes.size();
-    StringBuilder line = new StringBuilder("painted ");
-    line.append(strokes == 1 ? "1 stroke" : strokes + " strokes");
-    line.append(", ").append(metres(painter.paintedMm));
-    if (painter.retreats > 0) {
-      line.append(", gave way ").append(times(painter.retreats));
-    }
-    if (painter.crashes > 0) {
-      line.append(", crashed ").append(times(painter.crashes));
-    }
-    line.append(painter.endNs < 0 ? ", has not ended" : ", ended at " + seconds(painter.endNs));
-    if (painter.left > 0) {
-      line.append(" and gave up with ").append(painter.left).append(" strokes left");
-    }
-    return line.toString();
+  private String line(RobotId robot, Painter painter) {
+    long strokes =
+        trail.passes().stream()
+            .filter(pass -> pass.robot().equals(robot))
+            .map(Pass::stroke)
+            .distinct()
+            .count();
+    double metres = trail.paintedMm(robot) / 1e3;
+    return text("painted %d stroke%s, %.2f m", strokes, strokes == 1 ? "" : "s", metres)
+        + times(", gave way", painter.retreats)
+        + times(", crashed", painter.crashes)
+        + (painter.endNs < 0
+            ? ", has not ended"
+            : text(", ended at %.1f s", Time.seconds(painter.endNs)))
+        + (painter.left > 0 ? text(" and gave up with %d strokes left", painter.left) : "");
+  }
+
+  private static String times(String event, int count) {
+    return count == 0 ? "" : event + (count == 1 ? " once" : " " + count + " times");
+  }
+
+  private static String text(String format, Object... values) {
+    return String.format(Locale.ROOT, format, values);
   }
 
   @Override
@@ -144,7 +136,7 @@ final class LightPaintStory implements Story {
       }
     }
     SortedMap<String, Double> figures = new TreeMap<>();
-    figures.put("painted_at_s", lastLightNs / NS_PER_S);
+    figures.put("painted_at_s", Time.seconds(lastLightNs));
     return new Measures(painters.size(), endsNs.size(), endsNs, figures);
   }
 
@@ -156,22 +148,10 @@ final class LightPaintStory implements Story {
             "painted by a robot",
             Sample.Kind.SIZES,
             "m",
-            painters.values().stream().map(painter -> painter.paintedMm / MM_PER_M).toList()));
+            painters.keySet().stream().map(robot -> trail.paintedMm(robot) / 1e3).toList()));
   }
 
   private Painter painter(RobotId robot) {
     return painters.computeIfAbsent(robot, id -> new Painter());
-  }
-
-  private static String times(int count) {
-    return count == 1 ? "once" : count + " times";
-  }
-
-  private static String metres(double mm) {
-    return String.format(Locale.ROOT, "%.2f m", mm / MM_PER_M);
-  }
-
-  private static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.1f s", ns / NS_PER_S);
   }
 }

@@ -8,6 +8,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
@@ -23,12 +24,17 @@ import org.starl.apps.Plan;
 import org.starl.apps.Product;
 import org.starl.apps.Request;
 import org.starl.apps.lightpaint.logic.Line;
+import org.starl.apps.lightpaint.logic.Location;
+import org.starl.apps.lightpaint.logic.PaintTrace;
 import org.starl.apps.lightpaint.view.SvgDrawing;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
 
 /** Whole runs of light painting. */
 class LightPaintTest {
@@ -123,6 +129,39 @@ class LightPaintTest {
       SimResult result = run(atMs, 2, small(folder), Map.of("faults", crash));
       assertAllPainted(result, STROKES);
     }
+  }
+
+  @Test
+  void aPainterThatCrashesAfterItsLastStrokeDoesNotDriveThereAgain(@TempDir Path folder)
+      throws IOException {
+    String line = "WAY,0,0,255,0-A_4\nWAY,900,0,255,0-B_4\n";
+    Path file = Files.writeString(folder.resolve("line.wpt"), line);
+    Map<String, String> drawing = Map.of("drawing", file.toString());
+    long parksMs = times(drawing, Map.of(), Location.PARK).get(0);
+    String crash = "crash(bot0,at=" + (parksMs + 500) + "ms,restart=2s)";
+    assertThat(times(drawing, Map.of("faults", crash), Location.PARK)).hasSize(2);
+    assertThat(times(drawing, Map.of("faults", crash), Location.GO)).hasSize(1);
+  }
+
+  /** When the only painter came to a location, in ms. */
+  private static List<Long> times(
+      Map<String, String> parameters, Map<String, String> settings, Location location) {
+    List<Long> times = new ArrayList<>();
+    Plan plan = plan(1, 1, parameters, settings);
+    plan.simulation()
+        .observer(
+            new SimObserver() {
+              @Override
+              public void observed(TraceEvent event) {
+                if (event instanceof TraceEvent.Variable variable
+                    && PaintTrace.is(variable, PaintTrace.LOCATION)
+                    && variable.value().equals(location.name())) {
+                  times.add(variable.timeNs() / Time.NS_PER_MS);
+                }
+              }
+            });
+    assertThat(plan.simulation().build().run().spec().violations()).isEmpty();
+    return times;
   }
 
   @Test

@@ -11,8 +11,10 @@ import org.starl.geometry.Pose;
  * @param angle the angle column, unconverted: degrees in most files, a robot's number or a 24-bit
  *     colour in some
  * @param radiusMm the arrival tolerance, if the file has one
+ * @param line its number in the file, from 1
  */
-public record Waypoint(String name, double xMm, double yMm, double angle, OptionalDouble radiusMm) {
+public record Waypoint(
+    String name, double xMm, double yMm, double angle, OptionalDouble radiusMm, int line) {
 
   /** The waypoint as a pose, for files whose angle column is in degrees. */
   public ItemPosition position() {

@@ -96,7 +96,8 @@ public final class WaypointFiles {
         number(number, line, fields[1], form),
         number(number, line, fields[2], form),
         number(number, line, fields[3], form),
-        fields.length == 5 ? OptionalDouble.empty() : radius(number, line, fields[5], form));
+        fields.length == 5 ? OptionalDouble.empty() : radius(number, line, fields[5], form),
+        number);
   }
 
   private OptionalDouble radius(int number, String line, String field, String form) {

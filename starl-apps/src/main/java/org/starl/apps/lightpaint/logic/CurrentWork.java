@@ -29,8 +29,7 @@ final class CurrentWork {
 
   private final List<Stroke> strokes;
   private final StableStorage stable;
-  private final GvhCell<Integer> tracedNumber;
-  private int number = NONE;
+  private final GvhCell<Integer> number;
   private boolean isReversed;
 
   /** Painted so far, from the start of {@link #path}. */
@@ -42,24 +41,20 @@ final class CurrentWork {
   CurrentWork(GlobalVarHolder gvh, List<Stroke> strokes) {
     this.strokes = strokes;
     stable = gvh.plat.stable;
-    tracedNumber = gvh.variable(PaintTrace.SOURCE, PaintTrace.STROKE, NONE);
+    number = gvh.variable(PaintTrace.SOURCE, PaintTrace.STROKE, NONE);
   }
 
   boolean isNone() {
-    return number == NONE;
+    return number() == NONE;
   }
 
   /** The stroke's number, or {@link #NONE}. */
   int number() {
-    return number;
+    return number.get();
   }
 
   Stroke stroke() {
-    return strokes.get(number);
-  }
-
-  void traceNumber() {
-    tracedNumber.set(number);
+    return strokes.get(number());
   }
 
   /** The stroke in the painter's direction. */
@@ -83,7 +78,7 @@ final class CurrentWork {
 
   /** Begins with {@code stroke}, at the end that is nearer to {@code here}. */
   void begin(Stroke stroke, Point here) {
-    number = stroke.number();
+    number.set(stroke.number());
     isReversed = stroke.path().end().distanceMm(here) < stroke.path().start().distanceMm(here);
     doneMm = 0;
   }
@@ -99,7 +94,7 @@ final class CurrentWork {
 
   /** Ends the work and erases the note. */
   void drop() {
-    number = NONE;
+    number.set(NONE);
     put(new byte[0]);
   }
 
@@ -118,7 +113,7 @@ final class CurrentWork {
   void note(boolean isAtWork) {
     byte[] bytes = new byte[NOTE_BYTES];
     WireWriter out = new WireWriter(bytes);
-    out.i32(number);
+    out.i32(number());
     out.bool(isReversed);
     out.f64(doneMm);
     out.bool(isAtWork);
@@ -146,7 +141,7 @@ final class CurrentWork {
     byte[] bytes = stable.get(KEY);
     if (bytes != null && bytes.length > 0) {
       WireReader in = new WireReader(bytes);
-      number = in.i32();
+      number.set(in.i32());
       isReversed = in.bool();
       doneMm = in.f64();
       if (in.bool()) {

@@ -3,10 +3,12 @@ package org.starl.apps.lightpaint.logic;
 import java.util.List;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.OptimalPlanner;
+import org.starl.primitives.paths.Path;
 import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
 
@@ -24,12 +26,15 @@ public final class LightPaintApp extends LogicThread {
 
   private static final long PERIOD_MS = 100;
   private static final long PAUSE_MS = 1_000;
+  private static final double HOME_MM = 100;
+  private static final double ARRIVED_MM = 12;
 
   private final DistributedPathPlanning paths;
-  private final PainterMotion motion;
   private final Assignment assignment;
   private final CurrentWork work;
+  private final ItemPosition home;
   private final GvhCell<Location> location;
+  private final GvhCell<Light> light;
 
   /**
    * @param home a place beside the drawing, of this robot alone
@@ -47,7 +52,8 @@ public final class LightPaintApp extends LogicThread {
             Painting.TUBES);
     assignment = new Assignment(gvh, painting.strokes(), 2.0 * paths.radiusMm());
     location = gvh.variable(PaintTrace.SOURCE, PaintTrace.LOCATION, Location.RESUME);
-    motion = new PainterMotion(gvh, paths, home);
+    light = gvh.variable(PaintTrace.SOURCE, PaintTrace.LIGHT, Light.OFF);
+    this.home = new ItemPosition("home", home.xMm(), home.yMm());
     work = new CurrentWork(gvh, painting.strokes());
   }
 
@@ -64,33 +70,21 @@ public final class LightPaintApp extends LogicThread {
         }
         case PICK -> pick();
         case GO -> go();
-        case NOTE -> {
-          if (work.isNoted()) {
-            assignment.request(work.stroke());
-            location.set(Location.ASK);
-          }
-        }
         case ASK -> ask();
         case PAINT -> paint();
-        case LEAVE -> {
-          if (work.isNoted()) {
-            leave(work.isDone());
-          }
-        }
         case RETREAT -> {
-          if (motion.goHome()) {
+          if (goHome()) {
             sleep(PAUSE_MS);
             comeBack();
           }
         }
         case PARK -> {
-          if (motion.goHome() || assignment.isHopelessForLong()) {
+          if (goHome() || assignment.isHopelessForLong()) {
             location.set(Location.DONE);
           }
         }
         case DONE -> throw new IllegalStateException("the loop has ended");
       }
-      work.traceNumber();
       assignment.sendHint(work.number());
       pause();
     }
@@ -113,15 +107,30 @@ public final class LightPaintApp extends LogicThread {
     if (assignment.isContested(work.stroke())) {
       paths.stop();
       leave(true);
-    } else if (motion.isAt(work)) {
+    } else if (isAtWork()) {
       work.note(true);
-      location.set(Location.NOTE);
+      await(work::isNoted);
+      assignment.request(work.stroke());
+      location.set(Location.ASK);
     } else if (paths.failed()) {
       assignment.postpone(work.stroke());
       leave(!assignment.isOwn(work.stroke()));
     } else if (!paths.isUnderWay()) {
       setOut();
     }
+  }
+
+  /** Whether the painter has arrived where its work continues, and {@link #mayPaint}. */
+  private boolean isAtWork() {
+    boolean isNear = gvh.gps.pose().at().distanceMm(work.next()) <= ARRIVED_MM;
+    boolean hasArrived = paths.tubeflag().get() == TubeFlag.DONE || isNear;
+    return !paths.isUnderWay() && hasArrived && mayPaint();
+  }
+
+  /** Whether the painter is certainly near enough to claim a tube from where its work continues. */
+  private boolean mayPaint() {
+    double offMm = Painting.TUBES.positionErrorMm() + gvh.plat.moat.parameters().goalRadiusMm();
+    return gvh.gps.maxDistanceMm(work.next()) <= offMm;
   }
 
   private void ask() {
@@ -132,9 +141,9 @@ public final class LightPaintApp extends LogicThread {
         assignment.request(work.stroke());
       }
     } else if (work.isDone()) {
-      location.set(Location.LEAVE);
-    } else if (motion.mayPaint(work)) {
-      motion.paint(work);
+      leave(true);
+    } else if (mayPaint()) {
+      paths.goAlong(new Path(work.rest().points()));
       location.set(Location.PAINT);
     } else {
       location.set(Location.GO);
@@ -142,7 +151,7 @@ public final class LightPaintApp extends LogicThread {
   }
 
   private void paint() {
-    motion.shine(work);
+    shine();
     if (paths.isUnderWay()) {
       work.noteProgress();
     } else if (paths.failure().get() == TubeFailure.MOTION) {
@@ -153,7 +162,21 @@ public final class LightPaintApp extends LogicThread {
         work.finish();
       }
       work.note(false);
-      location.set(Location.LEAVE);
+      await(work::isNoted);
+      leave(work.isDone());
+    }
+  }
+
+  /** Switches the light, on exactly while the painter moves in its tube, and records progress. */
+  private void shine() {
+    if (paths.tubeflag().get() == TubeFlag.MOVING) {
+      light.set(Light.of(work.stroke()));
+    }
+    if (light.get().isOn()) {
+      work.paintedTo(gvh.gps.pose().at());
+    }
+    if (!paths.isUnderWay()) {
+      light.set(Light.OFF);
     }
   }
 
@@ -166,8 +189,28 @@ public final class LightPaintApp extends LogicThread {
   }
 
   private void setOut() {
-    motion.goTo(work);
+    Point next = work.next();
+    paths.goTo(new ItemPosition("stroke" + work.number(), next.xMm(), next.yMm()));
     location.set(Location.GO);
+  }
+
+  /** Whether the painter is at home and holds only its place there; if not, it goes there. */
+  private boolean goHome() {
+    if (paths.isUnderWay()) {
+      return false;
+    }
+    boolean isHome = gvh.gps.minDistanceMm(home.at()) <= HOME_MM;
+    // A painter that was stopped on its way still holds the rest of its tube.
+    if (isHome && paths.held().stream().allMatch(tube -> tube.points().size() == 1)) {
+      return true;
+    }
+    // After an arrival the tube is given back once storage has flushed that. Setting out again
+    // before would claim another tube, for ever if storage is slow.
+    boolean isGivingBack = isHome && paths.tubeflag().get() == TubeFlag.DONE;
+    if (!isGivingBack) {
+      paths.goTo(home);
+    }
+    return false;
   }
 
   private void comeBack() {

@@ -6,15 +6,12 @@ public enum Location {
   RESUME,
   /** Chooses a stroke. */
   PICK,
-  /** Drives to where its work continues. */
+  /** Drives to where its work continues, and writes its note. */
   GO,
-  /** Waits until its note of the stroke is on stable storage. */
-  NOTE,
   /** Waits until the stroke is assigned. */
   ASK,
+  /** Claims a tube along its work, paints, and writes its note. */
   PAINT,
-  /** Waits until its note of its progress is on stable storage. */
-  LEAVE,
   /** Gives way: goes to its home beside the drawing, and comes back. */
   RETREAT,
   /** Goes home for good. */

@@ -8,6 +8,7 @@ import java.util.TreeMap;
 import java.util.function.Consumer;
 import org.starl.apps.lightpaint.logic.Light;
 import org.starl.apps.lightpaint.logic.PaintTrace;
+import org.starl.apps.lightpaint.logic.Polyline;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.time.Time;
@@ -58,6 +59,14 @@ public final class LightTrail {
   /** All passes, in the order in which they began; some may be unfinished. */
   public List<Pass> passes() {
     return Collections.unmodifiableList(passes);
+  }
+
+  /** The length, in mm, of what {@code robot} has painted. */
+  public double paintedMm(RobotId robot) {
+    return passes.stream()
+        .filter(pass -> pass.robot().equals(robot))
+        .mapToDouble(pass -> Polyline.lengthMm(pass.points()))
+        .sum();
   }
 
   /** Processes the next event. */

@@ -47,10 +47,6 @@ public final class Pass {
     return Collections.unmodifiableList(points);
   }
 
-  public double lengthMm() {
-    return Polyline.lengthMm(points);
-  }
-
   void add(Point point) {
     points.add(point);
   }

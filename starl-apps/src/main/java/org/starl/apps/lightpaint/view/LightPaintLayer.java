@@ -1,9 +1,7 @@
 package org.starl.apps.lightpaint.view;
 
-import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.geom.Ellipse2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Locale;
@@ -34,7 +32,6 @@ public final class LightPaintLayer implements Layer {
   private static final String DRAWING = "drawing";
   private static final String PAINTED = "painted";
   private static final String REACH_TUBES = "tubes";
-  private static final double MM_PER_M = 1e3;
 
   private final Painting painting;
   private final LightTrail trail;
@@ -80,7 +77,9 @@ public final class LightPaintLayer implements Layer {
     trail.advance(scene.nowNs());
     for (RobotId robot : look.shows(REACH_TUBES) ? scene.robots() : List.<RobotId>of()) {
       for (Tube tube : Tube.parse(scene.variable(robot, TUBES, "held"))) {
-        paintTube(floor, tube, look.robot(scene, robot));
+        floor.setColor(Theme.faded(look.robot(scene, robot), TUBE_ALPHA));
+        floor.setStroke(look.line(2 * tube.radiusMm()));
+        floor.draw(line(tube.points()));
       }
     }
     for (Stroke stroke : look.shows(DRAWING) ? painting.strokes() : List.<Stroke>of()) {
@@ -90,7 +89,7 @@ public final class LightPaintLayer implements Layer {
     }
     for (Pass pass : look.shows(PAINTED) ? trail.passes() : List.<Pass>of()) {
       floor.setColor(look.theme().visible(new Color(pass.ink().rgb())));
-      floor.setStroke(roundPen(Math.max(MIN_WIDTH_MM, pass.ink().widthMm())));
+      floor.setStroke(look.line(Math.max(MIN_WIDTH_MM, pass.ink().widthMm())));
       floor.draw(line(pass.points()));
     }
     for (RobotId robot : scene.robots()) {
@@ -98,31 +97,14 @@ public final class LightPaintLayer implements Layer {
       if (ink != null && scene.pose(robot).isPresent()) {
         Color colour = look.theme().visible(new Color(ink.rgb()));
         floor.setColor(Theme.faded(colour, GLOW_ALPHA));
-        floor.fill(disc(scene.pose(robot).get().at(), 1.5 * scene.radiusMm(robot)));
+        floor.setStroke(look.line(3 * scene.radiusMm(robot)));
+        floor.draw(line(List.of(scene.pose(robot).get().at())));
       }
     }
   }
 
-  private static void paintTube(Graphics2D floor, Tube tube, Color colour) {
-    floor.setColor(Theme.faded(colour, TUBE_ALPHA));
-    if (tube.points().size() == 1) {
-      floor.fill(disc(tube.end(), tube.radiusMm()));
-    } else {
-      floor.setStroke(roundPen(2 * tube.radiusMm()));
-      floor.draw(line(tube.points()));
-    }
-  }
-
-  private static BasicStroke roundPen(double widthMm) {
-    return new BasicStroke((float) widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND);
-  }
-
-  private static Ellipse2D disc(Point center, double radiusMm) {
-    double left = center.xMm() - radiusMm;
-    return new Ellipse2D.Double(left, center.yMm() - radiusMm, 2 * radiusMm, 2 * radiusMm);
-  }
-
-  private static Path2D line(List<Point> points) {
+  /** With a round pen, a line of one point is a disc. */
+  static Path2D line(List<Point> points) {
     Path2D path = new Path2D.Double();
     path.moveTo(points.get(0).xMm(), points.get(0).yMm());
     points.forEach(point -> path.lineTo(point.xMm(), point.yMm()));
@@ -146,17 +128,12 @@ public final class LightPaintLayer implements Layer {
                   ? "waits for its tube along stroke " + stroke
                   : "paints stroke " + stroke + " in " + light.ink().colour();
           case "GO" -> "goes to stroke " + stroke;
-          case "NOTE", "ASK" -> "asks for stroke " + stroke;
+          case "ASK" -> "asks for stroke " + stroke;
           case "RETREAT" -> "gives way, at its home";
           case "PARK", "DONE" -> "is done";
           default -> "looks for a stroke";
         };
-    double paintedMm =
-        trail.passes().stream()
-            .filter(pass -> pass.robot().equals(robot))
-            .mapToDouble(Pass::lengthMm)
-            .sum();
-    return doing + String.format(Locale.ROOT, "%nhas painted %.2f m", paintedMm / MM_PER_M);
+    return doing + String.format(Locale.ROOT, "%nhas painted %.2f m", trail.paintedMm(robot) / 1e3);
   }
 
   /** Highest when many lights are on and part of the drawing is painted. */

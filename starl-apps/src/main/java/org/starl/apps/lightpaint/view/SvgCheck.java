@@ -9,6 +9,7 @@ import javax.xml.stream.XMLInputFactory;
 import javax.xml.stream.XMLStreamConstants;
 import javax.xml.stream.XMLStreamException;
 import javax.xml.stream.XMLStreamReader;
+import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 
 /**
@@ -34,14 +35,10 @@ final class SvgCheck {
           'M', "nn", 'L', "nn", 'T', "nn", 'H', "n", 'V', "n", 'C', "nnnnnn", 'S', "nnnn", 'Q',
           "nnnn", 'A', "nnnffnn", 'Z', "");
 
-  private static final Map<String, List<String>> LENGTHS =
-      Map.of(
-          "line", List.of("x1", "y1", "x2", "y2"),
-          "rect", List.of("x", "y", "width", "height", "rx", "ry"),
-          "circle", List.of("cx", "cy", "r"),
-          "ellipse", List.of("cx", "cy", "rx", "ry"),
-          "svg", List.of("x", "y", "width", "height"),
-          "use", List.of("x", "y", "width", "height"));
+  private static final List<String> SHAPES =
+      List.of("line", "rect", "circle", "ellipse", "svg", "use");
+  private static final List<String> LENGTHS =
+      List.of("x1", "y1", "x2", "y2", "x", "y", "width", "height", "cx", "cy", "r", "rx", "ry");
 
   private final String file;
   private final XMLStreamReader xml;
@@ -83,60 +80,51 @@ final class SvgCheck {
   }
 
   private void element(String name) {
-    for (String attribute : LENGTHS.getOrDefault(name, List.of())) {
+    for (String attribute : SHAPES.contains(name) ? LENGTHS : List.<String>of()) {
       String value = xml.getAttributeValue(null, attribute);
       if (value != null && !value.equals("auto") && !LENGTH.matcher(value).matches()) {
         throw bad(attribute + "=" + BadInput.quote(value), "a length, such as 12.5");
       }
     }
-    String points = xml.getAttributeValue(null, "points");
-    if (points != null) {
-      points(points);
-    }
-    String path = xml.getAttributeValue(null, "d");
-    if (path != null && name.equals("path")) {
-      path(path);
+    checkNumbers("points", xml.getAttributeValue(null, "points"), "nn");
+    if (name.equals("path")) {
+      checkNumbers("path", xml.getAttributeValue(null, "d"), "");
     }
   }
 
-  private void points(String points) {
-    int at = end(BLANKS, points, 0);
-    while (at < points.length()) {
-      int afterX = end(NEXT_NUMBER, points, at);
-      int afterY = afterX < 0 ? -1 : end(NEXT_NUMBER, points, afterX);
-      if (afterY < 0) {
-        throw bad("points=" + BadInput.quote(points), "numbers in pairs, such as 0,0 10,5");
-      }
-      at = end(BLANKS, points, afterY);
+  /**
+   * Checks a list of points or a path.
+   *
+   * @param repeated arguments of a list; empty for a path, whose commands have their own
+   */
+  private void checkNumbers(String what, @Nullable String text, String repeated) {
+    if (text == null) {
+      return;
     }
-  }
-
-  private void path(String path) {
-    String arguments = "";
-    int start = end(BLANKS, path, 0);
-    int at = start;
-    while (at < path.length()) {
-      char command = Character.toUpperCase(path.charAt(at));
-      String ofCommand = COMMANDS.get(command);
-      if (ofCommand == null && (arguments.isEmpty() || Character.isLetter(command))) {
-        throw badPath(path, at, "a command: M L H V C S Q T A or Z");
+    boolean isPath = repeated.isEmpty();
+    String arguments = repeated;
+    int start = end(BLANKS, text, 0);
+    for (int at = start; at < text.length(); at = end(BLANKS, text, at)) {
+      char command = Character.toUpperCase(text.charAt(at));
+      if (isPath && at == start && command != 'M') {
+        throw bad(what, text, at, "M first");
       }
-      if (at == start && command != 'M') {
-        throw badPath(path, at, "M first");
-      }
-      if (ofCommand != null) {
-        arguments = ofCommand;
+      if (isPath && (Character.isLetter(command) || arguments.isEmpty())) {
+        if (!COMMANDS.containsKey(command)) {
+          throw bad(what, text, at, "a command: M L H V C S Q T A or Z");
+        }
+        arguments = COMMANDS.get(command);
         at++;
       }
-      for (int i = 0; i < arguments.length(); i++) {
-        boolean isFlag = arguments.charAt(i) == 'f';
-        int next = end(isFlag ? NEXT_FLAG : NEXT_NUMBER, path, at);
+      for (char argument : arguments.toCharArray()) {
+        boolean isFlag = argument == 'f';
+        int next = end(isFlag ? NEXT_FLAG : NEXT_NUMBER, text, at);
         if (next < 0) {
-          throw badPath(path, at, isFlag ? "a flag of an arc, 0 or 1" : "a number");
+          String number = isPath ? "a number" : "numbers in pairs, such as 0,0 10,5";
+          throw bad(what, text, at, isFlag ? "a flag of an arc, 0 or 1" : number);
         }
         at = next;
       }
-      at = end(BLANKS, path, at);
     }
   }
 
@@ -146,9 +134,9 @@ final class SvgCheck {
     return matcher.lookingAt() ? matcher.end() : -1;
   }
 
-  private BadInput badPath(String path, int at, String expected) {
-    String rest = path.substring(at, Math.min(at + 20, path.length()));
-    return bad("path, character " + (at + 1) + ", at " + BadInput.quote(rest), expected);
+  private BadInput bad(String what, String text, int at, String expected) {
+    String rest = text.substring(at, Math.min(at + 20, text.length()));
+    return bad(what + ", character " + (at + 1) + ", at " + BadInput.quote(rest), expected);
   }
 
   private BadInput bad(String problem, String expected) {

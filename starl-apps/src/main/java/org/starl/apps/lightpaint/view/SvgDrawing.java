@@ -10,17 +10,14 @@ import com.github.weisj.jsvg.renderer.output.impl.Graphics2DOutput;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Graphics2D;
-import java.awt.Image;
 import java.awt.Paint;
 import java.awt.Shape;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.PathIterator;
 import java.awt.image.BufferedImage;
-import java.awt.image.ImageObserver;
 import java.io.ByteArrayInputStream;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Consumer;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.starl.apps.lightpaint.logic.Ink;
@@ -78,7 +75,7 @@ public final class SvgDrawing {
     return List.copyOf(drawing.lines);
   }
 
-  /** Records outlines and draws nothing; keeps transforms, strokes and colours as JSVG sets them. */
+  /** Records outlines, with the transforms, strokes and colours that JSVG sets; ignores clips. */
   private final class Recorder extends Graphics2DOutput {
 
     Recorder(Graphics2D graphics) {
@@ -103,25 +100,10 @@ public final class SvgDrawing {
     }
 
     @Override
-    public void fillShape(Shape shape) {}
-
-    @Override
-    public void drawImage(BufferedImage image) {}
-
-    @Override
-    public void drawImage(Image image, ImageObserver observer) {}
-
-    @Override
-    public void drawImage(Image image, AffineTransform transform, ImageObserver observer) {}
-
-    @Override
     public void applyClip(Shape clip) {}
 
     @Override
     public void setClip(Shape clip) {}
-
-    @Override
-    public void debugPaint(Consumer<Graphics2D> painter) {}
   }
 
   private void drawn(Shape shape, AffineTransform toUnits, BasicStroke stroke, Paint paint) {
@@ -137,33 +119,27 @@ public final class SvgDrawing {
       int kind = path.currentSegment(at);
       if (kind == PathIterator.SEG_MOVETO) {
         finish(points, ink);
+        points.clear();
       }
       if (kind == PathIterator.SEG_CLOSE) {
-        Point start = points.get(0);
-        points.add(start);
-        finish(points, ink);
-        points.add(start);
-      } else {
+        points.add(points.get(0));
+      } else if (Math.abs(at[0]) <= MAX_MM && Math.abs(at[1]) <= MAX_MM) {
         points.add(new Point(at[0], at[1]));
+      } else {
+        throw new BadInput(
+            file + ": a line goes to " + at[0] + ", " + at[1] + " mm: expected within 1 km");
       }
     }
     finish(points, ink);
   }
 
   private void finish(List<Point> points, Ink ink) {
-    if (points.isEmpty()) {
-      return;
-    }
-    for (Point point : points) {
-      if (!point.isFinite() || Math.abs(point.xMm()) > MAX_MM || Math.abs(point.yMm()) > MAX_MM) {
-        throw new BadInput(file + ": a line goes to " + point + ": expected within 1 km");
+    if (!points.isEmpty()) {
+      List<Point> simple = Polyline.simplified(points, flatnessMm / 2);
+      List<Point> whole = Polyline.simplified(simple.stream().map(Polyline::rounded).toList(), 0);
+      if (whole.size() > 1) {
+        lines.add(new Line(new Polyline(whole), ink));
       }
     }
-    List<Point> simple = Polyline.simplified(points, flatnessMm / 2);
-    List<Point> whole = Polyline.simplified(simple.stream().map(Polyline::rounded).toList(), 0);
-    if (whole.size() > 1) {
-      lines.add(new Line(new Polyline(whole), ink));
-    }
-    points.clear();
   }
 }

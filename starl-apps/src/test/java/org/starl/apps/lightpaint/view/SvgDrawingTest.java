@@ -127,8 +127,8 @@ class SvgDrawingTest {
         "<path d='L 0 0'/> | a.svg:2: path, character 1, at 'L 0 0': expected M first",
         "<path d='M 0 0 A 1 1 0 2 0 5 5'/> | a.svg:2: path, character 14, at ' 2 0 5 5': expected a flag of an arc",
         "<line x1='one' y1='2'/> | a.svg:2: x1='one': expected a length",
-        "<polyline points='1,2 34'/> | a.svg:2: points='1,2 34': expected numbers in pairs",
-        "<polyline points='1,2 3'/> | a.svg:2: points='1,2 3': expected numbers in pairs",
+        "<polyline points='1,2 34'/> | a.svg:2: points, character 7, at '': expected numbers in pairs",
+        "<polyline points='1,2 3'/> | a.svg:2: points, character 6, at '': expected numbers in pairs",
         "<g> | a.svg:3: is no XML"
       })
   void anErrorNamesFileAndLine(String inside, String expected) {
