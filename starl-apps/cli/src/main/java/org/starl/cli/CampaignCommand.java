@@ -6,13 +6,16 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.NavigableMap;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
+import java.util.concurrent.ConcurrentSkipListMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.apps.Plan;
 import org.starl.cli.report.MessageCounts;
+import org.starl.cli.report.Totals;
 import org.starl.input.BadInput;
 import org.starl.sim.SimResult;
 import org.starl.sim.check.Campaign;
@@ -96,12 +99,13 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     PrintWriter out = out();
     PrintWriter err = err();
     CarrierKind carriers = Carriers.select(null, err);
-    BySeed<Measures> measured = new BySeed<>(range);
+    NavigableMap<Long, Measures> measured = new ConcurrentSkipListMap<>();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
         campaign.run(seed -> run(request, seed, carriers, measured, page), progress::show);
     progress.end();
-    Samples samples = new Samples(result, measured);
+    // With --stop, runs after the first bad one do not count.
+    Totals totals = new Totals(measured.headMap(result.runs().getLast().seed(), true).values());
     CampaignResult.Run bad = result.firstBad();
     Shrinking.Shrunk shrunk =
         bad == null || !shrink
@@ -116,7 +120,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
           err);
     }
     if (json.isOn()) {
-      Map<String, Object> summary = summary(request, range, result, samples);
+      Map<String, Object> summary = summary(request, range, result, totals);
       if (shrunk != null) {
         summary.put("shrunk", shrunk.json());
       }
@@ -125,7 +129,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       }
       out.println(Json.line(summary));
     } else {
-      table(request, result, samples).forEach(out::println);
+      table(request, result, totals).forEach(out::println);
       if (report != null) {
         out.println("report: " + report);
       }
@@ -172,7 +176,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       RunRequest request,
       long seed,
       CarrierKind carriers,
-      BySeed<Measures> measured,
+      Map<Long, Measures> measured,
       @Nullable ReportFile page) {
     Plan plan = plan(request, seed, carriers);
     MessageCounts messages = page == null ? null : ReportFile.watch(plan);
@@ -193,17 +197,17 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     return outcome.withFigures(figures);
   }
 
-  private static List<String> table(RunRequest request, CampaignResult result, Samples samples) {
+  private static List<String> table(RunRequest request, CampaignResult result, Totals totals) {
     Table table = new Table();
     table.row(request.demo().name(), "");
     table.row("runs", Long.toString(result.runs().size()));
     for (Verdict verdict : Verdict.values()) {
       table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
     }
-    table.row("robots finished", Long.toString(samples.completed()));
-    samples.counts().forEach((what, count) -> table.row(what, Long.toString(count)));
+    table.row("robots finished", Long.toString(totals.completed()));
+    totals.counts().forEach((what, count) -> table.row(what, Long.toString(count)));
     for (int percent : WAITS) {
-      table.row("wait, " + name(percent), Outcome.seconds(samples.waitNs(percent)));
+      table.row("wait, " + name(percent), Outcome.seconds(totals.waitNs(percent)));
     }
     for (String figure : result.figures()) {
       for (int percent : new int[] {50, 100}) {
@@ -222,17 +226,17 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private static Map<String, Object> summary(
-      RunRequest request, Seeds.Range range, CampaignResult result, Samples samples) {
+      RunRequest request, Seeds.Range range, CampaignResult result, Totals totals) {
     Map<String, Object> summary = new LinkedHashMap<>();
     summary.put("app", request.demo().name());
     summary.put("seeds", range.first() + ".." + range.last());
     for (Verdict verdict : Verdict.values()) {
       summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
     }
-    summary.put("completed", samples.completed());
-    samples.counts().forEach((what, count) -> summary.put(what.replaceAll("[: ]+", "_"), count));
+    summary.put("completed", totals.completed());
+    totals.counts().forEach((what, count) -> summary.put(what.replaceAll("[: ]+", "_"), count));
     for (int percent : WAITS) {
-      summary.put("wait_p" + percent + "_s", samples.waitNs(percent) / 1e9);
+      summary.put("wait_p" + percent + "_s", totals.waitNs(percent) / 1e9);
     }
     for (String figure : result.figures()) {
       summary.put(figure + "_p50", result.percentile(figure, 50));

@@ -9,6 +9,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.SortedMap;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Parameter;
@@ -17,6 +18,7 @@ import org.starl.cli.report.CampaignDescription;
 import org.starl.cli.report.IllustratedRun;
 import org.starl.cli.report.LemmaDescriptions;
 import org.starl.cli.report.MessageCounts;
+import org.starl.cli.report.Page;
 import org.starl.cli.report.Report;
 import org.starl.cli.report.RunFacts;
 import org.starl.input.BadInput;
@@ -38,7 +40,7 @@ final class ReportFile implements Closeable {
 
   private final OutputFile file;
   private final long first;
-  private final BySeed<RunFacts> bySeed;
+  private final SortedMap<Long, RunFacts> facts = new ConcurrentSkipListMap<>();
 
   private ReportFile(String name, Seeds.Range range) {
     if (range.last() - range.first() >= MAX_RUNS) {
@@ -46,7 +48,6 @@ final class ReportFile implements Closeable {
           OPTION + ": a report of more than " + MAX_RUNS + " runs: expected fewer seeds");
     }
     first = range.first();
-    bySeed = new BySeed<>(range);
     file = new OutputFile(OPTION, name);
   }
 
@@ -67,7 +68,7 @@ final class ReportFile implements Closeable {
   }
 
   void put(long seed, SimResult result, Plan plan, MessageCounts messages) {
-    bySeed.put(seed, RunFacts.of(result, plan.story(), messages));
+    facts.put(seed, RunFacts.of(result, plan.story(), messages));
   }
 
   /**
@@ -82,7 +83,6 @@ final class ReportFile implements Closeable {
       List<String> shrunk,
       PrintWriter err)
       throws IOException {
-    SortedMap<Long, RunFacts> facts = Report.facts(result, bySeed::get);
     List<Run> runs = Report.toIllustrate(result);
     List<IllustratedRun> illustrated = new ArrayList<>();
     if (!runs.isEmpty()) {
@@ -98,7 +98,7 @@ final class ReportFile implements Closeable {
     LemmaDescriptions descriptions = LemmaDescriptions.of(plans.apply(first));
     Report report =
         new Report(description, result, facts, descriptions, example, illustrated, shrunk);
-    file.stream().write(report.page().getBytes(StandardCharsets.UTF_8));
+    file.stream().write(new Page(report).write().getBytes(StandardCharsets.UTF_8));
   }
 
   @Override
@@ -108,11 +108,11 @@ final class ReportFile implements Closeable {
 
   /** The campaign, for the head of the page. */
   static CampaignDescription description(RunRequest request, String command, Seeds.Range range) {
-    Map<String, String> given = new LinkedHashMap<>();
+    List<String> given = new ArrayList<>();
     for (Parameter parameter : request.demo().parameters()) {
       String value = request.parameters().get(parameter.key());
       if (value != null && !value.equals(parameter.defaultValue())) {
-        given.put(parameter.key(), value);
+        given.add(parameter.key() + "=" + value);
       }
     }
     List<String> faults = new ArrayList<>();
@@ -124,7 +124,7 @@ final class ReportFile implements Closeable {
           if (setting == Setting.CHAOS) {
             faults.add(setting.key() + ": " + value);
           } else if (setting != Setting.FAULTS) {
-            given.put(setting.key(), value);
+            given.add(setting.key() + "=" + value);
           }
         });
     Map<String, String> settings = new LinkedHashMap<>(request.parameters());

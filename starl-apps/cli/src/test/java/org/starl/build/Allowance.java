@@ -67,8 +67,12 @@ record Allowance(String rule, String path, String reason) {
             "a recording is filled by its run's thread and read by who watches"),
         new Allowance(
             "threads and locks in the simulator and its tools",
-            "starl-apps/cli" + MAIN + "cli/BySeed.java",
-            "gathers what the runs of a campaign give"),
+            "starl-apps/cli" + MAIN + "cli/CampaignCommand.java",
+            "collects the measures of runs on several threads"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
+            "starl-apps/cli" + MAIN + "cli/ReportFile.java",
+            "collects the facts of runs on several threads"),
         new Allowance(
             "threads and locks in the simulator and its tools",
             "starl-apps/cli" + MAIN + "launch/",

@@ -1,22 +1,22 @@
 package org.starl.cli.report;
 
+import static org.starl.cli.report.NumberFormats.count;
+
 import java.util.List;
 import java.util.Locale;
-import java.util.SortedMap;
-import java.util.TreeMap;
+import java.util.stream.Stream;
 import org.starl.cli.report.IllustratedRun.Shot;
 import org.starl.cli.report.LemmaDescriptions.Description;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.time.Time;
 
 /** The bad runs, each with its problem, pictures, story and replay command. */
 final class BadRunsPart {
 
   private static final int MAX_STORY_LINES = 200;
-  private static final long NS_PER_S = 1_000_000_000;
-  private static final long NS_PER_MS = 1_000_000;
 
   private final Html html;
   private final Report report;
@@ -35,25 +35,16 @@ final class BadRunsPart {
     int bad = report.bad().size();
     html.open("section").element("h2", "What did not go well");
     if (report.illustrated().size() < bad) {
+      String text =
+          "%s did not go well. This section shows %s of them, with pictures: the first of each"
+              + " kind, then by seed. The table of runs has all of them.";
       html.element(
-          "p",
-          NumberFormats.count(bad, "run")
-              + " did not go well. This section shows "
-              + report.illustrated().size()
-              + " of them, with pictures: the first of each kind, then by seed. The table of runs"
-              + " has all of them.",
-          "class",
-          "note");
+          "p", text.formatted(count(bad, "run"), report.illustrated().size()), "class", "note");
     }
     shrunk();
-    SortedMap<Long, Run> runs = new TreeMap<>();
-    report.bad().forEach(run -> runs.put(run.seed(), run));
     for (IllustratedRun illustrated : report.illustrated()) {
-      Run run = runs.get(illustrated.seed());
-      if (run == null) {
-        throw new IllegalStateException("no run of seed " + illustrated.seed());
-      }
-      write(run.outcome(), illustrated);
+      Stream<Run> ofSeed = report.bad().stream().filter(run -> run.seed() == illustrated.seed());
+      write(ofSeed.findFirst().orElseThrow().outcome(), illustrated);
     }
     html.close();
   }
@@ -86,8 +77,7 @@ final class BadRunsPart {
           "detail");
     }
     html.open("p", "class", "replay").text("Replay: ");
-    html.command(report.description().replay().apply(illustrated.seed()));
-    html.close();
+    html.command(report.description().replay().apply(illustrated.seed())).close();
     shots(illustrated, outcome);
     story(illustrated);
     html.close();
@@ -96,10 +86,8 @@ final class BadRunsPart {
   private void describe(String lemma) {
     for (Description description : report.lemmaDescriptions().of(lemma)) {
       if (!description.text().isEmpty()) {
-        html.open("p", "class", "claim")
-            .element("code", lemma)
-            .text(" says: " + description.text());
-        html.close();
+        html.open("p", "class", "claim").element("code", lemma);
+        html.text(" says: " + description.text()).close();
       }
     }
   }
@@ -111,14 +99,13 @@ final class BadRunsPart {
       return;
     }
     List<Violation> more = facts.violations().subList(1, facts.violations().size());
-    html.open("details");
-    html.element(
-        "summary", NumberFormats.count(facts.violated() - 1, "more violation") + " in this run");
+    String summary = count(facts.violated() - 1, "more violation") + " in this run";
+    html.open("details").element("summary", summary);
     html.open("ul");
     more.forEach(violation -> html.element("li", violation.toString()));
     long left = facts.violated() - 1 - more.size();
     if (left > 0) {
-      html.element("li", "and " + NumberFormats.count(left) + " more");
+      html.element("li", "and " + count(left) + " more");
     }
     html.close().close();
   }
@@ -133,12 +120,8 @@ final class BadRunsPart {
     for (Shot shot : shots) {
       String when = when(shot.timeNs(), momentNs, outcome.verdict());
       html.open("figure", "class", shot.isWhole() ? "whole" : "floor");
-      html.empty(
-          "img",
-          "src",
-          shot.address(),
-          "alt",
-          "Seed " + illustrated.seed() + ", picture of the floor at " + when);
+      String alt = "Seed " + illustrated.seed() + ", picture of the floor at " + when;
+      html.empty("img", "src", shot.address(), "alt", alt);
       html.element("figcaption", when).close();
     }
     html.close();
@@ -148,14 +131,14 @@ final class BadRunsPart {
     // Truncated, not rounded, as in the violation's own text.
     String at =
         String.format(
-            Locale.ROOT, "%d.%03d\u00A0s", timeNs / NS_PER_S, timeNs % NS_PER_S / NS_PER_MS);
+            Locale.ROOT,
+            "%d.%03d\u00A0s",
+            timeNs / Time.NS_PER_S,
+            timeNs % Time.NS_PER_S / Time.NS_PER_MS);
     if (timeNs == momentNs) {
       return at + (verdict == Verdict.VIOLATED ? ": the violation" : ": the end");
     }
-    return at
-        + ", "
-        + NumberFormats.number("s", (double) (momentNs - timeNs) / NS_PER_S)
-        + " before";
+    return at + ", " + NumberFormats.number("s", Time.seconds(momentNs - timeNs)) + " before";
   }
 
   private void story(IllustratedRun illustrated) {
@@ -168,7 +151,7 @@ final class BadRunsPart {
     lines.subList(0, shown).forEach(line -> html.element("li", line));
     html.close();
     if (shown < lines.size()) {
-      html.element("p", "and " + NumberFormats.count(lines.size() - shown, "more line"));
+      html.element("p", "and " + count(lines.size() - shown, "more line"));
     }
     html.close();
   }

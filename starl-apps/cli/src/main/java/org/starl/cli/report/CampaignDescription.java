@@ -1,7 +1,5 @@
 package org.starl.cli.report;
 
-import java.util.Collections;
-import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.LongFunction;
@@ -14,7 +12,7 @@ import java.util.function.LongFunction;
  * @param command as the user typed it
  * @param seeds {@code 1..200}
  * @param faults requested faults, each as text
- * @param given requested settings and parameters, by key
+ * @param given requested settings and parameters, each as {@code key=value}
  * @param settings all settings and parameters, by key
  * @param replay the command that runs one seed again
  */
@@ -24,13 +22,6 @@ public record CampaignDescription(
     String command,
     String seeds,
     List<String> faults,
-    Map<String, String> given,
+    List<String> given,
     Map<String, String> settings,
-    LongFunction<String> replay) {
-
-  public CampaignDescription {
-    faults = List.copyOf(faults);
-    given = Collections.unmodifiableMap(new LinkedHashMap<>(given));
-    settings = Collections.unmodifiableMap(new LinkedHashMap<>(settings));
-  }
-}
+    LongFunction<String> replay) {}

@@ -34,10 +34,6 @@ final class Distribution {
     return sorted.length;
   }
 
-  boolean isEmpty() {
-    return sorted.length == 0;
-  }
-
   /** See {@link Percentile}. */
   double percentile(double percent) {
     return sorted[Percentile.index(sorted.length, percent)];
@@ -52,26 +48,12 @@ final class Distribution {
   }
 
   double mean() {
-    double sum = 0;
-    for (double value : sorted) {
-      sum += value;
-    }
-    return sum / sorted.length;
+    return Arrays.stream(sorted).sum() / sorted.length;
   }
 
   /** The number of values at or below {@code limit}. */
   int upTo(double limit) {
-    int from = 0;
-    int to = sorted.length;
-    while (from < to) {
-      int middle = (from + to) >>> 1;
-      if (sorted[middle] <= limit) {
-        from = middle + 1;
-      } else {
-        to = middle;
-      }
-    }
-    return from;
+    return (int) Arrays.stream(sorted).takeWhile(value -> value <= limit).count();
   }
 
   /** The number of values below {@code limit}. */

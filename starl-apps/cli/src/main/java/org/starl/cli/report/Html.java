@@ -99,6 +99,16 @@ final class Html {
     return close().close().open("tbody");
   }
 
+  /** Opens a row whose first cell is a name in the code's font; {@link #close} closes it. */
+  Html row(String name) {
+    return open("tr").open("th", "scope", "row").element("code", name).close();
+  }
+
+  /** A cell with a number. */
+  Html number(String text) {
+    return element("td", text, "class", "n");
+  }
+
   /** Closes the table's body, the table and its frame. */
   Html endTable() {
     return close().close().close();

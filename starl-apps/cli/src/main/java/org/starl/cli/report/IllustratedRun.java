@@ -8,12 +8,14 @@ import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
 import java.util.function.LongFunction;
+import java.util.stream.LongStream;
 import org.starl.apps.Plan;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.record.Filmstrip;
 import org.starl.sim.record.Filmstrip.Frame;
 import org.starl.sim.record.PictureRecorder;
 import org.starl.sim.record.PictureTime;
+import org.starl.time.Time;
 
 /**
  * One run of a campaign, run again to get its story and pictures.
@@ -26,10 +28,9 @@ public record IllustratedRun(long seed, List<String> story, List<Shot> shots, Ru
 
   private static final int FLOOR_PX = 440;
   private static final int WHOLE_PX = 1100;
-  private static final long NS_PER_S = 1_000_000_000;
 
   /** Pictures this many seconds before the problem. */
-  private static final int[] BEFORE_S = {8, 4, 2, 1};
+  private static final long[] BEFORE_S = {8, 4, 2, 1, 0};
 
   /**
    * A picture as a data URL.
@@ -38,11 +39,6 @@ public record IllustratedRun(long seed, List<String> story, List<Shot> shots, Ru
    * @param isWhole whether it has the legend, not only the floor
    */
   record Shot(long timeNs, boolean isWhole, String address) {}
-
-  public IllustratedRun {
-    story = List.copyOf(story);
-    shots = List.copyOf(shots);
-  }
 
   /**
    * Runs a seed again, with pictures of {@code momentNs} and the seconds before it.
@@ -80,15 +76,11 @@ public record IllustratedRun(long seed, List<String> story, List<Shot> shots, Ru
   }
 
   private static List<Long> timesNs(long momentNs) {
-    List<Long> timesNs = new ArrayList<>();
-    for (int beforeS : BEFORE_S) {
-      long timeNs = momentNs - beforeS * NS_PER_S;
-      if (timeNs >= 0) {
-        timesNs.add(timeNs);
-      }
-    }
-    timesNs.add(momentNs);
-    return timesNs;
+    return LongStream.of(BEFORE_S)
+        .map(beforeS -> momentNs - beforeS * Time.NS_PER_S)
+        .filter(timeNs -> timeNs >= 0)
+        .boxed()
+        .toList();
   }
 
   private static List<Shot> shots(Filmstrip film) {

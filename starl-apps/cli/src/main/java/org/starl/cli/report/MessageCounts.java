@@ -1,6 +1,5 @@
 package org.starl.cli.report;
 
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.sim.SimObserver;
@@ -10,21 +9,10 @@ import org.starl.trace.TraceEvent;
 public final class MessageCounts implements SimObserver {
 
   /** The counts of one channel. */
-  static final class Channel {
-    private long sent;
-    private long sentBytes;
-    private long delivered;
-
-    long sent() {
-      return sent;
-    }
-
-    long sentBytes() {
-      return sentBytes;
-    }
-
-    long delivered() {
-      return delivered;
+  record Channel(long sent, long sentBytes, long delivered) {
+    Channel plus(Channel other) {
+      return new Channel(
+          sent + other.sent, sentBytes + other.sentBytes, delivered + other.delivered);
     }
   }
 
@@ -34,12 +22,8 @@ public final class MessageCounts implements SimObserver {
   @Override
   public void observed(TraceEvent event) {
     switch (event) {
-      case TraceEvent.Sent sent -> {
-        Channel channel = channel(sent.channel());
-        channel.sent++;
-        channel.sentBytes += sent.bytes();
-      }
-      case TraceEvent.Delivered delivered -> channel(delivered.channel()).delivered++;
+      case TraceEvent.Sent sent -> add(sent.channel(), new Channel(1, sent.bytes(), 0));
+      case TraceEvent.Delivered delivered -> add(delivered.channel(), new Channel(0, 0, 1));
       case TraceEvent.Dropped lost -> dropped.merge(lost.why(), 1L, Long::sum);
       default -> {
         // not a message
@@ -58,16 +42,11 @@ public final class MessageCounts implements SimObserver {
 
   /** Adds the counts of another run. */
   void add(MessageCounts other) {
-    for (Map.Entry<String, Channel> entry : other.channels.entrySet()) {
-      Channel sum = channel(entry.getKey());
-      sum.sent += entry.getValue().sent;
-      sum.sentBytes += entry.getValue().sentBytes;
-      sum.delivered += entry.getValue().delivered;
-    }
+    other.channels.forEach(this::add);
     other.dropped.forEach((why, count) -> dropped.merge(why, count, Long::sum));
   }
 
-  private Channel channel(String name) {
-    return channels.computeIfAbsent(name, any -> new Channel());
+  private void add(String channel, Channel counts) {
+    channels.merge(channel, counts, Channel::plus);
   }
 }

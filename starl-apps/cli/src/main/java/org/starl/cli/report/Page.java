@@ -1,65 +1,178 @@
 package org.starl.cli.report;
 
+import static org.starl.cli.report.NumberFormats.count;
+import static org.starl.cli.report.NumberFormats.measured;
+
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.NoSuchAlgorithmException;
+import java.util.ArrayList;
 import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
 import org.starl.Version;
 import org.starl.sim.check.RunOutcome.Verdict;
+import org.starl.time.Time;
 
-/** The frame of the page, with its parts in order. */
-final class Page {
+/** The page of a campaign: its frame and its head; other classes write the other parts. */
+public final class Page {
 
   private final Report report;
   private final Html html = new Html();
 
-  Page(Report report) {
+  public Page(Report report) {
     this.report = report;
   }
 
-  String write() {
+  /** The HTML of the page. Call it once. */
+  public String write() {
     String style = resource("report.css");
     String script = resource("report.js");
     html.open("html", "lang", "en");
-    head(style);
+    head(style, script);
     html.open("body");
-    new HeadPart(html, report).write();
+    header();
     html.open("main");
     if (!report.bad().isEmpty()) {
       new BadRunsPart(html, report).write();
     }
     samples();
-    new MessagesPart(html, report).write();
-    new LemmasPart(html, report).write();
-    new FiguresPart(html, report).write();
-    new RunsPart(html, report).write();
+    CampaignTables tables = new CampaignTables(html, report);
+    tables.messages();
+    tables.lemmas();
+    tables.figures();
+    tables.runs();
     html.close();
-    footer();
+    html.open("footer");
+    html.element(
+        "p",
+        "Made by StarL "
+            + Version.STARL
+            + ". All times are simulated. Equal seeds give equal runs: the same command makes this"
+            + " page again.");
+    html.close();
     html.code("script", script);
     html.close().close();
     return html.page();
   }
 
   /** The policy lets the browser use only the page's own style, script and images. */
-  private void head(String style) {
+  private void head(String style, String script) {
+    String policy = "default-src 'none'; img-src data:; style-src '%s'; script-src '%s'";
     html.open("head").empty("meta", "charset", "utf-8");
     html.empty(
         "meta",
         "http-equiv",
         "Content-Security-Policy",
         "content",
-        "default-src 'none'; img-src data:; style-src '"
-            + hash(style)
-            + "'; script-src '"
-            + hash(resource("report.js"))
-            + "'");
+        policy.formatted(hash(style), hash(script)));
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
-    html.element("title", report.description().app() + ": " + HeadPart.verdict(report));
+    html.element("title", report.description().app() + ": " + verdict());
     html.code("style", style).close();
+  }
+
+  /** {@code all 200 runs went well}. */
+  private String verdict() {
+    int runs = report.result().runs().size();
+    int bad = report.bad().size();
+    if (bad == 0) {
+      return runs == 1 ? "its run went well" : "all " + count(runs) + " runs went well";
+    }
+    List<String> kinds = new ArrayList<>();
+    for (Verdict verdict : List.of(Verdict.VIOLATED, Verdict.FAILED, Verdict.UNFINISHED)) {
+      if (report.result().count(verdict) > 0) {
+        kinds.add(count(report.result().count(verdict)) + " " + of(verdict));
+      }
+    }
+    return "%s of %s did not go well (%s)"
+        .formatted(count(bad), count(runs, "run"), String.join(", ", kinds));
+  }
+
+  /** The verdict, the campaign's description, the key figures and a picture. */
+  private void header() {
+    boolean isGood = report.bad().isEmpty();
+    html.open("header").element("h1", report.description().app());
+    html.element("p", report.description().summary(), "class", "summary");
+    html.open("p", "class", isGood ? "verdict good" : "verdict bad");
+    html.element("span", isGood ? "\u2713" : "\u2717", "aria-hidden", "true", "class", "sign");
+    html.text(" " + NumberFormats.capitalized(verdict()) + ".").close();
+    description();
+    keyFigures();
+    example();
+    html.close();
+  }
+
+  private void description() {
+    CampaignDescription description = report.description();
+    html.open("dl", "class", "ran");
+    html.element("dt", "Command").open("dd").command(description.command()).close();
+    html.element("dt", "Seeds").element("dd", description.seeds());
+    html.element("dt", "Faults").open("dd");
+    if (description.faults().isEmpty()) {
+      html.text("none requested");
+    } else {
+      list(description.faults());
+    }
+    html.close();
+    if (!description.given().isEmpty()) {
+      html.element("dt", "Settings").open("dd");
+      list(description.given());
+      html.close();
+    }
+    html.element("dt", "StarL").element("dd", Version.STARL).close();
+  }
+
+  private void list(List<String> items) {
+    html.open("ul");
+    items.forEach(item -> html.open("li").element("code", item).close());
+    html.close();
+  }
+
+  private void keyFigures() {
+    html.open("ul", "class", "figures");
+    int runs = report.result().runs().size();
+    figure(count(report.result().count(Verdict.GOOD)) + " of " + count(runs), "runs went well");
+    Totals totals = report.totals();
+    if (totals.came() > 0) {
+      figure(
+          count(totals.completed()) + " of " + count(totals.came()), "robots completed their task");
+    }
+    if (totals.hasWaits()) {
+      figure(measured("s", Time.seconds(totals.waitNs(50))), "waiting time, median");
+      figure(measured("s", Time.seconds(totals.waitNs(95))), "waiting time, 95th percentile");
+    }
+    if (report.result().samples("end_s") > 0) {
+      figure(
+          measured("s", report.result().percentile("end_s", 50)),
+          "simulated time of a run, median");
+    }
+    long checks = report.lemmas().values().stream().mapToLong(RunFacts.Checks::checks).sum();
+    if (checks > 0) {
+      figure(count(checks), "checks of " + count(report.lemmas().size(), "specification"));
+    }
+    html.close();
+  }
+
+  private void figure(String value, String what) {
+    html.open("li").element("strong", value).text(" ").element("span", what).close();
+  }
+
+  private void example() {
+    IllustratedRun example = report.example();
+    if (example == null || example.shots().isEmpty()) {
+      return;
+    }
+    html.open("figure", "class", "example");
+    String alt =
+        "The floor and the robots with their states, at one moment of the run with seed "
+            + example.seed();
+    html.empty("img", "src", example.shots().get(0).address(), "alt", alt);
+    html.element("figcaption", "Seed " + example.seed() + ", at the moment that shows most.");
+    html.close();
   }
 
   private void samples() {
@@ -78,23 +191,8 @@ final class Page {
     }
   }
 
-  private void footer() {
-    html.open("footer").open("p");
-    html.text(
-        "Made by StarL "
-            + Version.STARL
-            + ". All times are simulated. Equal seeds give equal runs: the same command makes this"
-            + " page again.");
-    html.close().close();
-  }
-
   static String of(Verdict verdict) {
-    return switch (verdict) {
-      case GOOD -> "good";
-      case UNFINISHED -> "unfinished";
-      case VIOLATED -> "violated";
-      case FAILED -> "failed";
-    };
+    return verdict.name().toLowerCase(Locale.ROOT);
   }
 
   private static String hash(String code) {

@@ -25,7 +25,7 @@ final class Plot {
   /**
    * Begins a figure.
    *
-   * @param note under the title; may be empty
+   * @param note under the title
    */
   Plot(Html html, String title, String note, Axis x, Axis y) {
     this.html = html;
@@ -33,18 +33,11 @@ final class Plot {
     this.y = y;
     html.open("figure", "class", "chart");
     html.open("figcaption").element("strong", title);
-    if (!note.isEmpty()) {
-      html.text(" ").element("span", note, "class", "note");
-    }
-    html.close();
-    html.open(
-        "svg",
-        "viewBox",
-        "0 0 " + WIDTH + " " + HEIGHT,
-        "role",
-        "img",
-        "aria-label",
-        title + ". Horizontal: " + x.label() + ". Vertical: " + y.label() + ". " + note);
+    html.text(" ").element("span", note, "class", "note").close();
+    String label =
+        "%s. Horizontal: %s. Vertical: %s. %s".formatted(title, x.label(), y.label(), note);
+    String viewBox = "0 0 " + WIDTH + " " + HEIGHT;
+    html.open("svg", "viewBox", viewBox, "role", "img", "aria-label", label);
     axes();
   }
 
@@ -104,10 +97,19 @@ final class Plot {
     double left = xOf(from) + 0.5;
     double width = Math.max(1, xOf(to) - left - 0.5);
     double top = yOf(height);
-    html.empty(
+    rect("bar", left, top, width, yOf(0) - top).close();
+  }
+
+  /** A tooltip for the field between two values. */
+  void tip(double from, double to, String tip) {
+    rect("tip", xOf(from), TOP, xOf(to) - xOf(from), FIELD_HEIGHT).element("title", tip).close();
+  }
+
+  private Html rect(String cssClass, double left, double top, double width, double height) {
+    return html.open(
         "rect",
         "class",
-        "bar",
+        cssClass,
         "x",
         px(left),
         "y",
@@ -115,24 +117,7 @@ final class Plot {
         "width",
         px(width),
         "height",
-        px(yOf(0) - top));
-  }
-
-  /** A tooltip for the field between two values. */
-  void tip(double from, double to, String tip) {
-    html.open(
-        "rect",
-        "class",
-        "tip",
-        "x",
-        px(xOf(from)),
-        "y",
-        px(TOP),
-        "width",
-        px(xOf(to) - xOf(from)),
-        "height",
-        px(FIELD_HEIGHT));
-    html.element("title", tip).close();
+        px(height));
   }
 
   /** A dot with its text on the right or, if there is no room, on the left. */
@@ -141,17 +126,10 @@ final class Plot {
     double cy = yOf(atY);
     html.empty("circle", "cx", px(cx), "cy", px(cy), "r", "4", "class", "mark");
     boolean isRight = cx < LEFT + FIELD_WIDTH * 0.62;
-    html.element(
-        "text",
-        text,
-        "class",
-        "mark",
-        "x",
-        px(isRight ? cx + 10 : cx - 8),
-        "y",
-        px(isRight ? cy + 16 : cy - 8),
-        "text-anchor",
-        isRight ? "start" : "end");
+    String left = px(isRight ? cx + 10 : cx - 8);
+    String top = px(isRight ? cy + 16 : cy - 8);
+    String anchor = isRight ? "start" : "end";
+    html.element("text", text, "class", "mark", "x", left, "y", top, "text-anchor", anchor);
   }
 
   static String px(double value) {

@@ -1,6 +1,7 @@
 package org.starl.cli.report;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -8,19 +9,17 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
-import java.util.function.LongFunction;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Sample;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
-import org.starl.sim.check.RunOutcome.Verdict;
 
 /**
  * The contents of a campaign's report page. Equal campaigns have equal reports.
  *
  * @param description the campaign's app, seeds and settings
  * @param result how each run ended
- * @param facts facts of each run of {@code result} that ended without an exception, by seed
+ * @param facts facts of the runs that ended without an exception, by seed
  * @param lemmaDescriptions the checked lemmas in words
  * @param example a run to show where all runs went well; may be null
  * @param illustrated some of the bad runs, with stories and pictures
@@ -38,23 +37,11 @@ public record Report(
   /** At most this many bad runs have a story and pictures on the page. */
   public static final int MAX_ILLUSTRATED = 10;
 
+  /**
+   * Keeps only the facts of the runs of {@code result}: others ran after the first bad run.
+   */
   public Report {
-    facts = new TreeMap<>(facts);
-    illustrated = List.copyOf(illustrated);
-    shrunk = List.copyOf(shrunk);
-  }
-
-  /** The facts of the runs of {@code result}; {@code bySeed} returns null for runs that threw. */
-  public static SortedMap<Long, RunFacts> facts(
-      CampaignResult result, LongFunction<@Nullable RunFacts> bySeed) {
-    SortedMap<Long, RunFacts> facts = new TreeMap<>();
-    for (Run run : result.runs()) {
-      RunFacts of = bySeed.apply(run.seed());
-      if (of != null) {
-        facts.put(run.seed(), of);
-      }
-    }
-    return facts;
+    facts = facts.headMap(result.runs().getLast().seed() + 1);
   }
 
   /**
@@ -73,7 +60,7 @@ public record Report(
     chosen.addAll(bad);
     return chosen.stream()
         .limit(MAX_ILLUSTRATED)
-        .sorted((a, b) -> Long.compare(a.seed(), b.seed()))
+        .sorted(Comparator.comparingLong(Run::seed))
         .toList();
   }
 
@@ -85,21 +72,16 @@ public record Report(
     return facts == null ? Long.MAX_VALUE : facts.endNs();
   }
 
-  /** The page. */
-  public String page() {
-    return new Page(this).write();
-  }
-
-  static List<Run> bad(CampaignResult result) {
-    return result.runs().stream().filter(run -> !run.outcome().isGood()).toList();
-  }
-
   List<Run> bad() {
     return bad(result);
   }
 
-  long count(Verdict verdict) {
-    return result.count(verdict);
+  private static List<Run> bad(CampaignResult result) {
+    return result.runs().stream().filter(run -> !run.outcome().isGood()).toList();
+  }
+
+  Totals totals() {
+    return new Totals(facts.values().stream().map(RunFacts::measures).toList());
   }
 
   /** The messages of all runs. */
@@ -112,11 +94,9 @@ public record Report(
   /** Checks and violations of each lemma, over all runs. */
   SortedMap<String, RunFacts.Checks> lemmas() {
     SortedMap<String, RunFacts.Checks> sums = new TreeMap<>();
-    facts
-        .values()
-        .forEach(run ->
-            run.lemmas()
-                .forEach((lemma, checks) -> sums.merge(lemma, checks, RunFacts.Checks::plus)));
+    for (RunFacts run : facts.values()) {
+      run.lemmas().forEach((lemma, checks) -> sums.merge(lemma, checks, RunFacts.Checks::plus));
+    }
     return sums;
   }
 

@@ -1,7 +1,5 @@
 package org.starl.cli.report;
 
-import java.util.ArrayList;
-import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -39,12 +37,6 @@ public record RunFacts(
     }
   }
 
-  public RunFacts {
-    samples = List.copyOf(samples);
-    lemmas = Collections.unmodifiableSortedMap(lemmas);
-    violations = List.copyOf(violations);
-  }
-
   /**
    * The facts of a run that has ended.
    *
@@ -58,14 +50,13 @@ public record RunFacts(
       lemmas.put(lemma, new Checks(spec.checks(lemma), spec.violations(lemma)));
       violated += spec.violations(lemma);
     }
-    List<SpecReport.Violation> found = spec.violations();
     return new RunFacts(
         story.measures(),
         story.samples(),
         messages,
         result.network(),
         lemmas,
-        new ArrayList<>(found.subList(0, Math.min(found.size(), KEPT_VIOLATIONS))),
+        spec.violations().stream().limit(KEPT_VIOLATIONS).toList(),
         violated,
         result.endNs());
   }

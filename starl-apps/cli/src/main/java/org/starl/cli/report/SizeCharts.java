@@ -1,5 +1,10 @@
 package org.starl.cli.report;
 
+import static org.starl.cli.report.NumberFormats.count;
+import static org.starl.cli.report.NumberFormats.measured;
+import static org.starl.cli.report.NumberFormats.number;
+import static org.starl.cli.report.NumberFormats.percent;
+
 import java.util.ArrayList;
 import java.util.List;
 
@@ -50,7 +55,7 @@ final class SizeCharts {
         new Plot(
             html,
             "Distribution",
-            "Each bar is " + NumberFormats.number(unit, bins.get(0).to()) + " wide." + leftOut(),
+            "Each bar is " + number(unit, bins.get(0).to()) + " wide." + leftOut(),
             across,
             Axis.upTo("count", most, Y_STEPS, true));
     for (Bin bin : bins) {
@@ -59,17 +64,9 @@ final class SizeCharts {
       }
     }
     for (Bin bin : bins) {
-      plot.tip(
-          bin.from(),
-          bin.to(),
-          NumberFormats.number(bin.from())
-              + " to "
-              + NumberFormats.number(unit, bin.to())
-              + ": "
-              + NumberFormats.count(bin.count())
-              + " ("
-              + NumberFormats.percent(bin.count(), values.count())
-              + ")");
+      String share = count(bin.count()) + " (" + percent(bin.count(), values.count()) + ")";
+      String range = number(bin.from()) + " to " + number(unit, bin.to());
+      plot.tip(bin.from(), bin.to(), range + ": " + share);
     }
     plot.end();
   }
@@ -94,7 +91,7 @@ final class SizeCharts {
         new Plot(
             html,
             "Cumulative share",
-            NumberFormats.count(values.count(), "value") + "." + leftOut(),
+            count(values.count(), "value") + "." + leftOut(),
             Axis.upTo(axisLabel(), shown, X_STEPS, false),
             Axis.upTo("% of all", 100, 5, true));
     plot.path(curve(plot), "curve");
@@ -102,14 +99,14 @@ final class SizeCharts {
       double value = values.percentile(percent);
       if (value <= shown) {
         String what = percent == 50 ? "median " : percent + " % up to ";
-        plot.mark(value, percent, what + NumberFormats.measured(unit, value));
+        plot.mark(value, percent, what + measured(unit, value));
       }
     }
     for (int i = 0; i < 50; i++) {
       double from = shown * i / 50;
       double to = shown * (i + 1) / 50;
-      String share = NumberFormats.percent(values.upTo(to), values.count());
-      plot.tip(from, to, share + " up to " + NumberFormats.measured(unit, to));
+      String share = percent(values.upTo(to), values.count());
+      plot.tip(from, to, share + " up to " + measured(unit, to));
     }
     plot.end();
   }
@@ -135,32 +132,26 @@ final class SizeCharts {
 
   private String leftOut() {
     int left = values.count() - values.upTo(shown);
+    String text = " Left out: %s of %s, above %s.";
     return left == 0
         ? ""
-        : " Left out: "
-            + NumberFormats.count(left)
-            + " of "
-            + NumberFormats.count(values.count())
-            + ", above "
-            + NumberFormats.measured(unit, shown)
-            + ".";
+        : text.formatted(count(left), count(values.count()), measured(unit, shown));
   }
 
   private void table() {
     List<String> headings = new ArrayList<>(List.of("count", "minimum"));
     for (double percent : PERCENTILES) {
-      headings.add(percent == 50 ? "median" : NumberFormats.number(percent) + "\u00A0%");
+      headings.add(percent == 50 ? "median" : number(percent) + "\u00A0%");
     }
     headings.addAll(List.of("maximum", "mean"));
     String caption = NumberFormats.capitalized(name) + (unit.isEmpty() ? "" : ", in " + unit);
     html.table("numbers", caption, headings).open("tr");
-    html.element("td", NumberFormats.count(values.count()))
-        .element("td", NumberFormats.measured(values.minimum()));
+    html.element("td", count(values.count()));
+    html.element("td", measured(values.minimum()));
     for (double percent : PERCENTILES) {
-      html.element("td", NumberFormats.measured(values.percentile(percent)));
+      html.element("td", measured(values.percentile(percent)));
     }
-    html.element("td", NumberFormats.measured(values.maximum()))
-        .element("td", NumberFormats.measured(values.mean()));
-    html.close().endTable();
+    html.element("td", measured(values.maximum()));
+    html.element("td", measured(values.mean())).close().endTable();
   }
 }

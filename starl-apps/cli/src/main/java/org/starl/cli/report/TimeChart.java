@@ -1,5 +1,8 @@
 package org.starl.cli.report;
 
+import static org.starl.cli.report.NumberFormats.count;
+import static org.starl.cli.report.NumberFormats.measured;
+
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -63,11 +66,11 @@ final class TimeChart {
             across,
             Axis.upTo("count in a run", Math.max(1, most), Y_STEPS, true));
     if (runs.size() > 1) {
-      plot.path(
-          steps(plot, across, counts, 90, false) + steps(plot, across, counts, 10, true) + "Z",
-          "band");
+      List<String> band = steps(plot, across, counts, 90);
+      band.addAll(steps(plot, across, counts, 10).reversed());
+      plot.path(path(band) + "Z", "band");
     }
-    plot.path(steps(plot, across, counts, 50, false), "curve");
+    plot.path(path(steps(plot, across, counts, 50)), "curve");
     for (int i = 0; i < STEPS; i += 4) {
       double atS = across.max() * (i + 2) / STEPS;
       plot.tip(
@@ -77,56 +80,47 @@ final class TimeChart {
   }
 
   private String note() {
-    String note =
-        runs.size() == 1
-            ? "One run."
-            : "Line: the median of "
-                + NumberFormats.count(runs.size(), "run")
-                + ". Band: the middle 80 % of the runs.";
+    if (runs.size() == 1) {
+      return "One run." + leftOut();
+    }
+    String note = "Line: the median of %s. Band: the middle 80 %% of the runs.";
+    return note.formatted(count(runs.size(), "run")) + leftOut();
+  }
+
+  private String leftOut() {
     int left = all.count() - all.upTo(shown);
+    String text = " Beyond the chart: %s of %s, up to %s.";
     return left == 0
-        ? note
-        : note
-            + " Beyond the chart: "
-            + NumberFormats.count(left)
-            + " of "
-            + NumberFormats.count(all.count())
-            + ", up to "
-            + NumberFormats.measured("s", all.maximum())
-            + ".";
+        ? ""
+        : text.formatted(count(left), count(all.count()), measured("s", all.maximum()));
   }
 
   private String tip(double atS, int[] counts) {
-    return "at "
-        + NumberFormats.measured("s", atS)
-        + ": "
-        + rank(counts, 50)
-        + " in the median run"
-        + (runs.size() == 1
-            ? ""
-            : ", " + rank(counts, 10) + " to " + rank(counts, 90) + " in 80 % of the runs");
+    String median = "at %s: %s in the median run".formatted(measured("s", atS), rank(counts, 50));
+    String most = ", %s to %s in 80 %% of the runs".formatted(rank(counts, 10), rank(counts, 90));
+    return runs.size() == 1 ? median : median + most;
   }
 
-  private static String steps(
-      Plot plot, Axis across, List<int[]> counts, int percent, boolean isBack) {
-    StringBuilder path = new StringBuilder();
-    double before = 0;
-    for (int i = 0; i <= STEPS; i++) {
-      int at = isBack ? STEPS - i : i;
-      double x = across.max() * at / STEPS;
-      double y = rank(counts.get(at), percent);
-      if (i == 0) {
-        path.append(isBack ? 'L' : 'M').append(plot.at(x, y));
-      } else if (y != before || i == STEPS) {
-        double cornerX = isBack ? across.max() * (at + 1) / STEPS : x;
-        path.append('L').append(plot.at(cornerX, before)).append('L').append(plot.at(cornerX, y));
-        if (i == STEPS) {
-          path.append('L').append(plot.at(x, y));
-        }
+  /** The corners of the curve of a percentile. */
+  private static List<String> steps(Plot plot, Axis across, List<int[]> counts, int percent) {
+    List<String> corners = new ArrayList<>();
+    int before = rank(counts.get(0), percent);
+    corners.add(plot.at(0, before));
+    for (int i = 1; i <= STEPS; i++) {
+      double x = across.max() * i / STEPS;
+      int now = rank(counts.get(i), percent);
+      if (now != before) {
+        corners.add(plot.at(x, before));
+        corners.add(plot.at(x, now));
+        before = now;
       }
-      before = y;
     }
-    return path.toString();
+    corners.add(plot.at(across.max(), before));
+    return corners;
+  }
+
+  private static String path(List<String> corners) {
+    return "M" + String.join("L", corners);
   }
 
   private void table() {
@@ -140,9 +134,9 @@ final class TimeChart {
         int[] counts = counts(tick);
         html.open("tr").element("td", across.text(tick) + "\u00A0s");
         for (int percent : new int[] {10, 50, 90}) {
-          html.element("td", NumberFormats.count(rank(counts, percent)));
+          html.element("td", count(rank(counts, percent)));
         }
-        html.element("td", NumberFormats.count(all.upTo(tick))).close();
+        html.element("td", count(all.upTo(tick))).close();
       }
     }
     html.endTable();
