@@ -32,28 +32,22 @@ final class JsonSchema {
   private static final String HOST =
       "(" + NAME + "|" + BRACKETS + "|[^\\s:\\[\\]]*(:[^\\s:\\[\\]]*){2,})";
 
+  /** A text. YAML reads text without quotes as a number or a boolean, if it looks like one. */
+  private static final List<String> ANY_TEXT = List.of("string", "number", "boolean");
+
   private JsonSchema() {}
 
   /** The first fields of a schema file. */
   static Map<String, Object> document(String title, String meaning) {
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put("$schema", "http://json-schema.org/draft-07/schema#");
-    json.put("title", title);
-    json.put(DESCRIPTION, meaning);
-    return json;
+    String draft = "http://json-schema.org/draft-07/schema#";
+    return Json.object("$schema", draft, "title", title, DESCRIPTION, meaning);
   }
 
   /** A value with its meaning and default. */
   static Map<String, Object> property(String meaning, Form form, @Nullable String defaultText) {
-    Map<String, Object> json = described(meaning);
+    Map<String, Object> json = Json.object(DESCRIPTION, meaning);
     json.putAll(value(form));
     putDefault(json, form, defaultText);
-    return json;
-  }
-
-  static Map<String, Object> described(String meaning) {
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put(DESCRIPTION, meaning);
     return json;
   }
 
@@ -66,10 +60,9 @@ final class JsonSchema {
 
   /** A mapping with these fields and no others. */
   static Map<String, Object> mapping(List<Field<?>> fields) {
-    Map<String, Object> json = object();
-    json.put("additionalProperties", false);
-    json.put(REQUIRED, fields.stream().filter(Field::isNeeded).map(Field::key).toList());
-    json.put(PROPERTIES, properties(fields));
+    List<String> needed = fields.stream().filter(Field::isNeeded).map(Field::key).toList();
+    Map<String, Object> json = Json.object(TYPE, "object", "additionalProperties", false);
+    json.putAll(Json.object(REQUIRED, needed, PROPERTIES, properties(fields)));
     return json;
   }
 
@@ -88,12 +81,9 @@ final class JsonSchema {
       case Form.Amount amount -> amount(amount);
       case Form.Choice choice -> Map.of("enum", choices(choice));
       case Form.YesNo yesNo -> Map.of("enum", YES_NO);
-      case Form.Text text -> text.pattern().isEmpty() ? anyText() : text(text.pattern());
-      case Form.Words words -> {
-        Map<String, Object> json = anyText();
-        json.put(PATTERN, "\\S");
-        yield json;
-      }
+      case Form.Text text ->
+          text.pattern().isEmpty() ? Json.object(TYPE, ANY_TEXT) : text(text.pattern());
+      case Form.Words words -> Json.object(TYPE, ANY_TEXT, PATTERN, "\\S");
       case Form.Faults faults -> faults();
       case Form.Address address ->
           text(address, address.needsPort() ? HOST_PORT : "(" + HOST_PORT + "|" + HOST + ")");
@@ -105,24 +95,8 @@ final class JsonSchema {
     };
   }
 
-  private static Map<String, Object> object() {
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put(TYPE, "object");
-    return json;
-  }
-
-  /** A text. YAML reads text without quotes as a number or a boolean, if it looks like one. */
-  private static Map<String, Object> anyText() {
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put(TYPE, List.of("string", "number", "boolean"));
-    return json;
-  }
-
   private static Map<String, Object> text(String pattern) {
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put(TYPE, "string");
-    json.put(PATTERN, pattern);
-    return json;
+    return Json.object(TYPE, "string", PATTERN, pattern);
   }
 
   private static Map<String, Object> text(Form form, String pattern) {
@@ -132,21 +106,15 @@ final class JsonSchema {
   }
 
   private static Map<String, Object> number(String type, Number least, Number most) {
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put(TYPE, type);
-    json.put("minimum", least);
-    json.put("maximum", most);
-    return json;
+    return Json.object(TYPE, type, "minimum", least, "maximum", most);
   }
 
   private static Map<String, Object> amount(Form.Amount amount) {
     Quantity quantity = amount.quantity();
     double most = quantity.mostWithoutUnit();
     boolean takesNumbers = amount.isAboveZero() ? most > 0 : most >= 0;
-    Map<String, Object> json = new LinkedHashMap<>();
-    if (isPlainNumber(amount)) {
-      json.put(TYPE, "number");
-    } else {
+    Map<String, Object> json = Json.object(TYPE, "number");
+    if (!isPlainNumber(amount)) {
       json.put(TYPE, takesNumbers ? List.of("number", "string") : "string");
       json.put(PATTERN, amount.isAboveZero() ? quantity.patternAbove0() : quantity.pattern());
     }
@@ -178,29 +146,23 @@ final class JsonSchema {
         .forEach((kind, fields) -> {
           List<Field<?>> all = new ArrayList<>(List.of(kinds.by()));
           all.addAll(fields);
-          Map<String, Object> rule = new LinkedHashMap<>();
-          rule.put("if", Map.of(PROPERTIES, Map.of(kinds.by().key(), Map.of("const", kind))));
-          rule.put("then", mapping(all));
-          rules.add(rule);
+          Object isKind = Map.of(PROPERTIES, Map.of(kinds.by().key(), Map.of("const", kind)));
+          rules.add(Json.object("if", isKind, "then", mapping(all)));
         });
-    Map<String, Object> json = object();
-    json.put(REQUIRED, List.of(kinds.by().key()));
-    json.put(PROPERTIES, properties(List.of(kinds.by())));
-    json.put("allOf", rules);
+    Map<String, Object> json = Json.object(TYPE, "object", REQUIRED, List.of(kinds.by().key()));
+    json.putAll(Json.object(PROPERTIES, properties(List.of(kinds.by())), "allOf", rules));
     return json;
   }
 
   private static Map<String, Object> named(Form.Named named) {
-    Map<String, Object> json = object();
-    json.put("minProperties", 1);
+    Map<String, Object> json = Json.object(TYPE, "object", "minProperties", 1);
     json.put("propertyNames", Map.of(PATTERN, "^[A-Za-z][A-Za-z0-9_.-]{0,31}$"));
     json.put("additionalProperties", mapping(named.each().fields()));
     return json;
   }
 
   // A text or a list. YAML splits the list [loss(0.1,from=bot1)] at each comma. So the list may
-  // also
-  // have the rest of a fault, such as "from=bot1)".
+  // also have the rest of a fault, such as "from=bot1)".
   private static Map<String, Object> faults() {
     List<String> usages = new ArrayList<>();
     List<String> names = new ArrayList<>();
@@ -209,23 +171,16 @@ final class JsonSchema {
       names.add(kind.name());
     }
     String begin = "\\s*(" + String.join("|", names) + ")\\s*(\\(.*)?$";
-    Map<String, Object> part = new LinkedHashMap<>();
-    part.put(TYPE, List.of("string", "number"));
-    part.put(PATTERN, "^(" + begin + "|\\s*[a-z]+\\s*=.*|\\s*[-+0-9].*)");
-    part.put(PATTERN_MESSAGE, "expected a fault: " + String.join(", ", names));
+    String part = "^(" + begin + "|\\s*[a-z]+\\s*=.*|\\s*[-+0-9].*)";
+    Map<String, Object> item = Json.object(TYPE, List.of("string", "number"), PATTERN, part);
+    item.put(PATTERN_MESSAGE, "expected a fault: " + String.join(", ", names));
     Map<String, Object> text = text("^(\\s*$|" + begin + ")");
     text.put(PATTERN_MESSAGE, "expected faults: " + String.join(", ", names));
-    Map<String, Object> list = new LinkedHashMap<>();
-    list.put(TYPE, "array");
-    list.put("items", part);
-    Map<String, Object> json =
-        described(
-            "the faults to inject, one per line; "
-                + FaultGrammar.TIMES
-                + ":\n"
-                + String.join("\n", usages));
-    json.put("anyOf", List.of(list, text));
-    return json;
+    String meaning =
+        "the faults to inject, one per line; %s:\n%s"
+            .formatted(FaultGrammar.TIMES, String.join("\n", usages));
+    List<Object> forms = List.of(Json.object(TYPE, "array", "items", item), text);
+    return Json.object(DESCRIPTION, meaning, "anyOf", forms);
   }
 
   private static boolean isPlainNumber(Form form) {

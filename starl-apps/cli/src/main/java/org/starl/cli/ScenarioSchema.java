@@ -4,11 +4,9 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.stream.Collectors;
 import org.starl.apps.Demo;
 import org.starl.apps.Demos;
 import org.starl.apps.Parameter;
-import org.starl.apps.Scenario;
 import org.starl.input.Form;
 import org.starl.sim.Setting;
 import org.starl.sim.fault.Envelope;
@@ -47,11 +45,9 @@ final class ScenarioSchema {
 
   /** The name of an app. */
   Map<String, Object> apps() {
-    return choice(
-        demos.names(),
-        demos.all().stream()
-            .map(demo -> demo.name() + ": " + demo.summary())
-            .collect(Collectors.joining("\n")));
+    Map<String, String> summaries = new LinkedHashMap<>();
+    demos.all().forEach(demo -> summaries.put(demo.name(), demo.summary()));
+    return choice("", summaries);
   }
 
   /** The parameters of a deployment of any app: settings with one value each. */
@@ -60,10 +56,7 @@ final class ScenarioSchema {
     properties.put(
         Setting.FAULTS.key(),
         JsonSchema.property(Setting.FAULTS.meaning(), new Form.Words("faults"), null));
-    Map<String, Object> json = new LinkedHashMap<>();
-    json.put("type", "object");
-    json.put(JsonSchema.PROPERTIES, properties);
-    return json;
+    return Json.object("type", "object", JsonSchema.PROPERTIES, properties);
   }
 
   private static Map<String, Object> settings() {
@@ -84,13 +77,16 @@ final class ScenarioSchema {
 
   /** An envelope's name, or {@code true} for the app's own. */
   private static Map<String, Object> chaos() {
-    List<Object> values = new ArrayList<>(JsonSchema.YES_NO);
-    List<String> meanings = new ArrayList<>(List.of("true: the faults that the app must tolerate"));
+    Map<String, String> meanings = new LinkedHashMap<>();
+    meanings.put("true", "the faults that the app must tolerate");
     for (Envelope envelope : Envelope.values()) {
-      values.add(envelope.toString());
-      meanings.add(envelope + ": " + envelope.meaning());
+      meanings.put(envelope.toString(), envelope.meaning());
     }
-    return choice(values, "faults drawn by seed:\n" + String.join("\n", meanings));
+    Map<String, Object> json = choice("faults drawn by seed:\n", meanings);
+    List<Object> values = new ArrayList<>(JsonSchema.YES_NO);
+    values.addAll(meanings.keySet().stream().skip(1).toList());
+    json.put("enum", values);
+    return json;
   }
 
   /** If the file has this app: its parameters, {@code #/definitions/setting}, and no others. */
@@ -104,29 +100,21 @@ final class ScenarioSchema {
     if (!properties.isEmpty()) {
       keys.add(Map.of("enum", List.copyOf(properties.keySet())));
     }
-    Map<String, Object> rule = new LinkedHashMap<>();
-    rule.put(JsonSchema.PROPERTIES, properties);
-    rule.put("propertyNames", keys.size() == 1 ? setting : Map.of("anyOf", keys));
-    Map<String, Object> json = new LinkedHashMap<>();
-    Map<String, Object> condition = new LinkedHashMap<>();
-    condition.put(JsonSchema.PROPERTIES, Map.of(ScenarioFile.APP, Map.of("const", demo.name())));
-    condition.put(JsonSchema.REQUIRED, List.of(ScenarioFile.APP));
-    json.put("if", condition);
-    json.put("then", rule);
-    return json;
+    Object names = keys.size() == 1 ? setting : Map.of("anyOf", keys);
+    Object rule = Json.object(JsonSchema.PROPERTIES, properties, "propertyNames", names);
+    Object isApp = Map.of(ScenarioFile.APP, Map.of("const", demo.name()));
+    Object condition =
+        Json.object(JsonSchema.PROPERTIES, isApp, JsonSchema.REQUIRED, List.of(ScenarioFile.APP));
+    return Json.object("if", condition, "then", rule);
   }
 
   private static Map<String, Object> parameter(Demo demo, Parameter parameter) {
     Form form = parameter.form();
-    Map<String, Object> json = JsonSchema.described(parameter.what());
+    Map<String, Object> json = Json.object(JsonSchema.DESCRIPTION, parameter.what());
     if (parameter.key().equals(SCENARIO) && !demo.scenarios().isEmpty()) {
-      List<String> names = demo.scenarios().stream().map(Scenario::name).toList();
-      json.putAll(
-          choice(
-              names,
-              demo.scenarios().stream()
-                  .map(scenario -> scenario.name() + ": " + scenario.what())
-                  .collect(Collectors.joining("\n"))));
+      Map<String, String> scenarios = new LinkedHashMap<>();
+      demo.scenarios().forEach(scenario -> scenarios.put(scenario.name(), scenario.what()));
+      json.putAll(choice("", scenarios));
     } else if (parameter.defaultValue().isEmpty() && !(form instanceof Form.Text)) {
       json.put("anyOf", List.of(Map.of("const", ""), JsonSchema.value(form)));
     } else {
@@ -136,9 +124,18 @@ final class ScenarioSchema {
     return json;
   }
 
-  private static Map<String, Object> choice(List<?> values, String meaning) {
-    Map<String, Object> json = JsonSchema.described(meaning);
-    json.put("enum", values);
-    return json;
+  /**
+   * One of several words.
+   *
+   * @param meanings of the words
+   */
+  private static Map<String, Object> choice(String heading, Map<String, String> meanings) {
+    List<String> lines = new ArrayList<>();
+    meanings.forEach((word, meaning) -> lines.add(word + ": " + meaning));
+    return Json.object(
+        JsonSchema.DESCRIPTION,
+        heading + String.join("\n", lines),
+        "enum",
+        List.copyOf(meanings.keySet()));
   }
 }
