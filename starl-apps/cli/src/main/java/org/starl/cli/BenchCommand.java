@@ -116,12 +116,12 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
                         + BadInput.quote(name)
                         + ": expected b1, b2, mutex, view or apps"));
     Carriers.select(null, err());
-    int planned = (int) Numbers.whole("--runs", runs, 1, 1000);
+    int planned = OptionValues.whole("--runs", runs, 1, 1000);
     ProgressLine progress = new ProgressLine(err(), "runs");
     List<Measurement> taken =
         Measurement.take(
             workload,
-            (int) Numbers.whole("--robots", robots == null ? "256" : robots, 1, 10_000_000),
+            OptionValues.whole("--robots", robots == null ? "256" : robots, 1, 10_000_000),
             style,
             planned,
             Seeds.of(seed),
@@ -146,7 +146,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   private void showView(PrintWriter out) throws InterruptedException {
     List<String> sizes = robots == null ? List.of("100", "1000", "10000") : List.of(robots);
     for (String size : sizes) {
-      int count = (int) Numbers.whole("--robots", size, 2, 1_000_000);
+      int count = OptionValues.whole("--robots", size, 2, 1_000_000);
       ViewBench seen =
           ViewBench.take(
               new PatrolWorkload().plan(count, Workload.Style.BLOCKING, Seeds.of(seed)), 1, VIEW_S);
@@ -182,7 +182,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
 
   /** In Markdown, for the docs. */
   private void showMutexCost(PrintWriter out, PrintWriter err) {
-    int most = (int) Numbers.whole("--robots", robots == null ? "64" : robots, 2, 256);
+    int most = OptionValues.whole("--robots", robots == null ? "64" : robots, 2, 256);
     int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
     ProgressLine progress = new ProgressLine(err, "sizes");
     List<Map<String, Object>> rows =

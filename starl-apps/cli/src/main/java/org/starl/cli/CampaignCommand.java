@@ -154,7 +154,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   private int workers() {
     return threads == null
         ? Runtime.getRuntime().availableProcessors()
-        : (int) Numbers.whole("--threads", threads, 1, MAX_THREADS);
+        : OptionValues.whole("--threads", threads, 1, MAX_THREADS);
   }
 
   private static Plan plan(RunRequest request, long seed, CarrierKind carriers) {

@@ -1,6 +1,5 @@
 package org.starl.cli;
 
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -48,24 +47,18 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
   public Integer call() {
     Deployment deployment = DeploymentFile.read(file);
     RobotEntry here = robot == null ? null : deployment.robot(robot);
-    SimulationPlan blueprint = DeployedApp.of(deployment, demos()).blueprint();
+    SimulationPlan plan = DeployedApp.of(deployment, demos()).plan();
     DeploymentFile.key(deployment);
     List<String> problems = new ArrayList<>(DeploymentCheck.of(deployment, here, probes));
-    problems.addAll(DeploymentCheck.ofMotion(deployment, blueprint.settings().motionParameters(0)));
-    PrintWriter out = out();
-    PrintWriter err = err();
-    if (json.isOn()) {
-      Map<String, Object> result = new LinkedHashMap<>();
-      result.put("file", file);
-      result.put("app", deployment.app());
-      result.put("robots", deployment.robots().keySet().stream().map(String::valueOf).toList());
-      result.put("problems", problems);
-      out.println(Json.line(result));
-    } else {
-      problems.forEach(problem -> err.println("starl: " + problem));
-      if (problems.isEmpty()) {
-        summary(deployment).forEach(out::println);
-      }
+    problems.addAll(DeploymentCheck.ofMotion(deployment, plan.settings().motionParameters(0)));
+    Map<String, Object> result = new LinkedHashMap<>();
+    result.put("file", file);
+    result.put("app", deployment.app());
+    result.put("robots", deployment.robots().keySet().stream().map(String::valueOf).toList());
+    result.put("problems", problems);
+    json.print(out(), result, problems.isEmpty() ? summary(deployment) : List.of());
+    if (!json.isOn()) {
+      problems.forEach(problem -> err().println("starl: " + problem));
     }
     return problems.isEmpty() ? ExitStatus.GOOD : ExitStatus.BAD_INPUT;
   }
@@ -73,30 +66,28 @@ final class DeployCheckCommand extends BaseCommand implements Callable<Integer> 
   private static List<String> summary(Deployment deployment) {
     List<String> lines = new ArrayList<>();
     for (RobotEntry entry : deployment.robots().values()) {
-      String wheels =
-          entry.wheels() instanceof Create create
-              ? create.model()
-                  + " at "
-                  + create.port()
-                  + (create.simulatedAt() == null ? "" : ", simulated at " + create.simulatedAt())
-              : "simulated";
-      lines.add(
-          entry.id()
-              + ": radio "
-              + (entry.address() == null ? "found by beacons" : entry.address())
-              + ", "
-              + wheels);
+      Object address = entry.address() == null ? "found by beacons" : entry.address();
+      lines.add(entry.id() + ": radio " + address + ", " + wheels(entry));
     }
+    int robots = deployment.robots().size();
     lines.add(
-        deployment.file()
-            + ": no problem found: "
-            + deployment.app()
-            + " with "
-            + deployment.robots().size()
-            + (deployment.robots().size() == 1 ? " robot" : " robots")
-            + (deployment.key() == null
-                ? ", no key: any computer on the network can send messages"
-                : ", sealed"));
+        "%s: no problem found: %s with %s %s, %s"
+            .formatted(
+                deployment.file(),
+                deployment.app(),
+                robots,
+                robots == 1 ? "robot" : "robots",
+                deployment.key() == null
+                    ? "no key: any computer on the network can send messages"
+                    : "sealed"));
     return lines;
+  }
+
+  private static String wheels(RobotEntry entry) {
+    if (!(entry.wheels() instanceof Create create)) {
+      return "simulated";
+    }
+    String simulated = create.simulatedAt() == null ? "" : ", simulated at " + create.simulatedAt();
+    return create.model() + " at " + create.port() + simulated;
   }
 }

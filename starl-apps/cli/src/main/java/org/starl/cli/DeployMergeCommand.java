@@ -2,13 +2,13 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Plan;
-import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.launch.TraceMerge;
 import org.starl.sim.SimObserver;
@@ -65,73 +65,57 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
   @Override
   public Integer call() throws IOException {
     TraceMerge merge =
-        TraceMerge.of(files, durationNs(), Numbers.whole("--drift", drift, 0, 1_000_000));
+        TraceMerge.of(
+            files,
+            OptionValues.read("--clock-error", clockError, Quantities::durationNs),
+            OptionValues.whole("--drift", drift, 0, 1_000_000));
     Plan plan = TraceFile.open(files.get(0), demos()).plan();
-    SimulationPlan blueprint = plan.simulation().build().plan();
+    SimulationPlan simulation = plan.simulation().build().plan();
     TraceMerge.Result result;
     try (ObserverFile file = ObserverFile.of("--out", out, TraceRecorder::new)) {
-      List<SimObserver> observers = new ArrayList<>(blueprint.observers());
+      List<SimObserver> observers = new ArrayList<>(simulation.observers());
       observers.add(file.observer());
-      result = merge.judge(blueprint, observers);
+      result = merge.judge(simulation, observers);
     }
     List<String> lines = new ArrayList<>(plan.story().lines());
-    lines.addAll(lines(result));
+    addLines(lines, result);
     json.print(out(), json(result), lines);
     return result.violations().isEmpty() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
   }
 
-  private long durationNs() {
-    try {
-      return Quantities.durationNs(clockError);
-    } catch (BadInput error) {
-      throw Quantities.in("--clock-error", error);
-    }
-  }
-
-  private static List<String> lines(TraceMerge.Result result) {
-    List<String> lines = new ArrayList<>();
+  private static void addLines(List<String> lines, TraceMerge.Result result) {
+    String clocks =
+        result.orders() == 1
+            ? "all on one clock"
+            : "%s orders tried, clocks uncertain by %s"
+                .formatted(result.orders(), Quantities.durationText(result.uncertaintyNs()));
     lines.add(
-        result.robots().size()
-            + " robots, "
-            + result.run().events()
-            + " events in "
-            + Outcome.seconds(result.run().endNs())
-            + ", "
-            + result.run().network().sent()
-            + " datagrams; "
-            + (result.orders() == 1
-                ? "all on one clock"
-                : result.orders()
-                    + " orders tried, clocks uncertain by "
-                    + Quantities.durationText(result.uncertaintyNs())));
+        "%s robots, %s events in %s, %s datagrams; %s"
+            .formatted(
+                result.robots().size(),
+                result.run().events(),
+                Outcome.seconds(result.run().endNs()),
+                result.run().network().sent(),
+                clocks));
     if (result.withinMm() > 0) {
       lines.add(
-          "bodies are measured, within "
-              + Math.round(result.withinMm())
-              + " mm: also tried smaller, larger and shifted to each side by this distance");
+          ("bodies are measured, within %s mm: also tried smaller, larger and shifted to each side"
+                  + " by this distance")
+              .formatted(Math.round(result.withinMm())));
     }
-    result
-        .lostMs()
-        .forEach((robot, ms) ->
-            lines.add(
-                robot
-                    + " was not measured for up to "
-                    + Math.round(ms)
-                    + " ms: a collision in such a gap is not seen"));
-    result
-        .dead()
-        .forEach(robot -> lines.add(robot + "'s trace is incomplete: its process was killed"));
-    result.violations().stream()
-        .limit(SHOWN)
-        .forEach(violation -> lines.add("VIOLATED: " + violation));
-    result.possible().stream()
-        .limit(SHOWN)
-        .forEach(violation ->
-            lines.add("possible, within the errors of clocks and measurements: " + violation));
+    String gap = "%s was not measured for up to %s ms: a collision in such a gap is not seen";
+    result.lostMs().forEach((robot, ms) -> lines.add(gap.formatted(robot, Math.round(ms))));
+    String dead = "%s's trace is incomplete: its process was killed";
+    result.dead().forEach(robot -> lines.add(dead.formatted(robot)));
+    add(lines, "VIOLATED: ", result.violations());
+    add(lines, "possible, within the errors of clocks and measurements: ", result.possible());
     if (result.violations().isEmpty() && result.possible().isEmpty()) {
       lines.add("safe: " + Outcome.held(result.run().spec()));
     }
-    return lines;
+  }
+
+  private static void add(List<String> lines, String words, Collection<?> violations) {
+    violations.stream().limit(SHOWN).forEach(violation -> lines.add(words + violation));
   }
 
   private static Map<String, Object> json(TraceMerge.Result result) {

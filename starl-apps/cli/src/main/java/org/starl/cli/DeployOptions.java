@@ -49,7 +49,7 @@ final class DeployOptions {
    * @throws BadInput unless it is a number from 1 to 1000000
    */
   int rounds() {
-    return (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
+    return OptionValues.whole("--rounds", rounds, 1, 1_000_000);
   }
 
   /** A new trace: {@code bot0.trace}, or {@code bot0.2.trace} if that exists. */
@@ -61,13 +61,8 @@ final class DeployOptions {
             Files.newOutputStream(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
       }
     }
-    throw new IOException(
-        folder
-            + " has "
-            + MAX_STARTS
-            + " traces of "
-            + name
-            + " already; expected an empty --folder");
+    String text = "%s has %s traces of %s already; expected an empty --folder";
+    throw new IOException(text.formatted(folder, MAX_STARTS, name));
   }
 
   /** The run of one robot, with a new trace. The run closes the trace when it ends. */
@@ -83,7 +78,7 @@ final class DeployOptions {
             deployment,
             entry,
             DeploymentFile.key(deployment),
-            app::blueprint,
+            app::plan,
             wheels,
             folder().resolve(entry.id() + ".storage"),
             rounds());

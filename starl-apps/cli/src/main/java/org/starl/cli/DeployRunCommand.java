@@ -38,23 +38,14 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
     Deployment deployment = options.deployment();
     RobotEntry entry = deployment.robot(robot);
     DeployedApp app = DeployedApp.of(deployment, demos());
-    app.blueprint();
+    app.plan();
     if (options.rounds() > 1 && !deployment.simulated().contains(entry)) {
-      throw new BadInput(
-          "--rounds: "
-              + options.rounds()
-              + ": expected 1: no simulated world puts "
-              + robot
-              + " back");
+      String text = "--rounds: %s: expected 1: no simulated world puts %s back";
+      throw new BadInput(text.formatted(options.rounds(), robot));
     }
     if (!(entry.wheels() instanceof Create create)) {
-      throw new BadInput(
-          deployment.file()
-              + ":"
-              + entry.line()
-              + ": robots."
-              + robot
-              + ": this robot is simulated; run it with 'starl deploy world'");
+      String text = ": this robot is simulated; run it with 'starl deploy world'";
+      throw BadInput.at(deployment.file(), entry.line(), "robots." + robot + text);
     }
     Wheelbase.Source wheels =
         CreateWheelbase.of(

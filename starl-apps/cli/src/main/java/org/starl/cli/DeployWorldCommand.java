@@ -51,7 +51,7 @@ final class DeployWorldCommand extends BaseCommand implements Callable<Integer> 
         WorldServer world =
             new WorldServer(
                 deployment,
-                app.blueprint(),
+                app.plan(),
                 trace,
                 line -> out.println(WORLD + ": " + line),
                 error -> ends.add(String.valueOf(error)))) {

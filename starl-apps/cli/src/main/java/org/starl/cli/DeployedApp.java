@@ -35,24 +35,18 @@ final class DeployedApp {
    *
    * @throws BadInput if a value is invalid, or the deployment has other robots
    */
-  SimulationPlan blueprint() {
-    SimulationPlan blueprint;
+  SimulationPlan plan() {
+    SimulationPlan plan;
     try {
-      blueprint = request.plan(deployment.seed()).simulation().build().plan();
+      plan = request.plan(deployment.seed()).simulation().build().plan();
     } catch (BadInput e) {
       throw new BadInput(deployment.where("app") + e.getMessage());
     }
-    List<RobotId> known = blueprint.robots().stream().map(RobotSpec::id).toList();
+    List<RobotId> known = plan.robots().stream().map(RobotSpec::id).toList();
     for (RobotEntry robot : deployment.robots().values()) {
       if (!known.contains(robot.id())) {
-        throw new BadInput(
-            deployment.file()
-                + ":"
-                + robot.line()
-                + ": robots."
-                + robot.id()
-                + ": expected the app's robots, "
-                + known);
+        String text = "robots." + robot.id() + ": expected the app's robots, " + known;
+        throw BadInput.at(deployment.file(), robot.line(), text);
       }
     }
     for (RobotId robot : known) {
@@ -61,6 +55,6 @@ final class DeployedApp {
             deployment.where("app") + "robots: has no " + robot + "; expected the app's, " + known);
       }
     }
-    return blueprint;
+    return plan;
   }
 }

@@ -5,9 +5,16 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Plan;
+import org.starl.apps.Product;
 import org.starl.sim.SimObserver;
+import org.starl.sim.record.PictureRecorder;
+import org.starl.sim.record.PictureTime;
 
-/** An observer that writes a file, if the user requested one; else it does nothing. */
+/**
+ * An observer that writes a file, if the user requested one; else it does nothing. The file is
+ * written even if the run fails.
+ */
 final class ObserverFile implements Closeable {
 
   private final SimObserver observer;
@@ -21,6 +28,9 @@ final class ObserverFile implements Closeable {
   }
 
   /**
+   * A file that is written during the run.
+   *
+   * @param option the option's name, for errors: {@code --csv}
    * @param name of the file; null for none
    * @param maker makes the observer that writes to the stream
    */
@@ -34,15 +44,40 @@ final class ObserverFile implements Closeable {
     return new ObserverFile(writer, writer, file);
   }
 
+  /** A file with the {@code content} that {@code recorder} has after the run. */
+  static ObserverFile after(
+      String option, String name, SimObserver recorder, Product.Content content) {
+    OutputFile file = new OutputFile(option, name);
+    return new ObserverFile(recorder, () -> content.write(file.stream()), file);
+  }
+
+  /** One picture; no file if an error ended the run before the picture. */
+  static ObserverFile picture(String option, String name, Plan plan, PictureTime moment) {
+    PictureRecorder recorder = new PictureRecorder(plan.obstacles(), plan.layer(), moment);
+    return after(
+        option,
+        name,
+        recorder,
+        out -> {
+          if (recorder.hasPicture()) {
+            recorder.writePng(out);
+          }
+        });
+  }
+
   SimObserver observer() {
     return observer;
   }
 
+  /** Whether the file has any content. */
+  boolean isWritten() {
+    return file != null && file.isWritten();
+  }
+
   @Override
   public void close() throws IOException {
-    writer.close();
-    if (file != null) {
-      file.close();
+    try (file) {
+      writer.close();
     }
   }
 }

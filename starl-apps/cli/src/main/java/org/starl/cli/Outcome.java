@@ -7,11 +7,10 @@ import java.util.Map;
 import org.starl.apps.Measures;
 import org.starl.sim.SimResult;
 import org.starl.spec.SpecReport;
+import org.starl.time.Time;
 
 /** A run's result as text and JSON. */
 final class Outcome {
-
-  private static final double NS_PER_S = 1e9;
 
   private Outcome() {}
 
@@ -22,16 +21,13 @@ final class Outcome {
   static List<String> lines(SimResult result, Measures measures) {
     List<String> lines = new ArrayList<>();
     lines.add(
-        measures.completed()
-            + " of "
-            + measures.came()
-            + " robots finished in "
-            + seconds(result.endNs())
-            + " of simulated time; "
-            + result.network().sent()
-            + " datagrams sent, "
-            + result.network().lost()
-            + " copies lost");
+        "%s of %s robots finished in %s of simulated time; %s datagrams sent, %s copies lost"
+            .formatted(
+                measures.completed(),
+                measures.came(),
+                seconds(result.endNs()),
+                result.network().sent(),
+                result.network().lost()));
     if (result.spec().holds()) {
       lines.add(held(result.spec()));
     }
@@ -41,15 +37,9 @@ final class Outcome {
 
   /** The line for a run without violations. */
   static String held(SpecReport spec) {
-    long checks = 0;
-    for (String lemma : spec.lemmas()) {
-      checks += spec.checks(lemma);
-    }
-    return spec.lemmas().size()
-        + " specifications held, in "
-        + checks
-        + " checks: "
-        + String.join(" ", spec.lemmas());
+    long checks = spec.lemmas().stream().mapToLong(spec::checks).sum();
+    return "%s specifications held, in %s checks: %s"
+        .formatted(spec.lemmas().size(), checks, String.join(" ", spec.lemmas()));
   }
 
   /** A line for each problem; empty if the run was good. */
@@ -68,7 +58,7 @@ final class Outcome {
     json.put("seed", result.seed());
     json.put("behaviourSeed", result.behaviourSeed());
     json.put("good", isGood(result));
-    json.put("end_s", result.endNs() / NS_PER_S);
+    json.put("end_s", Time.seconds(result.endNs()));
     json.put("events", result.events());
     json.put("came", measures.came());
     json.put("completed", measures.completed());
@@ -85,7 +75,7 @@ final class Outcome {
   }
 
   static String seconds(long ns) {
-    long tenths = Math.round(ns / NS_PER_S * 10);
+    long tenths = Math.round(Time.seconds(ns) * 10);
     return tenths / 10 + "." + tenths % 10 + " s";
   }
 }

@@ -35,7 +35,7 @@ final class OutputFile implements Closeable {
       target = Files.isRegularFile(path) ? path.toRealPath() : path;
       Path folder = target.getParent();
       if (name.isEmpty() || folder == null || Files.isDirectory(target)) {
-        throw new BadInput(option + ": " + BadInput.quote(name) + ": expected a file's name");
+        throw bad(option, name, "expected a file's name");
       }
       if (isDevice) {
         written = target;
@@ -51,13 +51,10 @@ final class OutputFile implements Closeable {
       // If the user stops the run, close is not called.
       written.toFile().deleteOnExit();
     } catch (IOException | InvalidPathException e) {
-      throw new BadInput(
-          option
-              + ": "
-              + BadInput.quote(name)
-              + ": cannot be written ("
-              + e
-              + "); expected the name of a file in a writable folder");
+      throw bad(
+          option,
+          name,
+          "cannot be written (" + e + "); expected the name of a file in a writable folder");
     }
   }
 
@@ -65,14 +62,18 @@ final class OutputFile implements Closeable {
     try {
       return Files.newOutputStream(part, StandardOpenOption.CREATE_NEW);
     } catch (FileAlreadyExistsException e) {
-      throw new BadInput(
-          option
-              + ": "
-              + BadInput.quote(name)
-              + ": another output writes this file already ("
-              + part
-              + "); expected a file of its own");
+      String text = "another output writes this file already (%s); expected a file of its own";
+      throw bad(option, name, text.formatted(part));
     }
+  }
+
+  private static BadInput bad(String option, String name, String text) {
+    return new BadInput(option + ": " + BadInput.quote(name) + ": " + text);
+  }
+
+  /** Whether the file has any content. */
+  boolean isWritten() {
+    return out.any;
   }
 
   /** The stream to write to. {@link #close} closes it; it may be closed before. */

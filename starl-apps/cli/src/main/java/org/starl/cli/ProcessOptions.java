@@ -72,11 +72,10 @@ final class ProcessOptions {
     return line.toString();
   }
 
-  /** Runs the robots of {@code blueprint}; {@code words} are the options that make it. */
-  LaunchResult run(SimulationPlan blueprint, List<String> words, PrintWriter err)
-      throws IOException {
-    LaunchSettings settings = settings(blueprint);
-    try (Launcher launcher = new Launcher(blueprint, command(words), settings, err::println)) {
+  /** Runs the robots of {@code plan}; {@code words} are the options that make it. */
+  LaunchResult run(SimulationPlan plan, List<String> words, PrintWriter err) throws IOException {
+    LaunchSettings settings = settings(plan);
+    try (Launcher launcher = new Launcher(plan, command(words), settings, err::println)) {
       return launcher.run();
     }
   }
@@ -88,9 +87,9 @@ final class ProcessOptions {
     return JavaProcess.command(HEAP_MB, Main.class.getName(), args);
   }
 
-  private LaunchSettings settings(SimulationPlan blueprint) {
+  private LaunchSettings settings(SimulationPlan plan) {
     List<Kill> all = new ArrayList<>();
-    List<RobotId> robots = blueprint.header().robots();
+    List<RobotId> robots = plan.header().robots();
     for (String kill : kills) {
       Kill parsed = Kill.parse(kill);
       if (!robots.contains(parsed.who())) {
@@ -98,20 +97,20 @@ final class ProcessOptions {
       }
       all.add(parsed);
     }
-    Rng rng = new Rng(blueprint.header().behaviourSeed()).fork("faults");
-    for (Fault fault : blueprint.settings().get(Setting.FAULTS).faults()) {
+    Rng rng = new Rng(plan.header().behaviourSeed()).fork("faults");
+    for (Fault fault : plan.settings().get(Setting.FAULTS).faults()) {
       all.addAll(killsOf(fault, robots, rng));
     }
-    if (blueprint.settings().get(Setting.CHAOS) != Envelope.NONE) {
+    if (plan.settings().get(Setting.CHAOS) != Envelope.NONE) {
       throw new BadInput(
           "--chaos cannot be used with --processes; expected --loss, --delay or --kill");
     }
-    int count = rounds == null ? 1 : (int) Numbers.whole("--rounds", rounds, 1, 1_000_000);
-    return new LaunchSettings(count, all, limit(blueprint), LaunchSettings.DEFAULT_QUIET);
+    int count = rounds == null ? 1 : OptionValues.whole("--rounds", rounds, 1, 1_000_000);
+    return new LaunchSettings(count, all, limit(plan), LaunchSettings.DEFAULT_QUIET);
   }
 
-  private static Duration limit(SimulationPlan blueprint) {
-    Duration duration = blueprint.settings().get(Setting.DURATION);
+  private static Duration limit(SimulationPlan plan) {
+    Duration duration = plan.settings().get(Setting.DURATION);
     return duration.isZero() ? Duration.ofDays(365) : duration;
   }
 

@@ -10,6 +10,7 @@ import org.starl.id.RobotId;
 import org.starl.launch.LaunchResult;
 import org.starl.launch.LaunchResult.Death;
 import org.starl.sim.SimResult;
+import org.starl.time.Time;
 
 /** The result of robots as processes, as text and JSON. */
 final class ProcessOutcome {
@@ -21,19 +22,16 @@ final class ProcessOutcome {
     List<String> lines = new ArrayList<>();
     int ends = result.rounds().values().stream().mapToInt(Integer::intValue).sum();
     lines.add(
-        result.rounds().size()
-            + " processes came "
-            + ends
-            + (ends == 1 ? " time" : " times")
-            + " to the end of the app in "
-            + Outcome.seconds(run.endNs())
-            + " of real time; "
-            + run.network().sent()
-            + " datagrams sent, "
-            + run.network().lost()
-            + " copies lost on purpose; longest pause of a program "
-            + result.longestPauseNs() / 1_000_000
-            + " ms");
+        ("%s processes came %s %s to the end of the app in %s of real time; %s datagrams sent,"
+                + " %s copies lost on purpose; longest pause of a program %s ms")
+            .formatted(
+                result.rounds().size(),
+                ends,
+                ends == 1 ? "time" : "times",
+                Outcome.seconds(run.endNs()),
+                run.network().sent(),
+                run.network().lost(),
+                result.longestPauseNs() / Time.NS_PER_MS));
     result.deaths().forEach(death -> lines.add(line(death)));
     for (RobotId robot : run.unfinished()) {
       lines.add(robot + " is alive but not finished: " + why(result));
@@ -50,14 +48,14 @@ final class ProcessOutcome {
   }
 
   private static String line(Death death) {
-    String how = death.isKill() ? " was killed at " : " ended by itself at ";
-    return death.robot()
-        + "'s process "
-        + death.pid()
-        + how
-        + Outcome.seconds(death.atNs())
-        + (death.isPlanned() ? ", as requested" : "")
-        + ": its body stays where it was, and no robot may enter a zone that it may hold";
+    return "%s's process %s %s at %s%s: its body stays where it was, and no robot may enter a zone"
+            .formatted(
+                death.robot(),
+                death.pid(),
+                death.isKill() ? "was killed" : "ended by itself",
+                Outcome.seconds(death.atNs()),
+                death.isPlanned() ? ", as requested" : "")
+        + " that it may hold";
   }
 
   private static String why(LaunchResult result) {

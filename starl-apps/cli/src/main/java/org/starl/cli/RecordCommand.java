@@ -3,12 +3,10 @@ package org.starl.cli;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.PrintWriter;
-import java.util.Locale;
+import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
-import org.starl.apps.Demos;
 import org.starl.apps.Plan;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
@@ -18,6 +16,7 @@ import org.starl.sim.export.CsvTable;
 import org.starl.sim.export.McapRecorder;
 import org.starl.sim.record.GifRecorder;
 import org.starl.sim.record.PictureTime;
+import org.starl.time.Time;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -39,10 +38,8 @@ import picocli.CommandLine.Option;
     })
 final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
-  private static final String EXPECTED = "expected t=TIME (t=12s), end, best or violation";
   private static final String VIOLATION = "violation";
   private static final int MAX_WIDTH_PX = 4000;
-  private static final long NS_PER_MS = 1_000_000;
 
   /** The kind of output. */
   private static final class Output {
@@ -109,105 +106,120 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    PrintWriter out = out();
-    PrintWriter err = err();
     String suffix = suffix();
     String wanted = when();
-    PictureTime moment = moment(wanted);
-    Recordable run = run(demos(), err);
-    String target = file == null ? defaultFile(run.app(), run.seed(), suffix) : file;
-    Recorded recorded =
+    PictureTime moment =
+        OptionValues.read(when == null ? "--png" : "--when", wanted, RecordCommand::moment);
+    Source source = source();
+    String target = file == null ? defaultFile(source.app(), source.seed(), suffix) : file;
+    ObserverFile written =
         switch (suffix) {
-          case "gif" -> gif(run, wanted, target);
-          case "mcap" ->
-              table(run, target, stream -> new McapRecorder(stream, run.plan().obstacles()));
-          case "csv" -> csv(run, target);
-          default -> png(run, moment, target);
+          case "gif" -> gif(source.plan(), wanted, target);
+          case "mcap" -> table(target, out -> new McapRecorder(out, source.plan().obstacles()));
+          case "csv" -> csv(target);
+          default -> ObserverFile.picture("--out", target, source.plan(), moment);
         };
-    String name = run.app() + ", seed " + run.seed() + ": ";
-    out.println(name + (recorded.isWritten() ? target : "no specification was violated"));
-    SimResult result = recorded.result();
+    SimResult result;
+    try (written) {
+      result = source.show().apply(written.observer());
+    }
+    String name = source.app() + ", seed " + source.seed() + ": ";
+    out().println(name + (written.isWritten() ? target : "no specification was violated"));
     if (Outcome.isGood(result)) {
       return ExitStatus.GOOD;
     }
-    Outcome.complaints(result).forEach(err::println);
-    err.println("replay: " + run.replay());
+    Outcome.complaints(result).forEach(err()::println);
+    err().println("replay: " + source.replay());
     return ExitStatus.VIOLATED;
   }
 
-  private Recordable run(Demos demos, PrintWriter err) {
-    if (TraceFile.isTrace(options.what())) {
-      options.requireNoneFor(options.what());
-      seed.requireNoneFor(options.what());
-      return Recordable.of(TraceFile.open(options.what(), demos));
-    }
-    RunRequest request = options.request(demos);
+  /**
+   * A run to record: a simulation, or a trace.
+   *
+   * @param plan of the run, with the obstacles and the layer for its pictures
+   * @param show shows the run to an observer; call once
+   * @param replay the command line that shows the run again
+   */
+  private record Source(
+      String app, long seed, Plan plan, Function<SimObserver, SimResult> show, String replay) {}
+
+  private Source source() {
+    return TraceFile.isTrace(options.what()) ? ofTrace() : ofSimulation();
+  }
+
+  /** The trace must be complete, so that no file of a broken trace is written. */
+  private Source ofTrace() {
+    options.requireNoneFor(options.what());
+    seed.requireNoneFor(options.what());
+    TraceFile trace = TraceFile.open(options.what(), demos());
+    trace.requireWhole();
+    return new Source(
+        trace.header().scenario(),
+        trace.header().scenarioSeed(),
+        trace.plan(),
+        observer -> trace.show(List.of(observer)),
+        Shell.starl(List.of("replay", trace.name(), "--headless")));
+  }
+
+  private Source ofSimulation() {
+    RunRequest request = options.request(demos());
     long seedNumber = seed.value();
     Plan plan = request.plan(seedNumber);
-    plan.simulation().carriers(Carriers.select(null, err));
-    RunProgress.of(plan.simulation(), err);
-    return Recordable.of(request.demo().name(), seedNumber, plan, request.replay(seedNumber));
+    plan.simulation().carriers(Carriers.select(null, err()));
+    RunProgress.of(plan.simulation(), err());
+    return new Source(
+        request.demo().name(),
+        seedNumber,
+        plan,
+        observer -> plan.simulation().observer(observer).build().run(),
+        request.replay(seedNumber));
   }
 
-  /** The run's result, and whether a file was written. */
-  private record Recorded(SimResult result, boolean isWritten) {}
-
-  private static Recorded png(Recordable run, PictureTime moment, String target)
-      throws IOException {
-    try (Picture picture = new Picture(run.plan(), moment, "--out", target)) {
-      SimResult result = run.show().apply(picture.recorder());
-      return new Recorded(result, picture.isTaken());
-    }
-  }
-
-  private Recorded gif(Recordable run, String wanted, String target) throws IOException {
+  private ObserverFile gif(Plan plan, String wanted, String target) {
     boolean ofViolation = wanted.equals(VIOLATION);
     if (!ofViolation && when != null) {
       throw new BadInput("--when " + when + ": with --gif, expected violation or no --when");
     }
     GifRecorder recorder =
         new GifRecorder(
-            run.plan().obstacles(),
-            run.plan().layer(),
-            everyNs(),
-            (int) Numbers.whole("--width", width, 100, MAX_WIDTH_PX),
+            plan.obstacles(),
+            plan.layer(),
+            OptionValues.read("--every", every, RecordCommand::everyNs),
+            OptionValues.whole("--width", width, 100, MAX_WIDTH_PX),
             ofViolation);
-    try (OutputFile output = new OutputFile("--out", target)) {
-      SimResult result = run.show().apply(recorder);
-      if (recorder.hasFrames()) {
-        recorder.writeGif(output.stream());
-      }
-      return new Recorded(result, recorder.hasFrames());
-    }
+    return ObserverFile.after(
+        "--out",
+        target,
+        recorder,
+        out -> {
+          if (recorder.hasFrames()) {
+            recorder.writeGif(out);
+          }
+        });
   }
 
-  private Recorded csv(Recordable run, String target) throws IOException {
+  private ObserverFile csv(String target) {
     String wanted = output == null || output.csv == null ? "" : output.csv;
     return switch (wanted) {
-      case "", "positions" -> table(run, target, CsvTable::positions);
-      case "messages" -> table(run, target, CsvTable::messages);
-      case "variables" -> table(run, target, CsvTable::variables);
+      case "", "positions" -> table(target, CsvTable::positions);
+      case "messages" -> table(target, CsvTable::messages);
+      case "variables" -> table(target, CsvTable::variables);
       default ->
           throw new BadInput(
               "--csv: " + BadInput.quote(wanted) + ": expected positions, messages or variables");
     };
   }
 
-  private static <T extends SimObserver & Closeable> Recorded table(
-      Recordable run, String target, Function<OutputStream, T> maker) throws IOException {
-    try (ObserverFile output = ObserverFile.of("--out", target, maker)) {
-      return new Recorded(run.show().apply(output.observer()), true);
-    }
+  private static <T extends SimObserver & Closeable> ObserverFile table(
+      String target, Function<OutputStream, T> maker) {
+    return ObserverFile.of("--out", target, maker);
   }
 
   private String suffix() {
-    if (output != null && output.gif) {
-      return "gif";
+    if (output == null) {
+      return "png";
     }
-    if (output != null && output.csv != null) {
-      return "csv";
-    }
-    return output != null && output.mcap ? "mcap" : "png";
+    return output.gif ? "gif" : output.csv != null ? "csv" : output.mcap ? "mcap" : "png";
   }
 
   /** {@code --png t=12s} is short for {@code --png --when t=12s}. */
@@ -222,43 +234,30 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     return when == null ? "best" : when;
   }
 
-  private long everyNs() {
-    try {
-      long everyNs = Quantities.durationNs(every);
-      if (everyNs < NS_PER_MS) {
-        throw new BadInput(BadInput.quote(every) + ": expected at least 1ms");
-      }
-      return everyNs;
-    } catch (BadInput error) {
-      throw Quantities.in("--every", error);
+  private static long everyNs(String text) {
+    long everyNs = Quantities.durationNs(text);
+    if (everyNs < Time.NS_PER_MS) {
+      throw new BadInput(BadInput.quote(text) + ": expected at least 1ms");
     }
+    return everyNs;
   }
 
   static String defaultFile(String app, long seed, String suffix) {
-    return String.format(Locale.ROOT, "out/%s-%d.%s", app, seed, suffix);
+    return "out/" + app + "-" + seed + "." + suffix;
   }
 
   private static PictureTime moment(String text) {
-    switch (text) {
-      case "end" -> {
-        return new PictureTime.End();
-      }
-      case "best" -> {
-        return new PictureTime.Best();
-      }
-      case VIOLATION -> {
-        return new PictureTime.Violation();
-      }
+    return switch (text) {
+      case "end" -> new PictureTime.End();
+      case "best" -> new PictureTime.Best();
+      case VIOLATION -> new PictureTime.Violation();
       default -> {
         if (!text.startsWith("t=")) {
-          throw new BadInput("--png: " + BadInput.quote(text) + ": " + EXPECTED);
+          throw new BadInput(
+              BadInput.quote(text) + ": expected t=TIME (t=12s), end, best or violation");
         }
+        yield new PictureTime.At(Quantities.durationNs(text.substring(2)));
       }
-    }
-    try {
-      return new PictureTime.At(Quantities.durationNs(text.substring(2)));
-    } catch (BadInput error) {
-      throw Quantities.in("--png", error);
-    }
+    };
   }
 }

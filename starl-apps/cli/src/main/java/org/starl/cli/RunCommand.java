@@ -1,7 +1,6 @@
 package org.starl.cli;
 
 import java.io.IOException;
-import java.io.PrintWriter;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -14,7 +13,6 @@ import org.starl.input.BadInput;
 import org.starl.launch.LaunchResult;
 import org.starl.proof.RunTheories;
 import org.starl.sim.SimResult;
-import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
 import org.starl.sim.export.CsvTable;
 import org.starl.sim.kernel.CarrierKind;
@@ -102,8 +100,6 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws IOException {
-    PrintWriter out = out();
-    PrintWriter err = err();
     if (view && processes.areOn()) {
       throw new BadInput(
           "--view cannot be used with --processes: robots as processes have no window");
@@ -119,51 +115,45 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
       throw new BadInput("--result cannot be used with " + app + ": it writes no result files");
     }
     String pictureName = png == null ? RecordCommand.defaultFile(app, seedNumber, "png") : png;
-    boolean areProcesses = processes.areOn();
     String again = request.replay(seedNumber);
     String replay =
-        areProcesses
+        processes.areOn()
             ? "repeat, with other timing: " + again + processes.replay()
             : "replay: " + again;
     Ran ran;
     try {
-      ran = run(app, plan, pictureName, areProcesses, request.words(seedNumber), err);
+      ran = run(app, plan, pictureName, request.words(seedNumber));
     } catch (BadInput e) {
       throw e;
     } catch (RuntimeException e) {
-      err.println(replay);
+      err().println(replay);
       throw e;
     }
-    if (json.isOn()) {
-      ran.json().put("picture", pictureName);
-      out.println(Json.line(ran.json()));
-    } else {
-      out.println(app + ", seed " + seedNumber);
-      plan.story().lines().forEach(out::println);
-      ran.lines().forEach(out::println);
-      out.println("picture: " + pictureName);
-    }
-    writeProducts(plan, out);
+    List<String> lines = new ArrayList<>(List.of(app + ", seed " + seedNumber));
+    lines.addAll(plan.story().lines());
+    lines.addAll(ran.lines());
+    lines.add("picture: " + pictureName);
+    ran.json().put("picture", pictureName);
+    lines.addAll(writeProducts(plan));
+    json.print(out(), ran.json(), lines);
     if (ran.isGood()) {
       return ExitStatus.GOOD;
     }
-    err.println(replay);
+    err().println(replay);
     return ExitStatus.VIOLATED;
   }
 
-  private void writeProducts(Plan plan, PrintWriter out) throws IOException {
-    if (result == null) {
-      return;
-    }
-    for (Product product : plan.story().products()) {
+  /** Writes the result files, if requested; returns a line for each. */
+  private List<String> writeProducts(Plan plan) throws IOException {
+    List<String> lines = new ArrayList<>();
+    for (Product product : result == null ? List.<Product>of() : plan.story().products()) {
       String name = result + product.ending();
       try (OutputFile file = new OutputFile("--result", name)) {
         product.content().write(file.stream());
       }
-      if (!json.isOn()) {
-        out.println("result: " + name);
-      }
+      lines.add("result: " + name);
     }
+    return lines;
   }
 
   /** The result of a run, simulated or as processes, for output. */
@@ -189,13 +179,7 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
   }
 
   /** Runs the plan. The requested files are written even if the run fails. */
-  private Ran run(
-      String app,
-      Plan plan,
-      String pictureName,
-      boolean areProcesses,
-      List<String> words,
-      PrintWriter err)
+  private Ran run(String app, Plan plan, String pictureName, List<String> words)
       throws IOException {
     try (ObserverFile traceFile = ObserverFile.of("--trace", trace, TraceRecorder::new);
         ObserverFile csvFile = ObserverFile.of("--csv", csv, CsvTable::positions);
@@ -203,24 +187,25 @@ final class RunCommand extends BaseCommand implements Callable<Integer> {
         ObserverFile variables =
             ObserverFile.of("--csv-variables", csvVariables, CsvTable::variables);
         ObserverFile theories = ObserverFile.of("--pvs", pvs, RunTheories::new);
-        Picture picture = new Picture(plan, new PictureTime.Best(), "--png", pictureName)) {
+        ObserverFile picture =
+            ObserverFile.picture("--png", pictureName, plan, new PictureTime.Best())) {
       plan.simulation()
           .observer(traceFile.observer())
           .observer(csvFile.observer())
           .observer(messages.observer())
           .observer(variables.observer())
           .observer(theories.observer())
-          .observer(picture.recorder());
-      if (areProcesses) {
-        SimulationPlan blueprint = plan.simulation().build().plan();
-        return Ran.processes(app, processes.run(blueprint, words, err), plan.story().measures());
+          .observer(picture.observer());
+      if (processes.areOn()) {
+        LaunchResult launched = processes.run(plan.simulation().build().plan(), words, err());
+        return Ran.processes(app, launched, plan.story().measures());
       }
-      plan.simulation().carriers(Carriers.select(carrier, err));
+      plan.simulation().carriers(Carriers.select(carrier, err()));
       if (view) {
         Viewing.Watched watched = viewing.run(plan);
         return Ran.simulated(app, watched.result(), plan.story().measures(), watched.isStopped());
       }
-      RunProgress progress = RunProgress.of(plan.simulation(), err);
+      RunProgress progress = RunProgress.of(plan.simulation(), err());
       try {
         SimResult simulated = plan.simulation().build().run();
         return Ran.simulated(app, simulated, plan.story().measures(), false);

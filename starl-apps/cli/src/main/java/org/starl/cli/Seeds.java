@@ -1,6 +1,8 @@
 package org.starl.cli;
 
 import java.security.SecureRandom;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
@@ -14,38 +16,33 @@ final class Seeds {
 
   /** The seed in {@code text}; if it is null, a random seed that is short enough to type. */
   static long of(@Nullable String text) {
-    if (text == null) {
-      return new SecureRandom().nextInt(DRAWN_BELOW);
-    }
-    return Numbers.whole("--seed", text, Long.MIN_VALUE, Long.MAX_VALUE);
+    return text == null
+        ? new SecureRandom().nextInt(DRAWN_BELOW)
+        : OptionValues.read(
+            "--seed", text, seed -> Quantities.whole(seed, Long.MIN_VALUE, Long.MAX_VALUE));
   }
 
   /** {@code A..B}. */
   record Range(long first, long last) {
 
     private static final int MAX_RUNS = 10_000_000;
+    private static final Pattern TEXT = Pattern.compile("(\\d{1,10})(?:\\.\\.(\\d{1,10}))?");
 
     /**
-     * @throws BadInput unless it is {@code A..B} with at most 10000000 seeds
+     * @throws BadInput unless it is {@code A..B} or {@code A}, with at most 10000000 seeds
      */
     static Range of(String text) {
-      int dots = text.indexOf("..");
-      String expected = "expected A..B with 0 <= A <= B < 2^31";
-      try {
-        String a = dots < 0 ? text : text.substring(0, dots);
-        String b = dots < 0 ? text : text.substring(dots + 2);
-        long first = Quantities.whole(a, 0, Integer.MAX_VALUE);
-        long last = Quantities.whole(b, 0, Integer.MAX_VALUE);
-        if (first <= last && last - first < MAX_RUNS) {
+      Matcher matcher = TEXT.matcher(text.strip());
+      if (matcher.matches()) {
+        long first = Long.parseLong(matcher.group(1));
+        long last = matcher.group(2) == null ? first : Long.parseLong(matcher.group(2));
+        if (first <= last && last <= Integer.MAX_VALUE && last - first < MAX_RUNS) {
           return new Range(first, last);
         }
-        if (first <= last) {
-          expected = "expected at most " + MAX_RUNS + " seeds";
-        }
-      } catch (BadInput noNumbers) {
-        throw new BadInput("--seeds: " + BadInput.quote(text) + ": " + expected);
       }
-      throw new BadInput("--seeds: " + BadInput.quote(text) + ": " + expected);
+      throw new BadInput(
+          "--seeds: %s: expected A..B or A, with 0 <= A <= B < 2^31 and at most %d seeds"
+              .formatted(BadInput.quote(text), MAX_RUNS));
     }
   }
 }

@@ -62,12 +62,8 @@ final class TraceFile {
     try (TraceReader reader = reader(name)) {
       TraceHeader header = reader.header();
       if (!header.starl().equals(Version.STARL)) {
-        throw new BadInput(
-            name
-                + ": was written by StarL "
-                + BadInput.quote(header.starl())
-                + "; expected this version, "
-                + Version.STARL);
+        String text = "%s: was written by StarL %s; expected this version, %s";
+        throw new BadInput(text.formatted(name, BadInput.quote(header.starl()), Version.STARL));
       }
       return new TraceFile(name, header, request(name, header, demos));
     } catch (IOException e) {
@@ -174,10 +170,9 @@ final class TraceFile {
       throw new BadInput(BadInput.quote(name) + ": expected the name of a trace");
     }
     if (!Files.isRegularFile(path)) {
+      String problem = Files.exists(path) ? ": is not a file" : ": no such file";
       throw new BadInput(
-          name
-              + (Files.exists(path) ? ": is not a file" : ": no such file")
-              + "; expected a trace, written by 'starl run APP --trace FILE'");
+          name + problem + "; expected a trace, written by 'starl run APP --trace FILE'");
     }
     InputStream in = new BufferedInputStream(Files.newInputStream(path), BUFFER_BYTES);
     try {
