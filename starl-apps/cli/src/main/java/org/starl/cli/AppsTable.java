@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -34,7 +35,7 @@ final class AppsTable {
   static final String SUMMARY =
       "every app on every input of a folder, with and without loss: a table in Markdown";
 
-  private static final String LOSS = "0.2";
+  private static final double LOSS = 0.2;
 
   private static final List<String> HEAD =
       List.of(
@@ -68,7 +69,7 @@ final class AppsTable {
       Map<String, Object> json = new LinkedHashMap<>();
       json.put("app", demo.name());
       json.put("input", input.name());
-      json.put("loss", isLossy ? Double.parseDouble(LOSS) : 0.0);
+      json.put("loss", isLossy ? LOSS : 0.0);
       json.put("runs", result.runs().size());
       for (Verdict verdict : Verdict.values()) {
         json.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
@@ -113,64 +114,64 @@ final class AppsTable {
    * @param onlyInput only inputs of this name; null for all inputs
    * @return whether every run was good
    */
-  boolean print(Demos demos, @Nullable String onlyApp, @Nullable String onlyInput, boolean asJson)
+  boolean print(Demos demos, @Nullable String onlyApp, @Nullable String onlyInput, JsonOption json)
       throws InterruptedException {
     if (onlyApp != null && demos.byName(onlyApp).isEmpty()) {
-      throw new BadInput(
-          "--app: " + BadInput.quote(onlyApp) + ": expected one of " + demos.names());
+      throw unknown("--app", onlyApp, demos.names());
     }
-    Map<Input, Demo> chosen = new LinkedHashMap<>();
-    Set<String> names = new TreeSet<>();
+    Map<Input, Demo> inputs = new LinkedHashMap<>();
     for (Demo demo : demos.all()) {
-      for (Input input : demo.inputs(data)) {
-        if (onlyApp == null || demo.name().equals(onlyApp)) {
-          names.add(input.name());
-          if (onlyInput == null || input.name().equals(onlyInput)) {
-            chosen.put(input, demo);
-          }
-        }
+      if (onlyApp == null || demo.name().equals(onlyApp)) {
+        demo.inputs(data).forEach(input -> inputs.put(input, demo));
       }
     }
-    if (onlyInput != null && chosen.isEmpty()) {
-      throw new BadInput("--input: " + BadInput.quote(onlyInput) + ": expected one of " + names);
+    Set<String> names = new TreeSet<>();
+    inputs.keySet().forEach(input -> names.add(input.name()));
+    if (onlyInput != null && !names.contains(onlyInput)) {
+      throw unknown("--input", onlyInput, names);
     }
-    if (!asJson) {
+    inputs.keySet().removeIf(input -> onlyInput != null && !input.name().equals(onlyInput));
+    if (!json.isOn()) {
       HEAD.forEach(out::println);
     }
-    for (Map.Entry<Input, Demo> run : chosen.entrySet()) {
+    for (Map.Entry<Input, Demo> run : inputs.entrySet()) {
       if (!Files.exists(run.getKey().path())) {
         throw new BadInput(run.getKey().path() + ": missing input of " + run.getValue().name());
       }
       for (boolean isLossy : new boolean[] {false, true}) {
         Row row = row(run.getValue(), run.getKey(), isLossy);
-        out.println(asJson ? Json.line(row.json()) : row.markdown());
+        json.print(out, row.json(), List.of(row.markdown()));
         out.flush();
       }
     }
     return isGood;
   }
 
+  private static BadInput unknown(String option, String value, Collection<String> names) {
+    return new BadInput(option + ": " + BadInput.quote(value) + ": expected one of " + names);
+  }
+
   private Row row(Demo demo, Input input, boolean isLossy) throws InterruptedException {
     RunRequest.Builder request = new RunRequest.Builder(demo);
     input.parameters().forEach((key, value) -> request.set("", key, value));
     if (isLossy) {
-      request.set("", Setting.MESSAGE_LOSS.key(), LOSS);
+      request.set("", Setting.MESSAGE_LOSS.key(), Double.toString(LOSS));
     }
-    RunRequest chosen = request.build();
+    RunRequest built = request.build();
     ProgressLine progress = new ProgressLine(err, "runs");
     CampaignResult result =
-        new Campaign(seeds.first(), seeds.last()).run(seed -> run(chosen, seed), progress::show);
+        new Campaign(seeds.first(), seeds.last()).run(seed -> run(built, seed), progress::show);
     progress.end();
     CampaignResult.Run bad = result.firstBad();
     if (bad != null) {
       isGood = false;
       err.println(demo.name() + ", seed " + bad.seed() + ": " + bad.outcome().detail());
-      err.println("replay: " + chosen.replay(bad.seed()));
+      err.println("replay: " + built.replay(bad.seed()));
     }
     return new Row(demo, input, isLossy, result);
   }
 
-  private RunOutcome run(RunRequest chosen, long seed) {
-    return RunOutcome.of(chosen.plan(seed).simulation().carriers(carriers).build().run());
+  private RunOutcome run(RunRequest request, long seed) {
+    return RunOutcome.of(request.plan(seed).simulation().carriers(carriers).build().run());
   }
 }

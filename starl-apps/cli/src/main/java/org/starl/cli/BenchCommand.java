@@ -2,6 +2,7 @@ package org.starl.cli;
 
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -12,6 +13,7 @@ import org.starl.bench.MutexCost;
 import org.starl.bench.PatrolWorkload;
 import org.starl.bench.Workload;
 import org.starl.input.BadInput;
+import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.view.ViewBench;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -24,7 +26,6 @@ import picocli.CommandLine.Parameters;
     description =
         "Measures a workload: runs it several times in this JVM, the first time cold, and prints"
             + " its speed.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
 final class BenchCommand extends BaseCommand implements Callable<Integer> {
 
@@ -94,97 +95,87 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
 
   @Override
   public Integer call() throws InterruptedException {
-    PrintWriter out = out();
-    if (name.equals(MutexCost.NAME)) {
-      showMutexCost(out, err());
-      return ExitStatus.GOOD;
-    }
-    if (name.equals(VIEW)) {
-      showView(out);
-      return ExitStatus.GOOD;
-    }
-    if (name.equals(AppsTable.NAME)) {
-      return showApps(out) ? ExitStatus.GOOD : ExitStatus.VIOLATED;
-    }
-    Workload workload =
-        Workload.all().stream()
-            .filter(one -> one.name().equals(name))
-            .findFirst()
-            .orElseThrow(() ->
-                new BadInput(
-                    "no workload is called "
-                        + BadInput.quote(name)
-                        + ": expected b1, b2, mutex, view or apps"));
-    Carriers.select(null, err());
-    int planned = OptionValues.whole("--runs", runs, 1, 1000);
-    ProgressLine progress = new ProgressLine(err(), "runs");
-    List<Measurement> taken =
-        Measurement.take(
-            workload,
-            OptionValues.whole("--robots", robots == null ? "256" : robots, 1, 10_000_000),
-            style,
-            planned,
-            Seeds.of(seed),
-            done -> progress.show(done, planned));
-    progress.end();
-    for (Measurement run : taken) {
-      out.println(json.isOn() ? Json.line(run.asMap()) : line(run));
+    switch (name) {
+      case MutexCost.NAME -> showMutexCost();
+      case VIEW -> showView();
+      case AppsTable.NAME -> {
+        return showApps() ? ExitStatus.GOOD : ExitStatus.VIOLATED;
+      }
+      default -> showSpeed();
     }
     return ExitStatus.GOOD;
   }
 
-  private boolean showApps(PrintWriter out) throws InterruptedException {
+  private void showSpeed() {
+    String unknown = "no workload is called %s: expected b1, b2, mutex, view or apps";
+    Workload workload =
+        Workload.all().stream()
+            .filter(one -> one.name().equals(name))
+            .findFirst()
+            .orElseThrow(() -> new BadInput(unknown.formatted(BadInput.quote(name))));
+    Carriers.select(null, err());
+    int planned = OptionValues.whole("--runs", runs, 1, 1000);
+    int count = robots(256, 1, 10_000_000);
+    ProgressLine progress = new ProgressLine(err(), "runs");
+    List<Measurement> taken =
+        Measurement.take(
+            workload, count, style, planned, Seeds.of(seed), done -> progress.show(done, planned));
+    progress.end();
+    taken.forEach(run -> json.print(out(), run.asMap(), List.of(line(run))));
+  }
+
+  private int robots(int otherwise, int min, int max) {
+    return robots == null ? otherwise : OptionValues.whole("--robots", robots, min, max);
+  }
+
+  private boolean showApps() throws InterruptedException {
     if (inputs == null) {
       throw new BadInput("bench apps: expected --inputs FOLDER, the apps' input files");
     }
-    PrintWriter err = err();
-    return new AppsTable(inputs, Seeds.Range.of(seeds), Carriers.select(null, err), out, err)
-        .print(demos(), app, input, json.isOn());
+    CarrierKind carriers = Carriers.select(null, err());
+    return new AppsTable(inputs, Seeds.Range.of(seeds), carriers, out(), err())
+        .print(demos(), app, input, json);
   }
 
   /** Frames per second of the viewer while b2 runs beside it. */
-  private void showView(PrintWriter out) throws InterruptedException {
-    List<String> sizes = robots == null ? List.of("100", "1000", "10000") : List.of(robots);
-    for (String size : sizes) {
-      int count = OptionValues.whole("--robots", size, 2, 1_000_000);
+  private void showView() throws InterruptedException {
+    List<Integer> sizes =
+        robots == null ? List.of(100, 1000, 10_000) : List.of(robots(0, 2, 1_000_000));
+    for (int count : sizes) {
       ViewBench seen =
           ViewBench.take(
               new PatrolWorkload().plan(count, Workload.Style.BLOCKING, Seeds.of(seed)), 1, VIEW_S);
-      out.println(
-          json.isOn()
-              ? Json.line(
-                  Map.of(
-                      "robots",
-                      count,
-                      "framesPerS",
-                      seen.framesPerS(),
-                      "cpuMsPerFrame",
-                      seen.cpuMs(),
-                      "longestMs",
-                      seen.longestMs(),
-                      "simulatedSPerS",
-                      seen.simulatedS() / seen.wallS(),
-                      "traceEventsPerS",
-                      seen.events() / seen.wallS()))
-              : String.format(
-                  Locale.ROOT,
-                  "view n=%d: %.0f frames/s (%.1f CPU ms each, longest wait %.0f ms),"
-                      + " %.2f simulated s/s, %.0f trace events/s",
-                  count,
-                  seen.framesPerS(),
-                  seen.cpuMs(),
-                  seen.longestMs(),
-                  seen.simulatedS() / seen.wallS(),
-                  seen.events() / seen.wallS()));
-      out.flush();
+      double simulatedSPerS = seen.simulatedS() / seen.wallS();
+      double eventsPerS = seen.events() / seen.wallS();
+      Map<String, Object> object = new LinkedHashMap<>();
+      object.put("robots", count);
+      object.put("framesPerS", seen.framesPerS());
+      object.put("cpuMsPerFrame", seen.cpuMs());
+      object.put("longestMs", seen.longestMs());
+      object.put("simulatedSPerS", simulatedSPerS);
+      object.put("traceEventsPerS", eventsPerS);
+      String line =
+          String.format(
+              Locale.ROOT,
+              "view n=%d: %.0f frames/s (%.1f CPU ms each, longest wait %.0f ms),"
+                  + " %.2f simulated s/s, %.0f trace events/s",
+              count,
+              seen.framesPerS(),
+              seen.cpuMs(),
+              seen.longestMs(),
+              simulatedSPerS,
+              eventsPerS);
+      json.print(out(), object, List.of(line));
+      out().flush();
     }
   }
 
   /** In Markdown, for the docs. */
-  private void showMutexCost(PrintWriter out, PrintWriter err) {
-    int most = OptionValues.whole("--robots", robots == null ? "64" : robots, 2, 256);
+  private void showMutexCost() {
+    PrintWriter out = out();
+    int most = robots(64, 2, 256);
     int planned = Integer.numberOfTrailingZeros(Integer.highestOneBit(most));
-    ProgressLine progress = new ProgressLine(err, "sizes");
+    ProgressLine progress = new ProgressLine(err(), "sizes");
     List<Map<String, Object>> rows =
         MutexCost.take(most, Seeds.of(seed), done -> progress.show(done, planned));
     progress.end();

@@ -2,6 +2,8 @@ package org.starl.cli;
 
 import java.io.IOException;
 import java.io.PrintWriter;
+import java.util.ArrayList;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
@@ -11,6 +13,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.concurrent.ConcurrentSkipListMap;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.apps.Measures;
 import org.starl.apps.Plan;
@@ -34,7 +37,6 @@ import picocli.CommandLine.Option;
     description =
         "Runs an app with many seeds, on all cores. Prints a table, and the first bad run with its"
             + " replay command.",
-    mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl campaign intersection --seeds 1..500 --loss 0.3",
@@ -158,18 +160,18 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private static Plan plan(RunRequest request, long seed, CarrierKind carriers) {
-    try {
-      Plan plan = request.plan(seed);
-      plan.simulation().carriers(carriers);
-      return plan;
-    } catch (BadInput e) {
-      throw planError(seed, e);
-    }
+    Plan plan = correct(seed, () -> request.plan(seed));
+    plan.simulation().carriers(carriers);
+    return plan;
   }
 
-  /** An error in the plan of this seed, although the plan of the first seed was correct. */
-  private static IllegalStateException planError(long seed, BadInput error) {
-    return new IllegalStateException("seed " + seed + ": " + error.getMessage(), error);
+  /** Bad input in the plan of this seed is a failed run: the plan of the first seed was correct. */
+  private static <T> T correct(long seed, Supplier<T> work) {
+    try {
+      return work.get();
+    } catch (BadInput e) {
+      throw new IllegalStateException("seed " + seed + ": " + e.getMessage(), e);
+    }
   }
 
   private static RunOutcome run(
@@ -180,12 +182,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       @Nullable ReportFile page) {
     Plan plan = plan(request, seed, carriers);
     MessageCounts messages = page == null ? null : ReportFile.watch(plan);
-    SimResult result;
-    try {
-      result = plan.simulation().build().run();
-    } catch (BadInput e) {
-      throw planError(seed, e);
-    }
+    SimResult result = correct(seed, () -> plan.simulation().build().run());
     if (page != null && messages != null) {
       page.put(seed, result, plan, messages);
     }
@@ -198,24 +195,34 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private static List<String> table(RunRequest request, CampaignResult result, Totals totals) {
-    Table table = new Table();
-    table.row(request.demo().name(), "");
-    table.row("runs", Long.toString(result.runs().size()));
+    Map<String, String> rows = new LinkedHashMap<>();
+    rows.put(request.demo().name(), "");
+    rows.put("runs", Long.toString(result.runs().size()));
     for (Verdict verdict : Verdict.values()) {
-      table.row("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
+      rows.put("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
     }
-    table.row("robots finished", Long.toString(totals.completed()));
-    totals.counts().forEach((what, count) -> table.row(what, Long.toString(count)));
+    rows.put("robots finished", Long.toString(totals.completed()));
+    totals.counts().forEach((what, count) -> rows.put(what, Long.toString(count)));
     for (int percent : WAITS) {
-      table.row("wait, " + name(percent), Outcome.seconds(totals.waitNs(percent)));
+      rows.put("wait, " + name(percent), Outcome.seconds(totals.waitNs(percent)));
     }
     for (String figure : result.figures()) {
       for (int percent : new int[] {50, 100}) {
-        table.row(
-            figure + " per run, " + name(percent), figure(result.percentile(figure, percent)));
+        rows.put(figure + " per run, " + name(percent), figure(result.percentile(figure, percent)));
       }
     }
-    return table.lines();
+    int nameWidth = width(rows.keySet());
+    int valueWidth = width(rows.values());
+    List<String> lines = new ArrayList<>();
+    rows.forEach((name, value) -> {
+      String gap = " ".repeat(nameWidth - name.length() + 2 + valueWidth - value.length());
+      lines.add((name + gap + value).stripTrailing());
+    });
+    return lines;
+  }
+
+  private static int width(Collection<String> cells) {
+    return cells.stream().mapToInt(String::length).max().orElse(0);
   }
 
   /** A whole number, or a number with one decimal. */

@@ -23,7 +23,6 @@ import picocli.CommandLine.Parameters;
     description =
         "Checks a deployment without running it: file, app, parameters, key and hosts. With"
             + " --robot, also the device, address and port of that robot's machine.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy check crossing.yaml --robot bot0 --probe"})
 final class DeployCheckCommand extends BaseCommand implements Callable<Integer> {
 

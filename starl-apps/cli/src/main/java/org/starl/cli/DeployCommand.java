@@ -8,7 +8,6 @@ import picocli.CommandLine.ParameterException;
     name = "deploy",
     description =
         "Runs an app on real robots, as a deployment file describes; see docs/deployment.md.",
-    mixinStandardHelpOptions = true,
     subcommands = {
       DeployCheckCommand.class,
       DeployMergeCommand.class,

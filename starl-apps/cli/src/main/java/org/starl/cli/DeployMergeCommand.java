@@ -27,7 +27,6 @@ import picocli.CommandLine.Parameters;
             + " the app's specifications. Clock errors allow several orders of events, and"
             + " measurement errors several places of bodies. A violation in all tried cases is"
             + " reported as VIOLATED, a violation in only some of them as possible.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy merge bot*.trace --out merged.trace"})
 final class DeployMergeCommand extends BaseCommand implements Callable<Integer> {
 

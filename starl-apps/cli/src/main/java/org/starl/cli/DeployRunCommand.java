@@ -20,7 +20,6 @@ import picocli.CommandLine.Option;
     description =
         "Runs one robot of a deployment on this machine, in real time, until it is stopped. SIGTERM"
             + " and Ctrl-C stop the wheels first.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy run crossing.yaml --robot bot0"})
 final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
 

@@ -24,7 +24,6 @@ import picocli.CommandLine.Mixin;
         "Simulates the bodies of a deployment until it is stopped: one floor, a simulated Create at"
             + " the far end of each serial link, and a NatNet server in place of the cameras. Also"
             + " runs the programs of robots that are simulated without a Create.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl deploy world mixed.yaml"})
 final class DeployWorldCommand extends BaseCommand implements Callable<Integer> {
 

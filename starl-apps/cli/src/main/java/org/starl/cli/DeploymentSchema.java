@@ -15,16 +15,9 @@ import org.starl.sim.Setting;
  */
 final class DeploymentSchema {
 
-  private static final String APP = "app";
-  private static final String PARAMETERS = "parameters";
+  private DeploymentSchema() {}
 
-  private final Demos demos;
-
-  DeploymentSchema(Demos demos) {
-    this.demos = demos;
-  }
-
-  Map<String, Object> json() {
+  static Map<String, Object> json(Demos demos) {
     Map<String, Object> schema =
         JsonSchema.document(
             "StarL deployment", "A file for 'starl deploy': an app on real robots.");
@@ -32,7 +25,7 @@ final class DeploymentSchema {
     schema.put("definitions", Map.of("setting", Map.of("enum", settings)));
     schema.putAll(JsonSchema.mapping(DeploymentFormat.FILE.fields()));
     Map<String, Object> properties = JsonSchema.properties(DeploymentFormat.FILE.fields());
-    properties.put(APP, new ScenarioSchema(demos).apps());
+    properties.put(ScenarioFile.APP, ScenarioSchema.apps(demos));
     schema.put(JsonSchema.PROPERTIES, properties);
     schema.put("allOf", demos.all().stream().map(DeploymentSchema::parameters).toList());
     return schema;
@@ -42,7 +35,7 @@ final class DeploymentSchema {
   private static Map<String, Object> parameters(Demo demo) {
     Map<String, Object> rule = new LinkedHashMap<>(ScenarioSchema.parameters(demo));
     rule.computeIfPresent(
-        "then", (key, then) -> Map.of(JsonSchema.PROPERTIES, Map.of(PARAMETERS, then)));
+        "then", (key, then) -> Map.of(JsonSchema.PROPERTIES, Map.of("parameters", then)));
     return rule;
   }
 }

@@ -17,7 +17,6 @@ import picocli.CommandLine.Mixin;
     description =
         "Runs one seed several times, on virtual and on platform threads, and compares the traces."
             + " Prints the first event that differs.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl verify-determinism intersection --seed 7"})
 final class DeterminismCommand extends BaseCommand implements Callable<Integer> {
 

@@ -13,7 +13,6 @@ import picocli.CommandLine.Parameters;
     description =
         "Creates the key of a deployment, in a new file that only its owner can read. Any program"
             + " with the key can act as a robot of the deployment.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl keygen crossing.key"})
 final class KeygenCommand extends BaseCommand implements Runnable {
 

@@ -23,7 +23,6 @@ import picocli.CommandLine.Mixin;
     description =
         "Lists apps, primitives, scenarios, parameters, workloads, settings, faults and envelopes,"
             + " one per line.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl list"})
 final class ListCommand extends BaseCommand implements Runnable {
 

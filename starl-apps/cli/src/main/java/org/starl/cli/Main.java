@@ -29,8 +29,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
 @Command(
     name = "starl",
     description = "Programs, simulates and checks distributed robots.",
-    mixinStandardHelpOptions = true,
-    version = "StarL " + Version.STARL,
     subcommands = {
       ListCommand.class,
       RunCommand.class,
@@ -106,9 +104,7 @@ public final class Main implements Runnable {
     Main main = new Main(demos);
     CommandLine commandLine = new CommandLine(main);
     commandLine.setOut(out).setErr(err);
-    for (CommandLine command : commandLine.getSubcommands().values()) {
-      command.getCommandSpec().version(commandLine.getCommandSpec().version());
-    }
+    addHelp(commandLine);
     commandLine.setCaseInsensitiveEnumValuesAllowed(true);
     commandLine.setParameterExceptionHandler(Main::refuse);
     commandLine.setExecutionExceptionHandler(
@@ -117,6 +113,11 @@ public final class Main implements Runnable {
     out.flush();
     err.flush();
     return status;
+  }
+
+  private static void addHelp(CommandLine command) {
+    command.getCommandSpec().mixinStandardHelpOptions(true).version("StarL " + Version.STARL);
+    command.getSubcommands().values().forEach(Main::addHelp);
   }
 
   /** The apps that this command line knows. */

@@ -27,7 +27,6 @@ import picocli.CommandLine.Parameters;
     description =
         "Creates a project of your own in a new folder: an app, its scenario, a monitor, a test,"
             + " builds for Maven and Gradle, and a guided tour.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl new my-robots"})
 final class NewCommand extends BaseCommand implements Callable<Integer> {
 
@@ -70,20 +69,23 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
     write(Path.of(shown).toAbsolutePath().normalize(), shown, files);
     out.println(shown + ": " + files.size() + " files");
     files.keySet().forEach(path -> out.println("  " + path));
-    out.println("next: cd " + Shell.quote(shown));
-    out.println("      mvn test                  # or: gradle test");
-    out.println("      ./" + name + " run " + name + " --seed 7");
-    out.println("and then half an hour with README.md");
+    out.printf(
+        """
+        next: cd %s
+              mvn test                  # or: gradle test
+              ./%s run %s --seed 7
+        then read README.md: a tour of half an hour
+        """,
+        Shell.quote(shown), name, name);
     return ExitStatus.GOOD;
   }
 
   private void check(List<String> apps) {
     if (name.length() > LONGEST_NAME || !NAME.matcher(name).matches()) {
-      throw new BadInput(
-          BadInput.quote(name)
-              + ": expected a name of a-z and 0-9, with single dashes between, at most "
-              + LONGEST_NAME
-              + " long, such as my-robots");
+      String text =
+          ": expected a name of a-z and 0-9, with single dashes between, at most %s long, such as"
+              + " my-robots";
+      throw new BadInput(BadInput.quote(name) + text.formatted(LONGEST_NAME));
     }
     if (RESERVED.contains(ProjectTemplate.packageName(name))) {
       throw new BadInput(

@@ -28,7 +28,6 @@ import picocli.CommandLine.Option;
     description =
         "Writes a picture, an animation, an MCAP file or a table of a run. The run is simulated"
             + " now, or read from a trace.",
-    mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl record intersection --seed 7 --png t=12s --out crossing.png",

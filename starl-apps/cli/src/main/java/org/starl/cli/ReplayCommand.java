@@ -19,7 +19,6 @@ import picocli.CommandLine.Parameters;
     description =
         "Shows a trace in a window. With --headless, repeats its run and compares the two traces"
             + " line by line.",
-    mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl replay out/crossing.trace",

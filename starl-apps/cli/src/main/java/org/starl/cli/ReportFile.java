@@ -16,7 +16,6 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.cli.report.CampaignDescription;
 import org.starl.cli.report.IllustratedRun;
-import org.starl.cli.report.LemmaDescriptions;
 import org.starl.cli.report.MessageCounts;
 import org.starl.cli.report.Page;
 import org.starl.cli.report.Report;
@@ -24,8 +23,11 @@ import org.starl.cli.report.RunFacts;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
+import org.starl.spec.Monitor;
+import org.starl.spec.Monitors;
 
 /**
  * The report page of a campaign. It collects the facts of each run, on any thread. After the
@@ -95,9 +97,9 @@ final class ReportFile implements Closeable {
       progress.end();
     }
     IllustratedRun example = runs.isEmpty() ? IllustratedRun.best(first, plans) : null;
-    LemmaDescriptions descriptions = LemmaDescriptions.of(plans.apply(first));
-    Report report =
-        new Report(description, result, facts, descriptions, example, illustrated, shrunk);
+    SimulationPlan plan = plans.apply(first).simulation().build().plan();
+    List<Monitor> monitors = Monitors.of(plan.monitors()).monitors();
+    Report report = new Report(description, result, facts, monitors, example, illustrated, shrunk);
     file.stream().write(new Page(report).write().getBytes(StandardCharsets.UTF_8));
   }
 

@@ -15,8 +15,7 @@ import picocli.CommandLine.Parameters;
 @Command(
     name = RobotCommand.NAME,
     hidden = true,
-    description = "One robot as a process; 'starl run --processes' starts this.",
-    mixinStandardHelpOptions = true)
+    description = "One robot as a process; 'starl run --processes' starts this.")
 final class RobotCommand extends BaseCommand implements Callable<Integer> {
 
   static final String NAME = "robot";

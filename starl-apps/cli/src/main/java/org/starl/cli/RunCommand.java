@@ -26,7 +26,6 @@ import picocli.CommandLine.Option;
     name = "run",
     description =
         "Runs an app or a primitive once, with all monitors. Prints its story and draws a picture.",
-    mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl run intersection --robots 8 --seed 7 --loss 0.1",

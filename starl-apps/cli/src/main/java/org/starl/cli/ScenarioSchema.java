@@ -21,15 +21,11 @@ final class ScenarioSchema {
   /** The app's parameter that chooses one of its scenarios. */
   private static final String SCENARIO = "scenario";
 
-  private final Demos demos;
+  private ScenarioSchema() {}
 
-  ScenarioSchema(Demos demos) {
-    this.demos = demos;
-  }
-
-  Map<String, Object> json() {
+  static Map<String, Object> json(Demos demos) {
     Map<String, Object> properties = new LinkedHashMap<>();
-    properties.put(ScenarioFile.APP, apps());
+    properties.put(ScenarioFile.APP, apps(demos));
     properties.putAll(settings());
     Map<String, Object> schema =
         JsonSchema.document(
@@ -44,7 +40,7 @@ final class ScenarioSchema {
   }
 
   /** The name of an app. */
-  Map<String, Object> apps() {
+  static Map<String, Object> apps(Demos demos) {
     Map<String, String> summaries = new LinkedHashMap<>();
     demos.all().forEach(demo -> summaries.put(demo.name(), demo.summary()));
     return choice("", summaries);

@@ -13,7 +13,6 @@ import picocli.CommandLine.Parameters;
         "Prints the JSON schema of scenario files or of deployment files. Editors use it to"
             + " complete and check a file that begins with '# yaml-language-server:"
             + " $$schema=FILE'.",
-    mixinStandardHelpOptions = true,
     footer = {
       "",
       "Example: starl schema > scenario.schema.json",
@@ -39,8 +38,8 @@ final class SchemaCommand extends BaseCommand implements Runnable {
     out.println(
         Json.lines(
             switch (kind) {
-              case SCENARIO -> new ScenarioSchema(demos).json();
-              case DEPLOYMENT -> new DeploymentSchema(demos).json();
+              case SCENARIO -> ScenarioSchema.json(demos);
+              case DEPLOYMENT -> DeploymentSchema.json(demos);
               default ->
                   throw new BadInput(
                       BadInput.quote(kind) + ": expected one of scenario, deployment");

@@ -21,7 +21,6 @@ import picocli.CommandLine.Option;
     description =
         "Simulates an iRobot Create on an open floor, at a serial port (Linux, macOS) or a TCP"
             + " port, until it is stopped. Prints each change of its wheel speeds.",
-    mixinStandardHelpOptions = true,
     footer = {"", "Example: starl simulated-create --pty create0"})
 final class SimulatedCreateCommand extends BaseCommand implements Runnable {
 

@@ -48,7 +48,7 @@ class DeploymentSchemaTest {
               .split(" (?=(?:[^']*'[^']*')*[^']*$)"));
 
   private static final JsonSchema SCHEMA =
-      schema(new ObjectMapper().valueToTree(new DeploymentSchema(demos()).json()));
+      schema(new ObjectMapper().valueToTree(DeploymentSchema.json(demos())));
 
   @TempDir private Path folder;
 

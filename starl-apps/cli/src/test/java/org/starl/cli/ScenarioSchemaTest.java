@@ -46,7 +46,7 @@ class ScenarioSchemaTest {
           "crash(bot1,at=12s,restart=5s) loss(0.3);crash(any) sight crush(bot1) robot_1.a 1s2 ms m");
 
   private static final JsonSchema SCHEMA =
-      schema(new ObjectMapper().valueToTree(new ScenarioSchema(Main.ALL).json()));
+      schema(new ObjectMapper().valueToTree(ScenarioSchema.json(Main.ALL)));
 
   private static JsonSchema schema(JsonNode json) {
     return JsonSchemaFactory.getInstance(VersionFlag.V7).getSchema(json);

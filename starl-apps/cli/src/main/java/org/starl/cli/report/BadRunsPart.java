@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Stream;
 import org.starl.cli.report.IllustratedRun.Shot;
-import org.starl.cli.report.LemmaDescriptions.Description;
+import org.starl.cli.report.Report.Description;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
@@ -84,7 +84,7 @@ final class BadRunsPart {
   }
 
   private void describe(String lemma) {
-    for (Description description : report.lemmaDescriptions().of(lemma)) {
+    for (Description description : report.descriptions(lemma)) {
       if (!description.text().isEmpty()) {
         html.open("p", "class", "claim").element("code", lemma);
         html.text(" says: " + description.text()).close();

@@ -11,7 +11,7 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
-import org.starl.cli.report.LemmaDescriptions.Description;
+import org.starl.cli.report.Report.Description;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
 import org.starl.sim.check.RunOutcome;
@@ -139,7 +139,7 @@ final class CampaignTables {
     html.open("tr", "class", inRuns > 0 ? "bad" : "good");
     html.open("th", "scope", "row").element("code", lemma).close();
     html.open("td");
-    for (Description description : report.lemmaDescriptions().of(lemma)) {
+    for (Description description : report.descriptions(lemma)) {
       html.open("div").text(description.text());
       if (!description.monitor().isEmpty()) {
         html.text(description.text().isEmpty() ? "" : " ");

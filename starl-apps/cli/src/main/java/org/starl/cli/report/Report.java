@@ -13,6 +13,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.Sample;
 import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.CampaignResult.Run;
+import org.starl.spec.Monitor;
 
 /**
  * The contents of a campaign's report page. Equal campaigns have equal reports.
@@ -20,7 +21,7 @@ import org.starl.sim.check.CampaignResult.Run;
  * @param description the campaign's app, seeds and settings
  * @param result how each run ended
  * @param facts facts of the runs that ended without an exception, by seed
- * @param lemmaDescriptions the checked lemmas in words
+ * @param monitors that checked each run
  * @param example a run to show where all runs went well; may be null
  * @param illustrated some of the bad runs, with stories and pictures
  * @param shrunk lines about the shrunk first bad run; empty if it was not shrunk
@@ -29,7 +30,7 @@ public record Report(
     CampaignDescription description,
     CampaignResult result,
     SortedMap<Long, RunFacts> facts,
-    LemmaDescriptions lemmaDescriptions,
+    List<Monitor> monitors,
     @Nullable IllustratedRun example,
     List<IllustratedRun> illustrated,
     List<String> shrunk) {
@@ -70,6 +71,23 @@ public record Report(
       return run.outcome().atNs();
     }
     return facts == null ? Long.MAX_VALUE : facts.endNs();
+  }
+
+  /**
+   * A lemma of one monitor. Other monitors may have a lemma of the same name.
+   *
+   * @param monitor its class; may be empty
+   * @param text a sentence; may be empty
+   */
+  record Description(String monitor, String text) {}
+
+  List<Description> descriptions(String lemma) {
+    return monitors.stream()
+        .filter(monitor -> monitor.lemmas().contains(lemma))
+        .map(monitor ->
+            new Description(monitor.getClass().getSimpleName(), monitor.description(lemma)))
+        .distinct()
+        .toList();
   }
 
   List<Run> bad() {
