@@ -175,10 +175,10 @@ class BadInputTest {
   void aFileThatIsNotTextIsRefused() throws IOException {
     Path binary = folder.resolve("picture.yaml");
     Files.write(binary, new byte[] {(byte) 0x89, 'P', 'N', 'G', 0, 1, 2, (byte) 0xFF});
-    assertRefused(Cli.run("run", binary.toString()), "picture.yaml", "is no text", "expected");
+    assertRefused(Cli.run("run", binary.toString()), "picture.yaml", "is not text", "expected");
     Path zeros = folder.resolve("zeros.yaml");
     Files.write(zeros, new byte[100]);
-    assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "is no text", "expected");
+    assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "is not text", "expected");
     Files.write(zeros, new byte[0]);
     assertRefused(Cli.run("run", zeros.toString()), "zeros.yaml", "lines such as");
     Path inner = Files.createDirectory(folder.resolve("folder.yaml"));

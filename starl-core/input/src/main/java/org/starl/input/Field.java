@@ -51,7 +51,7 @@ public record Field<T>(
   }
 
   public static Field<Boolean> yesNo(String key, String meaning) {
-    return of(key, Form.YES_NO, meaning, Field::yesOrNo);
+    return of(key, Form.YES_NO, meaning, orNull(Quantities::yesOrNo));
   }
 
   /** Both ends are included. */
@@ -60,15 +60,18 @@ public record Field<T>(
         key,
         new Form.Whole(least, most),
         meaning,
-        text -> {
-          Long value = whole(text);
-          return value == null || value < least || value > most ? null : value.intValue();
-        });
+        orNull(text -> (int) Quantities.whole(text, least, most)));
   }
 
   /** Any number of 64 bits. */
   public static Field<Long> wholeLong(String key, String meaning) {
-    return of(key, new Form.Whole(Long.MIN_VALUE, Long.MAX_VALUE), meaning, Field::whole);
+    long least = Long.MIN_VALUE;
+    long most = Long.MAX_VALUE;
+    return of(
+        key,
+        new Form.Whole(least, most),
+        meaning,
+        orNull(text -> Quantities.whole(text, least, most)));
   }
 
   /** Both ends are included. */
@@ -93,19 +96,14 @@ public record Field<T>(
     return new Field<>(key, form, reader, meaning, false, text);
   }
 
-  private static @Nullable Long whole(String text) {
-    try {
-      return Long.parseLong(text);
-    } catch (NumberFormatException notANumber) {
-      return null;
-    }
-  }
-
-  private static @Nullable Boolean yesOrNo(String text) {
-    try {
-      return Quantities.yesOrNo(text);
-    } catch (BadInput neither) {
-      return null;
-    }
+  /** A reader that returns null where {@code reader} refuses the text. */
+  private static <T> Function<String, @Nullable T> orNull(Function<String, T> reader) {
+    return text -> {
+      try {
+        return reader.apply(text);
+      } catch (BadInput refused) {
+        return null;
+      }
+    };
   }
 }

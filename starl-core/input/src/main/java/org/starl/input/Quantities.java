@@ -4,7 +4,6 @@ import java.math.BigDecimal;
 import java.math.BigInteger;
 import java.math.RoundingMode;
 import java.util.Collection;
-import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.regex.Matcher;
@@ -13,8 +12,8 @@ import java.util.stream.Collectors;
 
 /**
  * Reads and writes quantities with units: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader throws
- * {@link BadInput} with the text and what was expected; the caller adds where it stood, with {@link
- * #in}.
+ * {@link BadInput} with the text and the expected form; the caller adds the place of the text, with
+ * {@link #in}.
  */
 public final class Quantities {
 
@@ -48,11 +47,11 @@ public final class Quantities {
   private Quantities() {}
 
   static Collection<String> durationUnits() {
-    return Collections.unmodifiableCollection(NS_PER_UNIT.keySet());
+    return NS_PER_UNIT.keySet();
   }
 
   static Collection<String> distanceUnits() {
-    return Collections.unmodifiableCollection(MM_PER_UNIT.keySet());
+    return MM_PER_UNIT.keySet();
   }
 
   /** The units of time in rates. */
@@ -70,16 +69,7 @@ public final class Quantities {
   /** A time span of at least 0, in ns: {@code 250us}, {@code 100ms}, {@code 1.5s}, {@code 0}. */
   public static long durationNs(String text) {
     String expected = "a duration with a unit (ns us ms s min h), such as 100ms";
-    Matcher matcher = match(text, expected);
-    BigDecimal number = new BigDecimal(matcher.group(1));
-    BigDecimal unit = NS_PER_UNIT.get(matcher.group(2));
-    if (unit == null && number.signum() == 0 && matcher.group(2).isEmpty()) {
-      return 0;
-    }
-    if (unit == null || number.signum() < 0) {
-      throw notA(text, expected);
-    }
-    BigDecimal ns = number.multiply(unit);
+    BigDecimal ns = amount(text, NS_PER_UNIT, expected);
     if (ns.compareTo(LONGEST_NS) > 0) {
       throw notA(text, "a duration below 70 years");
     }
@@ -91,25 +81,19 @@ public final class Quantities {
     if (ns == 0) {
       return "0ms";
     }
-    if (ns % 1_000_000_000 == 0) {
-      return ns / 1_000_000_000 + "s";
+    for (String unit : new String[] {"s", "ms", "us"}) {
+      long nsPerUnit = NS_PER_UNIT.get(unit).longValueExact();
+      if (ns % nsPerUnit == 0) {
+        return ns / nsPerUnit + unit;
+      }
     }
-    if (ns % 1_000_000 == 0) {
-      return ns / 1_000_000 + "ms";
-    }
-    return ns % 1_000 == 0 ? ns / 1_000 + "us" : ns + "ns";
+    return ns + "ns";
   }
 
   /** A distance of at least 0, in mm: {@code 165}, {@code 20mm}, {@code 2.5cm}, {@code 3m}. */
   public static double distanceMm(String text) {
     String expected = "a distance of at least 0 (mm cm m; without a unit: mm), such as 20mm";
-    Matcher matcher = match(text, expected);
-    BigDecimal number = new BigDecimal(matcher.group(1));
-    BigDecimal unit = MM_PER_UNIT.get(matcher.group(2));
-    if (unit == null || number.signum() < 0) {
-      throw notA(text, expected);
-    }
-    BigDecimal mm = number.multiply(unit);
+    BigDecimal mm = amount(text, MM_PER_UNIT, expected);
     if (mm.compareTo(LONGEST_MM) > 0) {
       throw notA(text, "a distance below 1000 km");
     }
@@ -139,13 +123,7 @@ public final class Quantities {
 
   /** A number of at least 0 without a unit. */
   public static double number(String text) {
-    String expected = "a number of at least 0, such as 2.5";
-    Matcher matcher = match(text, expected);
-    double number = Double.parseDouble(matcher.group(1));
-    if (!matcher.group(2).isEmpty() || number < 0) {
-      throw notA(text, expected);
-    }
-    return number;
+    return numberUpTo(text, Double.POSITIVE_INFINITY, "a number of at least 0, such as 2.5");
   }
 
   /** A mean rate above 0, in 1/s: {@code 20/min}, {@code 0.5/s}. */
@@ -193,36 +171,24 @@ public final class Quantities {
 
   /** A probability from 0 to 1. */
   public static double probability(String text) {
-    String expected = "a probability from 0 to 1, such as 0.05";
-    Matcher matcher = match(text, expected);
-    double number = Double.parseDouble(matcher.group(1));
-    if (!matcher.group(2).isEmpty() || number < 0 || number > 1) {
-      throw notA(text, expected);
-    }
-    return number;
+    return numberUpTo(text, 1, "a probability from 0 to 1, such as 0.05");
   }
 
   /** A whole number from {@code min} to {@code max}. */
   public static long whole(String text, long min, long max) {
-    String bound =
-        max >= Integer.MAX_VALUE
-            ? (min == Long.MIN_VALUE ? "" : " of at least " + min)
-            : " from " + min + " to " + max;
-    String expected = "a whole number" + bound;
-    if (WHOLE.matcher(text.trim()).matches()
-        && new BigInteger(text.trim()).compareTo(BigInteger.valueOf(max)) > 0) {
-      throw notA(text, "a whole number from " + min + " to " + max);
+    String trimmed = text.trim();
+    BigInteger number = WHOLE.matcher(trimmed).matches() ? new BigInteger(trimmed) : null;
+    boolean isTooLarge = number != null && number.compareTo(BigInteger.valueOf(max)) > 0;
+    if (number != null && !isTooLarge && number.compareTo(BigInteger.valueOf(min)) >= 0) {
+      return number.longValue();
     }
-    long number;
-    try {
-      number = Long.parseLong(text.trim());
-    } catch (NumberFormatException notANumber) {
-      throw notA(text, expected);
+    String expected = "a whole number";
+    if (isTooLarge || max < Integer.MAX_VALUE) {
+      expected += " from " + min + " to " + max;
+    } else if (min > Long.MIN_VALUE) {
+      expected += " of at least " + min;
     }
-    if (number < min || number > max) {
-      throw notA(text, expected);
-    }
-    return number;
+    throw notA(text, expected);
   }
 
   /** {@code true} or {@code false}. */
@@ -234,7 +200,7 @@ public final class Quantities {
     };
   }
 
-  /** The same error with where it stood before it: {@code --loss: '2': expected ...}. */
+  /** The same error after the place of the text: {@code --loss: '2': expected ...}. */
   public static BadInput in(String where, BadInput error) {
     return new BadInput(where + ": " + error.getMessage());
   }
@@ -242,6 +208,30 @@ public final class Quantities {
   /** A finite number without an exponent, which every reader here reads back. */
   public static String numberText(double number) {
     return BigDecimal.valueOf(number).stripTrailingZeros().toPlainString();
+  }
+
+  /** At least 0, with a unit of {@code units}; 0 needs no unit. */
+  private static BigDecimal amount(String text, Map<String, BigDecimal> units, String expected) {
+    Matcher matcher = match(text, expected);
+    BigDecimal number = new BigDecimal(matcher.group(1));
+    BigDecimal unit = units.get(matcher.group(2));
+    if (number.signum() == 0 && matcher.group(2).isEmpty()) {
+      return BigDecimal.ZERO;
+    }
+    if (unit == null || number.signum() < 0) {
+      throw notA(text, expected);
+    }
+    return number.multiply(unit);
+  }
+
+  /** At least 0, without a unit. */
+  private static double numberUpTo(String text, double most, String expected) {
+    Matcher matcher = match(text, expected);
+    double number = Double.parseDouble(matcher.group(1));
+    if (!matcher.group(2).isEmpty() || number < 0 || number > most) {
+      throw notA(text, expected);
+    }
+    return number;
   }
 
   private static Matcher match(String text, String expected) {

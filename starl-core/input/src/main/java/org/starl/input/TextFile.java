@@ -53,8 +53,8 @@ public final class TextFile {
         return text.startsWith("\uFEFF") ? text.substring(1) : text;
       }
     } catch (CharacterCodingException e) {
-      throw new BadInput(file + ": is no text; " + expected);
+      throw new BadInput(file + ": is not text; " + expected);
     }
-    throw new BadInput(file + ": is no text; " + expected);
+    throw new BadInput(file + ": is not text; " + expected);
   }
 }

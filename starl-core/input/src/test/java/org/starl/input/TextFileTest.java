@@ -30,8 +30,8 @@ final class TextFileTest {
   void errorsNameTheFileAndWhatWasExpected() throws IOException {
     refuses(folder, "is a folder");
     refuses(folder.resolve("none"), "no such file");
-    refuses(file((byte) 0xF6), "is no text");
-    refuses(file((byte) 'a', (byte) 0), "is no text");
+    refuses(file((byte) 0xF6), "is not text");
+    refuses(file((byte) 'a', (byte) 0), "is not text");
   }
 
   private static void refuses(Path file, String why) {

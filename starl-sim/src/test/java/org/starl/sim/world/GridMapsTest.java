@@ -79,7 +79,7 @@ class GridMapsTest {
     assertThatThrownBy(() -> GridMaps.read(missing)).hasMessageContaining("a.map: no such file");
     assertThatThrownBy(() -> GridMaps.read(folder)).hasMessageContaining("is a folder");
     Files.write(missing, new byte[] {(byte) 0xFF, (byte) 0xFE, 0, 0});
-    assertThatThrownBy(() -> GridMaps.read(missing)).hasMessageContaining("is no text");
+    assertThatThrownBy(() -> GridMaps.read(missing)).hasMessageContaining("is not text");
     assertThatThrownBy(() -> GridMaps.parse("empty.map", ""))
         .hasMessage("empty.map:1: '': expected 'type octile'");
   }

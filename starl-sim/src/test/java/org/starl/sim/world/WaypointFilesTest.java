@@ -126,8 +126,8 @@ final class WaypointFilesTest {
     Files.write(zeros, new byte[100]);
     assertThatThrownBy(() -> WaypointFiles.read(picture))
         .isInstanceOf(BadInput.class)
-        .hasMessageStartingWith(picture + ": is no text; expected a waypoint file");
-    assertThatThrownBy(() -> WaypointFiles.read(zeros)).hasMessageContaining("is no text");
+        .hasMessageStartingWith(picture + ": is not text; expected a waypoint file");
+    assertThatThrownBy(() -> WaypointFiles.read(zeros)).hasMessageContaining("is not text");
     assertThatThrownBy(() -> WaypointFiles.read(folder)).hasMessageContaining("is a folder");
     assertThatThrownBy(() -> WaypointFiles.read(folder.resolve("missing.wpt")))
         .isInstanceOf(BadInput.class)
