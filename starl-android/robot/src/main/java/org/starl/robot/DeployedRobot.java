@@ -22,6 +22,7 @@ import org.starl.platform.LogSink;
 import org.starl.platform.LogSink.Level;
 import org.starl.platform.Platform;
 import org.starl.random.Rng;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Network;
@@ -38,6 +39,7 @@ import org.starl.robot.udp.LossyRadio;
 import org.starl.robot.udp.StartNumber;
 import org.starl.robot.udp.UdpRadio;
 import org.starl.robot.udp.UdpStatistics;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceSink;
 
@@ -191,7 +193,7 @@ public final class DeployedRobot implements AutoCloseable {
             strand,
             radio,
             body,
-            wheels.chassis(),
+            wheels,
             stable,
             rng::fork,
             background,
@@ -236,11 +238,6 @@ public final class DeployedRobot implements AutoCloseable {
   /** Counts of the radio's datagrams. */
   public UdpStatistics network() {
     return udp.statistics();
-  }
-
-  /** The wheels' state, for people. */
-  public String wheelStatus() {
-    return wheels.status();
   }
 
   /** The time of another robot's last beacon, on this robot's clock; null if it was never heard. */
@@ -329,7 +326,7 @@ public final class DeployedRobot implements AutoCloseable {
       String since =
           lastHeardNs == null
               ? "was never heard"
-              : "was last heard " + (clock.nowNs() - lastHeardNs) / 1_000_000 + " ms ago";
+              : "was last heard " + (clock.nowNs() - lastHeardNs) / Time.NS_PER_MS + " ms ago";
       tell(Level.WARN, "suspects", robot, "suspects " + robot + ", which " + since);
     }
 

@@ -1,5 +1,7 @@
 package org.starl.robot;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.List;
 import java.util.OptionalDouble;
 import org.jspecify.annotations.Nullable;
@@ -7,6 +9,7 @@ import org.starl.geometry.Fix;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Positioning;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Joined;
@@ -28,10 +31,7 @@ public final class MeasuredBody implements Positioning {
   private static final String LOST = "lost";
 
   /** At 300 mm/s a body goes 6 mm in it; a fix that comes earlier is not written. */
-  private static final long EVERY_NS = 20_000_000;
-
-  private static final double NS_PER_S = 1e9;
-  private static final long NS_PER_MS = 1_000_000;
+  private static final long EVERY_NS = 20 * NS_PER_MS;
 
   private final RobotId id;
   private final double radiusMm;
@@ -124,7 +124,7 @@ public final class MeasuredBody implements Positioning {
     if (ageNs > stillAfterNs) {
       record(nowNs, LOST, ageNs / NS_PER_MS);
     }
-    double offMm = fix.errorMm() + mostMmPerS * Math.min(ageNs, stillAfterNs) / NS_PER_S;
+    double offMm = fix.errorMm() + mostMmPerS * Time.seconds(Math.min(ageNs, stillAfterNs));
     if (offMm > toldMm) {
       toldMm = (long) Math.ceil(offMm);
       record(nowNs, WITHIN, toldMm);

@@ -10,7 +10,7 @@ import java.util.function.Consumer;
 import org.starl.input.BadInput;
 import org.starl.launch.DeploymentFile;
 import org.starl.launch.RobotRun;
-import org.starl.robot.Wheelbase;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import picocli.CommandLine.Option;

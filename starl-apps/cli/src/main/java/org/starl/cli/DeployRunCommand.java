@@ -6,7 +6,7 @@ import org.starl.input.BadInput;
 import org.starl.launch.RobotRun;
 import org.starl.launch.WheelGuard;
 import org.starl.robot.CreateWheelbase;
-import org.starl.robot.Wheelbase;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.RobotEntry;
 import org.starl.robot.file.Wheels.Create;

@@ -9,6 +9,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.robot.create.CreateBody;
 import org.starl.robot.create.CreateHost;
 import org.starl.robot.create.CreateModel;
+import org.starl.robot.create.StreamLink;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.serial.PseudoTerminal;
 import picocli.CommandLine.ArgGroup;
@@ -74,9 +75,9 @@ final class SimulatedCreateCommand extends BaseCommand implements Runnable {
 
   private static String open(CreateHost host, Line line) throws IOException {
     if (line.pty != null) {
-      PseudoTerminal terminal = PseudoTerminal.open(line.pty);
+      StreamLink terminal = PseudoTerminal.open(line.pty);
       host.serve(terminal);
-      return terminal.path();
+      return terminal.name();
     }
     ServerSocket server = new ServerSocket(line.tcp, 1, InetAddress.getLoopbackAddress());
     host.listen(server);

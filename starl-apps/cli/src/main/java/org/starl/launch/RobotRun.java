@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.platform.DeploymentKey;
 import org.starl.platform.LogSink.Level;
 import org.starl.robot.DeployedRobot;
-import org.starl.robot.Wheelbase;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.RobotEntry;

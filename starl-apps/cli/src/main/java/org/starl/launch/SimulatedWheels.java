@@ -3,12 +3,11 @@ package org.starl.launch;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
-import org.starl.platform.Chassis;
 import org.starl.platform.Strand;
-import org.starl.robot.Wheelbase;
+import org.starl.robot.create.Wheelbase;
 
 /** Wheels of a body in the {@link WorldServer}, driven by its program in the same process. */
-final class SimulatedWheels implements Wheelbase, Chassis {
+final class SimulatedWheels implements Wheelbase {
 
   private final WorldBody body;
   private final Strand strand;
@@ -21,11 +20,6 @@ final class SimulatedWheels implements Wheelbase, Chassis {
     this.body = body;
     this.strand = strand;
     body.onBump(() -> strand.post(() -> receiver.run()));
-  }
-
-  @Override
-  public Chassis chassis() {
-    return this;
   }
 
   @Override
@@ -56,11 +50,6 @@ final class SimulatedWheels implements Wheelbase, Chassis {
   @Override
   public void release() {
     isStopped = false;
-  }
-
-  @Override
-  public String status() {
-    return isStopped ? "stopped" : "may drive";
   }
 
   @Override

@@ -20,9 +20,9 @@ import org.starl.platform.Timer;
 import org.starl.random.Rng;
 import org.starl.robot.CreateWheelbase;
 import org.starl.robot.PoseFeeds;
-import org.starl.robot.Wheelbase;
 import org.starl.robot.create.CreateHost;
 import org.starl.robot.create.CreateModel;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Positions;
@@ -204,8 +204,7 @@ public final class WorldServer implements AutoCloseable {
                 : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort()),
             new NatNetVersion(Integer.parseInt(version[0]), Integer.parseInt(version[1])),
             PoseFeeds.axes(natNet),
-            100,
-            true);
+            100);
     parts.push(NatNetServer.open(settings, () -> seen, clock, onFailure::accept));
   }
 

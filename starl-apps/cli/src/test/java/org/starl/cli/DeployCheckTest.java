@@ -186,7 +186,7 @@ class DeployCheckTest {
     Path key = folder.resolve("my.key");
     byte[] before = Files.readAllBytes(key);
 
-    assertRefused(Cli.run("keygen", key.toString()), "is there already");
+    assertRefused(Cli.run("keygen", key.toString()), "exists; expected a new file");
     assertThat(Files.readAllBytes(key)).isEqualTo(before);
 
     Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-r-----"));
@@ -202,7 +202,7 @@ class DeployCheckTest {
 
     Cli cli = check(GOOD);
 
-    assertRefused(cli, "is no key", "64 hexadecimal digits");
+    assertRefused(cli, "is not a key", "64 hexadecimal digits");
     assertThat(cli.toString()).doesNotContain("secretsecret");
   }
 }

@@ -22,8 +22,7 @@ import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
-import org.starl.platform.Chassis;
-import org.starl.robot.Wheelbase;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
@@ -106,13 +105,8 @@ class LocalSpecsTest {
   }
 
   /** Wheels that count how often they were stopped. */
-  private static final class StillWheels implements Wheelbase, Chassis {
+  private static final class StillWheels implements Wheelbase {
     private final AtomicInteger stops = new AtomicInteger();
-
-    @Override
-    public Chassis chassis() {
-      return this;
-    }
 
     @Override
     public void drive(WheelCommand command) {
@@ -142,11 +136,6 @@ class LocalSpecsTest {
     @Override
     public void release() {
       throw new AssertionError("nobody releases them");
-    }
-
-    @Override
-    public String status() {
-      return "stand still";
     }
 
     @Override

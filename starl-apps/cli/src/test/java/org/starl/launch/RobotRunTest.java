@@ -23,9 +23,8 @@ import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
 import org.starl.id.RobotId;
-import org.starl.platform.Chassis;
 import org.starl.robot.CreateWheelbase;
-import org.starl.robot.Wheelbase;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.HostPort;
 import org.starl.robot.file.Limits;
@@ -190,16 +189,11 @@ class RobotRunTest {
   }
 
   /** Wheels that do not turn. */
-  private final class Standing implements Wheelbase, Chassis {
+  private final class Standing implements Wheelbase {
     private Runnable onClose = () -> {};
 
     Standing() {
       happened.add("wheels");
-    }
-
-    @Override
-    public Chassis chassis() {
-      return this;
     }
 
     @Override
@@ -223,11 +217,6 @@ class RobotRunTest {
 
     @Override
     public void release() {}
-
-    @Override
-    public String status() {
-      return "standing";
-    }
 
     @Override
     public void close() {

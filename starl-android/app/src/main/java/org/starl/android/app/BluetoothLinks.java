@@ -6,11 +6,10 @@ import android.bluetooth.BluetoothManager;
 import android.bluetooth.BluetoothSocket;
 import android.content.Context;
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.OutputStream;
 import java.util.UUID;
 import org.jspecify.annotations.Nullable;
 import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.StreamLink;
 
 /**
  * Links to the serial adapter of one robot, over Bluetooth's serial port profile: each a socket of
@@ -38,7 +37,11 @@ final class BluetoothLinks implements ByteLink.Source {
       BluetoothSocket socket = paired().createRfcommSocketToServiceRecord(SERIAL_PORT);
       try {
         socket.connect();
-        return new Link(socket, device);
+        return new StreamLink(
+            "the link to Bluetooth device " + device,
+            socket.getInputStream(),
+            socket.getOutputStream(),
+            socket);
       } catch (IOException e) {
         socket.close();
         throw e;
@@ -75,36 +78,5 @@ final class BluetoothLinks implements ByteLink.Source {
   @Override
   public String toString() {
     return "Bluetooth device " + device;
-  }
-
-  private static final class Link implements ByteLink {
-
-    private final BluetoothSocket socket;
-    private final String device;
-
-    Link(BluetoothSocket socket, String device) {
-      this.socket = socket;
-      this.device = device;
-    }
-
-    @Override
-    public InputStream input() throws IOException {
-      return socket.getInputStream();
-    }
-
-    @Override
-    public OutputStream output() throws IOException {
-      return socket.getOutputStream();
-    }
-
-    @Override
-    public void close() throws IOException {
-      socket.close();
-    }
-
-    @Override
-    public String toString() {
-      return "the link to Bluetooth device " + device;
-    }
   }
 }

@@ -18,11 +18,11 @@ import org.starl.platform.Strand;
 import org.starl.platform.Timer;
 import org.starl.robot.CreateWheelbase;
 import org.starl.robot.DeployedRobot;
-import org.starl.robot.Wheelbase;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.CreateChassis;
 import org.starl.robot.create.CreateHold;
 import org.starl.robot.create.CreateStatus;
+import org.starl.robot.create.Wheelbase;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.Limits;
 import org.starl.robot.file.Wheels;
@@ -195,7 +195,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     String name = mission.robot().id().name();
     Wheelbase opened =
         CreateWheelbase.of(name, create, limits, links).open(strand, clock, log, onFailure);
-    chassis = (CreateChassis) opened.chassis();
+    chassis = (CreateChassis) opened;
     return opened;
   }
 

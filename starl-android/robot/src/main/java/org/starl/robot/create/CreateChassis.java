@@ -1,16 +1,18 @@
 package org.starl.robot.create;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.io.IOException;
 import java.io.OutputStream;
 import java.util.List;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
-import org.starl.platform.Chassis;
 import org.starl.platform.Clock;
+import org.starl.platform.LogSink;
+import org.starl.platform.LogSink.Level;
 import org.starl.platform.Strand;
 import org.starl.robot.realtime.Daemons;
 
@@ -18,27 +20,16 @@ import org.starl.robot.realtime.Daemons;
  * The wheels and bump sensors of an iRobot Create. The safety stops of the package's contract run
  * here, on their own threads; {@link CreateHold} names each cause.
  *
- * <p>No call waits for the robot. {@link #drive} and {@link #bumps} belong to the strand; all others
- * may be called from any thread. While a piece of the strand runs {@link #bumps} does not change; it
- * shows each touch, however short.
+ * <p>No call waits for the robot. While a piece of the strand runs, {@link #bumps} does not change; it
+ * reports each contact, however short. The log has a line for each change of the causes, and for each
+ * new reason why a link fails; the chassis then opens another link.
  */
-public final class CreateChassis implements Chassis, AutoCloseable {
+public final class CreateChassis implements Wheelbase {
 
-  /** Receives the robot's state on a thread of the chassis; must not block. */
-  public interface Listener {
+  private static final String TAG = "create";
 
-    /** The reasons that hold the wheels have changed. */
-    void changed(CreateStatus status);
-
-    /** A link failed or could not be opened; the chassis tries again. */
-    void linkFailed(IOException cause);
-
-    /** A bug: the wheels are stopped as by {@link #emergencyStop}. */
-    void failed(Throwable bug);
-  }
-
-  /** Capacity for a line that is stuck: a start, and then some speeds. */
-  private static final int OUTBOX_BYTES = 256;
+  /** Bytes that may wait while the line is stuck: a start, and then some speeds. */
+  private static final int QUEUE_BYTES = 256;
 
   private static final long CLOSE_MS = 1000;
   private static final long END_MS = 500;
@@ -48,14 +39,13 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   private final ByteLink.Source links;
   private final Strand strand;
   private final Clock clock;
-  private final Listener listener;
-  private final ReentrantLock lock = new ReentrantLock();
+  private final LogSink log;
+  private final Consumer<Throwable> onFailure;
+  private final Guard guard = new Guard();
 
-  // Guarded by the lock.
-  private final Condition closing = lock.newCondition();
-  private final Condition ending = lock.newCondition();
+  // Guarded.
   private final CreateProtocol protocol;
-  private WriteQueue outbox = new WriteQueue(OUTBOX_BYTES);
+  private WriteQueue toRobot = new WriteQueue(QUEUE_BYTES);
   private @Nullable ByteLink link;
   private @Nullable Thread writer;
   private boolean isTellPosted;
@@ -63,6 +53,9 @@ public final class CreateChassis implements Chassis, AutoCloseable {
 
   private final Thread reader;
   private final Thread watchdog;
+
+  // The reader only.
+  private String lastLinkFailure = "";
 
   // Strand only.
   private Runnable receiver = () -> {};
@@ -74,25 +67,29 @@ public final class CreateChassis implements Chassis, AutoCloseable {
       ByteLink.Source links,
       Strand strand,
       Clock clock,
-      Listener listener) {
+      LogSink log,
+      Consumer<Throwable> onFailure) {
     this.name = name;
     this.settings = settings;
     this.links = links;
     this.strand = strand;
     this.clock = clock;
-    this.listener = listener;
-    protocol = new CreateProtocol(settings, bytes -> outbox.offer(bytes));
+    this.log = log;
+    this.onFailure = onFailure;
+    protocol = new CreateProtocol(settings, bytes -> toRobot.offer(bytes));
     reader = thread("reader", this::serveLinks);
     watchdog = thread("watchdog", this::watch);
   }
 
   /**
    * Drives the robot at the end of {@code links} until {@link #close}. Returns at once; the status
-   * shows when the robot is there.
+   * shows when the robot has answered.
    *
    * @param name of the robot, for the threads' names
    * @param strand the robot's; bumps are reported there
    * @param clock the clock of the fixes' times
+   * @param log takes lines on threads of the chassis; must not block
+   * @param onFailure takes a bug; the wheels are stopped as by {@link #emergencyStop}
    */
   public static CreateChassis open(
       String name,
@@ -100,8 +97,9 @@ public final class CreateChassis implements Chassis, AutoCloseable {
       ByteLink.Source links,
       Strand strand,
       Clock clock,
-      Listener listener) {
-    CreateChassis chassis = new CreateChassis(name, settings, links, strand, clock, listener);
+      LogSink log,
+      Consumer<Throwable> onFailure) {
+    CreateChassis chassis = new CreateChassis(name, settings, links, strand, clock, log, onFailure);
     chassis.reader.start();
     chassis.watchdog.start();
     return chassis;
@@ -110,7 +108,7 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   /** {@inheritDoc} A command is valid for the command timeout: repeat it to keep driving. */
   @Override
   public void drive(WheelCommand command) {
-    locked(() -> protocol.drive(command, clock.nowNs()));
+    update(() -> protocol.drive(command, clock.nowNs()));
   }
 
   @Override
@@ -123,28 +121,23 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     receiver = newReceiver;
   }
 
-  /** Takes each fix of this robot; the wheels stop if they stop coming. */
+  @Override
   public void fixed(Fix fix) {
-    locked(() -> protocol.fixed(fix.timeNs(), clock.nowNs()));
+    update(() -> protocol.fixed(fix.timeNs(), clock.nowNs()));
   }
 
-  /** Stops the wheels at once, until {@link #release}, whatever the program commands. */
+  @Override
   public void emergencyStop() {
-    locked(() -> protocol.emergencyStop(true));
+    update(() -> protocol.emergencyStop(true));
   }
 
-  /** Ends the emergency stop: the program's next command is obeyed. */
+  @Override
   public void release() {
-    locked(() -> protocol.emergencyStop(false));
+    update(() -> protocol.emergencyStop(false));
   }
 
   public CreateStatus status() {
-    lock.lock();
-    try {
-      return protocol.status();
-    } finally {
-      lock.unlock();
-    }
+    return guard.get(protocol::status);
   }
 
   /**
@@ -194,26 +187,20 @@ public final class CreateChassis implements Chassis, AutoCloseable {
    */
   @Override
   public void close() {
-    locked(() -> protocol.end(clock.nowNs()));
-    awaitEnd();
-    Thread lastWriter;
-    ByteLink lastLink;
-    lock.lock();
-    try {
+    update(() -> protocol.end(clock.nowNs()));
+    guard.await(() -> isClosed || protocol.hasEnded(), END_MS * NS_PER_MS);
+    guard.run(() -> {
       isClosed = true;
-      outbox.offer(Commands.pauseStream());
-      outbox.close();
-      closing.signalAll();
-      lastWriter = writer;
-      lastLink = link;
-    } finally {
-      lock.unlock();
-    }
+      toRobot.offer(Commands.pauseStream());
+      toRobot.close();
+      guard.signal();
+    });
     // The writer ends when it has written the rest.
+    Thread lastWriter = guard.get(() -> writer);
     if (lastWriter != null) {
       Daemons.join(lastWriter, CLOSE_MS);
     }
-    WriteQueue.closeQuietly(lastLink);
+    WriteQueue.closeQuietly(guard.get(() -> link));
     Daemons.join(watchdog, CLOSE_MS);
     Daemons.join(reader, CLOSE_MS);
   }
@@ -231,32 +218,25 @@ public final class CreateChassis implements Chassis, AutoCloseable {
   }
 
   private boolean send(byte[] command) {
-    lock.lock();
-    try {
-      return !isClosed && protocol.send(command);
-    } finally {
-      lock.unlock();
-    }
+    return guard.get(() -> !isClosed && protocol.send(command));
   }
 
-  /** Changes the protocol's state, updates the wheels, and informs the strand if need be. */
-  private void locked(Runnable change) {
-    boolean mustTell;
-    lock.lock();
-    try {
-      if (isClosed) {
-        return;
-      }
-      change.run();
-      protocol.advance(clock.nowNs());
-      mustTell = protocol.hasNews() && !isTellPosted;
-      isTellPosted |= mustTell;
-      if (protocol.hasEnded()) {
-        ending.signalAll();
-      }
-    } finally {
-      lock.unlock();
-    }
+  /** Changes the protocol's state, updates the wheels, and informs the strand if necessary. */
+  private void update(Runnable change) {
+    boolean mustTell =
+        guard.get(() -> {
+          if (isClosed) {
+            return false;
+          }
+          change.run();
+          protocol.advance(clock.nowNs());
+          if (protocol.hasEnded()) {
+            guard.signal();
+          }
+          boolean isNew = protocol.hasNews() && !isTellPosted;
+          isTellPosted |= isNew;
+          return isNew;
+        });
     if (mustTell) {
       strand.post(this::tell);
     }
@@ -264,15 +244,12 @@ public final class CreateChassis implements Chassis, AutoCloseable {
 
   // On the strand.
   private void tell() {
-    lock.lock();
-    try {
+    guard.run(() -> {
       seenBumps = protocol.tell();
       isTellPosted = false;
-    } finally {
-      lock.unlock();
-    }
+    });
     receiver.run();
-    locked(() -> {});
+    update(() -> {});
   }
 
   // The watchdog's thread.
@@ -280,50 +257,23 @@ public final class CreateChassis implements Chassis, AutoCloseable {
     List<CreateHold> told = List.of();
     while (pause(CreateProtocol.TICK_NS)) {
       ByteLink[] dead = new ByteLink[1];
-      CreateStatus[] status = new CreateStatus[1];
-      locked(() -> {
+      update(() -> {
         protocol.advance(clock.nowNs());
         dead[0] = protocol.isLinkDead(clock.nowNs()) ? link : null;
-        status[0] = protocol.status();
       });
       WriteQueue.closeQuietly(dead[0]);
-      if (status[0] != null && !status[0].holds().equals(told)) {
-        told = status[0].holds();
-        listener.changed(status[0]);
+      List<CreateHold> holds = status().holds();
+      if (!holds.equals(told)) {
+        told = holds;
+        log.log(clock.nowNs(), Level.DEBUG, TAG, "held by " + holds);
       }
     }
   }
 
-  private void awaitEnd() {
-    lock.lock();
-    try {
-      long leftNs = END_MS * CreateProtocol.NS_PER_MS;
-      while (!isClosed && !protocol.hasEnded() && leftNs > 0) {
-        leftNs = ending.awaitNanos(leftNs);
-      }
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  /** Waits; false when the chassis is closed. */
+  /** Waits; false when the chassis is closed, or the thread is to end. */
   private boolean pause(long ns) {
-    lock.lock();
-    try {
-      long leftNs = ns;
-      while (!isClosed && leftNs > 0) {
-        leftNs = closing.awaitNanos(leftNs);
-      }
-      return !isClosed;
-    } catch (InterruptedException e) {
-      // StarL never interrupts this thread: another interrupt is a request to end it.
-      Thread.currentThread().interrupt();
-      return false;
-    } finally {
-      lock.unlock();
-    }
+    // StarL never interrupts this thread: another interrupt is a request to end it.
+    return !guard.await(() -> isClosed, ns) && !Thread.currentThread().isInterrupted();
   }
 
   // The reader's thread.
@@ -336,53 +286,54 @@ public final class CreateChassis implements Chassis, AutoCloseable {
         opened = links.open();
         serve(opened);
       } catch (IOException e) {
-        if (!hasEnded()) {
-          listener.linkFailed(e);
-        }
+        logLinkFailure(String.valueOf(e.getMessage()));
       } finally {
-        locked(() -> {
+        update(() -> {
           link = null;
           wasHeard[0] = protocol.linkLost(clock.nowNs());
         });
         WriteQueue.closeQuietly(opened);
       }
       // After a link that worked the wheels may still turn: only the next link can stop them.
-    } while (pause(wasHeard[0] ? 0 : settings.retryMs() * CreateProtocol.NS_PER_MS));
+    } while (pause(wasHeard[0] ? 0 : settings.retryMs() * NS_PER_MS));
+  }
+
+  // Links are opened again and again: a repeated cause is logged once.
+  private void logLinkFailure(String cause) {
+    if (!hasClosed() && !cause.equals(lastLinkFailure)) {
+      lastLinkFailure = cause;
+      log.log(clock.nowNs(), Level.WARN, TAG, "no link to the robot: " + cause);
+    }
   }
 
   private void serve(ByteLink opened) throws IOException {
     OutputStream output = opened.output();
-    WriteQueue mine = new WriteQueue(OUTBOX_BYTES);
-    Thread newWriter = thread("writer", () -> mine.writeTo(output, opened));
-    locked(() -> {
-      outbox = mine;
+    WriteQueue queue = new WriteQueue(QUEUE_BYTES);
+    Thread newWriter = thread("writer", () -> queue.writeTo(output, opened));
+    update(() -> {
+      toRobot = queue;
       link = opened;
       writer = newWriter;
       newWriter.start();
       protocol.linkOpened(clock.nowNs());
     });
     try {
-      if (hasEnded()) {
+      if (hasClosed()) {
         return;
       }
       byte[] buffer = new byte[256];
       for (int n = opened.input().read(buffer); n >= 0; n = opened.input().read(buffer)) {
         int length = n;
-        locked(() -> protocol.received(buffer, length, clock.nowNs()));
+        update(() -> protocol.received(buffer, length, clock.nowNs()));
       }
       throw new IOException(opened + " was closed");
     } finally {
-      mine.close();
+      queue.close();
     }
   }
 
-  private boolean hasEnded() {
-    lock.lock();
-    try {
-      return isClosed;
-    } finally {
-      lock.unlock();
-    }
+  private boolean hasClosed() {
+    return guard.get(() -> isClosed);
   }
 
   private Thread thread(String role, Runnable body) {
@@ -393,7 +344,9 @@ public final class CreateChassis implements Chassis, AutoCloseable {
             body.run();
           } catch (Throwable bug) {
             emergencyStop();
-            listener.failed(bug);
+            onFailure.accept(bug);
+            log.log(
+                clock.nowNs(), Level.ERROR, TAG, "the driver has failed, wheels stopped: " + bug);
           }
         });
   }

@@ -4,8 +4,6 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.net.ServerSocket;
 import java.net.Socket;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
@@ -18,18 +16,17 @@ import org.starl.robot.realtime.Daemons;
 public final class CreateHost implements AutoCloseable {
 
   /** Capacity for a driver that does not read; a serial line loses the rest. */
-  private static final int OUTBOX_BYTES = 4096;
+  private static final int QUEUE_BYTES = 4096;
 
   private final String name;
   private final Clock clock;
   private final Consumer<IOException> onLinkEnd;
-  private final ReentrantLock lock = new ReentrantLock();
+  private final Guard guard = new Guard();
   private final Thread ticker;
 
-  // Guarded by the lock.
-  private final Condition closing = lock.newCondition();
+  // Guarded.
   private final SimulatedCreate robot;
-  private WriteQueue outbox = new WriteQueue(OUTBOX_BYTES);
+  private WriteQueue toDriver = new WriteQueue(QUEUE_BYTES);
   private @Nullable ByteLink link;
   private @Nullable ServerSocket server;
   private boolean isClosed;
@@ -43,7 +40,7 @@ public final class CreateHost implements AutoCloseable {
     this.name = name;
     this.clock = clock;
     this.onLinkEnd = onLinkEnd;
-    robot = new SimulatedCreate(model, body, bytes -> outbox.offer(bytes));
+    robot = new SimulatedCreate(model, body, bytes -> toDriver.offer(bytes));
     ticker = thread("clock", this::tick);
   }
 
@@ -72,57 +69,36 @@ public final class CreateHost implements AutoCloseable {
 
   /** Serves clients of {@code newServer}, one after another; closes the server at the end. */
   public void listen(ServerSocket newServer) {
-    lock.lock();
-    try {
-      server = newServer;
-    } finally {
-      lock.unlock();
-    }
+    guard.run(() -> server = newServer);
     thread("server", () -> accept(newServer)).start();
   }
 
   /** Runs {@code inspector} with exclusive access to the robot. */
   public void inspect(Consumer<SimulatedCreate> inspector) {
-    lock.lock();
-    try {
-      inspector.accept(robot);
-    } finally {
-      lock.unlock();
-    }
+    guard.run(() -> inspector.accept(robot));
   }
 
   /** Switches the robot off, and ends its link. */
   @Override
   public void close() {
-    lock.lock();
-    try {
+    guard.run(() -> {
       isClosed = true;
-      closing.signalAll();
-      outbox.close();
+      guard.signal();
+      toDriver.close();
       WriteQueue.closeQuietly(link);
       WriteQueue.closeQuietly(server);
-    } finally {
-      lock.unlock();
-    }
+    });
   }
 
   // The clock's thread.
   private void tick() {
-    lock.lock();
-    try {
-      while (!isClosed) {
-        robot.advance(clock.nowNs());
-        long leftNs = robot.dueNs() - clock.nowNs();
-        while (!isClosed && leftNs > 0) {
-          leftNs = closing.awaitNanos(leftNs);
-        }
-      }
-    } catch (InterruptedException e) {
+    guard.run(() -> {
       // StarL never interrupts this thread: another interrupt is a request to end it.
-      Thread.currentThread().interrupt();
-    } finally {
-      lock.unlock();
-    }
+      while (!isClosed && !Thread.currentThread().isInterrupted()) {
+        robot.advance(clock.nowNs());
+        guard.await(() -> isClosed, robot.dueNs() - clock.nowNs());
+      }
+    });
   }
 
   // The server's thread.
@@ -130,7 +106,7 @@ public final class CreateHost implements AutoCloseable {
     while (!from.isClosed()) {
       try {
         Socket socket = from.accept();
-        talk(new SocketLink(socket));
+        talk(SocketLink.of(socket));
       } catch (IOException e) {
         if (!from.isClosed()) {
           onLinkEnd.accept(e);
@@ -140,41 +116,37 @@ public final class CreateHost implements AutoCloseable {
   }
 
   // The line's thread.
-  private void talk(ByteLink mine) {
-    WriteQueue toMine = new WriteQueue(OUTBOX_BYTES);
+  private void talk(ByteLink newLink) {
+    WriteQueue queue = new WriteQueue(QUEUE_BYTES);
     try {
-      OutputStream output = mine.output();
-      if (!replaceLink(mine, toMine)) {
+      OutputStream output = newLink.output();
+      if (!replaceLink(newLink, queue)) {
         return;
       }
-      thread("voice", () -> toMine.writeTo(output, mine)).start();
+      thread("writer", () -> queue.writeTo(output, newLink)).start();
       byte[] buffer = new byte[256];
-      for (int n = mine.input().read(buffer); n >= 0; n = mine.input().read(buffer)) {
+      for (int n = newLink.input().read(buffer); n >= 0; n = newLink.input().read(buffer)) {
         int length = n;
         inspect(create -> create.receive(buffer, length, clock.nowNs()));
       }
-      onLinkEnd.accept(new IOException(mine + " was closed"));
+      onLinkEnd.accept(new IOException(newLink + " was closed"));
     } catch (IOException e) {
       onLinkEnd.accept(e);
     } finally {
-      toMine.close();
-      WriteQueue.closeQuietly(mine);
+      queue.close();
+      WriteQueue.closeQuietly(newLink);
     }
   }
 
-  private boolean replaceLink(ByteLink newLink, WriteQueue newOutbox) {
-    lock.lock();
-    try {
-      if (isClosed) {
-        return false;
+  private boolean replaceLink(ByteLink newLink, WriteQueue newQueue) {
+    return guard.get(() -> {
+      if (!isClosed) {
+        WriteQueue.closeQuietly(link);
+        link = newLink;
+        toDriver = newQueue;
       }
-      WriteQueue.closeQuietly(link);
-      link = newLink;
-      outbox = newOutbox;
-      return true;
-    } finally {
-      lock.unlock();
-    }
+      return !isClosed;
+    });
   }
 
   private Thread thread(String role, Runnable body) {

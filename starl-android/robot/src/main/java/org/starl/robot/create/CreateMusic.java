@@ -1,9 +1,11 @@
 package org.starl.robot.create;
 
+import static org.starl.time.Time.NS_PER_S;
+
 /** The songs of a simulated Create: their lengths, and the one that plays. */
 final class CreateMusic {
 
-  private static final long NS_PER_LENGTH = 1_000_000_000L / 64;
+  private static final long NS_PER_LENGTH = NS_PER_S / 64;
   private static final int MAX_NOTES = 16;
 
   /** 0 for none. */
@@ -17,7 +19,7 @@ final class CreateMusic {
   }
 
   /** Stores the data of opcode 140; false if it is not a song. */
-  boolean keep(byte[] data, int length) {
+  boolean store(byte[] data, int length) {
     int song = data[0] & 0xFF;
     int notes = data[1] & 0xFF;
     if (song >= lastsNs.length || notes < 1 || notes > MAX_NOTES) {

@@ -1,5 +1,7 @@
 package org.starl.robot.create;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Set;
@@ -15,8 +17,6 @@ import org.starl.body.WheelCommand;
  * asked for a stream (148). After that its frames decide: a missing one, another mode, a sensor.
  */
 final class CreateProtocol {
-
-  static final long NS_PER_MS = 1_000_000;
 
   /** Longest time between two calls of {@link #advance}, which checks the timeouts. */
   static final long TICK_NS = 10 * NS_PER_MS;
@@ -207,35 +207,26 @@ final class CreateProtocol {
   }
 
   Set<CreateHold> holds() {
-    Set<CreateHold> holds = EnumSet.noneOf(CreateHold.class);
-    add(holds, CreateHold.EMERGENCY_STOP, isEmergency);
-    add(holds, CreateHold.NO_LINK, step == Step.NO_LINK);
     boolean isHeard = step == Step.RUNNING && isWithin(lastFrameNs, settings.sensorTimeoutMs());
-    add(holds, CreateHold.NO_SENSORS, step != Step.NO_LINK && !isHeard);
-    add(holds, CreateHold.NOT_IN_MODE, isHeard && sensors.mode() != settings.mode());
-    add(holds, CreateHold.WHEEL_DROP, sensors.wheelDrop());
-    add(holds, CreateHold.BUMP_UNTOLD, isBumpUntold);
     // A program that wants the robot to stand need not repeat that.
-    boolean isWanted = !wanted.isStop();
-    add(
-        holds,
-        CreateHold.STALE_COMMAND,
-        isWanted && !isWithin(wantedNs, settings.commandTimeoutMs()));
-    add(
-        holds,
-        CreateHold.STALE_POSITION,
-        isWanted
-            && settings.positionTimeoutMs() > 0
-            && !isWithin(lastFixNs, settings.positionTimeoutMs()));
-    add(holds, CreateHold.CLIFF, sensors.cliff());
-    add(holds, CreateHold.BUMP, sensors.bumps().any());
+    boolean isDriving = !wanted.isStop();
+    boolean needsFixes = settings.positionTimeoutMs() > 0;
+    Set<CreateHold> holds = EnumSet.allOf(CreateHold.class);
+    holds.removeIf(hold ->
+        !switch (hold) {
+          case EMERGENCY_STOP -> isEmergency;
+          case NO_LINK -> step == Step.NO_LINK;
+          case NO_SENSORS -> step != Step.NO_LINK && !isHeard;
+          case NOT_IN_MODE -> isHeard && sensors.mode() != settings.mode();
+          case WHEEL_DROP -> sensors.wheelDrop();
+          case BUMP_UNTOLD -> isBumpUntold;
+          case STALE_COMMAND -> isDriving && !isWithin(wantedNs, settings.commandTimeoutMs());
+          case STALE_POSITION ->
+              isDriving && needsFixes && !isWithin(lastFixNs, settings.positionTimeoutMs());
+          case CLIFF -> sensors.cliff();
+          case BUMP -> sensors.bumps().any();
+        });
     return holds;
-  }
-
-  private static void add(Set<CreateHold> holds, CreateHold hold, boolean isSo) {
-    if (isSo) {
-      holds.add(hold);
-    }
   }
 
   private boolean isWithin(long sinceNs, long ms) {

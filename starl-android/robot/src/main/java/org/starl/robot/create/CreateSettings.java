@@ -50,22 +50,9 @@ public record CreateSettings(
         model, OiMode.SAFE, 300, 500, 100, 500, 3000, 500, CreateModel.MAX_WHEEL_MM_PER_S);
   }
 
-  /** The same settings with another mode. */
-  public CreateSettings withMode(OiMode newMode) {
-    return new CreateSettings(
-        model,
-        newMode,
-        commandTimeoutMs,
-        positionTimeoutMs,
-        sensorTimeoutMs,
-        recoverAfterMs,
-        linkTimeoutMs,
-        retryMs,
-        maxWheelMmPerS);
-  }
-
-  /** The same settings with other timeouts. */
-  public CreateSettings withTimeouts(long newCommandTimeoutMs, long newPositionTimeoutMs) {
+  /** The same settings with these timeouts and this greatest speed. */
+  public CreateSettings withLimits(
+      long newCommandTimeoutMs, long newPositionTimeoutMs, int newMaxWheelMmPerS) {
     return new CreateSettings(
         model,
         mode,
@@ -75,7 +62,7 @@ public record CreateSettings(
         recoverAfterMs,
         linkTimeoutMs,
         retryMs,
-        maxWheelMmPerS);
+        newMaxWheelMmPerS);
   }
 
   private static void atLeast(String name, long value, long least) {

@@ -30,11 +30,6 @@ public record CreateStatus(
 
   /** Whether the wheels may turn. */
   public boolean mayDrive() {
-    for (CreateHold hold : holds) {
-      if (hold.isWhole()) {
-        return false;
-      }
-    }
-    return true;
+    return holds.stream().noneMatch(CreateHold::isWhole);
   }
 }

@@ -1,5 +1,7 @@
 package org.starl.robot.create;
 
+import org.starl.time.Time;
+
 /** The wheels of a simulated Create: last command, speeds and odometry. */
 final class CreateWheels {
 
@@ -20,8 +22,8 @@ final class CreateWheels {
   private long turnedUntilNs;
   private double leftMm;
   private double rightMm;
-  private double untoldMm;
-  private double untoldDegrees;
+  private double unreadMm;
+  private double unreadDegrees;
 
   CreateWheels(CreateModel model) {
     this.model = model;
@@ -39,12 +41,10 @@ final class CreateWheels {
   void drive(int mmPerS, int radiusMm) {
     velocity = clamp(mmPerS, CreateModel.MAX_WHEEL_MM_PER_S);
     radius = radiusMm;
-    if (radiusMm == Opcodes.STRAIGHT || radiusMm == Opcodes.STRAIGHT_TOO) {
+    if (radiusMm == Opcodes.STRAIGHT || radiusMm == Opcodes.STRAIGHT_TOO || radiusMm == 0) {
       turn(velocity, velocity);
     } else if (radiusMm == Opcodes.SPIN_LEFT || radiusMm == Opcodes.SPIN_RIGHT) {
       turn(-velocity * radiusMm, velocity * radiusMm);
-    } else if (radiusMm == 0) {
-      turn(velocity, velocity);
     } else {
       radius = clamp(radiusMm, MAX_RADIUS_MM);
       double share = model.axleMm() / 2 / radius;
@@ -70,56 +70,42 @@ final class CreateWheels {
   }
 
   /** Forward, or backward on a curve narrower than the robot. */
-  boolean goesOverACliff() {
+  boolean mayCrossACliff() {
     double sum = leftMmPerS + rightMmPerS;
     double difference = Math.abs(rightMmPerS - leftMmPerS);
     return sum > 0 || (sum < 0 && -sum / 2 * model.axleMm() < BODY_RADIUS_MM * difference);
   }
 
   void turnUntil(long atNs) {
-    double seconds = Math.max(0, atNs - turnedUntilNs) / 1e9;
+    double seconds = Time.seconds(Math.max(0, atNs - turnedUntilNs));
     turnedUntilNs = Math.max(atNs, turnedUntilNs);
     leftMm += leftMmPerS * seconds;
     rightMm += rightMmPerS * seconds;
-    untoldMm += (leftMmPerS + rightMmPerS) / 2 * seconds;
-    untoldDegrees += (rightMmPerS - leftMmPerS) * seconds / model.axleMm() * 180 / StrictMath.PI;
+    unreadMm += (leftMmPerS + rightMmPerS) / 2 * seconds;
+    unreadDegrees += (rightMmPerS - leftMmPerS) * seconds / model.axleMm() * 180 / StrictMath.PI;
   }
 
-  /** What a packet about the wheels says; 0 for any other. Distance and angle begin anew by that. */
+  /** The value of a packet about the wheels; 0 for any other. Reading distance or angle resets it. */
   int value(int packet) {
-    switch (packet) {
+    return switch (packet) {
       case Packets.DISTANCE -> {
-        int told = clamp((int) untoldMm, Short.MAX_VALUE);
-        untoldMm = Math.abs(untoldMm) > Short.MAX_VALUE ? 0 : untoldMm - told;
-        return told;
+        int mm = clamp((int) unreadMm, Short.MAX_VALUE);
+        unreadMm = Math.abs(unreadMm) > Short.MAX_VALUE ? 0 : unreadMm - mm;
+        yield mm;
       }
       case Packets.ANGLE -> {
-        int told = clamp((int) untoldDegrees, Short.MAX_VALUE);
-        untoldDegrees = Math.abs(untoldDegrees) > Short.MAX_VALUE ? 0 : untoldDegrees - told;
-        return told;
+        int degrees = clamp((int) unreadDegrees, Short.MAX_VALUE);
+        unreadDegrees = Math.abs(unreadDegrees) > Short.MAX_VALUE ? 0 : unreadDegrees - degrees;
+        yield degrees;
       }
-      case Packets.VELOCITY -> {
-        return velocity;
-      }
-      case Packets.RADIUS -> {
-        return radius;
-      }
-      case Packets.RIGHT_VELOCITY -> {
-        return right;
-      }
-      case Packets.LEFT_VELOCITY -> {
-        return left;
-      }
-      case Packets.LEFT_ENCODER -> {
-        return counts(leftMm);
-      }
-      case Packets.RIGHT_ENCODER -> {
-        return counts(rightMm);
-      }
-      default -> {
-        return 0;
-      }
-    }
+      case Packets.VELOCITY -> velocity;
+      case Packets.RADIUS -> radius;
+      case Packets.RIGHT_VELOCITY -> right;
+      case Packets.LEFT_VELOCITY -> left;
+      case Packets.LEFT_ENCODER -> counts(leftMm);
+      case Packets.RIGHT_ENCODER -> counts(rightMm);
+      default -> 0;
+    };
   }
 
   private void turn(double newLeftMmPerS, double newRightMmPerS) {

@@ -68,10 +68,6 @@ final class Packets {
   private static final String BYTES =
       "111111111111" + "221221222222212111112222" + "22122222211" + "22221";
 
-  private static final int[] SIGNED = {
-    DISTANCE, ANGLE, CURRENT, TEMPERATURE, VELOCITY, RADIUS, RIGHT_VELOCITY, LEFT_VELOCITY
-  };
-
   /** First and last packet of groups 0 to 6. */
   private static final int[][] GROUPS = {
     {7, 26}, {7, 16}, {17, 20}, {21, 26}, {27, 34}, {35, 42}, {7, 42}
@@ -105,12 +101,11 @@ final class Packets {
   }
 
   static boolean isSigned(int id) {
-    for (int signed : SIGNED) {
-      if (signed == id) {
-        return true;
-      }
-    }
-    return false;
+    return switch (id) {
+      case DISTANCE, ANGLE, CURRENT, TEMPERATURE -> true;
+      case VELOCITY, RADIUS, RIGHT_VELOCITY, LEFT_VELOCITY -> true;
+      default -> false;
+    };
   }
 
   private static int[] range(int id) {

@@ -1,5 +1,7 @@
 package org.starl.robot.create;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.Arrays;
 import org.jspecify.annotations.Nullable;
 import org.starl.robot.create.CreateBody.Sense;
@@ -20,7 +22,7 @@ import org.starl.robot.create.CreateBody.Senses;
 public final class SimulatedCreate {
 
   /** Period of its sensors and of its stream. */
-  public static final long PERIOD_NS = Packets.STREAM_PERIOD_MS * 1_000_000L;
+  public static final long PERIOD_NS = Packets.STREAM_PERIOD_MS * NS_PER_MS;
 
   /** Takes the bytes that the robot sends. */
   public interface Line {
@@ -178,7 +180,7 @@ public final class SimulatedCreate {
 
   private void act(int opcode, byte[] data, int length) {
     if (opcode == Opcodes.SONG) {
-      refused += music.keep(data, length) ? 0 : 1;
+      refused += music.store(data, length) ? 0 : 1;
       return;
     }
     if (mode == OiMode.PASSIVE) {
@@ -209,7 +211,7 @@ public final class SimulatedCreate {
             || senses.has(Sense.DROP_RIGHT)
             || (senses.has(Sense.CASTER_DROP) && model == CreateModel.CREATE_1)
             || senses.has(Sense.CHARGER)
-            || (senses.anyCliff() && wheels.goesOverACliff());
+            || (senses.anyCliff() && wheels.mayCrossACliff());
     if (mode == OiMode.SAFE && isInDanger) {
       mode = OiMode.PASSIVE;
       stopWheels();

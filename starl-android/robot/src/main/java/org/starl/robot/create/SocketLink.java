@@ -1,59 +1,41 @@
 package org.starl.robot.create;
 
 import java.io.IOException;
-import java.io.InputStream;
-import java.io.OutputStream;
 import java.net.InetSocketAddress;
 import java.net.Socket;
 
 /** A {@link ByteLink} over TCP, as serial servers and simulated robots offer it. */
-public final class SocketLink implements ByteLink {
+public final class SocketLink {
 
   private static final int CONNECT_MS = 3000;
 
-  private final Socket socket;
+  private SocketLink() {}
 
   /**
-   * Over a connected socket; small writes leave at once.
+   * A link over a connected socket; small writes leave at once.
    *
-   * @throws IOException if it is closed
+   * @throws IOException if the socket is closed
    */
-  public SocketLink(Socket socket) throws IOException {
-    this.socket = socket;
+  static ByteLink of(Socket socket) throws IOException {
     socket.setTcpNoDelay(true);
+    return new StreamLink(
+        String.valueOf(socket.getRemoteSocketAddress()),
+        socket.getInputStream(),
+        socket.getOutputStream(),
+        socket);
   }
 
   /** Links to the listener at {@code host:port}. */
-  public static Source to(String host, int port) {
+  public static ByteLink.Source to(String host, int port) {
     return () -> {
       Socket socket = new Socket();
       try {
         socket.connect(new InetSocketAddress(host, port), CONNECT_MS);
-        return new SocketLink(socket);
+        return of(socket);
       } catch (IOException e) {
         socket.close();
         throw e;
       }
     };
-  }
-
-  @Override
-  public InputStream input() throws IOException {
-    return socket.getInputStream();
-  }
-
-  @Override
-  public OutputStream output() throws IOException {
-    return socket.getOutputStream();
-  }
-
-  @Override
-  public void close() throws IOException {
-    socket.close();
-  }
-
-  @Override
-  public String toString() {
-    return String.valueOf(socket.getRemoteSocketAddress());
   }
 }

@@ -10,10 +10,8 @@ final class WheelLimit {
 
   /** The part of {@code command} that {@code holds} allow. */
   static WheelCommand under(Set<CreateHold> holds, WheelCommand command) {
-    for (CreateHold hold : holds) {
-      if (hold.isWhole()) {
-        return WheelCommand.STOP;
-      }
+    if (holds.stream().anyMatch(CreateHold::isWhole)) {
+      return WheelCommand.STOP;
     }
     double linear = command.linearMmPerS();
     double angular = command.angularRadPerS();

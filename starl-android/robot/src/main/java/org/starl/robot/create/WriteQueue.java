@@ -3,15 +3,12 @@ package org.starl.robot.create;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.util.concurrent.locks.Condition;
-import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 
 /** A bounded queue of bytes between a driver, which must not wait, and the thread that writes them. */
 final class WriteQueue {
 
-  private final ReentrantLock lock = new ReentrantLock();
-  private final Condition changed = lock.newCondition();
+  private final Guard guard = new Guard();
   private final byte[] waiting;
   private int length;
   private boolean isClosed;
@@ -20,36 +17,30 @@ final class WriteQueue {
     waiting = new byte[capacity];
   }
 
-  /** Adds all of {@code bytes}, or none if they do not fit (the line is stuck) or it is closed. */
+  /** Adds all of {@code bytes}; false if they do not fit (the line is stuck) or it is closed. */
   boolean offer(byte[] bytes) {
-    lock.lock();
-    try {
+    return guard.get(() -> {
       if (isClosed || length + bytes.length > waiting.length) {
         return false;
       }
       System.arraycopy(bytes, 0, waiting, length, bytes.length);
       length += bytes.length;
-      changed.signal();
+      guard.signal();
       return true;
-    } finally {
-      lock.unlock();
-    }
+    });
   }
 
-  /** Takes no more bytes; those that wait are still written. */
+  /** Refuses further bytes; waiting bytes are still written. */
   void close() {
-    lock.lock();
-    try {
+    guard.run(() -> {
       isClosed = true;
-      changed.signalAll();
-    } finally {
-      lock.unlock();
-    }
+      guard.signal();
+    });
   }
 
   /**
    * Writes to {@code output} until the queue is closed and empty. If that fails it closes {@code
-   * link}, so that the thread that reads from the link finds out and reports it.
+   * link}, so that the thread that reads from the link notices and reports the failure.
    */
   void writeTo(OutputStream output, ByteLink link) {
     byte[] buffer = new byte[waiting.length];
@@ -60,13 +51,13 @@ final class WriteQueue {
       }
     } catch (IOException e) {
       closeQuietly(link);
-    } catch (InterruptedException e) {
-      Thread.currentThread().interrupt();
+    }
+    if (Thread.currentThread().isInterrupted()) {
       closeQuietly(link);
     }
   }
 
-  /** Closes a link or a server that nothing uses any more; a failure to close it has no effect. */
+  /** Closes a link or a server that is no longer used; a failure to close it has no effect. */
   static void closeQuietly(@Nullable Closeable closeable) {
     if (closeable != null) {
       try {
@@ -78,18 +69,15 @@ final class WriteQueue {
   }
 
   /** Waits until there are bytes and moves them into {@code into}; 0 once closed and empty. */
-  private int take(byte[] into) throws InterruptedException {
-    lock.lock();
-    try {
-      while (length == 0 && !isClosed) {
-        changed.await();
+  private int take(byte[] into) {
+    return guard.get(() -> {
+      if (!guard.await(() -> length > 0 || isClosed, Long.MAX_VALUE)) {
+        return 0;
       }
       int count = length;
       System.arraycopy(waiting, 0, into, 0, count);
       length = 0;
       return count;
-    } finally {
-      lock.unlock();
-    }
+    });
   }
 }

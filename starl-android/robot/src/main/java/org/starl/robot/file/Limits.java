@@ -1,5 +1,7 @@
 package org.starl.robot.file;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 /**
  * Limits of a robot's wheels, enforced below its program, and the errors that its program expects.
  *
@@ -11,8 +13,6 @@ package org.starl.robot.file;
  */
 public record Limits(
     double speedMmPerS, int watchdogMs, int positionMs, double speedError, int reactionMs) {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   /** Time from a robot's last fix until it stands still: stopped, and braked down. */
   public long stillAfterNs() {

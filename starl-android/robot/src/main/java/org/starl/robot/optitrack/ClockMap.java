@@ -1,5 +1,7 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 /**
  * An interval that certainly contains the difference between our clock and another one: a
  * set-membership estimate. A datagram sent at s by their clock and received at r by ours proves that
@@ -19,12 +21,10 @@ final class ClockMap {
   /** Two quartz clocks stay within this of each other, in ns a ms: 200 parts in a million. */
   static final long DRIFT_NS_PER_MS = 200;
 
-  static final long SETTLE_NS = 500_000_000;
+  static final long SETTLE_NS = 500 * NS_PER_MS;
 
   /** Datagrams overtake each other by less than this. */
-  static final long JUMP_NS = 1_000_000_000;
-
-  private static final long NS_PER_MS = 1_000_000;
+  static final long JUMP_NS = 1000 * NS_PER_MS;
 
   private final long maxDelayNs;
   private boolean isKnown;

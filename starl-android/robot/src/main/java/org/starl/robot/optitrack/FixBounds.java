@@ -1,7 +1,10 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
+import org.starl.time.Time;
 
 /**
  * Assumptions on a measuring system and its robots, from which every fix gets a valid error bound. The
@@ -34,8 +37,6 @@ public record FixBounds(
   /** For an iRobot Create, which drives 500 mm/s at most, under a well calibrated system. */
   public static final FixBounds DEFAULT = new FixBounds(5, 0.02, 3, 80, 500, 4.3, 20, 30, 250);
 
-  private static final double NS_PER_S = 1e9;
-  private static final long NS_PER_MS = 1_000_000;
   private static final long MS_PER_HOUR = 3_600_000;
 
   public FixBounds {
@@ -70,7 +71,7 @@ public record FixBounds(
 
   /** A fix of a pose with these errors. */
   Fix fix(Pose pose, double errorMm, double errorRad, TimeSpan when) {
-    double boundS = when.boundNs() / NS_PER_S;
+    double boundS = Time.seconds(when.boundNs());
     return new Fix(
         pose,
         when.middleNs(),

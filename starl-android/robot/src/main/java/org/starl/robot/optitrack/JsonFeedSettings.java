@@ -5,10 +5,10 @@ import java.net.InetSocketAddress;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Where a {@link JsonFeed} listens. Immutable.
+ * The address of a {@link JsonFeed} and the senders that it accepts. Immutable.
  *
- * @param address where to listen; port 0 for any free one
- * @param sender the only host whose lines are taken; null for every host
+ * @param address where it listens; port 0 for any free one
+ * @param sender the only host whose lines are accepted; null for every host
  * @param bounds assumptions on the measuring system and the robots
  */
 public record JsonFeedSettings(
@@ -17,20 +17,8 @@ public record JsonFeedSettings(
   /** The default port. */
   public static final int PORT = 1520;
 
-  /** Takes every host's lines at this address. */
+  /** Accepts every host's lines at this address. */
   public static JsonFeedSettings at(InetAddress address) {
     return new JsonFeedSettings(new InetSocketAddress(address, PORT), null, FixBounds.DEFAULT);
-  }
-
-  public JsonFeedSettings withPort(int port) {
-    return new JsonFeedSettings(new InetSocketAddress(address.getAddress(), port), sender, bounds);
-  }
-
-  public JsonFeedSettings withSender(@Nullable InetAddress newSender) {
-    return new JsonFeedSettings(address, newSender, bounds);
-  }
-
-  public JsonFeedSettings withBounds(FixBounds newBounds) {
-    return new JsonFeedSettings(address, sender, newBounds);
   }
 }

@@ -1,8 +1,6 @@
 package org.starl.robot.optitrack;
 
-import java.util.ArrayList;
 import java.util.LinkedHashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -15,13 +13,13 @@ final class Models {
   static final Models NONE = new Models(new LinkedHashMap<>(), true);
 
   private final Map<Integer, String> names;
-  private final TreeSet<String> distinct = new TreeSet<>();
   private final TreeSet<String> ambiguous = new TreeSet<>();
   private final boolean isWhole;
 
   private Models(Map<Integer, String> names, boolean isWhole) {
     this.names = names;
     this.isWhole = isWhole;
+    Set<String> distinct = new TreeSet<>();
     for (String name : names.values()) {
       if (!distinct.add(name)) {
         ambiguous.add(name);
@@ -34,16 +32,12 @@ final class Models {
     return names.get(id);
   }
 
-  List<String> names() {
-    return new ArrayList<>(names.values());
-  }
-
   Set<Integer> ids() {
     return names.keySet();
   }
 
   boolean has(String name) {
-    return distinct.contains(name);
+    return names.containsValue(name);
   }
 
   /** Whether two bodies have this name, so that it identifies neither. */

@@ -1,5 +1,8 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.time.Time.NS_PER_MS;
+import static org.starl.time.Time.NS_PER_S;
+
 import java.nio.BufferUnderflowException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -19,11 +22,11 @@ import org.starl.geometry.Pose;
  */
 final class NatNetProtocol {
 
-  static final long RETRY_NS = 500_000_000;
-  static final long KEEP_ALIVE_NS = 1_000_000_000;
-  static final long ECHO_NS = 1_000_000_000;
-  static final long FIRST_ECHO_NS = 100_000_000;
-  static final long SILENCE_NS = 3_000_000_000L;
+  static final long RETRY_NS = 500 * NS_PER_MS;
+  static final long KEEP_ALIVE_NS = NS_PER_S;
+  static final long ECHO_NS = NS_PER_S;
+  static final long FIRST_ECHO_NS = 100 * NS_PER_MS;
+  static final long SILENCE_NS = 3 * NS_PER_S;
 
   /** Number of answers about the clock that are requested at the faster rate. */
   private static final int FIRST_ECHOES = 10;

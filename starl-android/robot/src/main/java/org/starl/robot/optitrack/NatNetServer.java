@@ -1,5 +1,8 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.time.Time.NS_PER_MS;
+import static org.starl.time.Time.NS_PER_S;
+
 import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.InetAddress;
@@ -8,12 +11,12 @@ import java.net.MulticastSocket;
 import java.net.NetworkInterface;
 import java.net.SocketAddress;
 import java.nio.BufferUnderflowException;
+import java.nio.ByteBuffer;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
-import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.robot.realtime.Daemons;
 
@@ -25,17 +28,14 @@ import org.starl.robot.realtime.Daemons;
 public final class NatNetServer implements AutoCloseable {
 
   /** A unicast client that was silent for this time is removed. */
-  static final long CLIENT_SILENCE_NS = 10_000_000_000L;
+  static final long CLIENT_SILENCE_NS = 10 * NS_PER_S;
 
   /** Largest number of unicast clients; a new one replaces the one silent for longest. */
   static final int MAX_CLIENTS = 64;
 
   private static final String NAME = "StarL";
-  private static final long NS_PER_S = 1_000_000_000;
-  private static final long NS_PER_MS = 1_000_000;
 
-  /** Time for which frames announce new models. */
-  private static final long NEWS_NS = NS_PER_S;
+  private static final long ANNOUNCE_MODELS_NS = NS_PER_S;
 
   private final NatNetServerSettings settings;
   private final PoseSource source;
@@ -51,7 +51,7 @@ public final class NatNetServer implements AutoCloseable {
   private final Map<SocketAddress, Long> clients = new LinkedHashMap<>();
   private PoseSource.Snapshot snapshot;
   private int frames;
-  private long newsUntilNs;
+  private long announceUntilNs;
 
   private NatNetServer(
       NatNetServerSettings settings,
@@ -64,7 +64,7 @@ public final class NatNetServer implements AutoCloseable {
     this.clock = clock;
     this.onFailure = onFailure;
     this.socket = socket;
-    this.encoder = new StreamEncoder(settings.version(), settings.axes(), settings.hasMarkers());
+    this.encoder = new StreamEncoder(settings.version(), settings.axes());
     this.snapshot = source.snapshot();
     this.thread = Daemons.of("natnet server", this::run);
   }
@@ -154,14 +154,14 @@ public final class NatNetServer implements AutoCloseable {
   private void stream(long nowNs) {
     snapshot = source.snapshot();
     if (encoder.hasNew(snapshot)) {
-      newsUntilNs = nowNs + NEWS_NS;
+      announceUntilNs = nowNs + ANNOUNCE_MODELS_NS;
     }
     clients.values().removeIf(heardNs -> nowNs - heardNs > CLIENT_SILENCE_NS);
     frames++;
     if (settings.group() == null && clients.isEmpty()) {
       return;
     }
-    byte[] frame = encoder.frame(frames, snapshot, nowNs < newsUntilNs, clock.nowNs());
+    byte[] frame = encoder.frame(frames, snapshot, nowNs < announceUntilNs, clock.nowNs());
     if (settings.group() != null) {
       send(frame, settings.group());
     } else {
@@ -175,11 +175,11 @@ public final class NatNetServer implements AutoCloseable {
   void answer(DatagramPacket packet, long nowNs) {
     byte[] bytes = packet.getData();
     SocketAddress client = packet.getSocketAddress();
-    long theirs;
+    long clientNs;
     int id = Message.id(bytes, packet.getLength());
     try {
       LittleEndianReader in = Message.payload(bytes, packet.getLength());
-      theirs = id == Message.ECHO_REQUEST ? in.i64() : 0;
+      clientNs = id == Message.ECHO_REQUEST ? in.i64() : 0;
     } catch (BufferUnderflowException e) {
       ignored.incrementAndGet();
       return;
@@ -190,14 +190,14 @@ public final class NatNetServer implements AutoCloseable {
         send(info(), client);
       }
       case Message.DISCOVERY -> send(info(), client);
-      case Message.KEEP_ALIVE -> clients.computeIfPresent(client, (who, heardNs) -> nowNs);
+      case Message.KEEP_ALIVE -> clients.computeIfPresent(client, (address, heardNs) -> nowNs);
       case Message.DISCONNECT -> clients.remove(client);
       case Message.REQUEST_MODELS -> {
         encoder.hasNew(snapshot);
         send(encoder.models(snapshot.bodies()), client);
       }
       case Message.ECHO_REQUEST ->
-          send(out.begin(Message.ECHO_RESPONSE).i64(theirs).i64(nowNs).end(), client);
+          send(out.begin(Message.ECHO_RESPONSE).i64(clientNs).i64(nowNs).end(), client);
       case Message.REQUEST -> send(out.begin(Message.UNRECOGNIZED).end(), client);
       default -> ignored.incrementAndGet();
     }
@@ -219,17 +219,8 @@ public final class NatNetServer implements AutoCloseable {
             NS_PER_S,
             group != null,
             group == null ? NatNetSettings.DATA_PORT : group.getPort(),
-            group == null ? 0 : number(group.getAddress()))
+            group == null ? 0 : ByteBuffer.wrap(group.getAddress().getAddress()).getInt())
         .datagram(out);
-  }
-
-  private static int number(@Nullable InetAddress address) {
-    byte[] bytes = address == null ? new byte[0] : address.getAddress();
-    int number = 0;
-    for (byte each : bytes) {
-      number = number << 8 | (each & 0xff);
-    }
-    return number;
   }
 
   // A client that cannot be reached loses the datagram, or is gone and will be removed.

@@ -41,27 +41,12 @@ public record NatNetSettings(
 
   /** A server that streams to a group, with Motive's defaults. */
   public static NatNetSettings multicast(InetAddress server) {
-    return unicast(server).withGroup(new InetSocketAddress(GROUP, DATA_PORT));
-  }
-
-  public NatNetSettings withServer(InetSocketAddress newServer) {
-    return new NatNetSettings(newServer, group, local, axes, bounds);
-  }
-
-  public NatNetSettings withGroup(@Nullable InetSocketAddress newGroup) {
-    return new NatNetSettings(server, newGroup, local, axes, bounds);
-  }
-
-  public NatNetSettings withLocal(@Nullable InetAddress newLocal) {
-    return new NatNetSettings(server, group, newLocal, axes, bounds);
-  }
-
-  public NatNetSettings withAxes(Axes newAxes) {
-    return new NatNetSettings(server, group, local, newAxes, bounds);
-  }
-
-  public NatNetSettings withBounds(FixBounds newBounds) {
-    return new NatNetSettings(server, group, local, axes, newBounds);
+    return new NatNetSettings(
+        new InetSocketAddress(server, COMMAND_PORT),
+        new InetSocketAddress(GROUP, DATA_PORT),
+        null,
+        Axes.DEFAULT,
+        FixBounds.DEFAULT);
   }
 
   static void checkGroup(@Nullable InetSocketAddress group) {

@@ -1,11 +1,11 @@
 package org.starl.robot.optitrack;
 
+import static org.starl.time.Time.NS_PER_S;
+
 import org.jspecify.annotations.Nullable;
 
 /** When frames were measured, on our clock: from their stamps, which are ticks of the server's. */
 final class ServerTime {
-
-  private static final long NS_PER_S = 1_000_000_000;
 
   /** The greatest rate: with more, ticks could not be converted to ns. */
   private static final long MAX_TICKS_PER_S = 9 * NS_PER_S;

@@ -30,11 +30,11 @@ final class StrandPositioning implements Positioning {
   /** From any thread; without a receiver a fix is lost. */
   void offer(Fix fix) {
     if (receiver != null && waiting.getAndSet(fix) == null) {
-      strand.post(this::hand);
+      strand.post(this::deliver);
     }
   }
 
-  private void hand() {
+  private void deliver() {
     Fix fix = waiting.getAndSet(null);
     Receiver to = receiver;
     if (fix != null && to != null) {

@@ -4,6 +4,7 @@ import java.nio.BufferOverflowException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.starl.time.Time;
 
 /**
  * Writes what a server streams, in one version: frames and descriptions. The layout is that of the
@@ -19,18 +20,15 @@ final class StreamEncoder {
   private static final int HAS_MODEL = 8;
   private static final int MODELS_CHANGED = 2;
   private static final int NO_PARENT = -1;
-  private static final double NS_PER_S = 1e9;
 
   private final NatNetVersion version;
   private final Axes axes;
-  private final boolean hasMarkers;
   private final LittleEndianWriter out = new LittleEndianWriter();
   private final Map<String, Integer> ids = new LinkedHashMap<>();
 
-  StreamEncoder(NatNetVersion version, Axes axes, boolean hasMarkers) {
+  StreamEncoder(NatNetVersion version, Axes axes) {
     this.version = version;
     this.axes = axes;
-    this.hasMarkers = hasMarkers;
   }
 
   /** Numbers the bodies that are new; whether there are any. */
@@ -47,16 +45,16 @@ final class StreamEncoder {
     try {
       out.begin(Message.FRAME).i32(number);
       writeMarkerSets(snapshot.bodies());
-      writeSection(0);
+      writeEmptySection();
       writeBodies(snapshot.bodies());
-      writeSection(0);
+      writeEmptySection();
       if (version.tellsSizes()) {
-        writeSection(0);
+        writeEmptySection();
       }
       writeLabelledMarkers(snapshot.bodies());
-      writeSection(0);
-      writeSection(0);
-      out.i32(0).i32(0).f64(snapshot.atNs() / NS_PER_S);
+      writeEmptySection();
+      writeEmptySection();
+      out.i32(0).i32(0).f64(Time.seconds(snapshot.atNs()));
       out.i64(snapshot.atNs()).i64(snapshot.atNs()).i64(nowNs);
       if (version.tellsSizes()) {
         out.i32(0).i32(0);
@@ -71,19 +69,16 @@ final class StreamEncoder {
   /** The descriptions of these bodies, and of a set of all markers. */
   byte[] models(List<PoseSource.Body> bodies) {
     try {
-      out.begin(Message.MODELS).i32(bodies.size() + (hasMarkers ? 1 : 0));
-      if (hasMarkers) {
-        out.i32(Description.MARKER_SET);
-        int start = out.beginSection(version.tellsSizes());
-        out.name("all").i32(bodies.size() * MARKERS.length);
-        for (PoseSource.Body body : bodies) {
-          writeMarkerNames(body.name() + "_");
-        }
-        out.endSection(start);
+      out.begin(Message.MODELS).i32(bodies.size() + 1).i32(Description.MARKER_SET);
+      int start = out.beginSection(version.tellsSizes());
+      out.name("all").i32(bodies.size() * MARKERS.length);
+      for (PoseSource.Body body : bodies) {
+        writeMarkerNames(body.name() + "_");
       }
+      out.endSection(start);
       for (PoseSource.Body body : bodies) {
         out.i32(Description.RIGID_BODY);
-        int start = out.beginSection(version.tellsSizes());
+        start = out.beginSection(version.tellsSizes());
         writeModel(body);
         out.endSection(start);
       }
@@ -117,15 +112,13 @@ final class StreamEncoder {
   }
 
   private void writeMarkerSets(List<PoseSource.Body> bodies) {
-    out.i32(hasMarkers ? 1 : 0);
+    out.i32(1);
     int start = out.beginSection(version.tellsSizes());
-    if (hasMarkers) {
-      out.name("all").i32(bodies.size() * MARKERS.length);
-      for (PoseSource.Body body : bodies) {
-        RigidBodyState state = state(body);
-        for (double[] marker : MARKERS) {
-          writeMarker(state, marker);
-        }
+    out.name("all").i32(bodies.size() * MARKERS.length);
+    for (PoseSource.Body body : bodies) {
+      RigidBodyState state = state(body);
+      for (double[] marker : MARKERS) {
+        writeMarker(state, marker);
       }
     }
     out.endSection(start);
@@ -145,10 +138,10 @@ final class StreamEncoder {
     for (PoseSource.Body body : bodies) {
       tracked += body.isTracked() ? 1 : 0;
     }
-    out.i32(hasMarkers ? tracked * MARKERS.length : 0);
+    out.i32(tracked * MARKERS.length);
     int start = out.beginSection(version.tellsSizes());
     for (PoseSource.Body body : bodies) {
-      if (hasMarkers && body.isTracked()) {
+      if (body.isTracked()) {
         RigidBodyState state = state(body);
         for (int i = 0; i < MARKERS.length; i++) {
           out.i32(state.id() << 16 | (i + 1));
@@ -165,9 +158,8 @@ final class StreamEncoder {
     out.f32(state.x() + marker[0]).f32(state.y() + marker[1]).f32(state.z() + marker[2]);
   }
 
-  /** A section without elements. */
-  private void writeSection(int count) {
-    out.i32(count);
+  private void writeEmptySection() {
+    out.i32(0);
     out.endSection(out.beginSection(version.tellsSizes()));
   }
 

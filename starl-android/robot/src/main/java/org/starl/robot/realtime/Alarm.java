@@ -1,19 +1,18 @@
 package org.starl.robot.realtime;
 
 /** An action with a due time; ordered by time, then by number. Guarded by its strand's lock. */
-abstract class Alarm {
+abstract class Alarm implements Comparable<Alarm> {
 
-  /** The {@code index} of an alarm that is in no heap. */
-  static final int NOWHERE = -1;
-
+  // Both constant while the alarm is set.
   long atNs;
   long number;
-  int index = NOWHERE;
 
   /** The action, on the strand. */
   abstract void ring() throws Throwable;
 
-  final boolean isBefore(Alarm other) {
-    return atNs < other.atNs || (atNs == other.atNs && number < other.number);
+  @Override
+  public final int compareTo(Alarm other) {
+    int byTime = Long.compare(atNs, other.atNs);
+    return byTime != 0 ? byTime : Long.compare(number, other.number);
   }
 }

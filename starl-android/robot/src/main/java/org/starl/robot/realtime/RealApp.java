@@ -70,11 +70,6 @@ final class RealApp {
     return conditionHeld;
   }
 
-  /** Whether {@code alarm} is the app's, and no piece of its own. */
-  boolean isWake(Alarm alarm) {
-    return alarm == wake;
-  }
-
   /** On the strand's thread: resumes the app if the condition that it waits for holds. */
   void afterPiece() throws Throwable {
     BooleanSupplier awaited = condition;

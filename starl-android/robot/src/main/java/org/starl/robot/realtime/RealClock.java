@@ -1,5 +1,7 @@
 package org.starl.robot.realtime;
 
+import static org.starl.time.Time.NS_PER_S;
+
 import java.time.Instant;
 import org.starl.platform.Clock;
 
@@ -8,7 +10,6 @@ public final class RealClock implements Clock {
 
   // 2020-01-01T00:00:00Z
   private static final long ORIGIN_UNIX_S = 1_577_836_800;
-  private static final long NS_PER_S = 1_000_000_000;
 
   private final long originNs;
 

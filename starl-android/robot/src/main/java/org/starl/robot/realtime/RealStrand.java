@@ -1,11 +1,13 @@
 package org.starl.robot.realtime;
 
 import java.time.Duration;
+import java.util.TreeSet;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Clock;
 import org.starl.platform.Strand;
@@ -32,9 +34,12 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   // Guarded by the lock.
   private final Condition changed = lock.newCondition();
-  private final AlarmHeap alarms = new AlarmHeap();
-  private boolean isClosed;
+  private final TreeSet<Alarm> alarms = new TreeSet<>();
+  private long lastNumber;
   private final StrandTally tally = new StrandTally();
+
+  // Written with the lock held.
+  private volatile boolean isClosed;
 
   private volatile @Nullable RealApp app;
   private volatile long pieceNs;
@@ -56,17 +61,12 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
   @Override
   public void post(Runnable action) {
-    lock.lock();
-    try {
-      set(new Posted(action), clock.nowNs());
-    } finally {
-      lock.unlock();
-    }
+    set(new Piece(action, "a message or an event"), clock.nowNs());
   }
 
   @Override
   public Timer timer(Runnable action) {
-    return new RealTimer(this, action);
+    return new Piece(action, "a timer");
   }
 
   @Override
@@ -128,22 +128,12 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   }
 
   public boolean isClosed() {
-    lock.lock();
-    try {
-      return isClosed;
-    } finally {
-      lock.unlock();
-    }
+    return isClosed;
   }
 
   /** The use of the strand's time so far. From any thread. */
   public StrandUse use() {
-    lock.lock();
-    try {
-      return tally.use();
-    } finally {
-      lock.unlock();
-    }
+    return lockedGet(tally::use);
   }
 
   @Override
@@ -162,44 +152,42 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     return nowNs;
   }
 
-  /** Sets an alarm, anew if it is set; a closed strand has none. */
+  /** Sets an alarm, whether or not it is set already; a closed strand sets none. */
   void set(Alarm alarm, long atNs) {
-    lock.lock();
-    try {
+    withLock(() -> {
       if (!isClosed) {
         alarms.remove(alarm);
-        alarms.add(alarm, Math.max(atNs, clock.nowNs()));
+        alarm.atNs = Math.max(atNs, clock.nowNs());
+        alarm.number = ++lastNumber;
+        alarms.add(alarm);
         changed.signal();
       }
-    } finally {
-      lock.unlock();
-    }
+    });
   }
 
   void cancel(Alarm alarm) {
-    lock.lock();
-    try {
-      alarms.remove(alarm);
-    } finally {
-      lock.unlock();
-    }
-  }
-
-  boolean isSet(Alarm alarm) {
-    lock.lock();
-    try {
-      return alarm.index != Alarm.NOWHERE;
-    } finally {
-      lock.unlock();
-    }
+    withLock(() -> alarms.remove(alarm));
   }
 
   /** Adds a piece and its origin to the strand's use. */
   void account(long startNs, String by) {
     long pieceNs = clock.nowNs() - startNs;
+    withLock(() -> tally.add(pieceNs, by));
+  }
+
+  private void withLock(Runnable work) {
     lock.lock();
     try {
-      tally.add(pieceNs, by);
+      work.run();
+    } finally {
+      lock.unlock();
+    }
+  }
+
+  private <T> T lockedGet(Supplier<T> value) {
+    lock.lock();
+    try {
+      return value.get();
     } finally {
       lock.unlock();
     }
@@ -225,16 +213,15 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   }
 
   private void run(Alarm due) throws Throwable {
-    RealApp before = app;
-    if (before != null && before.isWake(due)) {
+    if (!(due instanceof Piece piece)) {
       due.ring();
       return;
     }
     long startNs = beginPiece();
     try {
-      due.ring();
+      piece.ring();
     } finally {
-      account(startNs, due instanceof RealTimer ? "a timer" : "a message or an event");
+      account(startNs, piece.origin);
     }
     RealApp after = app;
     if (after != null && !isClosed()) {
@@ -247,7 +234,7 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     lock.lock();
     try {
       while (!isClosed) {
-        Alarm first = alarms.first();
+        Alarm first = alarms.isEmpty() ? null : alarms.first();
         long restNs = first == null ? Long.MAX_VALUE : first.atNs - clock.nowNs();
         if (first != null && restNs <= 0) {
           alarms.remove(first);
@@ -267,14 +254,11 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
   }
 
   private void closeSoon() {
-    lock.lock();
-    try {
+    withLock(() -> {
       isClosed = true;
       alarms.clear();
       changed.signal();
-    } finally {
-      lock.unlock();
-    }
+    });
   }
 
   private IllegalStateException overdue() {
@@ -296,12 +280,30 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     return mine;
   }
 
-  /** An action that is due at once. */
-  private static final class Posted extends Alarm {
+  /** A posted action, or a timer. */
+  private final class Piece extends Alarm implements Timer {
     private final Runnable action;
+    private final String origin;
 
-    Posted(Runnable action) {
+    /** @param origin for {@link StrandUse} */
+    Piece(Runnable action, String origin) {
       this.action = action;
+      this.origin = origin;
+    }
+
+    @Override
+    public void set(long atNs) {
+      RealStrand.this.set(this, atNs);
+    }
+
+    @Override
+    public void cancel() {
+      RealStrand.this.cancel(this);
+    }
+
+    @Override
+    public boolean isSet() {
+      return lockedGet(() -> alarms.contains(this));
     }
 
     @Override

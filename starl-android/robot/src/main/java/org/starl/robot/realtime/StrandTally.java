@@ -15,7 +15,7 @@ final class StrandTally {
   private long pieces;
   private long heldNs;
   private long longestNs;
-  private String longestBy = "nobody";
+  private String longestBy = "no piece";
 
   void add(long pieceNs, String by) {
     long ns = Math.max(0, pieceNs);
@@ -61,6 +61,6 @@ final class StrandTally {
     }
     int bits = slot / PARTS + 1;
     long part = slot % PARTS;
-    return (((PARTS + part + 1) << (bits - PART_BITS))) - 1;
+    return ((PARTS + part + 1) << (bits - PART_BITS)) - 1;
   }
 }

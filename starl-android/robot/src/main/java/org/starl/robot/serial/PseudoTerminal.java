@@ -2,18 +2,17 @@ package org.starl.robot.serial;
 
 import java.io.File;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
-import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.StreamLink;
 
 /**
- * The far side of a virtual serial port: other programs open {@link #path} as a port, and this side
- * reads and writes their bytes. For Linux and macOS with {@code python3}, which opens the pseudo
- * terminal because Java cannot. It outlives programs that open and close it; it transfers bytes as
- * fast as they come, whatever baud rate is set, and loses them if no program reads.
+ * Virtual serial ports for Linux and macOS with {@code python3}, which opens the pseudo terminal
+ * because Java cannot. Other programs open the link's name as a port; the link reads and writes
+ * their bytes. It stays open when these programs close their side; it transfers bytes as fast as they
+ * come, whatever baud rate is set, and loses them if no program reads.
  */
-public final class PseudoTerminal implements ByteLink {
+public final class PseudoTerminal {
 
   private static final int LONGEST_PATH = 4096;
 
@@ -49,31 +48,21 @@ public final class PseudoTerminal implements ByteLink {
                       try:
                           os.write(near, data)
                       except BlockingIOError:
-                          pass # nobody reads: a serial line loses it too
+                          pass # no program reads: a serial line loses it too
       except (EOFError, BrokenPipeError):
           if name and os.path.islink(name):
               os.unlink(name)
       """;
 
-  private final Process process;
-  private final String path;
-
-  private PseudoTerminal(Process process, String path) {
-    this.process = process;
-    this.path = path;
-  }
-
-  /** A pseudo terminal with the system's name. */
-  public static PseudoTerminal open() throws IOException {
-    return open("");
-  }
+  private PseudoTerminal() {}
 
   /**
-   * A pseudo terminal under {@code name}, a symbolic link that is made, or replaced, for it.
+   * Opens a pseudo terminal under {@code name}, a symbolic link that is made, or replaced, for it; the
+   * empty name stands for the system's own.
    *
    * @throws IOException if there is no python3, or the link cannot be made
    */
-  public static PseudoTerminal open(String name) throws IOException {
+  public static StreamLink open(String name) throws IOException {
     String absolute = name.isEmpty() ? "" : new File(name).getAbsolutePath();
     Process process = new ProcessBuilder("python3", "-c", SCRIPT, absolute).start();
     byte[] line = new byte[LONGEST_PATH];
@@ -85,37 +74,12 @@ public final class PseudoTerminal implements ByteLink {
       }
       line[length++] = (byte) b;
     }
-    String said = new String(line, 0, length, StandardCharsets.UTF_8);
-    if (said.startsWith("!")) {
-      throw new IOException("no pseudo terminal " + name + ": " + said.substring(1));
+    String path = new String(line, 0, length, StandardCharsets.UTF_8);
+    if (path.startsWith("!")) {
+      throw new IOException("no pseudo terminal " + name + ": " + path.substring(1));
     }
-    return new PseudoTerminal(process, said);
-  }
-
-  /** The path that the other side opens. */
-  public String path() {
-    return path;
-  }
-
-  @Override
-  public InputStream input() {
-    return process.getInputStream();
-  }
-
-  @Override
-  public OutputStream output() {
-    return process.getOutputStream();
-  }
-
-  /** Removes the pseudo terminal and its name. */
-  @Override
-  public void close() throws IOException {
     // The end of its input ends the process, which removes the name.
-    process.getOutputStream().close();
-  }
-
-  @Override
-  public String toString() {
-    return path;
+    OutputStream output = process.getOutputStream();
+    return new StreamLink(path, process.getInputStream(), output, output);
   }
 }

@@ -6,31 +6,26 @@ import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
 import org.starl.robot.create.ByteLink;
+import org.starl.robot.create.StreamLink;
 
-/** A serial port, 8 data bits, no parity, 1 stop bit, without flow control. */
-public final class SerialLink implements ByteLink {
+/** Links over serial ports: 8 data bits, no parity, 1 stop bit, no flow control. */
+public final class SerialLink {
 
   /** Period at which a waiting read checks whether the port was closed. */
   private static final int READ_MS = 200;
 
-  private final SerialPort port;
-  private final String name;
-
-  private SerialLink(SerialPort port, String name) {
-    this.port = port;
-    this.name = name;
-  }
+  private SerialLink() {}
 
   /**
    * Links over the port at {@code path}: {@code /dev/ttyUSB0}, {@code COM3}, a pseudo terminal.
    *
    * @param baud bits per second
    */
-  public static Source at(String path, int baud) {
+  public static ByteLink.Source at(String path, int baud) {
     return () -> open(path, baud);
   }
 
-  private static SerialLink open(String path, int baud) throws IOException {
+  private static ByteLink open(String path, int baud) throws IOException {
     SerialPort port;
     try {
       port = SerialPort.getCommPort(path);
@@ -45,30 +40,23 @@ public final class SerialLink implements ByteLink {
     if (!port.openPort()) {
       throw new IOException(path + ": cannot be opened, error " + port.getLastErrorCode());
     }
-    return new SerialLink(port, path);
+    return new StreamLink(
+        path, new PortInput(port, path), new PortOutput(port, path), port::closePort);
   }
 
-  @Override
-  public InputStream input() {
-    return new PortInput();
+  private static IOException lost(String path) {
+    return new IOException(path + ": the port was closed, or has gone");
   }
 
-  @Override
-  public OutputStream output() {
-    return new PortOutput();
-  }
+  private static final class PortInput extends InputStream {
+    private final SerialPort port;
+    private final String path;
 
-  @Override
-  public void close() {
-    port.closePort();
-  }
+    PortInput(SerialPort port, String path) {
+      this.port = port;
+      this.path = path;
+    }
 
-  @Override
-  public String toString() {
-    return name;
-  }
-
-  private final class PortInput extends InputStream {
     @Override
     public int read() throws IOException {
       byte[] one = new byte[1];
@@ -81,14 +69,22 @@ public final class SerialLink implements ByteLink {
       while (count == 0 && length > 0) {
         count = port.readBytes(into, length, offset);
         if (count < 0 || !port.isOpen()) {
-          throw new IOException(name + ": the port was closed, or has gone");
+          throw lost(path);
         }
       }
       return count;
     }
   }
 
-  private final class PortOutput extends OutputStream {
+  private static final class PortOutput extends OutputStream {
+    private final SerialPort port;
+    private final String path;
+
+    PortOutput(SerialPort port, String path) {
+      this.port = port;
+      this.path = path;
+    }
+
     @Override
     public void write(int value) throws IOException {
       write(new byte[] {(byte) value}, 0, 1);
@@ -99,7 +95,7 @@ public final class SerialLink implements ByteLink {
       for (int done = 0; done < length; ) {
         int count = port.writeBytes(bytes, length - done, offset + done);
         if (count < 0 || !port.isOpen()) {
-          throw new IOException(name + ": the port was closed, or has gone");
+          throw lost(path);
         }
         done += count;
       }

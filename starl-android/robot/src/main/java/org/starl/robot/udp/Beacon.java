@@ -5,6 +5,7 @@ import java.net.InetSocketAddress;
 import java.net.UnknownHostException;
 import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
+import java.security.MessageDigest;
 import java.util.Arrays;
 import javax.crypto.Mac;
 import org.jspecify.annotations.Nullable;
@@ -80,12 +81,8 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
         return true;
       }
       mac.update(bytes, 0, signedLength);
-      byte[] code = mac.doFinal();
-      int difference = 0;
-      for (int i = 0; i < TAG_BYTES; i++) {
-        difference |= code[i] ^ bytes[signedLength + i];
-      }
-      return difference == 0;
+      byte[] tag = Arrays.copyOfRange(bytes, signedLength, signedLength + TAG_BYTES);
+      return MessageDigest.isEqual(Arrays.copyOf(mac.doFinal(), TAG_BYTES), tag);
     }
 
     private static @Nullable Beacon parseOrNull(ByteBuffer in) {

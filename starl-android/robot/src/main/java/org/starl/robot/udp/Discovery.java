@@ -1,5 +1,7 @@
 package org.starl.robot.udp;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.net.DatagramPacket;
 import java.net.Inet4Address;
 import java.net.InetAddress;
@@ -16,7 +18,6 @@ import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.TimeUnit;
-import java.util.concurrent.locks.ReentrantLock;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -58,8 +59,6 @@ public final class Discovery implements AutoCloseable {
     void suspected(RobotId robot, @Nullable Long lastHeardNs);
   }
 
-  private static final long NS_PER_MS = 1_000_000;
-
   private final UdpRadio radio;
   private final RobotId self;
   private final SortedMap<RobotId, InetSocketAddress> known;
@@ -68,12 +67,11 @@ public final class Discovery implements AutoCloseable {
   private final Clock clock;
   private final Listener listener;
   private final ScheduledExecutorService worker;
-  private final ReentrantLock lock = new ReentrantLock();
 
   private final InetSocketAddress bound;
   private @Nullable Future<?> ticks;
 
-  // Guarded by the lock.
+  // Guarded by this.
   private final Beacon.Codec codec;
   private final Neighbours neighbours;
   private long count;
@@ -107,7 +105,7 @@ public final class Discovery implements AutoCloseable {
    *
    * @param known the fixed addresses; these robots are the radio's peers at once, and their beacons
    *     are accepted from these addresses only
-   * @param key signs beacons; null: anybody could send them, so robots outside {@code known} are not
+   * @param key signs beacons; null: any host could send them, so robots outside {@code known} are not
    *     accepted
    * @param start larger at each start of this robot's program: {@link StartNumber}
    * @param clock read by several threads
@@ -133,13 +131,8 @@ public final class Discovery implements AutoCloseable {
   }
 
   /** The time of a robot's last beacon; null if it was never heard. From any thread. */
-  public @Nullable Long lastHeardNs(RobotId robot) {
-    lock.lock();
-    try {
-      return neighbours.lastHeardNs(robot);
-    } finally {
-      lock.unlock();
-    }
+  public synchronized @Nullable Long lastHeardNs(RobotId robot) {
+    return neighbours.lastHeardNs(robot);
   }
 
   /** Sends no more beacons and reports nothing more. */
@@ -166,12 +159,9 @@ public final class Discovery implements AutoCloseable {
     }
     long nowNs = clock.nowNs();
     List<RobotId> suspected;
-    lock.lock();
-    try {
+    synchronized (this) {
       suspected = neighbours.newlySuspected(nowNs);
       count++;
-    } finally {
-      lock.unlock();
     }
     for (RobotId robot : suspected) {
       listener.suspected(robot, lastHeardNs(robot));
@@ -222,11 +212,8 @@ public final class Discovery implements AutoCloseable {
 
   private void emit(@Nullable InetAddress mine, InetSocketAddress to) {
     byte[] bytes;
-    lock.lock();
-    try {
+    synchronized (this) {
       bytes = codec.write(new Beacon(self, start, count, mine, bound.getPort()));
-    } finally {
-      lock.unlock();
     }
     radio.transmit(to, bytes, bytes.length);
   }
@@ -234,10 +221,9 @@ public final class Discovery implements AutoCloseable {
   // On the radio's thread.
   private void received(DatagramPacket packet) {
     InetSocketAddress source = (InetSocketAddress) packet.getSocketAddress();
-    Neighbours.Verdict verdict;
     Beacon beacon;
-    lock.lock();
-    try {
+    Neighbours.Verdict verdict;
+    synchronized (this) {
       beacon = codec.readOrNull(packet.getData(), packet.getLength());
       if (beacon == null) {
         radio.dropped(UdpDrop.FORGED_BEACON, source);
@@ -248,13 +234,11 @@ public final class Discovery implements AutoCloseable {
         radio.dropped(UdpDrop.OWN_BEACON, source);
         return;
       }
-      if (!comesFromWhereItSays(beacon, source)) {
+      if (!isFromItsAddress(beacon, source)) {
         radio.dropped(UdpDrop.PASSED_ON_BEACON, source);
         return;
       }
       verdict = neighbours.hear(beacon, clock.nowNs());
-    } finally {
-      lock.unlock();
     }
     switch (verdict) {
       case APPEARED -> {
@@ -268,12 +252,12 @@ public final class Discovery implements AutoCloseable {
     }
   }
 
-  private boolean comesFromWhereItSays(Beacon beacon, InetSocketAddress source) {
+  private boolean isFromItsAddress(Beacon beacon, InetSocketAddress source) {
     InetSocketAddress fixed = known.get(beacon.robot());
     if (fixed != null) {
       return fixed.equals(source);
     }
-    // Without a signature anybody could use any robot's name.
+    // Without a signature any sender could use any robot's name.
     return codec.isSigned() && beacon.address() != null && beacon.reachedFrom(source) != null;
   }
 }

@@ -1,8 +1,8 @@
 package org.starl.robot.udp;
 
 import java.io.IOException;
-import java.nio.ByteBuffer;
-import java.nio.channels.SeekableByteChannel;
+import java.io.OutputStream;
+import java.nio.channels.Channels;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.AccessDeniedException;
 import java.nio.file.FileAlreadyExistsException;
@@ -87,22 +87,20 @@ public final class KeyFile {
           .append(Character.forDigit(b & 0xF, RADIX));
     }
     byte[] bytes = line.append('\n').toString().getBytes(StandardCharsets.US_ASCII);
-    try (SeekableByteChannel channel =
-        Files.newByteChannel(
-            file,
-            EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
-            permissions())) {
-      ByteBuffer rest = ByteBuffer.wrap(bytes);
-      while (rest.hasRemaining()) {
-        channel.write(rest);
-      }
+    try (OutputStream out =
+        Channels.newOutputStream(
+            Files.newByteChannel(
+                file,
+                EnumSet.of(StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE),
+                permissions()))) {
+      out.write(bytes);
     } catch (FileAlreadyExistsException e) {
       throw new IOException(
-          file + ": is there already; expected a new file: a key that is used is not replaced", e);
+          file + ": exists; expected a new file: a key in use is not replaced", e);
     } catch (AccessDeniedException e) {
       throw new IOException(file + ": expected a folder that this user may write into", e);
     } catch (NoSuchFileException e) {
-      throw new IOException(file + ": expected a folder that is there", e);
+      throw new IOException(file + ": expected an existing folder", e);
     }
   }
 
@@ -140,6 +138,6 @@ public final class KeyFile {
 
   private static IOException noKey(Path file) {
     return new IOException(
-        file + ": is no key; expected one line of " + DIGITS + " hexadecimal digits");
+        file + ": is not a key; expected one line of " + DIGITS + " hexadecimal digits");
   }
 }

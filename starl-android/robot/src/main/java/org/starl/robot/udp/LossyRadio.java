@@ -42,7 +42,6 @@ public final class LossyRadio implements Radio {
   private final Rng rng;
   private final Air air;
   private final Map<RobotId, Rng> links = new TreeMap<>();
-  private long sent;
   private long copies;
   private long lost;
 
@@ -75,14 +74,12 @@ public final class LossyRadio implements Radio {
   @Override
   public void send(RobotId to, byte[] buffer, int length) {
     byte[] datagram = copy(buffer, length);
-    sent++;
     transmit(to, datagram);
   }
 
   @Override
   public void broadcast(byte[] buffer, int length) {
     byte[] datagram = copy(buffer, length);
-    sent++;
     for (RobotId peer : peers) {
       transmit(peer, datagram);
     }
@@ -93,12 +90,7 @@ public final class LossyRadio implements Radio {
     below.onReceive(receiver);
   }
 
-  /** Number of datagrams that the robot sent; a broadcast is one. */
-  public long sent() {
-    return sent;
-  }
-
-  /** Number of their copies, one for each recipient. */
+  /** Number of copies of the robot's datagrams, one for each recipient. */
   public long copies() {
     return copies;
   }
@@ -119,10 +111,7 @@ public final class LossyRadio implements Radio {
   }
 
   private static byte[] copy(byte[] buffer, int length) {
-    if (length < 0 || length > MAX_BYTES || length > buffer.length) {
-      throw new IllegalArgumentException(
-          "datagram of " + length + " bytes: expected 0 to " + Math.min(MAX_BYTES, buffer.length));
-    }
+    UdpRadio.checkLength(buffer, length);
     return Arrays.copyOf(buffer, length);
   }
 }

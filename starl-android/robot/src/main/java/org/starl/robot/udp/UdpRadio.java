@@ -183,7 +183,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
       dropped(UdpDrop.OVERSIZE, source);
     } else if (Beacon.isOne(packet.getData(), packet.getLength())) {
       beacons.accept(packet);
-    } else if (!isFromPeer(source)) {
+    } else if (!peers.containsValue(source)) {
       dropped(UdpDrop.FOREIGN, source);
     } else if (waiting.get() >= MAX_WAITING) {
       dropped(UdpDrop.OVERFLOW, source);
@@ -191,7 +191,7 @@ public final class UdpRadio implements Radio, AutoCloseable {
       received.incrementAndGet();
       waiting.incrementAndGet();
       byte[] datagram = Arrays.copyOf(packet.getData(), packet.getLength());
-      strand.post(() -> hand(datagram));
+      strand.post(() -> deliver(datagram));
     }
   }
 
@@ -207,18 +207,14 @@ public final class UdpRadio implements Radio, AutoCloseable {
     }
   }
 
-  private boolean isFromPeer(SocketAddress address) {
-    return peers.containsValue(address);
-  }
-
-  private void hand(byte[] datagram) {
+  private void deliver(byte[] datagram) {
     waiting.decrementAndGet();
     if (receiver != null && !socket.isClosed()) {
       receiver.received(datagram, datagram.length);
     }
   }
 
-  private static void checkLength(byte[] buffer, int length) {
+  static void checkLength(byte[] buffer, int length) {
     if (length < 0 || length > MAX_BYTES || length > buffer.length) {
       throw new IllegalArgumentException(
           "datagram of " + length + " bytes: expected 0 to " + Math.min(MAX_BYTES, buffer.length));

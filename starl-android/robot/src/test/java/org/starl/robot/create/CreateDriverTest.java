@@ -106,7 +106,7 @@ class CreateDriverTest {
   @ParameterizedTest
   @EnumSource
   void inFullModeTheDriverStopsAtACliff(CreateModel model) {
-    Bench bench = new Bench(CreateSettings.of(model).withMode(OiMode.FULL));
+    Bench bench = new Bench(Bench.settings(model, OiMode.FULL, 500));
     bench.driver.linkOpened(0);
     bench.wanted = new WheelCommand(250, 0);
     bench.runMs(600);
@@ -153,7 +153,7 @@ class CreateDriverTest {
     assertThat(bench.msUntilItStands(1000)).isBetween(400.0, 530.0);
     assertThat(bench.driver.status().holds()).containsExactly(CreateHold.STALE_POSITION);
 
-    Bench blind = new Bench(CreateSettings.of(CreateModel.CREATE_2).withTimeouts(300, 0));
+    Bench blind = new Bench(Bench.settings(CreateModel.CREATE_2, OiMode.SAFE, 0));
     blind.hasFixes = false;
     blind.driver.linkOpened(0);
     blind.wanted = new WheelCommand(250, 0);

@@ -35,9 +35,9 @@ enum Line implements LiveRobot.Joint {
     @Override
     public ByteLink.Source join(CreateHost host) {
       try {
-        PseudoTerminal terminal = PseudoTerminal.open();
+        StreamLink terminal = PseudoTerminal.open("");
         host.serve(terminal);
-        return SerialLink.at(terminal.path(), CreateModel.CREATE_2.baud());
+        return SerialLink.at(terminal.name(), CreateModel.CREATE_2.baud());
       } catch (IOException e) {
         throw new UncheckedIOException(e);
       }

@@ -1,6 +1,5 @@
 package org.starl.robot.create;
 
-import java.io.IOException;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.TimeUnit;
@@ -11,11 +10,12 @@ import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
+import org.starl.platform.LogSink;
 import org.starl.platform.Timer;
 import org.starl.robot.contract.RealGround;
 
 /** A driver on its threads, and a simulated robot on its own, over some line; and a program. */
-final class LiveRobot implements AutoCloseable, CreateChassis.Listener {
+final class LiveRobot implements AutoCloseable {
 
   /** Joins a driver with a robot. */
   interface Joint {
@@ -53,7 +53,13 @@ final class LiveRobot implements AutoCloseable, CreateChassis.Listener {
             e -> troubles.add("host: " + e));
     chassis =
         CreateChassis.open(
-            "robot", settings, line.join(host), ground.strand(), ground.clock(), this);
+            "robot",
+            settings,
+            line.join(host),
+            ground.strand(),
+            ground.clock(),
+            this::log,
+            bug -> signal());
     chassis.onBump(() -> {
       heard.add(chassis.bumps());
       signal();
@@ -84,20 +90,10 @@ final class LiveRobot implements AutoCloseable, CreateChassis.Listener {
     await("holds " + List.of(holds), () -> chassis.status().holds().equals(List.of(holds)));
   }
 
-  @Override
-  public void changed(CreateStatus status) {
-    signal();
-  }
-
-  @Override
-  public void linkFailed(IOException cause) {
-    troubles.add("link: " + cause.getMessage());
-    signal();
-  }
-
-  @Override
-  public void failed(Throwable bug) {
-    troubles.add("bug: " + bug);
+  private void log(long timeNs, LogSink.Level level, String tag, String line) {
+    if (level != LogSink.Level.DEBUG) {
+      troubles.add(line);
+    }
     signal();
   }
 

@@ -26,8 +26,7 @@ class JsonFeedPositioningTest extends PositioningContract {
     private final RealGround ground = new RealGround("robot");
     private final RealGround system = new RealGround("system");
     private final DrivingRobots robots = new DrivingRobots(ground.clock());
-    private final JsonFeed feed =
-        new Loopback().listen(JsonFeedSettings.at(Loopback.HOST).withBounds(SLOW), ground.clock());
+    private final JsonFeed feed = new Loopback().listen(SLOW, ground.clock());
     private final Timer timer = system.timers().timer(this::measure);
 
     JsonCourse() {

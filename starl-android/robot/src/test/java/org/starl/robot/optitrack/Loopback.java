@@ -57,9 +57,20 @@ final class Loopback {
     assumeTrue(isCarried, "no multicast on the loopback interface here: " + why);
   }
 
+  /** A server of version 4.1 that streams to each client, at any free port. */
+  static NatNetServerSettings server() {
+    return server(null, NatNetVersion.V4_1, Axes.DEFAULT, 100);
+  }
+
+  static NatNetServerSettings server(
+      InetSocketAddress group, NatNetVersion version, Axes axes, int framesPerS) {
+    return new NatNetServerSettings(
+        new InetSocketAddress(HOST, 0), group, version, axes, framesPerS);
+  }
+
   NatNetServer serve(NatNetServerSettings settings, PoseSource source, Clock clock) {
     try {
-      return NatNetServer.open(settings.withPort(0), source, clock, failures::add);
+      return NatNetServer.open(settings, source, clock, failures::add);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
@@ -68,15 +79,20 @@ final class Loopback {
   /** A client of {@code server}, with what is changed of its settings. */
   NatNetClient connect(NatNetServer server, NatNetSettings settings, Clock clock) {
     try {
-      return NatNetClient.open(settings.withServer(server.address()).withLocal(HOST), clock, log);
+      return NatNetClient.open(
+          new NatNetSettings(
+              server.address(), settings.group(), HOST, settings.axes(), settings.bounds()),
+          clock,
+          log);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }
   }
 
-  JsonFeed listen(JsonFeedSettings settings, Clock clock) {
+  JsonFeed listen(FixBounds bounds, Clock clock) {
     try {
-      return JsonFeed.open(settings.withPort(0), clock, log);
+      return JsonFeed.open(
+          new JsonFeedSettings(new InetSocketAddress(HOST, 0), null, bounds), clock, log);
     } catch (IOException e) {
       throw new UncheckedIOException(e);
     }

@@ -44,8 +44,7 @@ class MalformedDatagramsTest {
     seeds.add(new LittleEndianWriter().begin(Message.ECHO_REQUEST).i64(7).end());
     seeds.add(new LittleEndianWriter().begin(Message.REQUEST_MODELS).end());
     MalformedBytes malformed = new MalformedBytes(1, seeds);
-    try (NatNetServer server =
-        loopback.serve(NatNetServerSettings.unicast(Loopback.HOST), source, clock)) {
+    try (NatNetServer server = loopback.serve(Loopback.server(), source, clock)) {
       for (int i = 0; i < 500; i++) {
         Loopback.send(malformed.next(), server.address());
       }
@@ -65,7 +64,7 @@ class MalformedDatagramsTest {
   void theLongestDatagramsAreOnlyCounted() throws InterruptedException {
     Clock clock = new RealClock();
     Loopback loopback = new Loopback();
-    try (JsonFeed feed = loopback.listen(JsonFeedSettings.at(Loopback.HOST), clock)) {
+    try (JsonFeed feed = loopback.listen(FixBounds.DEFAULT, clock)) {
       BlockingQueue<List<TrackedBody>> heard = new LinkedBlockingQueue<>();
       feed.onBodies(heard::add);
       List<TrackedBody> body = null;

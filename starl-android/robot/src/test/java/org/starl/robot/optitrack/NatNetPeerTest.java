@@ -45,10 +45,8 @@ class NatNetPeerTest {
       Loopback.assumeMulticast();
     }
     NatNetServerSettings settings =
-        NatNetServerSettings.unicast(Loopback.HOST)
-            .withGroup(group)
-            .withVersion(new NatNetVersion(major, minor))
-            .withAxes(new Axes(UpAxis.Z, BodyAxis.PLUS_X));
+        Loopback.server(
+            group, new NatNetVersion(major, minor), new Axes(UpAxis.Z, BodyAxis.PLUS_X), 100);
     PoseSource source =
         () ->
             new PoseSource.Snapshot(

@@ -21,7 +21,7 @@ class NatNetPositioningTest extends PositioningContract {
     private final DrivingRobots robots = new DrivingRobots(ground.clock());
     private final Loopback loopback = new Loopback();
     private final NatNetServer server =
-        loopback.serve(NatNetServerSettings.unicast(Loopback.HOST), robots, robots.cameraClock);
+        loopback.serve(Loopback.server(), robots, robots.cameraClock);
     private final NatNetClient client =
         loopback.connect(server, NatNetSettings.unicast(Loopback.HOST), ground.clock());
 

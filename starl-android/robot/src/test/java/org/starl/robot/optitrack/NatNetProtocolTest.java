@@ -29,7 +29,15 @@ class NatNetProtocolTest {
 
   private NatNetProtocol protocol(NatNetSettings settings) {
     return new NatNetProtocol(
-        settings.withAxes(new Axes(UpAxis.Z, BodyAxis.PLUS_X)), tally, sent::add, heard::add);
+        new NatNetSettings(
+            settings.server(),
+            settings.group(),
+            null,
+            new Axes(UpAxis.Z, BodyAxis.PLUS_X),
+            settings.bounds()),
+        tally,
+        sent::add,
+        heard::add);
   }
 
   private static long ticks(long ourNs) {

@@ -41,7 +41,7 @@ public class NatNetServerFuzzTest {
             0, List.of(new PoseSource.Body("bot0", new Pose(1, 2, 3), true, 0)));
     try {
       return NatNetServer.bind(
-          NatNetServerSettings.unicast(Loopback.HOST).withPort(0),
+          Loopback.server(),
           () -> snapshot,
           () -> nowNs,
           failure -> {

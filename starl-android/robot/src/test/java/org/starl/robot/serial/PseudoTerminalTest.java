@@ -9,6 +9,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.robot.create.StreamLink;
 
 @Tag("realtime")
 class PseudoTerminalTest {
@@ -27,9 +28,9 @@ class PseudoTerminalTest {
   @Test
   void anEarlierLinkIsReplaced() throws IOException {
     String name = folder.resolve("port").toString();
-    try (PseudoTerminal first = PseudoTerminal.open(name);
-        PseudoTerminal second = PseudoTerminal.open(name)) {
-      assertThat(second.path()).isEqualTo(first.path());
+    try (StreamLink first = PseudoTerminal.open(name);
+        StreamLink second = PseudoTerminal.open(name)) {
+      assertThat(second.name()).isEqualTo(first.name());
     }
   }
 

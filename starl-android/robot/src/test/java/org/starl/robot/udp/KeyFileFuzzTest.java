@@ -16,7 +16,7 @@ public class KeyFileFuzzTest {
 
   private static final Path FILE = Path.of("a.key");
   private static final String NO_KEY =
-      "a.key: is no key; expected one line of 64 hexadecimal digits";
+      "a.key: is not a key; expected one line of 64 hexadecimal digits";
 
   public static void fuzzerTestOneInput(byte[] input) {
     String text = new String(input, StandardCharsets.ISO_8859_1);

@@ -1,4 +1,4 @@
-package org.starl.robot;
+package org.starl.robot.create;
 
 import java.io.IOException;
 import java.util.function.Consumer;
@@ -9,10 +9,10 @@ import org.starl.platform.LogSink;
 import org.starl.platform.Strand;
 
 /**
- * Wheels with their safety functions below the program. All methods but {@link #chassis} may be
- * called from any thread.
+ * Wheels with their safety functions below the program. The methods of {@link Chassis} belong to the
+ * strand; all others may be called from any thread.
  */
-public interface Wheelbase extends AutoCloseable {
+public interface Wheelbase extends Chassis, AutoCloseable {
 
   /** Opens the wheels of one robot. */
   @FunctionalInterface
@@ -28,20 +28,14 @@ public interface Wheelbase extends AutoCloseable {
         throws IOException;
   }
 
-  /** The chassis that the program drives. */
-  Chassis chassis();
-
   /** Takes each fix of this robot; without fixes the wheels stop. */
   void fixed(Fix fix);
 
-  /** Stops the wheels at once, until {@link #release}. */
+  /** Stops the wheels at once, until {@link #release}, whatever the program commands. */
   void emergencyStop();
 
-  /** Ends the emergency stop. */
+  /** Ends the emergency stop: the program's next command is obeyed. */
   void release();
-
-  /** The wheels' state, one line for people. */
-  String status();
 
   /** Stops the wheels, then closes the link to them. */
   @Override

@@ -1,0 +1,124 @@
+package org.starl.robot.optitrack;
+
+import java.io.IOException;
+import java.net.DatagramPacket;
+import java.net.DatagramSocket;
+import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
+import java.util.function.Predicate;
+import org.jspecify.annotations.Nullable;
+import org.starl.platform.Clock;
+import org.starl.platform.LogSink;
+import org.starl.platform.Positioning;
+import org.starl.platform.Strand;
+import org.starl.robot.realtime.Daemons;
+
+/**
+ * A feed over UDP sockets: one thread for each socket, which reads datagrams and publishes their
+ * bodies. Its lock guards the tally and the state of subclasses; bodies are published without it.
+ */
+abstract class DatagramFeed implements PoseFeed {
+
+  private record Follower(Predicate<TrackedBody> body, StrandPositioning positioning) {}
+
+  final Clock clock;
+  final Tally tally;
+  private final List<DatagramSocket> sockets = new CopyOnWriteArrayList<>();
+  private final List<Thread> threads = new CopyOnWriteArrayList<>();
+  private final List<Follower> followers = new CopyOnWriteArrayList<>();
+  private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
+
+  DatagramFeed(Clock clock, LogSink log, String tag) {
+    this.clock = clock;
+    this.tally = new Tally(log, tag);
+  }
+
+  /**
+   * Reads a datagram, with the feed's lock held.
+   *
+   * @param packet null if none arrived within the socket's waiting time
+   * @return the bodies to publish
+   */
+  abstract List<TrackedBody> read(@Nullable DatagramPacket packet, long nowNs);
+
+  /** Starts a thread that reads from {@code socket} until it is closed. */
+  final void receive(String threadName, DatagramSocket socket, int waitMs) {
+    Thread thread = Daemons.of(threadName, () -> receiveAll(socket, waitMs));
+    sockets.add(socket);
+    threads.add(thread);
+    thread.start();
+  }
+
+  /**
+   * The fixes of the bodies that satisfy {@code body}, on {@code strand}.
+   *
+   * @param name of the body, for messages
+   */
+  final Positioning follow(Strand strand, String name, Predicate<TrackedBody> body) {
+    StrandPositioning positioning = new StrandPositioning(strand, name);
+    followers.add(new Follower(body, positioning));
+    return positioning;
+  }
+
+  @Override
+  public Positioning positioning(Strand strand, String name) {
+    return follow(strand, name, body -> body.name().equals(name));
+  }
+
+  @Override
+  public void onBodies(Consumer<List<TrackedBody>> watcher) {
+    watchers.add(watcher);
+  }
+
+  @Override
+  public synchronized FeedStatistics statistics() {
+    return tally.statistics();
+  }
+
+  @Override
+  public void close() {
+    sockets.forEach(DatagramSocket::close);
+    threads.forEach(thread -> Daemons.join(thread, 0));
+  }
+
+  private void receiveAll(DatagramSocket socket, int waitMs) {
+    DatagramReceiver receiver = new DatagramReceiver(socket);
+    while (!socket.isClosed()) {
+      try {
+        DatagramPacket packet = receiver.receive(waitMs);
+        publish(lockedRead(packet));
+      } catch (IOException | RuntimeException e) {
+        if (!socket.isClosed()) {
+          sockets.forEach(DatagramSocket::close);
+          fail(e);
+        }
+      }
+    }
+  }
+
+  private synchronized List<TrackedBody> lockedRead(@Nullable DatagramPacket packet) {
+    if (packet != null) {
+      tally.received();
+    }
+    return read(packet, clock.nowNs());
+  }
+
+  private synchronized void fail(Exception e) {
+    tally.warnOnce("failed", "no more fixes: " + e, clock.nowNs());
+  }
+
+  private void publish(List<TrackedBody> bodies) {
+    if (bodies.isEmpty()) {
+      return;
+    }
+    for (Follower follower : followers) {
+      for (TrackedBody tracked : bodies) {
+        if (tracked.fix() != null && follower.body().test(tracked)) {
+          follower.positioning().offer(tracked.fix());
+        }
+      }
+    }
+    watchers.forEach(watcher -> watcher.accept(bodies));
+  }
+}
