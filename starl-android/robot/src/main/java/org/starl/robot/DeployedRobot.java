@@ -220,14 +220,9 @@ public final class DeployedRobot implements AutoCloseable {
     return strand;
   }
 
-  /** The robot's gvh, or null before it is up. Strand only. */
-  public @Nullable GlobalVarHolder gvh() {
-    return runner.gvh();
-  }
-
-  /** Whether the app has ended. Strand only. */
-  public boolean isFinished() {
-    return runner.isFinished();
+  /** Runs the robot's program. */
+  public RobotRunner runner() {
+    return runner;
   }
 
   /** The use of the strand's time so far. */

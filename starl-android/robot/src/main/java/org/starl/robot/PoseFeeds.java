@@ -44,8 +44,7 @@ public final class PoseFeeds {
         multicast == null
             ? null
             : new InetSocketAddress(InetAddress.getByName(multicast), natNet.dataPort());
-    return new NatNetSettings(
-        server, group, local, axes(natNet), bounds(natNet.errorMm(), natNet.errorRad()));
+    return new NatNetSettings(server, group, local, axes(natNet), bounds(natNet));
   }
 
   private static JsonFeedSettings settings(Positions.JsonFeed json, @Nullable InetAddress local)
@@ -56,22 +55,10 @@ public final class PoseFeeds {
             : new InetSocketAddress(local, json.port());
     String sender = json.sender();
     return new JsonFeedSettings(
-        here,
-        sender == null ? null : InetAddress.getByName(sender),
-        bounds(json.errorMm(), json.errorRad()));
+        here, sender == null ? null : InetAddress.getByName(sender), bounds(json));
   }
 
-  private static FixBounds bounds(double errorMm, double errorRad) {
-    FixBounds usual = FixBounds.DEFAULT;
-    return new FixBounds(
-        errorMm,
-        errorRad,
-        usual.errorScale(),
-        usual.markerSpreadMm(),
-        usual.maxSpeedMmPerS(),
-        usual.maxTurnRadPerS(),
-        usual.maxDelayMs(),
-        usual.maxLatencyMs(),
-        usual.maxAgeMs());
+  private static FixBounds bounds(Positions positions) {
+    return FixBounds.DEFAULT.withErrors(positions.errorMm(), positions.errorRad());
   }
 }

@@ -1,15 +1,16 @@
 package org.starl.launch;
 
+import java.util.function.DoubleConsumer;
 import org.starl.platform.Clock;
-import org.starl.platform.Timer;
 import org.starl.platform.Timers;
+import org.starl.time.Time;
 
 /**
  * The clock of a robot with a simulated body in real time. It stands still while a piece of the
  * strand runs, so that an action has one time. The program reads it with {@link #nowNs}; the body
- * is where it is at {@link #shownNs}, the time that was read last. So a command takes effect at the
- * time at which the program gives it, as in the simulator, however long the machine took in
- * between. Strand only.
+ * is simulated until {@link #shownNs}, the time of the last reading. So a command takes effect at
+ * the time at which the program gives it, as in the simulator, however slow the machine is. Strand
+ * only.
  *
  * <p>It is also the watchdog of the wheels: if the program does not read it for {@link
  * #WATCHDOG_NS}, the wheels stand from then until the next reading.
@@ -17,26 +18,20 @@ import org.starl.platform.Timers;
 final class BodyClock implements Clock {
 
   /** At 250 mm/s a robot drives at most 50 mm without its program. */
-  static final long WATCHDOG_NS = 200_000_000;
-
-  /** What the watchdog does to the wheels. */
-  interface Wheels {
-    void hold();
-
-    void release();
-  }
+  static final long WATCHDOG_NS = 200 * Time.NS_PER_MS;
 
   private final Clock pieces;
-  private final Wheels wheels;
+  private final DoubleConsumer wheelFactor;
   private long shownNs;
   private long longestPauseNs;
 
   /**
    * @param pieces shows the time at which the current piece began
+   * @param wheelFactor scales the wheels' speeds: 0 stops them, 1 releases them
    */
-  BodyClock(Clock pieces, Wheels wheels) {
+  BodyClock(Clock pieces, DoubleConsumer wheelFactor) {
     this.pieces = pieces;
-    this.wheels = wheels;
+    this.wheelFactor = wheelFactor;
     shownNs = pieces.nowNs();
   }
 
@@ -47,15 +42,15 @@ final class BodyClock implements Clock {
     longestPauseNs = Math.max(longestPauseNs, pauseNs);
     if (pauseNs > WATCHDOG_NS) {
       shownNs += WATCHDOG_NS;
-      wheels.hold();
+      wheelFactor.accept(0);
       shownNs = nowNs;
-      wheels.release();
+      wheelFactor.accept(1);
     }
     shownNs = nowNs;
     return nowNs;
   }
 
-  /** The time that was read last. */
+  /** The time of the last reading. */
   long shownNs() {
     return shownNs;
   }
@@ -67,13 +62,10 @@ final class BodyClock implements Clock {
 
   /** Timers that read the clock before they run an action. */
   Timers reading(Timers timers) {
-    return action -> timer(timers, action);
-  }
-
-  private Timer timer(Timers timers, Runnable action) {
-    return timers.timer(() -> {
-      nowNs();
-      action.run();
-    });
+    return action ->
+        timers.timer(() -> {
+          nowNs();
+          action.run();
+        });
   }
 }

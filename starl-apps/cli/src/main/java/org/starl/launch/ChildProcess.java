@@ -8,15 +8,16 @@ import java.nio.charset.StandardCharsets;
 import java.util.List;
 import java.util.concurrent.Executor;
 import java.util.concurrent.TimeUnit;
+import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceFormatException;
 import org.starl.trace.TraceReader;
 
-/** A robot's process, seen by its parent. Two threads read its output and post what they find. */
+/** A robot's process, seen by its parent. Two threads read its output and post events and lines. */
 final class ChildProcess {
 
-  /** Hears of the process on the parent's thread. */
+  /** Receives the events of the process on the parent's thread. */
   interface Listener {
 
     /**
@@ -54,22 +55,16 @@ final class ChildProcess {
     this.executor = executor;
     this.listener = listener;
     process = new ProcessBuilder(command).start();
-    startDaemon(name + " trace", this::readTrace);
-    startDaemon(name + " errors", this::readErrors);
-  }
-
-  private static void startDaemon(String name, Runnable work) {
-    Thread thread = new Thread(work, name);
-    thread.setDaemon(true);
-    thread.start();
+    Daemons.of(name + " trace", this::readTrace).start();
+    Daemons.of(name + " errors", this::readErrors).start();
   }
 
   long pid() {
     return process.pid();
   }
 
-  /** Sends a command. A process that has ended misses it, which is told to the listener. */
-  void tell(ParentCommand command) {
+  /** Sends a command. If the process has ended, the listener gets a warning. */
+  void send(ParentCommand command) {
     try {
       OutputStream in = process.getOutputStream();
       in.write((command + "\n").getBytes(StandardCharsets.UTF_8));

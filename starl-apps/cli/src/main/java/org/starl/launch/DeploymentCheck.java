@@ -85,7 +85,7 @@ public final class DeploymentCheck {
     // How long a command may be in effect too long, or not yet.
     double lateS = (limits.reactionMs() + motion.automatonPeriodMs()) / MS_PER_S;
     double lateMm = (1 + real.speedError()) * real.linSpeedMaxMmPerS() * lateS;
-    if (errorMm(deployment.positions()) + lateMm > real.maxErrorMm()) {
+    if (deployment.positions().errorMm() + lateMm > real.maxErrorMm()) {
       problem(
           at("limits", "reactionMs"),
           limits.reactionMs(),
@@ -95,13 +95,6 @@ public final class DeploymentCheck {
               + Math.round(real.maxErrorMm())
               + " mm, or a lower speedMmPerS");
     }
-  }
-
-  private static double errorMm(Positions positions) {
-    return switch (positions) {
-      case Positions.NatNet natNet -> natNet.errorMm();
-      case Positions.JsonFeed json -> json.errorMm();
-    };
   }
 
   private void checkHosts() {

@@ -36,7 +36,7 @@ import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * Runs each robot of a blueprint as a process of its own, once. No process outlives {@link #close}
+ * Runs each robot of a plan as a process of its own, once. No process outlives {@link #close}
  * or this process.
  */
 public final class Launcher implements AutoCloseable {
@@ -48,7 +48,7 @@ public final class Launcher implements AutoCloseable {
   private static final Duration START_LIMIT = Duration.ofMinutes(2);
   private static final Duration END_LIMIT = Duration.ofSeconds(10);
 
-  private final SimulationPlan blueprint;
+  private final SimulationPlan plan;
   private final LaunchSettings settings;
   private final Consumer<String> console;
   private final Path folder;
@@ -72,23 +72,20 @@ public final class Launcher implements AutoCloseable {
    * Starts the processes.
    *
    * @param command starts a robot's process when the robot's name, folder and rounds are appended;
-   *     the process calls {@link RobotProcess#run} with an equal blueprint
+   *     the process calls {@link RobotProcess#run} with an equal plan
    * @param console takes lines for people, as things happen
    * @throws IOException if a process cannot be started, or a folder cannot be made
    */
   public Launcher(
-      SimulationPlan blueprint,
-      List<String> command,
-      LaunchSettings settings,
-      Consumer<String> console)
+      SimulationPlan plan, List<String> command, LaunchSettings settings, Consumer<String> console)
       throws IOException {
-    this.blueprint = blueprint;
+    this.plan = plan;
     this.settings = settings;
     this.console = console;
     folder = Files.createTempDirectory("starl-processes");
     Runtime.getRuntime().addShutdownHook(hook);
     try {
-      for (RobotSpec spec : blueprint.robots()) {
+      for (RobotSpec spec : plan.robots()) {
         robots.put(spec.id(), new Robot(spec, command));
       }
     } catch (IOException e) {
@@ -149,7 +146,7 @@ public final class Launcher implements AutoCloseable {
   private void begin() {
     if (originNs == 0 && all(robot -> robot.isUp)) {
       originNs = RealClock.machineNs();
-      robots.values().forEach(robot -> robot.process.tell(new ParentCommand.Begin(originNs)));
+      robots.values().forEach(robot -> robot.process.send(new ParentCommand.Begin(originNs)));
     }
   }
 
@@ -159,7 +156,7 @@ public final class Launcher implements AutoCloseable {
     }
     SortedMap<RobotId, Integer> ports = new TreeMap<>();
     robots.forEach((id, robot) -> ports.put(id, robot.port));
-    robots.values().forEach(robot -> robot.process.tell(new ParentCommand.Go(ports)));
+    robots.values().forEach(robot -> robot.process.send(new ParentCommand.Go(ports)));
     isRunning = true;
     for (Kill kill : settings.kills()) {
       if (kill.variable() == null) {
@@ -196,7 +193,7 @@ public final class Launcher implements AutoCloseable {
     SortedMap<RobotId, Integer> rounds = new TreeMap<>();
     robots.forEach((id, robot) -> rounds.put(id, robot.rounds));
     TraceMerge.Result merged =
-        new TraceMerge(traces, 0, 0).judge(blueprint, blueprint.observers(), this::complete);
+        new TraceMerge(traces, 0, 0).judge(plan, plan.observers(), this::complete);
     long pauseNs =
         robots.values().stream().mapToLong(robot -> robot.longestPauseNs).max().orElse(0);
     return new LaunchResult(merged.run(), rounds, deaths, errors, pauseNs);
@@ -389,7 +386,7 @@ public final class Launcher implements AutoCloseable {
 
     boolean placeIfFree() {
       Point place = spec.start().at();
-      double apartMm = ROOM_IN_RADII * blueprint.settings().robotRadiusMm();
+      double apartMm = ROOM_IN_RADII * plan.settings().robotRadiusMm();
       boolean isTaken =
           bodies.robots().stream()
                   .anyMatch(other -> bodies.poseAt(other, nowNs()).distanceMm(place) < apartMm)
@@ -398,7 +395,7 @@ public final class Launcher implements AutoCloseable {
                       other.isPromisedPlace && other.spec.start().distanceMm(place) < apartMm);
       if (!isTaken) {
         isPromisedPlace = true;
-        process.tell(new ParentCommand.Place());
+        process.send(new ParentCommand.Place());
       }
       return !isTaken;
     }
@@ -435,7 +432,7 @@ public final class Launcher implements AutoCloseable {
     /** All processes have the clock of this machine, from the same origin. */
     RecordedTrace trace() {
       return new RecordedTrace(
-          id.name(), id, "this", 0, 0, blueprint.header(), events, lastNs, isComplete, true);
+          id.name(), id, "this", 0, 0, plan.header(), events, lastNs, isComplete, true);
     }
 
     @Override

@@ -31,10 +31,10 @@ public final class LocalSpecs implements SimObserver {
    * @param startNs the trace's time 0, on the clock of the events
    * @param onViolation takes violations, with times of the trace
    */
-  public LocalSpecs(SimulationPlan blueprint, long startNs, Consumer<Violation> onViolation) {
+  public LocalSpecs(SimulationPlan plan, long startNs, Consumer<Violation> onViolation) {
     this.startNs = startNs;
     this.onViolation = onViolation;
-    for (Monitor monitor : Monitors.of(blueprint.monitors()).monitors()) {
+    for (Monitor monitor : Monitors.of(plan.monitors()).monitors()) {
       if (!monitor.perRobotLemmas().isEmpty()) {
         monitors.add(monitor);
         lemmas.addAll(monitor.perRobotLemmas());

@@ -1,10 +1,8 @@
 package org.starl.launch;
 
 import java.util.List;
-import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
-import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.RobotRunner;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -16,20 +14,21 @@ import org.starl.sim.SimControl;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Unsynced;
+import org.starl.time.Time;
 
 /**
- * What a scenario's director can do in the process of one robot: it directs this robot alone. All
- * others are up, on the floor, far away and moving. Strand only.
+ * The control that a scenario's director has in the process of one robot: it directs this robot
+ * only. All other robots appear as up, on the floor, far away and moving. Strand only.
  */
 final class OneRobotControl implements SimControl {
 
   private static final Pose FAR_AWAY = Pose.of(new Point(1e9, 1e9), 0);
-  private static final long RETRY_NS = 50_000_000;
+  private static final long RETRY_NS = 50 * Time.NS_PER_MS;
 
-  /** The robot's body, wherever it is simulated. */
+  /** The robot's simulated body. */
   interface Body {
 
-    /** Asks for its place at the start; whether it stands there now. */
+    /** Asks for its start position; returns whether it stands there now. */
     boolean place();
 
     /** Takes it off the floor. */
@@ -37,41 +36,37 @@ final class OneRobotControl implements SimControl {
 
     boolean isOnFloor();
 
-    /** Whether it would touch nothing there, as far as is known here. */
+    /** Whether it would touch no known body there. */
     boolean isFree(Pose place);
 
-    /** Where it is on the floor. */
+    /** Its pose on the floor. */
     Pose pose();
   }
 
-  private final SimulationPlan blueprint;
+  private final SimulationPlan plan;
   private final RobotSpec spec;
   private final Body body;
   private final RealStrand strand;
   private final Clock clock;
-  private final Supplier<@Nullable GlobalVarHolder> gvh;
-  private final BooleanSupplier isFinished;
+  private final RobotRunner runner;
 
   /**
    * @param clock the robot's own, for its strand
-   * @param gvh the robot's, or null before it is up
-   * @param isFinished whether its app has come to its end
+   * @param runner runs its program
    */
   OneRobotControl(
-      SimulationPlan blueprint,
+      SimulationPlan plan,
       RobotSpec spec,
       Body body,
       RealStrand strand,
       Clock clock,
-      Supplier<@Nullable GlobalVarHolder> gvh,
-      BooleanSupplier isFinished) {
-    this.blueprint = blueprint;
+      RobotRunner runner) {
+    this.plan = plan;
     this.spec = spec;
     this.body = body;
     this.strand = strand;
     this.clock = clock;
-    this.gvh = gvh;
-    this.isFinished = isFinished;
+    this.runner = runner;
   }
 
   /** Puts the body on the floor and lets the director begin. Call from any thread, once. */
@@ -80,7 +75,7 @@ final class OneRobotControl implements SimControl {
       if (spec.onFloor()) {
         placeSoon();
       }
-      Director director = blueprint.director();
+      Director director = plan.director();
       if (director != null) {
         director.direct(this);
       }
@@ -114,7 +109,7 @@ final class OneRobotControl implements SimControl {
 
   @Override
   public List<RobotId> robots() {
-    return blueprint.header().robots();
+    return plan.header().robots();
   }
 
   @Override
@@ -151,7 +146,7 @@ final class OneRobotControl implements SimControl {
 
   @Override
   public boolean isFinished(RobotId id) {
-    return isHere(id) && isFinished.getAsBoolean();
+    return isHere(id) && runner.isFinished();
   }
 
   @Override
@@ -184,8 +179,8 @@ final class OneRobotControl implements SimControl {
     throw unsupported("change the network");
   }
 
-  private static UnsupportedOperationException unsupported(String what) {
+  private static UnsupportedOperationException unsupported(String action) {
     return new UnsupportedOperationException(
-        "a director cannot " + what + " where robots are processes");
+        "a director cannot " + action + " where robots are processes");
   }
 }

@@ -1,10 +1,12 @@
 package org.starl.launch;
 
 import java.io.IOException;
+import java.util.List;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.function.Supplier;
 import org.starl.id.RobotId;
+import org.starl.robot.DeployedRobot;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
 
@@ -13,7 +15,7 @@ import org.starl.sim.SimulationPlan;
  * incarnation: a new start of the program over the same stable storage. After the last round the
  * robot goes on answering messages until it is stopped.
  */
-abstract class RobotMain {
+abstract class RobotMain implements DeployedRobot.Host {
 
   /** Work for the loop's thread. */
   @FunctionalInterface
@@ -21,7 +23,7 @@ abstract class RobotMain {
     void run() throws IOException;
   }
 
-  private final Supplier<SimulationPlan> blueprints;
+  private final Supplier<SimulationPlan> plans;
   private final int rounds;
   private final BlockingQueue<Task> tasks = new LinkedBlockingQueue<>();
   private volatile boolean isStopped;
@@ -32,17 +34,17 @@ abstract class RobotMain {
   final RobotId id;
 
   /**
-   * @param blueprints makes equal ones, one for each round: a director serves one run
+   * @param plans makes equal ones, one for each round: a director serves one run
    * @param rounds how many times the app runs, from 1
    */
-  RobotMain(RobotId id, Supplier<SimulationPlan> blueprints, int rounds) {
+  RobotMain(RobotId id, Supplier<SimulationPlan> plans, int rounds) {
     this.id = id;
-    this.blueprints = blueprints;
+    this.plans = plans;
     this.rounds = rounds;
   }
 
   /** Starts an incarnation; {@code number} counts from 1. On the loop's thread. */
-  abstract void bringUp(SimulationPlan blueprint, RobotSpec spec, int number) throws IOException;
+  abstract void bringUp(SimulationPlan plan, RobotSpec spec, int number) throws IOException;
 
   /**
    * Ends the incarnation, if there is one. On the loop's thread.
@@ -52,8 +54,8 @@ abstract class RobotMain {
   abstract void bringDown(boolean isLifted) throws IOException;
 
   /** The robot of that name. */
-  static RobotSpec spec(SimulationPlan blueprint, RobotId id) {
-    return blueprint.robots().stream()
+  static RobotSpec spec(SimulationPlan plan, RobotId id) {
+    return plan.robots().stream()
         .filter(spec -> spec.id().equals(id))
         .findFirst()
         .orElseThrow(() -> new IllegalArgumentException("there is no robot " + id));
@@ -95,17 +97,20 @@ abstract class RobotMain {
   final void startRound() throws IOException {
     if (!isStopped) {
       round++;
-      SimulationPlan blueprint = blueprints.get();
-      bringUp(blueprint, spec(blueprint, id), round);
+      SimulationPlan plan = plans.get();
+      bringUp(plan, spec(plan, id), round);
     }
   }
 
-  /** The app has come to its end: starts the next round if there is one. */
-  final void endRound() throws IOException {
-    if (round < rounds) {
-      bringDown(true);
-      startRound();
-    }
+  /** Starts the next round if there is one. */
+  @Override
+  public void finished(List<Object> results) {
+    post(() -> {
+      if (round < rounds) {
+        bringDown(true);
+        startRound();
+      }
+    });
   }
 
   /** The current round and the number of rounds, for people. */

@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
+import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.ProcessOutbox;
 import org.starl.robot.trace.ProcessWord;
@@ -22,7 +23,7 @@ import org.starl.sim.SimulationPlan;
  * The process of one robot that a {@link Launcher} started: runs as its parent commands, until its
  * input ends. Its body is simulated here.
  */
-public final class RobotProcess extends RobotMain implements SimulatedRobot.Host {
+public final class RobotProcess extends RobotMain {
 
   private final Path folder;
   private final ProcessOutbox outbox;
@@ -34,20 +35,16 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
   private int port;
 
   private RobotProcess(
-      Supplier<SimulationPlan> blueprints,
-      RobotId self,
-      Path folder,
-      int rounds,
-      OutputStream out) {
-    super(self, blueprints, rounds);
+      Supplier<SimulationPlan> plans, RobotId self, Path folder, int rounds, OutputStream out) {
+    super(self, plans, rounds);
     this.folder = folder;
-    outbox = new ProcessOutbox(self, blueprints.get().header(), out);
+    outbox = new ProcessOutbox(self, plans.get().header(), out);
   }
 
   /**
    * Runs until {@code in} ends. A bug in the robot's program ends the whole process with status 1.
    *
-   * @param blueprints makes equal ones, one for each round: a director serves one run
+   * @param plans makes equal ones, one for each round: a director serves one run
    * @param folder for stable storage, this robot's alone
    * @param rounds how many times the app runs, from 1
    * @param in the parent's commands
@@ -55,17 +52,15 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
    * @throws IOException if radio or storage cannot be opened
    */
   public static void run(
-      Supplier<SimulationPlan> blueprints,
+      Supplier<SimulationPlan> plans,
       RobotId self,
       Path folder,
       int rounds,
       InputStream in,
       OutputStream out)
       throws IOException {
-    RobotProcess process = new RobotProcess(blueprints, self, folder, rounds, out);
-    Thread reader = new Thread(() -> process.read(in), self + " commands");
-    reader.setDaemon(true);
-    reader.start();
+    RobotProcess process = new RobotProcess(plans, self, folder, rounds, out);
+    Daemons.of(self + " commands", () -> process.read(in)).start();
     process.outbox.report(process.clock, ProcessWord.HELLO, ProcessHandle.current().pid());
     process.loop();
     process.bringDown(false);
@@ -118,8 +113,8 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
   }
 
   @Override
-  void bringUp(SimulationPlan blueprint, RobotSpec spec, int number) throws IOException {
-    robot = new SimulatedRobot(blueprint, spec, number, clock, folder, port, outbox, this);
+  void bringUp(SimulationPlan plan, RobotSpec spec, int number) throws IOException {
+    robot = new SimulatedRobot(plan, spec, number, clock, folder, port, outbox, this);
     port = robot.port();
     if (number > 1) {
       start();
@@ -134,11 +129,6 @@ public final class RobotProcess extends RobotMain implements SimulatedRobot.Host
       }
       robot.close();
     }
-  }
-
-  @Override
-  public void finished() {
-    post(this::endRound);
   }
 
   @Override

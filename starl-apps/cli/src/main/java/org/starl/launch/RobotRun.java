@@ -32,13 +32,13 @@ import org.starl.sim.SimulationPlan;
 import org.starl.spec.SpecReport.Violation;
 
 /** One robot of a deployment in this process, in real time, until it is stopped. */
-public final class RobotRun extends RobotMain implements DeployedRobot.Host, AutoCloseable {
+public final class RobotRun extends RobotMain implements AutoCloseable {
 
   /**
    * The robot and how it runs.
    *
    * @param key null for none
-   * @param blueprints makes equal ones, one for each round: a director serves one run
+   * @param plans makes equal ones, one for each round: a director serves one run
    * @param storage a folder, this robot's alone
    * @param rounds how many times the app runs, from 1
    */
@@ -46,7 +46,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
       Deployment deployment,
       RobotEntry entry,
       @Nullable DeploymentKey key,
-      Supplier<SimulationPlan> blueprints,
+      Supplier<SimulationPlan> plans,
       Wheelbase.Source wheels,
       Path storage,
       int rounds) {}
@@ -77,10 +77,10 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
    * @param console takes lines for people, from any thread
    */
   public RobotRun(Settings settings, OutputStream trace, Consumer<String> console) {
-    super(settings.entry().id(), settings.blueprints(), settings.rounds());
+    super(settings.entry().id(), settings.plans(), settings.rounds());
     this.settings = settings;
     this.console = line -> console.accept(id + ": " + line);
-    outbox = new ProcessOutbox(id, settings.blueprints().get().header(), trace);
+    outbox = new ProcessOutbox(id, settings.plans().get().header(), trace);
   }
 
   /**
@@ -127,10 +127,8 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
 
   @Override
   public void finished(List<Object> results) {
-    post(() -> {
-      console.accept("came to the end of round " + progress());
-      endRound();
-    });
+    post(() -> console.accept("came to the end of round " + progress()));
+    super.finished(results);
   }
 
   @Override
@@ -151,15 +149,15 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
   }
 
   @Override
-  void bringUp(SimulationPlan blueprint, RobotSpec spec, int number) throws IOException {
+  void bringUp(SimulationPlan plan, RobotSpec spec, int number) throws IOException {
     DeployedRobot.Program program =
         new DeployedRobot.Program(
             spec.app(),
-            blueprint.obstacles().known(),
-            blueprint.settings().motionParameters(blueprint.robots().indexOf(spec)));
-    List<SimObserver> observers = new ArrayList<>(blueprint.observers());
-    observers.add(new LocalSpecs(blueprint, startNs, this::violated));
-    observers.forEach(observer -> observer.started(blueprint.header()));
+            plan.obstacles().known(),
+            plan.settings().motionParameters(plan.robots().indexOf(spec)));
+    List<SimObserver> observers = new ArrayList<>(plan.observers());
+    observers.add(new LocalSpecs(plan, startNs, this::violated));
+    observers.forEach(observer -> observer.started(plan.header()));
     LateTrace trace =
         new LateTrace(
             outbox, startNs, event -> observers.forEach(observer -> observer.observed(event)));
@@ -183,16 +181,10 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
               worldAt.resolve(),
               spec,
               opened.strand(),
-              opened::gvh,
+              opened.runner(),
               lost -> console.accept(String.valueOf(lost.getMessage())));
       new OneRobotControl(
-              blueprint,
-              spec,
-              world,
-              opened.strand(),
-              opened.strand().pieceClock(),
-              opened::gvh,
-              opened::isFinished)
+              plan, spec, world, opened.strand(), opened.strand().pieceClock(), opened.runner())
           .begin();
     }
     opened.start();
@@ -208,7 +200,7 @@ public final class RobotRun extends RobotMain implements DeployedRobot.Host, Aut
     }
     if (world != null) {
       if (isLifted) {
-        world.say(WorldClient.Word.LIFT);
+        world.send(WorldClient.Word.LIFT);
       }
       world.close();
       world = null;

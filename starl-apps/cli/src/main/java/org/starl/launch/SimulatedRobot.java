@@ -5,6 +5,7 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
 import org.starl.RobotRunner;
 import org.starl.geometry.Pose;
@@ -14,6 +15,7 @@ import org.starl.platform.LogSink.Level;
 import org.starl.platform.Platform;
 import org.starl.platform.Timer;
 import org.starl.random.Rng;
+import org.starl.robot.DeployedRobot;
 import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
@@ -29,28 +31,19 @@ import org.starl.sim.SimulationPlan;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.World;
+import org.starl.time.Time;
 
 /**
  * One incarnation of a robot's program in its process: on the strand, radio and storage of the real
  * platform, with wheels and fixes of a simulated body. The body is alone in its world: bodies of
  * other processes do not touch it.
  */
-final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, AutoCloseable {
+final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
 
-  private static final long ALIVE_EVERY_NS = 50_000_000;
-
-  /** Hears of the robot. */
-  interface Host {
-
-    /** The app has come to its end. On the robot's strand. */
-    void finished();
-
-    /** The robot cannot go on. From any thread. */
-    void failed(Throwable error);
-  }
+  private static final long ALIVE_EVERY_NS = 50 * Time.NS_PER_MS;
 
   private final ProcessOutbox outbox;
-  private final Host host;
+  private final DeployedRobot.Host host;
   private final RealStrand strand;
   private final BodyClock clock;
   private final UdpRadio udp;
@@ -75,24 +68,24 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
    * @param port to listen at on the loopback interface; 0 for any free one
    */
   SimulatedRobot(
-      SimulationPlan blueprint,
+      SimulationPlan plan,
       RobotSpec spec,
       int number,
       RealClock real,
       Path folder,
       int port,
       ProcessOutbox outbox,
-      Host host)
+      DeployedRobot.Host host)
       throws IOException {
     this.outbox = outbox;
     this.host = host;
-    SimSettings settings = blueprint.settings();
+    SimSettings settings = plan.settings();
     RobotId id = spec.id();
-    Participants participants = Participants.of(blueprint.header().robots());
-    Rng robotRng = new Rng(blueprint.header().behaviourSeed()).fork(id.name());
+    Participants participants = Participants.of(plan.header().robots());
+    Rng robotRng = new Rng(plan.header().behaviourSeed()).fork(id.name());
     Rng rng = number == 1 ? robotRng : robotRng.fork("incarnation" + number);
     strand = new RealStrand(id.name(), real, host::failed);
-    clock = new BodyClock(strand.pieceClock(), this);
+    clock = new BodyClock(strand.pieceClock(), this::scaleWheels);
     udp = UdpRadio.open(id, strand, loopback(port), host::failed);
     radio =
         new LossyRadio(
@@ -111,7 +104,7 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
             clock.reading(strand),
             outbox,
             settings.worldLimits(),
-            blueprint.obstacles());
+            plan.obstacles());
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
     body = new SimulatedBody(spec, settings, world, chassis);
     long periodNs = settings.positionPeriodNs();
@@ -141,12 +134,11 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
             background,
             this::log,
             outbox,
-            blueprint.obstacles().known(),
-            settings.motionParameters(blueprint.robots().indexOf(spec)),
-            blueprint.key());
+            plan.obstacles().known(),
+            settings.motionParameters(plan.robots().indexOf(spec)),
+            plan.key());
     runner = new RobotRunner(platform, spec.app(), this::appEnded);
-    control =
-        new OneRobotControl(blueprint, spec, this, strand, clock, runner::gvh, runner::isFinished);
+    control = new OneRobotControl(plan, spec, this, strand, clock, runner);
     alive = strand.timer(this::tellAlive);
   }
 
@@ -211,9 +203,9 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
   }
 
   private void appEnded() {
-    List<Object> results = runner.results();
-    outbox.report(clock, ProcessWord.FINISHED, results == null ? new Object[0] : results.toArray());
-    host.finished();
+    List<Object> results = Objects.requireNonNull(runner.results());
+    outbox.report(clock, ProcessWord.FINISHED, results.toArray());
+    host.finished(results);
   }
 
   private void log(long timeNs, Level level, String tag, String line) {
@@ -264,13 +256,7 @@ final class SimulatedRobot implements OneRobotControl.Body, BodyClock.Wheels, Au
     return body.onFloor().pose();
   }
 
-  @Override
-  public void hold() {
-    chassis.impair(0, 0);
-  }
-
-  @Override
-  public void release() {
-    chassis.impair(1, 1);
+  private void scaleWheels(double factor) {
+    chassis.impair(factor, factor);
   }
 }

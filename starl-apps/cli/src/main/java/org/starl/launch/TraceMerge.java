@@ -118,25 +118,25 @@ public final class TraceMerge {
   /**
    * Judges the traces.
    *
-   * @param blueprint of the same run
+   * @param plan of the same run
    * @param observers see the middle order as they would see a simulated run
    */
-  public Result judge(SimulationPlan blueprint, List<SimObserver> observers) {
-    return judge(blueprint, observers, run -> run);
+  public Result judge(SimulationPlan plan, List<SimObserver> observers) {
+    return judge(plan, observers, run -> run);
   }
 
   /** The same; {@code complete} adds what the traces do not tell of the run. */
   Result judge(
-      SimulationPlan blueprint, List<SimObserver> observers, UnaryOperator<SimResult> complete) {
+      SimulationPlan plan, List<SimObserver> observers, UnaryOperator<SimResult> complete) {
     List<long[]> clocks = bounds.candidates(traces);
     Case middle = order(clocks.get(0), Deviation.NONE);
     List<SpecReport> reports = new ArrayList<>();
-    reports.add(show(middle, blueprint, observers));
+    reports.add(show(middle, plan, observers));
     for (long[] starts : clocks.subList(1, clocks.size())) {
-      reports.add(show(order(starts, Deviation.NONE), blueprint, List.of()));
+      reports.add(show(order(starts, Deviation.NONE), plan, List.of()));
     }
     for (Deviation deviation : bodies.deviations()) {
-      reports.add(show(order(clocks.get(0), deviation), blueprint, List.of()));
+      reports.add(show(order(clocks.get(0), deviation), plan, List.of()));
     }
     SimResult run = complete.apply(result(middle, reports.get(0)));
     observers.forEach(observer -> observer.finished(run));
@@ -172,9 +172,9 @@ public final class TraceMerge {
     return new Case(events, Math.max(endNs, events.get(events.size() - 1).timeNs()));
   }
 
-  private SpecReport show(Case shown, SimulationPlan blueprint, List<SimObserver> observers) {
-    Monitors monitors = Monitors.of(blueprint.monitors());
-    observers.forEach(observer -> observer.started(blueprint.header()));
+  private SpecReport show(Case shown, SimulationPlan plan, List<SimObserver> observers) {
+    Monitors monitors = Monitors.of(plan.monitors());
+    observers.forEach(observer -> observer.started(plan.header()));
     for (TraceEvent event : shown.events()) {
       monitors.observe(event);
       observers.forEach(observer -> observer.observed(event));
@@ -217,16 +217,19 @@ public final class TraceMerge {
     return violation.lemma() + " " + violation.robots();
   }
 
+  /** The violations of the first report that all others have, too. */
   private static List<Violation> certain(List<SpecReport> reports) {
+    List<Set<String>> keys =
+        reports.stream()
+            .map(report ->
+                report.violations().stream().map(TraceMerge::key).collect(Collectors.toSet()))
+            .toList();
     return reports.get(0).violations().stream()
-        .filter(violation ->
-            reports.stream()
-                .allMatch(report ->
-                    report.violations().stream()
-                        .anyMatch(other -> key(other).equals(key(violation)))))
+        .filter(violation -> keys.stream().allMatch(all -> all.contains(key(violation))))
         .toList();
   }
 
+  /** The other violations, one of each kind. */
   private static List<Violation> possible(List<SpecReport> reports, List<Violation> certain) {
     Set<String> seen =
         certain.stream().map(TraceMerge::key).collect(Collectors.toCollection(TreeSet::new));

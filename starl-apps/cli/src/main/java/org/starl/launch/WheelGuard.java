@@ -14,7 +14,9 @@ import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
 import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.SocketLink;
+import org.starl.robot.create.StreamLink;
 import org.starl.robot.file.Wheels.Port;
+import org.starl.robot.realtime.Daemons;
 import org.starl.robot.serial.SerialLink;
 
 /**
@@ -50,8 +52,8 @@ public final class WheelGuard {
 
   private final ByteLink link;
   private final ReentrantLock lock = new ReentrantLock();
-  private final Thread reader = daemon("reader", this::passToProgram);
-  private final Thread watchdog = daemon("watchdog", this::watch);
+  private final Thread reader = Daemons.of("reader", this::passToProgram);
+  private final Thread watchdog = Daemons.of("watchdog", this::watch);
 
   // Guarded by the lock.
   private final Condition written = lock.newCondition();
@@ -62,18 +64,19 @@ public final class WheelGuard {
     this.link = link;
   }
 
-  private static Thread daemon(String name, Runnable body) {
-    Thread thread = new Thread(body, name);
-    thread.setDaemon(true);
-    return thread;
-  }
-
   /** Links to a Create through a guard; each link has a guard of its own. */
   public static ByteLink.Source links(Port port, int baud) {
     List<String> command =
         JavaProcess.command(
             HEAP_MB, WheelGuard.class.getName(), List.of(port.toString(), Integer.toString(baud)));
-    return () -> new Guarded(port, new ProcessBuilder(command).start());
+    return () -> {
+      Process process = new ProcessBuilder(command).start();
+      return new StreamLink(
+          port.toString(),
+          new GuardedInput(port, process),
+          process.getOutputStream(),
+          () -> close(process));
+    };
   }
 
   private static ByteLink.Source direct(String port, int baud) {
@@ -214,44 +217,15 @@ public final class WheelGuard {
     }
   }
 
-  /** The program's end of the link. */
-  private static final class Guarded implements ByteLink {
-    private final Port port;
-    private final Process process;
-    private final InputStream input;
-
-    Guarded(Port port, Process process) {
-      this.port = port;
-      this.process = process;
-      input = new GuardedInput(port, process);
-    }
-
-    @Override
-    public InputStream input() {
-      return input;
-    }
-
-    @Override
-    public OutputStream output() {
-      return process.getOutputStream();
-    }
-
-    /** Closing its input ends the guard; a guard that is frozen or stuck in a write is killed. */
-    @Override
-    public void close() throws IOException {
-      try {
-        process.getOutputStream().close();
-        if (!process.waitFor(CLOSE_MS, TimeUnit.MILLISECONDS)) {
-          process.destroyForcibly();
-        }
-      } catch (InterruptedException e) {
-        Thread.currentThread().interrupt();
+  /** Closing its input ends the guard; a guard that is frozen or stuck in a write is killed. */
+  private static void close(Process process) throws IOException {
+    try {
+      process.getOutputStream().close();
+      if (!process.waitFor(CLOSE_MS, TimeUnit.MILLISECONDS)) {
+        process.destroyForcibly();
       }
-    }
-
-    @Override
-    public String toString() {
-      return port.toString();
+    } catch (InterruptedException e) {
+      Thread.currentThread().interrupt();
     }
   }
 
@@ -280,10 +254,9 @@ public final class WheelGuard {
       } catch (IOException e) {
         throw new IOException(port + ": its guard was closed", e);
       }
-      return count < 0 ? end() : count;
-    }
-
-    private int end() throws IOException {
+      if (count >= 0) {
+        return count;
+      }
       byte[] words = process.getErrorStream().readAllBytes();
       String last =
           new String(words, Charset.defaultCharset())

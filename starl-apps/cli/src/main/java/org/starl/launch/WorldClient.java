@@ -8,16 +8,16 @@ import java.net.InetSocketAddress;
 import java.net.Socket;
 import java.util.Arrays;
 import java.util.function.Consumer;
-import java.util.function.Supplier;
-import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.RobotRunner;
 import org.starl.geometry.Pose;
+import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.sim.RobotSpec;
 
 /**
  * A deployed robot's body in a {@link WorldServer}: asks the server, over TCP, to put it on the
- * floor and to take it off. All else is as the robot knows it. Strand only.
+ * floor and to take it off. Its pose is the robot's own estimate. Strand only.
  */
 final class WorldClient implements OneRobotControl.Body, AutoCloseable {
 
@@ -53,36 +53,33 @@ final class WorldClient implements OneRobotControl.Body, AutoCloseable {
   private final InetSocketAddress world;
   private final RobotSpec spec;
   private final RealStrand strand;
-  private final Supplier<@Nullable GlobalVarHolder> gvh;
+  private final RobotRunner runner;
   private final Socket socket = new Socket();
   private boolean isAsked;
   private boolean isPlaced;
 
   private WorldClient(
-      InetSocketAddress world,
-      RobotSpec spec,
-      RealStrand strand,
-      Supplier<@Nullable GlobalVarHolder> gvh) {
+      InetSocketAddress world, RobotSpec spec, RealStrand strand, RobotRunner runner) {
     this.world = world;
     this.spec = spec;
     this.strand = strand;
-    this.gvh = gvh;
+    this.runner = runner;
   }
 
   /**
    * Connects.
    *
-   * @param gvh the robot's, or null before it is up
-   * @param onLost is told, from another thread, that the world is gone; not after {@link #close}
+   * @param runner runs the robot's program
+   * @param onLost takes, from another thread, the loss of the connection; not after {@link #close}
    */
   static WorldClient open(
       InetSocketAddress world,
       RobotSpec spec,
       RealStrand strand,
-      Supplier<@Nullable GlobalVarHolder> gvh,
+      RobotRunner runner,
       Consumer<IOException> onLost)
       throws IOException {
-    WorldClient client = new WorldClient(world, spec, strand, gvh);
+    WorldClient client = new WorldClient(world, spec, strand, runner);
     try {
       client.socket.connect(world, CONNECT_MS);
       client.socket.setTcpNoDelay(true);
@@ -91,9 +88,7 @@ final class WorldClient implements OneRobotControl.Body, AutoCloseable {
       client.close();
       throw client.error(e);
     }
-    Thread reader = new Thread(() -> client.read(onLost), spec.id() + " world");
-    reader.setDaemon(true);
-    reader.start();
+    Daemons.of(spec.id() + " world", () -> client.read(onLost)).start();
     return client;
   }
 
@@ -122,7 +117,7 @@ final class WorldClient implements OneRobotControl.Body, AutoCloseable {
   @Override
   public boolean place() {
     if (!isAsked) {
-      isAsked = say(Word.PLACE);
+      isAsked = send(Word.PLACE);
     }
     return isPlaced;
   }
@@ -132,12 +127,12 @@ final class WorldClient implements OneRobotControl.Body, AutoCloseable {
     if (isAsked) {
       isAsked = false;
       isPlaced = false;
-      say(Word.LIFT);
+      send(Word.LIFT);
     }
   }
 
-  /** Says a word, unless the world is gone, which the reader tells. From any thread. */
-  boolean say(Word word) {
+  /** Sends a word; false if the connection is lost, which the reader reports. From any thread. */
+  boolean send(Word word) {
     try {
       send(word.name());
       return true;
@@ -157,11 +152,11 @@ final class WorldClient implements OneRobotControl.Body, AutoCloseable {
     return true;
   }
 
-  /** As far as the robot knows. */
+  /** The robot's own estimate. */
   @Override
   public Pose pose() {
-    GlobalVarHolder here = gvh.get();
-    return here == null || !here.gps.hasFix() ? spec.start() : here.gps.pose();
+    GlobalVarHolder gvh = runner.gvh();
+    return gvh == null || !gvh.gps.hasFix() ? spec.start() : gvh.gps.pose();
   }
 
   @Override

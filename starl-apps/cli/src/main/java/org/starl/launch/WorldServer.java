@@ -33,6 +33,7 @@ import org.starl.robot.optitrack.NatNetServer;
 import org.starl.robot.optitrack.NatNetServerSettings;
 import org.starl.robot.optitrack.NatNetVersion;
 import org.starl.robot.optitrack.PoseSource;
+import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.serial.PseudoTerminal;
@@ -86,7 +87,7 @@ public final class WorldServer implements AutoCloseable {
    */
   public WorldServer(
       Deployment deployment,
-      SimulationPlan blueprint,
+      SimulationPlan plan,
       OutputStream out,
       Consumer<String> console,
       Consumer<Throwable> onFailure)
@@ -94,22 +95,22 @@ public final class WorldServer implements AutoCloseable {
     this.deployment = deployment;
     this.console = console;
     this.onFailure = onFailure;
-    trace = new ProcessOutbox(Fault.WORLD, blueprint.header(), out);
+    trace = new ProcessOutbox(Fault.WORLD, plan.header(), out);
     MachineClock.tell(trace, clock, startNs);
     strand = new RealStrand("world", clock, onFailure);
     parts.push(strand);
-    apartMm = Launcher.ROOM_IN_RADII * blueprint.settings().robotRadiusMm();
+    apartMm = Launcher.ROOM_IN_RADII * plan.settings().robotRadiusMm();
     World world =
         new World(
             strand.pieceClock(),
             strand,
             new LateTrace(trace, startNs, event -> {}),
-            blueprint.settings().worldLimits(),
-            blueprint.obstacles());
+            plan.settings().worldLimits(),
+            plan.obstacles());
     update = strand.timer(this::update);
     try {
       for (RobotEntry entry : deployment.simulated()) {
-        bodies.put(entry.id(), body(entry, blueprint, world));
+        bodies.put(entry.id(), body(entry, plan, world));
       }
       serveRobots();
       serveCameras();
@@ -125,20 +126,20 @@ public final class WorldServer implements AutoCloseable {
     strand.post(this::update);
   }
 
-  private WorldBody body(RobotEntry entry, SimulationPlan blueprint, World world) {
+  private WorldBody body(RobotEntry entry, SimulationPlan plan, World world) {
     CreateModel model =
         entry.wheels() instanceof Create create
             ? CreateWheelbase.model(create)
             : CreateModel.CREATE_2;
     Rng rng = new Rng(deployment.seed()).fork(entry.id().name()).fork("chassis");
     return new WorldBody(
-        RobotMain.spec(blueprint, entry.id()),
+        RobotMain.spec(plan, entry.id()),
         entry.rigidBody(),
-        blueprint.settings(),
+        plan.settings(),
         model.axleMm(),
         world,
         strand,
-        new SimChassis(strand, rng, blueprint.settings().speedError()));
+        new SimChassis(strand, rng, plan.settings().speedError()));
   }
 
   /** The wheels of a robot that is simulated without a Create: its program runs in this process. */
@@ -242,14 +243,14 @@ public final class WorldServer implements AutoCloseable {
     }
     ServerSocket server = listen(address);
     parts.push(server);
-    startDaemon("accept", () -> accept(server));
+    Daemons.of("world accept", () -> accept(server)).start();
   }
 
   private void accept(ServerSocket server) {
     while (!server.isClosed()) {
       try {
         Socket socket = server.accept();
-        startDaemon("robot", () -> serve(socket));
+        Daemons.of("world robot", () -> serve(socket)).start();
       } catch (IOException e) {
         if (!server.isClosed()) {
           onFailure.accept(e);
@@ -299,11 +300,5 @@ public final class WorldServer implements AutoCloseable {
     } catch (IOException e) {
       console.accept("a robot's connection: " + e.getMessage());
     }
-  }
-
-  private static void startDaemon(String name, Runnable work) {
-    Thread thread = new Thread(work, "world " + name);
-    thread.setDaemon(true);
-    thread.start();
   }
 }

@@ -7,22 +7,16 @@ import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** The time of a simulated body in real time, and its wheels' watchdog. */
-class BodyClockTest implements BodyClock.Wheels {
+class BodyClockTest {
 
   private static final long MS = 1_000_000;
 
   private final List<String> held = new ArrayList<>();
   private long pieceNs = 1_000 * MS;
-  private final BodyClock clock = new BodyClock(() -> pieceNs, this);
+  private final BodyClock clock = new BodyClock(() -> pieceNs, this::scaleWheels);
 
-  @Override
-  public void hold() {
-    held.add("held at " + clock.shownNs() / MS);
-  }
-
-  @Override
-  public void release() {
-    held.add("let go at " + clock.shownNs() / MS);
+  private void scaleWheels(double factor) {
+    held.add((factor == 0 ? "held at " : "let go at ") + clock.shownNs() / MS);
   }
 
   @Test

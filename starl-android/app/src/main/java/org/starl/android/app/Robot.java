@@ -210,10 +210,10 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   // On the strand.
   private void look() {
     // Null while its boot number is not yet on the disk.
-    GlobalVarHolder gvh = deployed.gvh();
+    GlobalVarHolder gvh = deployed.runner().gvh();
     if (gvh != null) {
       location = gvh.gps.location();
-      if (!deployed.isFinished()) {
+      if (!deployed.runner().isFinished()) {
         appState = "runs" + appLocation(gvh);
       }
     }

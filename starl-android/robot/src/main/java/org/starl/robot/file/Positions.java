@@ -5,6 +5,12 @@ import org.jspecify.annotations.Nullable;
 /** The system that measures the robots' positions. */
 public sealed interface Positions {
 
+  /** Largest error of a position. */
+  double errorMm();
+
+  /** Largest error of a heading. */
+  double errorRad();
+
   /**
    * OptiTrack, over NatNet.
    *
@@ -13,8 +19,6 @@ public sealed interface Positions {
    * @param multicast the group that frames are sent to; null: the server sends them to each robot
    * @param version of the protocol, as in {@code 4.1}
    * @param isYUp true if the y axis points up, false if z does
-   * @param errorMm largest error of a position
-   * @param errorRad largest error of a heading
    */
   record NatNet(
       HostPort server,
@@ -31,8 +35,6 @@ public sealed interface Positions {
    *
    * @param port UDP port of each robot
    * @param sender the only host whose lines are taken; null for every host
-   * @param errorMm largest error of a position
-   * @param errorRad largest error of a heading
    */
   record JsonFeed(int port, @Nullable String sender, double errorMm, double errorRad)
       implements Positions {}

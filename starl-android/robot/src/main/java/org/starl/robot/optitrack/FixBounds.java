@@ -51,6 +51,20 @@ public record FixBounds(
     checkMs("maxAgeMs", maxAgeMs);
   }
 
+  /** The same bounds with these smallest errors. */
+  public FixBounds withErrors(double newErrorFloorMm, double newErrorFloorRad) {
+    return new FixBounds(
+        newErrorFloorMm,
+        newErrorFloorRad,
+        errorScale,
+        markerSpreadMm,
+        maxSpeedMmPerS,
+        maxTurnRadPerS,
+        maxDelayMs,
+        maxLatencyMs,
+        maxAgeMs);
+  }
+
   long maxDelayNs() {
     return maxDelayMs * NS_PER_MS;
   }
