@@ -37,7 +37,6 @@ import org.starl.android.app.RobotService.Phase;
 import org.starl.geometry.Pose;
 import org.starl.robot.create.CreateHold;
 import org.starl.robot.optitrack.NatNetServer;
-import org.starl.robot.optitrack.NatNetServerSettings;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
 
@@ -75,7 +74,7 @@ public final class RobotServiceTest {
     AdapterShadow.serve(this::connected, services::add);
     cameras =
         NatNetServer.open(
-            NatNetServerSettings.unicast(InetAddress.getLoopbackAddress()).withPort(0),
+            SimulatedCar.CAMERAS,
             () -> new PoseSource.Snapshot(clock.nowNs(), List.of(car.asSeen())),
             clock,
             failure -> {});

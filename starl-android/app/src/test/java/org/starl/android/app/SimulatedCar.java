@@ -3,6 +3,8 @@ package org.starl.android.app;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
+import java.net.InetAddress;
+import java.net.InetSocketAddress;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.locks.Condition;
 import java.util.concurrent.locks.ReentrantLock;
@@ -16,6 +18,9 @@ import org.starl.robot.create.ByteLink;
 import org.starl.robot.create.CreateBody;
 import org.starl.robot.create.CreateHost;
 import org.starl.robot.create.CreateModel;
+import org.starl.robot.optitrack.Axes;
+import org.starl.robot.optitrack.NatNetServerSettings;
+import org.starl.robot.optitrack.NatNetVersion;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Joined;
@@ -23,6 +28,15 @@ import org.starl.trace.TraceEvent.Moved;
 
 /** A simulated Create on an open floor, and where it is. From any thread. */
 final class SimulatedCar implements CreateBody, AutoCloseable {
+
+  /** Cameras that stream to each client of the loopback interface, from any free port. */
+  static final NatNetServerSettings CAMERAS =
+      new NatNetServerSettings(
+          new InetSocketAddress(InetAddress.getLoopbackAddress(), 0),
+          null,
+          NatNetVersion.V4_1,
+          Axes.DEFAULT,
+          100);
 
   private static final CreateModel MODEL = CreateModel.CREATE_1;
   private static final long LIMIT_S = 120;

@@ -46,7 +46,6 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.launch.TraceMerge;
 import org.starl.robot.optitrack.NatNetServer;
-import org.starl.robot.optitrack.NatNetServerSettings;
 import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.LateTrace;
@@ -146,7 +145,7 @@ public final class TwoPhonesTest {
         service -> {});
     cameras =
         NatNetServer.open(
-            NatNetServerSettings.unicast(InetAddress.getLoopbackAddress()).withPort(0),
+            SimulatedCar.CAMERAS,
             () -> {
               List<PoseSource.Body> bodies =
                   cars.values().stream().map(SimulatedCar::asSeen).toList();

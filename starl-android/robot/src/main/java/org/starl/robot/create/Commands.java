@@ -27,36 +27,15 @@ final class Commands {
   }
 
   static byte[] stream(int[] packets) {
-    byte[] command = new byte[2 + packets.length];
-    command[0] = (byte) Opcodes.STREAM;
-    command[1] = (byte) packets.length;
-    for (int i = 0; i < packets.length; i++) {
-      command[2 + i] = (byte) packets[i];
-    }
-    return command;
+    int[] command = new int[2 + packets.length];
+    command[0] = Opcodes.STREAM;
+    command[1] = packets.length;
+    System.arraycopy(packets, 0, command, 2, packets.length);
+    return bytes(command);
   }
 
   static byte[] pauseStream() {
     return bytes(Opcodes.PAUSE_RESUME, 0);
-  }
-
-  static byte[] leds(int bits, int powerColour, int powerIntensity) {
-    return bytes(Opcodes.LEDS, bits, powerColour, powerIntensity);
-  }
-
-  static byte[] song(int number, int[] notesAndDurations) {
-    byte[] command = new byte[3 + notesAndDurations.length];
-    command[0] = (byte) Opcodes.SONG;
-    command[1] = (byte) number;
-    command[2] = (byte) (notesAndDurations.length / 2);
-    for (int i = 0; i < notesAndDurations.length; i++) {
-      command[3 + i] = (byte) notesAndDurations[i];
-    }
-    return command;
-  }
-
-  static byte[] play(int number) {
-    return bytes(Opcodes.PLAY, number);
   }
 
   private static byte[] bytes(int... values) {

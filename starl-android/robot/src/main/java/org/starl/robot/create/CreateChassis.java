@@ -141,47 +141,6 @@ public final class CreateChassis implements Wheelbase {
   }
 
   /**
-   * Sets the lights, until the robot changes its mode.
-   *
-   * @param bits Create 1: 2 play, 8 advance; Create 2: 1 debris, 2 spot, 4 dock, 8 check
-   * @param powerColour 0 green to 255 red
-   * @param powerIntensity 0 off to 255
-   * @return false if there is no robot now
-   */
-  public boolean leds(int bits, int powerColour, int powerIntensity) {
-    range("light bits", bits, 0, 15);
-    range("colour", powerColour, 0, 255);
-    range("intensity", powerIntensity, 0, 255);
-    return send(Commands.leds(bits, powerColour, powerIntensity));
-  }
-
-  /**
-   * Stores a song in the robot.
-   *
-   * @param number 0 to 15 on a Create 1, to 4 on a Create 2
-   * @param notesAndDurations 1 to 16 times a MIDI note (31 to 127, else a rest) and its length in
-   *     1/64 s
-   * @return false if there is no robot now
-   */
-  public boolean song(int number, int... notesAndDurations) {
-    range("song", number, 0, settings.model().songs() - 1);
-    if (notesAndDurations.length % 2 != 0) {
-      throw new IllegalArgumentException("a note without length");
-    }
-    range("notes", notesAndDurations.length / 2, 1, 16);
-    for (int value : notesAndDurations) {
-      range("note or length", value, 0, 255);
-    }
-    return send(Commands.song(number, notesAndDurations));
-  }
-
-  /** Plays a stored song. False if there is no robot now. */
-  public boolean play(int number) {
-    range("song", number, 0, settings.model().songs() - 1);
-    return send(Commands.play(number));
-  }
-
-  /**
    * Stops the wheels, puts the robot into passive mode and closes the link. Waits until the robot has
    * confirmed that, at most half a second.
    */
@@ -208,17 +167,6 @@ public final class CreateChassis implements Wheelbase {
   @Override
   public String toString() {
     return name;
-  }
-
-  private static void range(String what, int value, int least, int most) {
-    if (value < least || value > most) {
-      throw new IllegalArgumentException(
-          what + " " + value + ": expected " + least + " to " + most);
-    }
-  }
-
-  private boolean send(byte[] command) {
-    return guard.get(() -> !isClosed && protocol.send(command));
   }
 
   /** Changes the protocol's state, updates the wheels, and informs the strand if necessary. */

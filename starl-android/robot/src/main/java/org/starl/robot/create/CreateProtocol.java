@@ -173,11 +173,6 @@ final class CreateProtocol {
     }
   }
 
-  /** Sends another command; false if there is no link or no room. */
-  boolean send(byte[] command) {
-    return step == Step.RUNNING && line.send(command);
-  }
-
   /** From now on commands the robot to stop and to be passive, until it confirms that. */
   void end(long atNs) {
     nowNs = atNs;

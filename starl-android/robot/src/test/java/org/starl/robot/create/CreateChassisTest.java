@@ -1,7 +1,6 @@
 package org.starl.robot.create;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
 import java.util.concurrent.CountDownLatch;
@@ -153,20 +152,6 @@ class CreateChassisTest {
     robot.await("stands", robot.body::stands);
     robot.host.inspect(create -> assertThat(create.mode()).isEqualTo(OiMode.PASSIVE));
     robot.close();
-  }
-
-  @Test
-  void lightsAndSongsOutOfRangeAreRefused() {
-    try (LiveRobot robot = new LiveRobot(CreateModel.CREATE_2, Line.MEMORY)) {
-      robot.awaitHolds();
-      assertThat(robot.chassis.leds(8, 0, 255)).isTrue();
-      assertThat(robot.chassis.song(4, 60, 16)).isTrue();
-      assertThat(robot.chassis.play(4)).isTrue();
-      assertThatThrownBy(() -> robot.chassis.song(5, 60, 16)).hasMessage("song 5: expected 0 to 4");
-      assertThatThrownBy(() -> robot.chassis.song(0, 60)).hasMessage("a note without length");
-      assertThatThrownBy(() -> robot.chassis.leds(0, 256, 0))
-          .hasMessage("colour 256: expected 0 to 255");
-    }
   }
 
   private static void await(CountDownLatch latch) {
