@@ -6,8 +6,9 @@ import java.io.InputStream;
 import java.io.OutputStream;
 
 /**
- * Bytes both ways: a serial port, a Bluetooth or TCP socket. One thread reads, one writes, any
- * closes; closing ends a read or write that waits, by its end or an exception.
+ * A link that carries bytes both ways: a serial port, a Bluetooth or TCP socket. One thread reads, one
+ * writes, any thread closes; closing ends a waiting read or write, with the end of the stream or an
+ * exception.
  */
 public interface ByteLink extends Closeable {
 
@@ -15,13 +16,13 @@ public interface ByteLink extends Closeable {
 
   OutputStream output() throws IOException;
 
-  /** Opens links to one and the same robot, again after each loss. */
+  /** Opens links to one robot: a new link after each loss. */
   @FunctionalInterface
   interface Source {
     /**
-     * A new link; it may take its time.
+     * Opens a link; may block.
      *
-     * @throws IOException if there is none now: it is asked again later
+     * @throws IOException if no link can be opened now: the caller tries again later
      */
     ByteLink open() throws IOException;
   }

@@ -7,7 +7,7 @@ package org.starl.robot.create;
  */
 final class CommandParser {
 
-  /** Takes whole commands. */
+  /** Receives complete commands. */
   interface Receiver {
     /** {@code data[0..length)} are the data bytes of {@code opcode}; valid during this call only. */
     void command(int opcode, byte[] data, int length);
@@ -21,7 +21,7 @@ final class CommandParser {
   private final CreateModel model;
   private int opcode = NONE;
   private int length;
-  private int awaited;
+  private int missing;
   private long unknown;
 
   CommandParser(CreateModel model) {
@@ -44,13 +44,13 @@ final class CommandParser {
       begin(value);
     } else {
       data[length++] = (byte) value;
-      awaited--;
-      awaited += more(value);
+      missing--;
+      missing += announced(value);
     }
-    if (opcode != NONE && awaited == 0) {
-      int whole = opcode;
+    if (opcode != NONE && missing == 0) {
+      int complete = opcode;
       opcode = NONE;
-      receiver.command(whole, data, length);
+      receiver.command(complete, data, length);
     }
   }
 
@@ -61,12 +61,12 @@ final class CommandParser {
     } else {
       opcode = value;
       length = 0;
-      awaited = count;
+      missing = count;
     }
   }
 
-  /** Updates the number of bytes to come by the byte that was just taken. */
-  private int more(int value) {
+  /** The number of further data bytes that the last byte announces. */
+  private int announced(int value) {
     boolean isFirst = length == 1;
     return switch (opcode) {
       case Opcodes.SONG -> length == 2 ? 2 * value : 0;
@@ -75,7 +75,7 @@ final class CommandParser {
     };
   }
 
-  /** Bytes after {@code value} until the command's length is known; NONE: no command. */
+  /** Data bytes of the command {@code value}, up to its count byte if it has one; NONE: no command. */
   private int dataBytes(int value) {
     boolean isFirst = model == CreateModel.CREATE_1;
     return switch (value) {

@@ -6,8 +6,8 @@ final class Commands {
   private Commands() {}
 
   /**
-   * Completes a command that was cut off when its link broke; no command begins with 0. Four bytes
-   * complete a command of wheel speeds, as speed 0.
+   * Zeros that complete a command that was cut off when its link broke; no command begins with 0. Four
+   * of them complete a command of wheel speeds: the missing speeds are then 0.
    */
   static byte[] flush() {
     return bytes(0, 0, 0, 0);
@@ -21,7 +21,7 @@ final class Commands {
     return bytes(mode == OiMode.FULL ? Opcodes.FULL : Opcodes.SAFE);
   }
 
-  /** Right wheel first, as the specifications have it. */
+  /** Right wheel first, as in the specifications. */
   static byte[] driveDirect(int rightMmPerS, int leftMmPerS) {
     return bytes(Opcodes.DRIVE_DIRECT, rightMmPerS >> 8, rightMmPerS, leftMmPerS >> 8, leftMmPerS);
   }

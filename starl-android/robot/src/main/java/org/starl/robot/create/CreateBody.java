@@ -6,10 +6,7 @@ import java.util.EnumSet;
 import java.util.LinkedHashSet;
 import java.util.Set;
 
-/**
- * The body of a {@link SimulatedCreate}: in a simulated world or in a test. It is called by one
- * thread at a time.
- */
+/** The body of a {@link SimulatedCreate}, in a simulated world or in a test. One thread at a time. */
 public interface CreateBody {
 
   /** From {@code atNs} on, the wheels' rims move at these speeds in mm/s. */
@@ -24,7 +21,7 @@ public interface CreateBody {
     BUMP_RIGHT,
     DROP_LEFT,
     DROP_RIGHT,
-    /** The caster's; only Create 1 has its sensor. */
+    /** Only a Create 1 has a sensor at its caster. */
     CASTER_DROP,
     CLIFF_LEFT,
     CLIFF_FRONT_LEFT,
@@ -39,34 +36,34 @@ public interface CreateBody {
   /**
    * The sensors' values. Immutable.
    *
-   * @param felt the sensors that are on
+   * @param active the sensors that are on
    */
-  record Senses(Set<Sense> felt, Battery battery) {
+  record Senses(Set<Sense> active, Battery battery) {
 
     /** On an open floor, with a full battery. */
     public static final Senses NOTHING = of();
 
     public Senses {
       Set<Sense> copy = EnumSet.noneOf(Sense.class);
-      copy.addAll(felt);
-      felt = Collections.unmodifiableSet(copy);
+      copy.addAll(active);
+      active = Collections.unmodifiableSet(copy);
     }
 
     /** Only these are on; full battery. */
-    public static Senses of(Sense... felt) {
-      return new Senses(new LinkedHashSet<>(Arrays.asList(felt)), Battery.FULL);
+    public static Senses of(Sense... active) {
+      return new Senses(new LinkedHashSet<>(Arrays.asList(active)), Battery.FULL);
     }
 
     /** Only these bump sensors are on. */
     public static Senses bumps(boolean left, boolean right) {
-      Set<Sense> felt = EnumSet.noneOf(Sense.class);
+      Set<Sense> active = EnumSet.noneOf(Sense.class);
       if (left) {
-        felt.add(Sense.BUMP_LEFT);
+        active.add(Sense.BUMP_LEFT);
       }
       if (right) {
-        felt.add(Sense.BUMP_RIGHT);
+        active.add(Sense.BUMP_RIGHT);
       }
-      return new Senses(felt, Battery.FULL);
+      return new Senses(active, Battery.FULL);
     }
 
     /** Only the wheel drops are on: the robot is lifted. */
@@ -75,7 +72,7 @@ public interface CreateBody {
     }
 
     boolean has(Sense sense) {
-      return felt.contains(sense);
+      return active.contains(sense);
     }
 
     boolean anyCliff() {

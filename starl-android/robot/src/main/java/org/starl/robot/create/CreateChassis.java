@@ -48,7 +48,7 @@ public final class CreateChassis implements Wheelbase {
   private WriteQueue toRobot = new WriteQueue(QUEUE_BYTES);
   private @Nullable ByteLink link;
   private @Nullable Thread writer;
-  private boolean isTellPosted;
+  private boolean isInformPosted;
   private boolean isClosed;
 
   private final Thread reader;
@@ -171,7 +171,7 @@ public final class CreateChassis implements Wheelbase {
 
   /** Changes the protocol's state, updates the wheels, and informs the strand if necessary. */
   private void update(Runnable change) {
-    boolean mustTell =
+    boolean mustPost =
         guard.get(() -> {
           if (isClosed) {
             return false;
@@ -181,20 +181,20 @@ public final class CreateChassis implements Wheelbase {
           if (protocol.hasEnded()) {
             guard.signal();
           }
-          boolean isNew = protocol.hasNews() && !isTellPosted;
-          isTellPosted |= isNew;
-          return isNew;
+          boolean mustInform = protocol.mustInform() && !isInformPosted;
+          isInformPosted |= mustInform;
+          return mustInform;
         });
-    if (mustTell) {
-      strand.post(this::tell);
+    if (mustPost) {
+      strand.post(this::inform);
     }
   }
 
   // On the strand.
-  private void tell() {
+  private void inform() {
     guard.run(() -> {
-      seenBumps = protocol.tell();
-      isTellPosted = false;
+      seenBumps = protocol.inform();
+      isInformPosted = false;
     });
     receiver.run();
     update(() -> {});
@@ -202,7 +202,7 @@ public final class CreateChassis implements Wheelbase {
 
   // The watchdog's thread.
   private void watch() {
-    List<CreateHold> told = List.of();
+    List<CreateHold> logged = List.of();
     while (pause(CreateProtocol.TICK_NS)) {
       ByteLink[] dead = new ByteLink[1];
       update(() -> {
@@ -211,8 +211,8 @@ public final class CreateChassis implements Wheelbase {
       });
       WriteQueue.closeQuietly(dead[0]);
       List<CreateHold> holds = status().holds();
-      if (!holds.equals(told)) {
-        told = holds;
+      if (!holds.equals(logged)) {
+        logged = holds;
         log.log(clock.nowNs(), Level.DEBUG, TAG, "held by " + holds);
       }
     }
@@ -226,9 +226,9 @@ public final class CreateChassis implements Wheelbase {
 
   // The reader's thread.
   private void serveLinks() {
-    boolean[] wasHeard = new boolean[1];
+    boolean[] hadFrames = new boolean[1];
     do {
-      wasHeard[0] = false;
+      hadFrames[0] = false;
       ByteLink opened = null;
       try {
         opened = links.open();
@@ -238,12 +238,12 @@ public final class CreateChassis implements Wheelbase {
       } finally {
         update(() -> {
           link = null;
-          wasHeard[0] = protocol.linkLost(clock.nowNs());
+          hadFrames[0] = protocol.linkLost(clock.nowNs());
         });
         WriteQueue.closeQuietly(opened);
       }
       // After a link that worked the wheels may still turn: only the next link can stop them.
-    } while (pause(wasHeard[0] ? 0 : settings.retryMs() * NS_PER_MS));
+    } while (pause(hadFrames[0] ? 0 : settings.retryMs() * NS_PER_MS));
   }
 
   // Links are opened again and again: a repeated cause is logged once.

@@ -1,14 +1,14 @@
 package org.starl.robot.create;
 
-/** Reasons for which the driver stops the wheels, or limits them where it says so. */
+/** Reasons for which the driver stops the wheels; {@link #CLIFF} and {@link #BUMP} only limit them. */
 public enum CreateHold {
   /** {@link CreateChassis#emergencyStop} was called and not released. */
   EMERGENCY_STOP,
-  /** There is no link to the robot. It continues its last command. */
+  /** There is no link to the robot, which continues its last command. */
   NO_LINK,
   /** The link is open, but no sensor frames arrive. */
   NO_SENSORS,
-  /** The robot is not in the mode in which it is driven. */
+  /** The robot is not in the mode of the settings. */
   NOT_IN_MODE,
   /** A wheel hangs down. */
   WHEEL_DROP,
@@ -23,7 +23,7 @@ public enum CreateHold {
   /** A bump sensor is closed: turning and backward are allowed, forward is not. */
   BUMP;
 
-  /** Whether the wheels may not turn at all. */
+  /** Whether it stops the wheels completely. */
   public boolean isWhole() {
     return this != CLIFF && this != BUMP;
   }

@@ -10,12 +10,12 @@ import org.starl.platform.Clock;
 import org.starl.robot.realtime.Daemons;
 
 /**
- * Runs a {@link SimulatedCreate} in real time at the far end of a link: hardware in the loop without
- * the hardware. The robot outlives a link, as a real one does, and continues its last command.
+ * Runs a {@link SimulatedCreate} in real time at the far end of a link, in place of the hardware. A
+ * lost link does not stop the robot: like a real one it continues its last command.
  */
 public final class CreateHost implements AutoCloseable {
 
-  /** Capacity for a driver that does not read; a serial line loses the rest. */
+  /** Bytes that wait for a driver that does not read; like a serial line it loses the rest. */
   private static final int QUEUE_BYTES = 4096;
 
   private final String name;
@@ -49,7 +49,7 @@ public final class CreateHost implements AutoCloseable {
    *
    * @param name of the threads
    * @param body is called on threads of this host, one at a time
-   * @param onLinkEnd takes the reason why each link ended, on a thread of this host
+   * @param onLinkEnd receives the reason of each link's end, on a thread of this host
    */
   public static CreateHost start(
       String name,

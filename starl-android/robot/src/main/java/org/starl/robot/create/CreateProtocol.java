@@ -9,12 +9,12 @@ import org.starl.body.Bumps;
 import org.starl.body.WheelCommand;
 
 /**
- * The driver without threads: (call, bytes or time) to bytes. Every call has the time, which never
- * decreases; {@link #advance} must be called at least every {@link #TICK_NS}, and after every call
- * that changes something.
+ * The driver as a state machine without threads: received bytes, commands and times in, bytes out.
+ * Times never decrease. {@link #advance} must be called at least every {@link #TICK_NS}, and after
+ * every call that changes the state.
  *
- * <p>On a new link the robot is stopped and started (128), brought into its mode (131, 132), and
- * asked for a stream (148). After that its frames decide: a missing one, another mode, a sensor.
+ * <p>On a new link the driver stops and starts the robot (128), brings it into its mode (131, 132), and
+ * requests a stream (148). Then the stream's frames decide whether the wheels may turn.
  */
 final class CreateProtocol {
 
@@ -30,9 +30,9 @@ final class CreateProtocol {
   /** A robot that streams nothing for this time is started again. */
   static final long RESTART_NS = 1000 * NS_PER_MS;
 
-  /** Takes the bytes for the robot. */
+  /** Sends bytes to the robot. */
   interface Line {
-    /** False if there is no room now: they will be made again. */
+    /** False if the queue is full: the driver sends newer bytes later. */
     boolean send(byte[] bytes);
   }
 
@@ -65,9 +65,9 @@ final class CreateProtocol {
   private WheelCommand wanted = WheelCommand.STOP;
   private long wantedNs = Long.MIN_VALUE;
   private boolean isEmergency;
-  private Bumps toldBumps = Bumps.NONE;
-  private Bumps untoldBumps = Bumps.NONE;
-  private boolean isBumpUntold;
+  private Bumps reportedBumps = Bumps.NONE;
+  private Bumps pendingBumps = Bumps.NONE;
+  private boolean isBumpPending;
 
   private int sentRight;
   private int sentLeft;
@@ -97,18 +97,18 @@ final class CreateProtocol {
     lastFrameNs = Long.MIN_VALUE;
   }
 
-  /** Returns whether there was a link on which the robot was heard. */
+  /** Returns whether the robot sent sensor frames over the lost link. */
   boolean linkLost(long atNs) {
     nowNs = atNs;
-    boolean wasHeard = step != Step.NO_LINK && lastFrameNs != Long.MIN_VALUE;
+    boolean hadFrames = step != Step.NO_LINK && lastFrameNs != Long.MIN_VALUE;
     if (step != Step.NO_LINK) {
       linksLost++;
       step = Step.NO_LINK;
     }
-    return wasHeard;
+    return hadFrames;
   }
 
-  /** Whether there is a link without sensor frames for too long. */
+  /** Whether the open link has had no sensor frames for too long. */
   boolean isLinkDead(long atNs) {
     return step != Step.NO_LINK
         && atNs - Math.max(openedNs, lastFrameNs) > settings.linkTimeoutMs() * NS_PER_MS;
@@ -122,13 +122,13 @@ final class CreateProtocol {
   /** The program's command; ignored if the program has not been informed of a bump yet. */
   void drive(WheelCommand command, long atNs) {
     nowNs = atNs;
-    if (!isBumpUntold) {
+    if (!isBumpPending) {
       wanted = command;
       wantedNs = atNs;
     }
   }
 
-  /** A fix that was true at {@code fixNs}. */
+  /** A fix that was measured at {@code fixNs}. */
   void fixed(long fixNs, long atNs) {
     nowNs = atNs;
     lastFixNs = Math.max(lastFixNs, Math.min(fixNs, atNs));
@@ -142,16 +142,16 @@ final class CreateProtocol {
   }
 
   /** Whether the strand must be informed about bumps. */
-  boolean hasNews() {
-    return isBumpUntold || untoldBumps != toldBumps;
+  boolean mustInform() {
+    return isBumpPending || pendingBumps != reportedBumps;
   }
 
-  /** Informs the strand: the bumps that it sees until the next call. */
-  Bumps tell() {
-    toldBumps = untoldBumps;
-    isBumpUntold = false;
-    untoldBumps = sensors.bumps();
-    return toldBumps;
+  /** Informs the strand; returns the bumps that it sees until the next call. */
+  Bumps inform() {
+    reportedBumps = pendingBumps;
+    isBumpPending = false;
+    pendingBumps = sensors.bumps();
+    return reportedBumps;
   }
 
   void advance(long atNs) {
@@ -173,7 +173,7 @@ final class CreateProtocol {
     }
   }
 
-  /** From now on commands the robot to stop and to be passive, until it confirms that. */
+  /** Commands the robot to stop and to be passive, again and again until it confirms that. */
   void end(long atNs) {
     nowNs = atNs;
     if (step != Step.NO_LINK) {
@@ -202,8 +202,8 @@ final class CreateProtocol {
   }
 
   Set<CreateHold> holds() {
-    boolean isHeard = step == Step.RUNNING && isWithin(lastFrameNs, settings.sensorTimeoutMs());
-    // A program that wants the robot to stand need not repeat that.
+    boolean hasFrames = step == Step.RUNNING && isWithin(lastFrameNs, settings.sensorTimeoutMs());
+    // A program need not repeat the command to stop.
     boolean isDriving = !wanted.isStop();
     boolean needsFixes = settings.positionTimeoutMs() > 0;
     Set<CreateHold> holds = EnumSet.allOf(CreateHold.class);
@@ -211,10 +211,10 @@ final class CreateProtocol {
         !switch (hold) {
           case EMERGENCY_STOP -> isEmergency;
           case NO_LINK -> step == Step.NO_LINK;
-          case NO_SENSORS -> step != Step.NO_LINK && !isHeard;
-          case NOT_IN_MODE -> isHeard && sensors.mode() != settings.mode();
+          case NO_SENSORS -> step != Step.NO_LINK && !hasFrames;
+          case NOT_IN_MODE -> hasFrames && sensors.mode() != settings.mode();
           case WHEEL_DROP -> sensors.wheelDrop();
-          case BUMP_UNTOLD -> isBumpUntold;
+          case BUMP_UNTOLD -> isBumpPending;
           case STALE_COMMAND -> isDriving && !isWithin(wantedNs, settings.commandTimeoutMs());
           case STALE_POSITION ->
               isDriving && needsFixes && !isWithin(lastFixNs, settings.positionTimeoutMs());
@@ -236,21 +236,21 @@ final class CreateProtocol {
     if (sensors.forbidsSafeMode() || sensors.mode() == settings.mode()) {
       clearSinceNs = nowNs;
     }
-    if (isMore(before, now)) {
-      // The program gave its command before it knew of this bump.
-      isBumpUntold = true;
+    if (hasNew(before, now)) {
+      // The program gave its last command without knowing of this bump.
+      isBumpPending = true;
       wanted = WheelCommand.STOP;
-      untoldBumps = both(untoldBumps, now);
-    } else if (!isBumpUntold) {
-      untoldBumps = now;
+      pendingBumps = union(pendingBumps, now);
+    } else if (!isBumpPending) {
+      pendingBumps = now;
     }
   }
 
-  private static boolean isMore(Bumps before, Bumps now) {
-    return !both(before, now).equals(before);
+  private static boolean hasNew(Bumps before, Bumps now) {
+    return !union(before, now).equals(before);
   }
 
-  private static Bumps both(Bumps one, Bumps other) {
+  private static Bumps union(Bumps one, Bumps other) {
     return one == other || other == Bumps.NONE ? one : one == Bumps.NONE ? other : Bumps.BOTH;
   }
 
@@ -281,12 +281,12 @@ final class CreateProtocol {
         sendWheels(0, 0);
         line.send(Commands.start());
       }
-      case NO_LINK, RUNNING -> throw new IllegalStateException("nothing to send: " + step);
+      case NO_LINK, RUNNING -> throw new IllegalStateException("no command is due: " + step);
     }
     dueNs = nowNs + (step == Step.ENDING ? HEARTBEAT_NS : MODE_GAP_NS);
   }
 
-  /** Brings the robot back into its mode when the cause has been absent for long enough. */
+  /** Brings the robot back into its mode after the cause of the change has been absent long enough. */
   private void keepMode() {
     if (!isWithin(lastFrameNs, settings.sensorTimeoutMs())
         || sensors.mode() == settings.mode()

@@ -7,7 +7,7 @@ import org.starl.body.Bumps;
  *
  * @param cliff whether any of the four cliff sensors sees no floor
  * @param wheelDrop whether a wheel or the caster hangs down: the robot was lifted
- * @param virtualWall whether it sees the beam of a virtual wall
+ * @param virtualWall whether the robot sees the beam of a virtual wall
  * @param charger whether a charger with power is plugged in, or the robot stands in its home base
  * @param chargingState 0 not charging, 1 reconditioning, 2 full, 3 trickle, 4 waiting, 5 fault
  * @param batteryMv voltage of the battery in mV
@@ -76,7 +76,7 @@ public record CreateSensors(
         travel);
   }
 
-  /** Whether the robot would leave safe mode again at once. */
+  /** Whether the robot would leave safe mode at once. */
   boolean forbidsSafeMode() {
     return wheelDrop || charger;
   }

@@ -7,8 +7,8 @@ package org.starl.robot.create;
  * @param commandTimeoutMs the wheels stop if the program has not repeated its command for this time
  * @param positionTimeoutMs the wheels stop if the last fix is older; 0: fixes are not checked
  * @param sensorTimeoutMs the wheels stop if no sensor frame arrived for this time; the period is 15 ms
- * @param recoverAfterMs the robot is brought back into its mode when the cause that ended the mode (a
- *     wheel drop, a charger) has been absent for this time
+ * @param recoverAfterMs the driver restores the mode when the cause that ended it (a wheel drop, a
+ *     charger) has been absent for this time
  * @param linkTimeoutMs a link without sensor frames for this time is closed, and a new one opened
  * @param retryMs time between two attempts to open a link; the first attempt after a link that worked
  *     is made at once

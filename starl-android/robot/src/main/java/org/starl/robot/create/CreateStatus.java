@@ -3,16 +3,16 @@ package org.starl.robot.create;
 import java.util.List;
 
 /**
- * The present state of driver and robot, for people and tests. Immutable.
+ * The current state of driver and robot. Immutable.
  *
- * @param holds the reasons for which the wheels are held, worst first; empty if they obey
+ * @param holds the reasons that stop or limit the wheels, worst first; empty if they obey
  * @param sensors the robot's last sensor frame, however old
  * @param frames good sensor frames since the driver started
  * @param badFrames frames with a wrong checksum
  * @param droppedBytes bytes that were in no good frame
- * @param starts how often the robot was started: once for each link, and after each silence
- * @param recoveries how often it was brought back into its mode
- * @param linksLost how often the link broke
+ * @param starts number of starts of the robot: one for each link, and one after each silence
+ * @param recoveries number of times that the driver restored the mode
+ * @param linksLost number of broken links
  */
 public record CreateStatus(
     List<CreateHold> holds,

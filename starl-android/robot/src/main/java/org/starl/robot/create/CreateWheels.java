@@ -8,7 +8,7 @@ final class CreateWheels {
   private static final int MAX_RADIUS_MM = 2000;
   private static final int MAX_PWM = 255;
 
-  /** Radius of the robot: on a narrower backward curve it may reach a cliff too. */
+  /** Radius of the robot: on a narrower backward curve, too, it may reach a cliff. */
   private static final double BODY_RADIUS_MM = 170;
 
   private final CreateModel model;
@@ -37,7 +37,7 @@ final class CreateWheels {
     return rightMmPerS;
   }
 
-  /** Opcode 137. */
+  /** Drives on a circle: opcode 137. */
   void drive(int mmPerS, int radiusMm) {
     velocity = clamp(mmPerS, CreateModel.MAX_WHEEL_MM_PER_S);
     radius = radiusMm;
@@ -47,19 +47,19 @@ final class CreateWheels {
       turn(-velocity * radiusMm, velocity * radiusMm);
     } else {
       radius = clamp(radiusMm, MAX_RADIUS_MM);
-      double share = model.axleMm() / 2 / radius;
-      turn(velocity * (1 - share), velocity * (1 + share));
+      double fraction = model.axleMm() / 2 / radius;
+      turn(velocity * (1 - fraction), velocity * (1 + fraction));
     }
   }
 
-  /** Opcode 145. */
+  /** Sets the speed of each wheel: opcode 145. */
   void driveDirect(int rightWheel, int leftWheel) {
     right = clamp(rightWheel, CreateModel.MAX_WHEEL_MM_PER_S);
     left = clamp(leftWheel, CreateModel.MAX_WHEEL_MM_PER_S);
     turn(left, right);
   }
 
-  /** Opcode 146: shares of the motors' power, here of their speed. */
+  /** Opcode 146: fractions of the motors' power, here of their speed. */
   void drivePwm(int rightWheel, int leftWheel) {
     double mmPerS = (double) CreateModel.MAX_WHEEL_MM_PER_S / MAX_PWM;
     turn(clamp(leftWheel, MAX_PWM) * mmPerS, clamp(rightWheel, MAX_PWM) * mmPerS);
@@ -69,7 +69,7 @@ final class CreateWheels {
     turn(0, 0);
   }
 
-  /** Forward, or backward on a curve narrower than the robot. */
+  /** Whether it drives forward, or backward on a curve narrower than the robot. */
   boolean mayCrossACliff() {
     double sum = leftMmPerS + rightMmPerS;
     double difference = Math.abs(rightMmPerS - leftMmPerS);

@@ -25,9 +25,8 @@ package org.starl.robot.create;
  * 173 stop           none; to off                                         not off     Create 2
  * </pre>
  *
- * <p>The others (demonstrations, motors of brushes, the cargo bay, scripts, displays, schedules) have
- * their lengths in {@link CommandParser}: the simulated robot reads them whole, and does of them only
- * what changes its mode.
+ * <p>{@link CommandParser} has the lengths of the others (demonstrations, motors of brushes, the cargo
+ * bay, scripts, displays, schedules): of these the simulated robot obeys only changes of its mode.
  */
 final class Opcodes {
 
@@ -55,7 +54,7 @@ final class Opcodes {
   static final int SCRIPT = 152;
   static final int STOP = 173;
 
-  /** Radii of opcode 137 that are none. */
+  /** Special values of the radius of opcode 137. */
   static final int STRAIGHT = -32768;
 
   static final int STRAIGHT_TOO = 32767;

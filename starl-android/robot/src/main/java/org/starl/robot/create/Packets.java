@@ -4,12 +4,12 @@ package org.starl.robot.create;
  * Sensor packets: numbers from 7 have one value each, the others are groups of neighbours.
  *
  * <pre>
- * packet                bytes  what
+ * packet                bytes  content
  * 7  bumps, drops       1      bit 0 bump right, 1 bump left, 2 drop right, 3 drop left, 4 drop caster
  * 8  wall               1      0 or 1
  * 9-12 cliffs           1      left, front left, front right, right: 0 or 1
  * 13 virtual wall       1      0 or 1
- * 19 distance           2      signed mm since it was last asked for (Create 1: the driver's odometry)
+ * 19 distance           2      signed mm since the last query (Create 1: the driver's odometry)
  * 20 angle              2      signed degrees counter-clockwise, as 19
  * 21 charging state     1      0 not charging .. 5 fault
  * 22 voltage            2      mV
@@ -19,9 +19,9 @@ package org.starl.robot.create;
  * 34 charging sources   1      bit 0 internal charger, 1 home base
  * 35 mode               1      0 off, 1 passive, 2 safe, 3 full
  * 36, 37 song           1, 1   number; 1 while playing
- * 38 stream packets     1      how many are streamed
- * 39, 40 drive          2, 2   speed and radius last asked for
- * 41, 42 drive direct   2, 2   right and left speed last asked for
+ * 38 stream packets     1      number of streamed packets
+ * 39, 40 drive          2, 2   speed and radius last commanded
+ * 41, 42 drive direct   2, 2   right and left speed last commanded
  * 43, 44 encoders       2      left, right; counts that wrap around (Create 2)
  * 45-58                        light bumper, infrared, motor currents, stasis (Create 2)
  * </pre>

@@ -8,8 +8,8 @@ import org.starl.robot.create.CreateBody.Sense;
 import org.starl.robot.create.CreateBody.Senses;
 
 /**
- * An iRobot Create, simulated at its serial line: bytes in, bytes out, a {@link CreateBody} that it
- * moves. It obeys the specification of its model: modes, the causes that end safe mode, streaming,
+ * An iRobot Create, simulated at its serial line: commands in, sensor bytes out, a {@link CreateBody}
+ * that it moves. It obeys the specification of its model: modes, the causes that end safe mode, streaming,
  * queries, both kinds of driving, lights, songs. Like a real one it continues its last command when
  * it receives nothing. Demonstrations only change its mode; the link sets the speed of the line;
  * scripts, schedules and displays are parsed and ignored.
@@ -24,10 +24,10 @@ public final class SimulatedCreate {
   /** Period of its sensors and of its stream. */
   public static final long PERIOD_NS = Packets.STREAM_PERIOD_MS * NS_PER_MS;
 
-  /** Takes the bytes that the robot sends. */
+  /** Receives the bytes that the robot sends. */
   public interface Line {
     /** {@code bytes} belong to the line from now on. */
-    void say(byte[] bytes);
+    void send(byte[] bytes);
   }
 
   private final CreateModel model;
@@ -47,7 +47,7 @@ public final class SimulatedCreate {
   private Senses senses = Senses.NOTHING;
   private long refused;
 
-  /** A robot that was just switched on: mode OFF, standing. */
+  /** Creates a robot in mode OFF, standing. */
   public SimulatedCreate(CreateModel model, CreateBody body, Line line) {
     this.model = model;
     this.body = body;
@@ -57,13 +57,13 @@ public final class SimulatedCreate {
     music = new CreateMusic(model);
   }
 
-  /** Its checksums leave the header out, as the Create 1 specification's example does. */
+  /** Excludes the header from its checksums, as the Create 1 specification's example does. */
   public SimulatedCreate withoutHeaderInChecksums() {
     isHeaderSummed = false;
     return this;
   }
 
-  /** The first {@code length} of {@code bytes} come in at {@code atNs}. */
+  /** Receives the first {@code length} of {@code bytes} at {@code atNs}. */
   public void receive(byte[] bytes, int length, long atNs) {
     advance(atNs);
     parser.accept(bytes, length, this::obey);
@@ -82,7 +82,7 @@ public final class SimulatedCreate {
     keepSafe();
     int[] packets = streamed;
     if (packets != null && !isPaused && mode != OiMode.OFF) {
-      line.say(frame(packets));
+      line.send(frame(packets));
     }
   }
 
@@ -130,7 +130,7 @@ public final class SimulatedCreate {
       enter(OiMode.PASSIVE);
     } else if (mode == OiMode.OFF && opcode != Opcodes.RESET) {
       refused++;
-    } else if (!changesMode(opcode) && !asksSomething(opcode, data, length)) {
+    } else if (!changesMode(opcode) && !requestsSensors(opcode, data, length)) {
       act(opcode, data, length);
     }
   }
@@ -165,7 +165,7 @@ public final class SimulatedCreate {
     keepSafe();
   }
 
-  private boolean asksSomething(int opcode, byte[] data, int length) {
+  private boolean requestsSensors(int opcode, byte[] data, int length) {
     switch (opcode) {
       case Opcodes.SENSORS -> answer(data, 0, 1);
       case Opcodes.QUERY_LIST -> answer(data, 1, length);
@@ -234,7 +234,7 @@ public final class SimulatedCreate {
       }
       bytes += 1 + Packets.bytesOfAll(packets[i]);
     }
-    // More would come out garbled on a real line.
+    // A real line would garble a longer frame.
     if (bytes + 3 > model.streamBytes()) {
       refused++;
       return;
@@ -278,7 +278,7 @@ public final class SimulatedCreate {
     for (int i = from; i < to; i++) {
       at = fill(answer, at, data[i] & 0xFF);
     }
-    line.say(answer);
+    line.send(answer);
   }
 
   private int fill(byte[] into, int from, int packet) {

@@ -1,27 +1,28 @@
 package org.starl.robot.create;
 
 /**
- * Finds the frames of the robot's sensor stream in whatever bytes come: {@code 19, n, (packet,
- * data)*, checksum}. A frame counts only if it has the packets that were asked for, in that order,
- * and its checksum; after anything else the search goes on with the byte after the false beginning,
- * so that no good frame is lost behind a bad one. Never throws, allocates nothing. One thread.
+ * Finds the frames of the robot's sensor stream in arbitrary bytes: {@code 19, n, (packet, data)*,
+ * checksum}. It accepts a frame only with the requested packets, in that order, and a correct
+ * checksum. Otherwise the search continues with the byte after the false header, so that a bad frame
+ * never hides a good one. Never throws, allocates nothing. One thread.
  *
- * <p>One wrong bit is always found. A frame whose end was lost, completed by the beginning of the
- * next, would pass once in 256 times; so the last packet asked for must be one byte that is never the
- * header (the mode), and what is taken is then right. Of longer noise in the values one in 256 passes.
+ * <p>The checksum detects every single wrong bit. A frame whose end was lost, completed by the
+ * beginning of the next frame, would pass once in 256 times; so the last requested packet must be one
+ * byte that is never the header (the mode): the values of an accepted frame are then right. Longer
+ * noise in the values passes once in 256 times.
  *
  * <p>Checksum: all bytes of a frame add up to 0 modulo 256. The Create 1 specification's example
- * leaves the header out of the sum, drivers that are in use with it do not; so with a Create 1 the
- * decoder goes by what {@value #TO_LEARN} frames in a row agree on, and by nothing else from then on.
+ * excludes the header from the sum, but drivers in use include it. So with a Create 1 the decoder
+ * learns the rule from {@value #TO_LEARN} frames in a row that agree, and keeps it.
  */
 final class StreamDecoder {
 
-  /** Takes good frames. */
+  /** Receives good frames. */
   interface Receiver {
     void frame(StreamDecoder decoder);
   }
 
-  /** So many frames in a row must agree before one is believed, where the rule must be learnt. */
+  /** Number of frames in a row that must agree on a rule before the decoder accepts a frame. */
   static final int TO_LEARN = 3;
 
   private static final int UNKNOWN = -1;
@@ -41,7 +42,7 @@ final class StreamDecoder {
   private long dropped;
 
   /**
-   * @param packets single ones, in the order asked for; the last has one byte, never {@value
+   * @param packets single packets, in the requested order; the last has one byte, never {@value
    *     Packets#FRAME_HEADER}
    */
   StreamDecoder(CreateModel model, int[] packets) {
@@ -67,7 +68,7 @@ final class StreamDecoder {
     reset();
   }
 
-  /** Forgets what was begun, as on a new link. The counters go on. */
+  /** Drops a partial frame and the learned rule, for a new link. Keeps the counters. */
   void reset() {
     dropped += filled;
     filled = 0;
@@ -87,12 +88,12 @@ final class StreamDecoder {
       if (!matches(filled - 1, bytes[i])) {
         shift();
       } else if (filled == frame.length) {
-        judge(receiver);
+        check(receiver);
       }
     }
   }
 
-  /** What {@code packet}, one of those asked for, said in the last good frame. */
+  /** The value of {@code packet}, a requested one, in the last good frame. */
   int value(int packet) {
     return values[packet];
   }
@@ -102,7 +103,7 @@ final class StreamDecoder {
     return frames;
   }
 
-  /** What had a frame's form but not its checksum. */
+  /** Number of frames with a wrong checksum. */
   long badChecksums() {
     return badChecksums;
   }
@@ -124,7 +125,7 @@ final class StreamDecoder {
     return at != template.length - 2 || value != Packets.FRAME_HEADER;
   }
 
-  private void judge(Receiver receiver) {
+  private void check(Receiver receiver) {
     int sum = 0;
     for (byte b : frame) {
       sum += b;
@@ -136,7 +137,7 @@ final class StreamDecoder {
       dropped += rule == UNKNOWN ? frame.length : 0;
     }
     if (rule == sum) {
-      take();
+      store();
       filled = 0;
       receiver.frame(this);
     } else if (rule == UNKNOWN && isSum) {
@@ -156,7 +157,7 @@ final class StreamDecoder {
     }
   }
 
-  private void take() {
+  private void store() {
     frames++;
     int at = 2;
     for (int packet : packets) {
@@ -175,7 +176,7 @@ final class StreamDecoder {
     return isSigned ? (short) value : value;
   }
 
-  /** Drops bytes from the front until what is left could be the beginning of a frame. */
+  /** Drops bytes from the front until the rest may be the beginning of a frame. */
   private void shift() {
     int from = 1;
     while (from < filled && !couldBegin(from)) {

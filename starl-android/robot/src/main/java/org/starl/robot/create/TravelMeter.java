@@ -13,7 +13,7 @@ final class TravelMeter {
     this.model = model;
   }
 
-  /** The next frame's counts tell where the encoders are, not how far they went. */
+  /** After a lost link: the next frame's encoder counts are a new reference, not a path. */
   void lose() {
     isKnown = false;
   }

@@ -8,7 +8,7 @@ final class WheelLimit {
 
   private WheelLimit() {}
 
-  /** The part of {@code command} that {@code holds} allow. */
+  /** {@code command}, limited by {@code holds}. */
   static WheelCommand under(Set<CreateHold> holds, WheelCommand command) {
     if (holds.stream().anyMatch(CreateHold::isWhole)) {
       return WheelCommand.STOP;
@@ -16,7 +16,7 @@ final class WheelLimit {
     double linear = command.linearMmPerS();
     double angular = command.angularRadPerS();
     if (holds.contains(CreateHold.CLIFF)) {
-      // A wheel that turns on the spot may go over the edge; so may one on a narrow way back.
+      // A turn on the spot or a narrow backward curve may take a wheel over the edge.
       return new WheelCommand(Math.min(linear, 0), 0);
     }
     return holds.contains(CreateHold.BUMP)
@@ -24,7 +24,7 @@ final class WheelLimit {
         : command;
   }
 
-  /** The possible fraction of the wheel speeds: both are slowed alike, so that the curve stays. */
+  /** The possible fraction of the commanded speeds, the same for both wheels to keep the curve. */
   static double factor(WheelCommand command, double axleMm, double maxMmPerS) {
     double fastest =
         Math.max(Math.abs(command.leftMmPerS(axleMm)), Math.abs(command.rightMmPerS(axleMm)));

@@ -3,8 +3,8 @@
  * org.starl.platform.Chassis}, and the robot itself, simulated byte by byte, as its peer.
  *
  * <p>Start with {@link org.starl.robot.create.CreateChassis}; for hardware in the loop start with
- * {@link org.starl.robot.create.CreateHost}. Each is one end of a {@link
- * org.starl.robot.create.ByteLink}: a serial port, a Bluetooth or TCP socket, a pseudo terminal.
+ * {@link org.starl.robot.create.CreateHost}. Each is at one end of a
+ * {@link org.starl.robot.create.ByteLink}: a serial port, a Bluetooth or TCP socket, a pseudo terminal.
  *
  * <p>Contract of the driver: (a) the wheels turn only while the link works, sensor frames arrive,
  * the robot is in the wanted mode, the program repeats its commands, and fixes arrive. A bump, a

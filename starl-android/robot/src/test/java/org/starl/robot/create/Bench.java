@@ -112,8 +112,8 @@ final class Bench {
     if (nowNs % CreateProtocol.TICK_NS == 0) {
       driver.advance(nowNs);
     }
-    if (!isStrandBusy && driver.hasNews()) {
-      heard.add(driver.tell());
+    if (!isStrandBusy && driver.mustInform()) {
+      heard.add(driver.inform());
     }
   }
 

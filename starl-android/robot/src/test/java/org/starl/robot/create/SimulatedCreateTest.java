@@ -72,6 +72,16 @@ class SimulatedCreateTest {
   }
 
   @Test
+  void lightsAndSongsAreObeyed() {
+    tell(128, 132, 139, 4, 255, 128);
+    tell(140, 3, 2, 69, 32, 72, 32, 141, 3);
+    assertThat(robot.lights()).containsExactly(4, 255, 128);
+    assertThat(robot.playing()).isEqualTo(3);
+    runMs(1100);
+    assertThat(robot.playing()).isEqualTo(-1);
+  }
+
+  @Test
   void aRobotThatIsOffReactsOnlyToStart() {
     tell(131, 132, 142, 35);
     assertThat(said).isEmpty();
