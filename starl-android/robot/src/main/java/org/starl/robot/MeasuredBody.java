@@ -42,7 +42,7 @@ public final class MeasuredBody implements Positioning {
   private final TraceSink trace;
   private @Nullable Fix last;
   private long lastAtNs;
-  private long toldMm = -1;
+  private long recordedMm = -1;
 
   /**
    * @param mostMmPerS greatest speed of the body by its wheels
@@ -80,21 +80,21 @@ public final class MeasuredBody implements Positioning {
   /** Ends the fixes: records how far the body may have moved since the last one. */
   void end(long nowNs) {
     if (last != null) {
-      tell(last, nowNs);
+      recordBounds(last, nowNs);
     }
   }
 
-  /** Within how many mm of where its trace has it a robot's body was, as far as this event says it. */
+  /** The distance in mm between body and trace that this event records; empty for other events. */
   public static OptionalDouble withinMm(TraceEvent event) {
-    return told(event, WITHIN);
+    return value(event, WITHIN);
   }
 
-  /** For how many ms until this event the robot was not measured, if it says so. */
+  /** The time in ms without a measurement that this event records; empty for other events. */
   public static OptionalDouble lostMs(TraceEvent event) {
-    return told(event, LOST);
+    return value(event, LOST);
   }
 
-  private static OptionalDouble told(TraceEvent event, String name) {
+  private static OptionalDouble value(TraceEvent event, String name) {
     if (event instanceof Action action
         && action.source().equals(SOURCE)
         && action.name().equals(name)
@@ -107,27 +107,27 @@ public final class MeasuredBody implements Positioning {
 
   private void write(Fix fix, long nowNs) {
     if (last == null) {
-      tell(fix, nowNs);
+      recordBounds(fix, nowNs);
       trace.record(new Joined(nowNs, id, fix.pose(), radiusMm));
     } else {
-      tell(last, nowNs);
-      tell(fix, nowNs);
+      recordBounds(last, nowNs);
+      recordBounds(fix, nowNs);
       trace.record(new Moved(nowNs, id, fix.pose(), 0, 0));
     }
     last = fix;
     lastAtNs = nowNs;
   }
 
-  /** What the trace has until now is {@code fix}. */
-  private void tell(Fix fix, long nowNs) {
+  /** Records the bounds of the body's position, which was {@code fix} in the trace until now. */
+  private void recordBounds(Fix fix, long nowNs) {
     long ageNs = Math.max(0, nowNs - fix.timeNs());
     if (ageNs > stillAfterNs) {
       record(nowNs, LOST, ageNs / NS_PER_MS);
     }
     double offMm = fix.errorMm() + mostMmPerS * Time.seconds(Math.min(ageNs, stillAfterNs));
-    if (offMm > toldMm) {
-      toldMm = (long) Math.ceil(offMm);
-      record(nowNs, WITHIN, toldMm);
+    if (offMm > recordedMm) {
+      recordedMm = (long) Math.ceil(offMm);
+      record(nowNs, WITHIN, recordedMm);
     }
   }
 

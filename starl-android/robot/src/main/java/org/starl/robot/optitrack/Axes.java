@@ -9,8 +9,8 @@ import org.starl.geometry.Pose;
  * heading is the direction of the body's forward axis on the floor, counter-clockwise from StarL's x.
  *
  * @param up the stream's axis that points up
- * @param forward the body's axis in the robot's driving direction when the body was defined; not the
- *     axis that points up
+ * @param forward the body's axis that points in the robot's driving direction; not the axis that
+ *     points up
  */
 public record Axes(UpAxis up, BodyAxis forward) {
 

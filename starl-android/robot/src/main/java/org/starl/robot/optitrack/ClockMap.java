@@ -3,27 +3,27 @@ package org.starl.robot.optitrack;
 import static org.starl.time.Time.NS_PER_MS;
 
 /**
- * An interval that certainly contains the difference between our clock and another one: a
- * set-membership estimate. A datagram sent at s by their clock and received at r by ours proves that
- * the difference is at most r - s, because nothing arrives before it is sent. An answer to a question
- * sent at q by our clock also proves that it is at least q - s (Cristian, "Probabilistic clock
- * synchronization", 1989). The intervals are intersected; between datagrams the interval grows by the
- * largest drift of two clocks.
+ * An interval that contains the offset of our clock to a sender's clock: a set-membership estimate. A
+ * datagram sent at s by the sender's clock and received at r by ours proves an offset of at most
+ * r - s, because no datagram arrives before it is sent. The answer to a request sent at q by our clock
+ * also proves an offset of at least q - s (Cristian, "Probabilistic clock synchronization", 1989). The
+ * estimate is the intersection of these intervals; between datagrams it grows by the largest drift of
+ * two clocks.
  *
- * <p>Without answers the lower end is an assumption: that the fastest datagram so far took at most
- * {@code maxDelayNs}. Then a clock that jumps back counts as a new one, which is not used until it
- * has run for {@link #SETTLE_NS}.
+ * <p>Without answers the lower end is an assumption: the fastest datagram so far took at most {@code
+ * maxDelayNs}. Then a sender's clock that jumps back counts as a new clock, which is used after it has
+ * run for {@link #SETTLE_NS}.
  *
  * <p>Pure; one thread at a time.
  */
 final class ClockMap {
 
-  /** Two quartz clocks stay within this of each other, in ns a ms: 200 parts in a million. */
+  /** Largest drift of two quartz clocks, in ns per ms: 200 parts per million. */
   static final long DRIFT_NS_PER_MS = 200;
 
   static final long SETTLE_NS = 500 * NS_PER_MS;
 
-  /** Datagrams overtake each other by less than this. */
+  /** Datagrams overtake each other by less than this time. */
   static final long JUMP_NS = 1000 * NS_PER_MS;
 
   private final long maxDelayNs;
@@ -33,50 +33,50 @@ final class ClockMap {
   private long mostNs;
   private long atNs;
   private long sinceNs;
-  private long newestTheirNs;
+  private long newestSenderNs;
 
   ClockMap(long maxDelayNs) {
     this.maxDelayNs = maxDelayNs;
   }
 
-  /** A datagram was sent at {@code theirNs} by their clock and received at {@code receivedNs} by ours. */
-  void came(long theirNs, long receivedNs) {
-    long mostOffNs = receivedNs - theirNs;
-    if (!isKnown || (!hasAnswer && newestTheirNs - theirNs > JUMP_NS)) {
+  /** Uses a datagram, sent at {@code senderNs} by the sender's clock, received by ours. */
+  void received(long senderNs, long receivedNs) {
+    long mostOffNs = receivedNs - senderNs;
+    if (!isKnown || (!hasAnswer && newestSenderNs - senderNs > JUMP_NS)) {
       begin(mostOffNs - maxDelayNs, mostOffNs, receivedNs);
-      newestTheirNs = theirNs;
+      newestSenderNs = senderNs;
       return;
     }
-    newestTheirNs = Math.max(newestTheirNs, theirNs);
+    newestSenderNs = Math.max(newestSenderNs, senderNs);
     advanceTo(receivedNs);
     if (hasAnswer && mostOffNs < leastNs) {
-      // From the future: its time is wrong, or their clock is, which the next answer shows.
+      // The datagram's time is in the future. If the sender's clock is wrong, the next answer shows
+      // it.
       return;
     }
     mostNs = Math.min(mostNs, mostOffNs);
     leastNs = hasAnswer ? leastNs : mostNs - maxDelayNs;
   }
 
-  /** Their clock showed {@code theirNs} when they received our question of {@code sentNs}. */
-  void answered(long sentNs, long theirNs, long receivedNs) {
-    // Their clock showed at least that when the question arrived; only the answer may have been
-    // slow.
-    long leastSaidNs = sentNs - theirNs - driftNs(receivedNs - sentNs);
-    long mostSaidNs = receivedNs - theirNs;
-    long leastOffNs = leastSaidNs;
-    long mostOffNs = mostSaidNs;
+  /** Uses the answer to our request of {@code sentNs}, received at {@code senderNs}. */
+  void answered(long sentNs, long senderNs, long receivedNs) {
+    // The request arrived before the answer left, so the answer alone may have been slow.
+    long leastAnsweredNs = sentNs - senderNs - driftNs(receivedNs - sentNs);
+    long mostAnsweredNs = receivedNs - senderNs;
+    long leastOffNs = leastAnsweredNs;
+    long mostOffNs = mostAnsweredNs;
     if (isKnown) {
       advanceTo(receivedNs);
       leastOffNs = hasAnswer ? Math.max(leastOffNs, leastNs) : leastOffNs;
       mostOffNs = Math.min(mostOffNs, mostNs);
     }
     if (!isKnown || leastOffNs > mostOffNs) {
-      begin(leastSaidNs, mostSaidNs, receivedNs);
+      begin(leastAnsweredNs, mostAnsweredNs, receivedNs);
     } else {
       leastNs = leastOffNs;
       mostNs = mostOffNs;
     }
-    newestTheirNs = Math.max(newestTheirNs, theirNs);
+    newestSenderNs = Math.max(newestSenderNs, senderNs);
     hasAnswer = true;
   }
 
@@ -86,16 +86,15 @@ final class ClockMap {
   }
 
   /**
-   * The interval by our clock of a time from {@code fromTheirNs} to {@code toTheirNs} by theirs that is
-   * past at {@code nowNs}. It is empty (ends before it begins) if their time is in the future.
+   * The interval by our clock of a time between {@code fromSenderNs} and {@code toSenderNs} by the
+   * sender's clock, cut off at {@code nowNs}. It ends before it begins if that time is in the future.
    */
-  TimeSpan span(long fromTheirNs, long toTheirNs, long nowNs) {
+  TimeSpan span(long fromSenderNs, long toSenderNs, long nowNs) {
     advanceTo(nowNs);
-    // The interval is of now; at that time the difference may have been larger or smaller by the
-    // drift.
-    long sinceThenNs = driftNs(Math.max(0, nowNs - fromTheirNs - leastNs));
+    // The estimate is for now; at that time the offset may have differed by the drift.
+    long sinceThenNs = driftNs(Math.max(0, nowNs - fromSenderNs - leastNs));
     return new TimeSpan(
-        fromTheirNs + leastNs - sinceThenNs, Math.min(nowNs, toTheirNs + mostNs + sinceThenNs));
+        fromSenderNs + leastNs - sinceThenNs, Math.min(nowNs, toSenderNs + mostNs + sinceThenNs));
   }
 
   private void begin(long newLeastNs, long newMostNs, long nowNs) {

@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 /** Receives datagrams of any size from a socket into one buffer of its own. */
 final class DatagramReceiver {
 
-  // One byte more than UDP can carry, so that no datagram is cut silently.
+  // One byte more than UDP can carry, so that no datagram is cut off silently.
   private final DatagramPacket packet =
       new DatagramPacket(new byte[Message.MAX_BYTES + 1], Message.MAX_BYTES + 1);
 

@@ -1,8 +1,8 @@
 package org.starl.robot.optitrack;
 
 /**
- * Skips descriptions that have no size: versions before 4.1. The layout is
- * that of the published depacketization samples of the NatNet SDK.
+ * Skips descriptions without a size, of versions before 4.1. The layout is that of the published
+ * depacketization samples of the NatNet SDK.
  */
 final class Description {
 
@@ -45,7 +45,7 @@ final class Description {
     return true;
   }
 
-  /** Skips the rest of a rigid body after its number: its parent, its place there, its markers. */
+  /** Skips the rest of a rigid body after its number: parent, offset, markers. */
   static void skipRestOfBody(LittleEndianReader in, NatNetVersion version) {
     in.i32();
     in.skip(POINT_BYTES);

@@ -1,11 +1,11 @@
 package org.starl.robot.optitrack;
 
-/** Why a feed did not use a datagram, or a body in it. */
+/** Reasons to drop a datagram, or a body in it. */
 public enum FeedDrop {
-  /** It does not come from the server's address. */
+  /** It comes from another address than the server's. */
   FOREIGN,
 
-  /** Its bytes are not of the protocol: cut off, or with impossible counts or sizes. */
+  /** Its bytes violate the protocol: cut off, or with impossible counts or sizes. */
   MALFORMED,
 
   /** It is an unexpected message, or of a version that cannot be read. */

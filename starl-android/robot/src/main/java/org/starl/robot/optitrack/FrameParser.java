@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * Reads frames of mocap data, versions 3.0 and later. Sections other than the rigid bodies are
- * skipped: from 4.1 on by the size that each has, before by their known layout. The layout is that
+ * Reads frames of motion capture data, versions 3.0 and later. It skips all sections but the rigid
+ * bodies: from 4.1 on by the size of each section, before that by its known layout. The layout is that
  * of the published depacketization samples of the NatNet SDK.
  */
 final class FrameParser {
@@ -29,11 +29,11 @@ final class FrameParser {
     int number = in.i32();
     List<RigidBodyState> bodies = new ArrayList<>();
     if (version.tellsSizes()) {
-      boolean mayHaveMore = version.compareTo(NatNetVersion.V4_2) > 0;
+      boolean isExtensible = version.compareTo(NatNetVersion.V4_2) > 0;
       skipSized(in, 2);
-      readSizedBodies(in, mayHaveMore, bodies);
+      readSizedBodies(in, isExtensible, bodies);
       skipSized(in, SIZED_SECTIONS_AFTER_BODIES);
-      while (mayHaveMore && in.remaining() >= SIZED_SUFFIX_BYTES + SIZED_SECTION_BYTES) {
+      while (isExtensible && in.remaining() >= SIZED_SUFFIX_BYTES + SIZED_SECTION_BYTES) {
         skipSized(in, 1);
       }
     } else {
@@ -71,18 +71,18 @@ final class FrameParser {
     }
   }
 
-  // A later version may append to a body: the size says how much.
+  // A later version may append fields to a body: the section's size shows how many bytes.
   private static void readSizedBodies(
-      LittleEndianReader in, boolean mayHaveMore, List<RigidBodyState> bodies) {
+      LittleEndianReader in, boolean isExtensible, List<RigidBodyState> bodies) {
     int count = in.i32();
     int size = in.i32();
     LittleEndianReader section = in.section(size);
-    int stride = mayHaveMore && count > 0 ? size / count : RigidBodyState.BYTES;
+    int stride = isExtensible && count > 0 ? size / count : RigidBodyState.BYTES;
     LittleEndianReader.require(
         count >= 0
             && stride >= RigidBodyState.BYTES
             && (long) stride * count <= size
-            && (!mayHaveMore || count == 0 || stride * count == size));
+            && (!isExtensible || count == 0 || stride * count == size));
     for (int i = 0; i < count; i++) {
       bodies.add(RigidBodyState.read(section.section(stride)));
     }

@@ -20,7 +20,7 @@ import org.starl.id.RobotId;
  */
 final class JsonPoseParser {
 
-  /** No line is longer. */
+  /** Longest line. */
   static final int MAX_BYTES = 1024;
 
   private static final int MAX_NUMBER_CHARS = 40;
@@ -28,7 +28,7 @@ final class JsonPoseParser {
   private static final double LARGEST_RAD = 1e3;
   private static final long LARGEST_NS = 4_000_000_000_000_000_000L;
 
-  // Without a table of names, which other senders could fill.
+  // No table of names: a sender could fill it.
   private static final JsonFactory JSON =
       JsonFactory.builder()
           .disable(JsonFactory.Feature.CANONICALIZE_FIELD_NAMES)
@@ -53,7 +53,7 @@ final class JsonPoseParser {
     this.in = in;
   }
 
-  /** A pose, or why there is none. */
+  /** A pose, or null and the problem with the line. */
   record Result(@Nullable JsonPose pose, String problem) {}
 
   /** Reads {@code bytes[0..length)}; never throws. */
@@ -61,7 +61,7 @@ final class JsonPoseParser {
     if (length > MAX_BYTES) {
       return new Result(null, length + " bytes: expected at most " + MAX_BYTES);
     }
-    // One character for each byte, so that no byte is taken for another encoding.
+    // One character for each byte, whatever the encoding.
     String line = new String(bytes, 0, length, StandardCharsets.ISO_8859_1);
     try (JsonParser in = JSON.createParser(line)) {
       return new Result(new JsonPoseParser(in).object(), "");

@@ -6,8 +6,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
 
 /**
- * Makes fixes of JSON lines. Each robot's lines have their own clock, because each robot may have its
- * own sender. Pure and driven by the clock; one caller at a time.
+ * Converts JSON lines to fixes. Each robot's lines have a clock of their own, because each robot may
+ * have its own sender. Pure and driven by the clock; one caller at a time.
  */
 final class JsonProtocol {
 
@@ -32,12 +32,12 @@ final class JsonProtocol {
     this.tally = tally;
   }
 
-  /** The body in a datagram, with its fix; null if it cannot be used. */
+  /** The body in a datagram, with its fix; null if the datagram is dropped. */
   @Nullable TrackedBody received(byte[] bytes, int length, long nowNs) {
     JsonPoseParser.Result result = JsonPoseParser.parse(bytes, length);
     JsonPose line = result.pose();
     if (line == null) {
-      return drop(FeedDrop.MALFORMED, "a line is none of the feed: " + result.problem(), nowNs);
+      return drop(FeedDrop.MALFORMED, "not a line of the feed: " + result.problem(), nowNs);
     }
     Track track = tracks.get(line.robot());
     if (track == null) {
@@ -47,7 +47,7 @@ final class JsonProtocol {
       track = new Track(bounds.maxDelayNs());
       tracks.put(line.robot(), track);
     }
-    track.clock.came(line.atNs(), nowNs);
+    track.clock.received(line.atNs(), nowNs);
     if (!track.clock.isSettled(nowNs)) {
       return drop(FeedDrop.EARLY, "the sender's clock is not known yet", nowNs);
     }

@@ -6,12 +6,12 @@ import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 
 /**
- * Reads little-endian values one after the other. Every method throws {@link
- * BufferUnderflowException} if too few bytes are left, or if a size or a count cannot be right.
+ * Reads little-endian values in sequence. Every method throws {@link BufferUnderflowException} if too
+ * few bytes remain, or if a size or a count is impossible.
  */
 final class LittleEndianReader {
 
-  /** No name in NatNet is longer, its final NUL included. */
+  /** Longest name in NatNet, its final NUL included. */
   static final int MAX_NAME_BYTES = 256;
 
   private final ByteBuffer in;
@@ -52,7 +52,7 @@ final class LittleEndianReader {
     return new String(in.array(), from, in.position() - 1 - from, StandardCharsets.UTF_8);
   }
 
-  /** A string in a field of so many bytes. */
+  /** A string in a field of {@code size} bytes. */
   String fixedName(int size) {
     return section(size).name();
   }
@@ -76,7 +76,7 @@ final class LittleEndianReader {
     ((java.nio.Buffer) in).position(in.position() + (int) count);
   }
 
-  /** The number of elements that follow, of {@code minBytes} each at least. */
+  /** The number of following elements, of at least {@code minBytes} each. */
   int count(int minBytes) {
     int count = i32();
     require(count >= 0 && (long) count * minBytes <= in.remaining());

@@ -54,7 +54,7 @@ final class LittleEndianWriter {
     return u8(0);
   }
 
-  /** A string in a field of so many bytes, of which at least one is NUL. */
+  /** A string in a field of {@code size} bytes, of which at least one is NUL. */
   LittleEndianWriter fixedName(String name, int size) {
     byte[] text = name.getBytes(StandardCharsets.UTF_8);
     out.put(Arrays.copyOf(Arrays.copyOf(text, size - 1), size));
@@ -66,9 +66,9 @@ final class LittleEndianWriter {
     return this;
   }
 
-  /** Reserves a 32-bit size, if {@code isThere}; returns the argument of {@link #endSection}. */
-  int beginSection(boolean isThere) {
-    if (!isThere) {
+  /** Reserves a 32-bit size, if {@code isPresent}; returns the argument of {@link #endSection}. */
+  int beginSection(boolean isPresent) {
+    if (!isPresent) {
       return -1;
     }
     i32(0);

@@ -6,7 +6,7 @@ import java.util.Set;
 import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 
-/** The rigid bodies that a server knows: their names, by their numbers in its frames. */
+/** The names of a server's rigid bodies, by their numbers in its frames. */
 final class Models {
 
   /** Before a server has sent its descriptions. */

@@ -15,8 +15,8 @@ import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
 
 /**
- * The client's side of NatNet: connects, and again when the server falls silent; learns version and
- * models; asks for the server's clock; keeps a unicast stream alive; makes fixes of frames.
+ * The client's side of NatNet: connects, and reconnects when the server is silent; gets the server's
+ * version, models and clock; keeps a unicast stream alive; converts frames to fixes.
  *
  * <p>Pure and driven by the clock: no socket, no thread. One caller at a time.
  */
@@ -28,7 +28,7 @@ final class NatNetProtocol {
   static final long FIRST_ECHO_NS = 100 * NS_PER_MS;
   static final long SILENCE_NS = 3 * NS_PER_S;
 
-  /** Number of answers about the clock that are requested at the faster rate. */
+  /** Number of clock answers that are requested at the faster rate. */
   private static final int FIRST_ECHOES = 10;
 
   /** The payload of a connect message of version 4: a name, versions, options, padding. */
@@ -51,8 +51,8 @@ final class NatNetProtocol {
   private @Nullable ServerInfo server;
   private Models models = Models.NONE;
   private boolean wantsModels = true;
-  private long heardNs;
-  private long framedNs;
+  private long lastMessageNs;
+  private long lastFrameNs;
   private long connectAtNs = Long.MIN_VALUE;
   private long modelsAtNs;
   private long keepAliveAtNs;
@@ -80,7 +80,7 @@ final class NatNetProtocol {
     return models;
   }
 
-  /** A robot follows the body of this name: if it does not exist, that is logged. */
+  /** Logs, now or when the models arrive, if no body has this name. A robot follows that body. */
   void want(String name, long nowNs) {
     wanted.add(name);
     if (models != Models.NONE) {
@@ -94,8 +94,8 @@ final class NatNetProtocol {
 
   /** Sends due messages; must be called every few tens of milliseconds. */
   void tick(long nowNs) {
-    if (server != null && nowNs - heardNs > SILENCE_NS) {
-      tally.warnOnce("silent", "the NatNet server has fallen silent: connecting again", nowNs);
+    if (server != null && nowNs - lastMessageNs > SILENCE_NS) {
+      tally.warnOnce("silent", "the NatNet server is silent: connecting again", nowNs);
       server = null;
     }
     if (server == null) {
@@ -105,7 +105,7 @@ final class NatNetProtocol {
       }
       return;
     }
-    if (nowNs - framedNs > SILENCE_NS && nowNs >= connectAtNs) {
+    if (nowNs - lastFrameNs > SILENCE_NS && nowNs >= connectAtNs) {
       // A restarted server answers, but streams only to clients that have connected again.
       connectAtNs = nowNs + RETRY_NS;
       wantsModels = true;
@@ -137,11 +137,11 @@ final class NatNetProtocol {
         case Message.FRAME -> onFrame(in, nowNs);
         case Message.ECHO_RESPONSE -> onEcho(in, nowNs);
         case Message.TEXT, Message.RESPONSE, Message.UNRECOGNIZED -> {
-          // Proves that the server lives; nothing else is read from it.
+          // Proves only that the server runs.
         }
         default -> unknown("message number " + id, nowNs);
       }
-      heardNs = nowNs;
+      lastMessageNs = nowNs;
     } catch (BufferUnderflowException e) {
       tally.drop(
           FeedDrop.MALFORMED,
@@ -150,7 +150,8 @@ final class NatNetProtocol {
     }
   }
 
-  // Without a version in this message the server streams in its newest, which its answer names.
+  // Without a version in this message the server streams in its newest version, which its answer
+  // has.
   private byte[] connect() {
     int nameBytes = 256;
     out.begin(Message.CONNECT).fixedName("Ping", nameBytes);
@@ -159,7 +160,7 @@ final class NatNetProtocol {
 
   private void onServerInfo(ServerInfo info, long nowNs) {
     if (info.version().compareTo(NatNetVersion.V3_0) < 0) {
-      unknown(info.name() + " speaks NatNet " + info.version() + ": expected 3.0 or later", nowNs);
+      unknown(info.name() + " uses NatNet " + info.version() + ": expected 3.0 or later", nowNs);
       return;
     }
     if (info.equals(server)) {
@@ -170,7 +171,7 @@ final class NatNetProtocol {
     server = info;
     models = Models.NONE;
     wantsModels = true;
-    framedNs = nowNs;
+    lastFrameNs = nowNs;
     modelsAtNs = nowNs;
     keepAliveAtNs = nowNs;
     echoAtNs = nowNs;
@@ -180,14 +181,15 @@ final class NatNetProtocol {
 
   private void warn(ServerInfo info, long nowNs) {
     if (info.ticksPerS() > 0 && info.isMulticast() != (settings.group() != null)) {
-      String theirs = info.isMulticast() ? "multicast" : "unicast";
-      String ours = settings.group() != null ? "multicast" : "unicast";
-      tally.warnOnce("cast", "the server streams " + theirs + ", the settings say " + ours, nowNs);
+      String actual = info.isMulticast() ? "multicast" : "unicast";
+      String expected = settings.group() != null ? "multicast" : "unicast";
+      tally.warnOnce(
+          "cast", "the server streams " + actual + ", the settings say " + expected, nowNs);
     }
     if (info.version().compareTo(NatNetVersion.V4_2) > 0) {
       tally.warnOnce(
           "newer",
-          "NatNet " + info.version() + " is newer than 4.2: what is not known of it is skipped",
+          "NatNet " + info.version() + " is newer than 4.2: unknown parts are skipped",
           nowNs);
     }
   }
@@ -210,7 +212,7 @@ final class NatNetProtocol {
   private void onEcho(LittleEndianReader in, long nowNs) {
     long sentNs = in.i64();
     long ticks = in.i64();
-    // Only the first answer to the last question counts.
+    // Only the first answer to the last request counts.
     if (server != null && sentNs == echoSentNs && echoSentNs != 0) {
       time.answered(sentNs, ticks, nowNs);
       echoSentNs = 0;
@@ -224,13 +226,13 @@ final class NatNetProtocol {
       return;
     }
     MocapFrame frame = FrameParser.parse(in, server.version());
-    framedNs = nowNs;
+    lastFrameNs = nowNs;
     wantsModels |= frame.hasNewModels();
     TimeSpan when = time.measured(frame, nowNs);
     if (when == null) {
       early(nowNs);
     } else if (when.earliestNs() > when.latestNs()) {
-      tally.drop(FeedDrop.IMPLAUSIBLE, "a frame says that it was not measured yet", nowNs);
+      tally.drop(FeedDrop.IMPLAUSIBLE, "a frame has a time of measurement in the future", nowNs);
     } else if (nowNs - when.middleNs() > settings.bounds().maxAgeNs()) {
       tally.drop(FeedDrop.STALE, "a frame was measured too long ago", nowNs);
     } else {
@@ -274,7 +276,7 @@ final class NatNetProtocol {
     }
     Long before = newestNs.get(state.id());
     if (before != null && when.middleNs() <= before) {
-      tally.drop(FeedDrop.OUTDATED, "a newer fix of " + printable(name) + " came before", nowNs);
+      tally.drop(FeedDrop.OUTDATED, "a newer fix of " + printable(name) + " arrived before", nowNs);
       return null;
     }
     newestNs.put(state.id(), when.middleNs());
@@ -292,7 +294,7 @@ final class NatNetProtocol {
   }
 
   private void early(long nowNs) {
-    tally.drop(FeedDrop.EARLY, "a message came before the server and its clock were known", nowNs);
+    tally.drop(FeedDrop.EARLY, "a message before the server and its clock are known", nowNs);
   }
 
   private void unknown(String what, long nowNs) {

@@ -21,9 +21,9 @@ import org.starl.platform.Clock;
 import org.starl.robot.realtime.Daemons;
 
 /**
- * Streams poses as an OptiTrack server does, to any NatNet client: in place of cameras, for robots
- * whose bodies are simulated, and for tests. It has one thread. It accepts the connect messages of
- * all versions, short and long; it answers other unknown messages as unrecognized.
+ * Streams poses like an OptiTrack server, to any NatNet client: in place of cameras, for simulated
+ * bodies and for tests. It has one thread. It accepts the connect messages of all versions, short and
+ * long, and answers unknown requests with "unrecognized".
  */
 public final class NatNetServer implements AutoCloseable {
 
@@ -84,7 +84,7 @@ public final class NatNetServer implements AutoCloseable {
     return server;
   }
 
-  /** One that does not serve yet. */
+  /** A server without its thread. */
   static NatNetServer bind(
       NatNetServerSettings settings, PoseSource source, Clock clock, Consumer<Exception> onFailure)
       throws IOException {
@@ -109,12 +109,12 @@ public final class NatNetServer implements AutoCloseable {
     return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
   }
 
-  /** Number of datagrams that were not a client's message, or that the network did not send. */
+  /** Number of datagrams that were not a client's message, or could not be sent. */
   public long ignored() {
     return ignored.get();
   }
 
-  /** How many unicast clients it serves. On the server's thread. */
+  /** Number of unicast clients. On the server's thread. */
   int clients() {
     return clients.size();
   }
@@ -153,7 +153,7 @@ public final class NatNetServer implements AutoCloseable {
 
   private void stream(long nowNs) {
     snapshot = source.snapshot();
-    if (encoder.hasNew(snapshot)) {
+    if (encoder.addNew(snapshot)) {
       announceUntilNs = nowNs + ANNOUNCE_MODELS_NS;
     }
     clients.values().removeIf(heardNs -> nowNs - heardNs > CLIENT_SILENCE_NS);
@@ -193,7 +193,7 @@ public final class NatNetServer implements AutoCloseable {
       case Message.KEEP_ALIVE -> clients.computeIfPresent(client, (address, heardNs) -> nowNs);
       case Message.DISCONNECT -> clients.remove(client);
       case Message.REQUEST_MODELS -> {
-        encoder.hasNew(snapshot);
+        encoder.addNew(snapshot);
         send(encoder.models(snapshot.bodies()), client);
       }
       case Message.ECHO_REQUEST ->
@@ -203,7 +203,7 @@ public final class NatNetServer implements AutoCloseable {
     }
   }
 
-  // Live clients send each second: in a full list a new client replaces the one silent for longest.
+  // A live client sends each second, so the client that is silent for longest is probably dead.
   private void remember(SocketAddress client, long nowNs) {
     if (!clients.containsKey(client) && clients.size() == MAX_CLIENTS) {
       clients.remove(Collections.min(clients.entrySet(), Map.Entry.comparingByValue()).getKey());
@@ -223,7 +223,7 @@ public final class NatNetServer implements AutoCloseable {
         .datagram(out);
   }
 
-  // A client that cannot be reached loses the datagram, or is gone and will be removed.
+  // A client that cannot be reached loses the datagram; after a silence it is removed.
   private void send(byte[] datagram, SocketAddress to) {
     try {
       socket.send(new DatagramPacket(datagram, datagram.length, to));

@@ -5,7 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How a {@link NatNetServer} streams. Immutable.
+ * Settings of a {@link NatNetServer}. Immutable.
  *
  * @param address where it listens for commands; port 0 for any free one
  * @param group to stream to, with its port; null to stream to each client
@@ -20,7 +20,7 @@ public record NatNetServerSettings(
     Axes axes,
     int framesPerS) {
 
-  /** The versions that a server can speak. */
+  /** The versions that a server can use. */
   public static final List<NatNetVersion> VERSIONS =
       List.of(NatNetVersion.V3_1, NatNetVersion.V4_0, NatNetVersion.V4_1, NatNetVersion.V4_2);
 
@@ -30,7 +30,7 @@ public record NatNetServerSettings(
     NatNetSettings.checkGroup(group);
     if (!VERSIONS.contains(version)) {
       throw new IllegalArgumentException(
-          "a server of NatNet " + version + ": expected one of " + VERSIONS);
+          "NatNet server of version " + version + ": expected one of " + VERSIONS);
     }
     if (framesPerS < 1 || framesPerS > MOST_FRAMES_PER_S) {
       throw new IllegalArgumentException(

@@ -1,6 +1,6 @@
 package org.starl.robot.optitrack;
 
-/** A version of NatNet's stream of bits: 3.0, 3.1, 4.0 and so on. */
+/** A version of NatNet's stream: 3.0, 3.1, 4.0 and so on. */
 public record NatNetVersion(int major, int minor) implements Comparable<NatNetVersion> {
 
   public static final NatNetVersion V3_0 = new NatNetVersion(3, 0);
@@ -27,7 +27,7 @@ public record NatNetVersion(int major, int minor) implements Comparable<NatNetVe
     return compareTo(other) >= 0;
   }
 
-  /** Whether each section of a frame and each description tells its size. */
+  /** Whether each section of a frame and each description begins with its size. */
   boolean tellsSizes() {
     return isAtLeast(V4_1);
   }

@@ -5,18 +5,18 @@ import java.util.List;
 import java.util.TreeSet;
 import org.starl.geometry.Pose;
 
-/** What a {@link NatNetServer} streams: a simulated world, or a test. */
+/** The bodies that a {@link NatNetServer} streams, of a simulated world or a test. */
 @FunctionalInterface
 public interface PoseSource {
 
-  /** All bodies as they are now, or were a little before. Called on the server's thread. */
+  /** All bodies at a recent time. Called on the server's thread. */
   Snapshot snapshot();
 
   /**
    * Bodies at one time.
    *
-   * @param atNs when they were so, on the server's clock: what stands for the cameras' exposure
-   * @param bodies no two of one name; whoever is named first gets the lowest number
+   * @param atNs that time on the server's clock, streamed as the cameras' exposure
+   * @param bodies with different names; a new body gets the next number
    */
   record Snapshot(long atNs, List<Body> bodies) {
 
@@ -35,8 +35,8 @@ public interface PoseSource {
    * One rigid body.
    *
    * @param name of 1 to 255 bytes, without NUL
-   * @param isTracked whether the cameras see it; if not, its pose is the last that they saw
-   * @param meanErrorMm what the server says of its accuracy, from 0 on
+   * @param isTracked whether the cameras see it; if not, its pose is the last one seen
+   * @param meanErrorMm the mean error that the server reports, from 0 on
    */
   record Body(String name, Pose pose, boolean isTracked, double meanErrorMm) {
 

@@ -1,11 +1,11 @@
 package org.starl.robot.optitrack;
 
 /**
- * A rigid body in a frame, as it was streamed.
+ * A rigid body in a frame, in the stream's coordinates.
  *
- * @param x metres along the stream's x axis; so y and z
- * @param qx the orientation as a quaternion, its scalar part last; so qy, qz, qw
- * @param meanErrorM how far markers were from where the solved body has them, metres, on average
+ * @param x metres along the stream's x axis; likewise y and z
+ * @param qx the orientation as a quaternion (qx, qy, qz, qw), its scalar part last
+ * @param meanErrorM mean distance, in metres, of the markers from the solved body
  * @param isTracked whether the cameras saw it in this frame
  */
 record RigidBodyState(
@@ -20,7 +20,7 @@ record RigidBodyState(
     double meanErrorM,
     boolean isTracked) {
 
-  /** What one takes in a frame, from version 3.0 on. */
+  /** Size in a frame, from version 3.0 on. */
   static final int BYTES = 38;
 
   private static final int TRACKED = 1;

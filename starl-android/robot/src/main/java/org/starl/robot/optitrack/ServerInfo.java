@@ -1,13 +1,13 @@
 package org.starl.robot.optitrack;
 
 /**
- * How a server describes itself.
+ * A server's description of itself.
  *
  * @param name of the serving program
  * @param ticksPerS of the clock that stamps its frames; 0 if unknown
  * @param isMulticast whether it streams to a group
  * @param dataPort the UDP port of its stream
- * @param group the group's address, four bytes from the first on, as one number
+ * @param group the four bytes of the group's address as one number, first byte highest
  */
 record ServerInfo(
     String name,

@@ -4,10 +4,10 @@ import static org.starl.time.Time.NS_PER_S;
 
 import org.jspecify.annotations.Nullable;
 
-/** When frames were measured, on our clock: from their stamps, which are ticks of the server's. */
+/** Converts the time stamps of frames, which are ticks of the server's clock, to our clock. */
 final class ServerTime {
 
-  /** The greatest rate: with more, ticks could not be converted to ns. */
+  /** The greatest rate for which ticks can be converted to ns. */
   private static final long MAX_TICKS_PER_S = 9 * NS_PER_S;
 
   private static final long MAX_S = 4_000_000_000L;
@@ -21,13 +21,13 @@ final class ServerTime {
     this.map = new ClockMap(bounds.maxDelayNs());
   }
 
-  /** Forgets the server's clock; its rate from now on is this, 0 if unknown. */
+  /** Starts the estimate for a new clock with this rate, 0 if unknown. */
   void begin(long newTicksPerS) {
     ticksPerS = newTicksPerS > 0 && newTicksPerS <= MAX_TICKS_PER_S ? newTicksPerS : 0;
     map = new ClockMap(bounds.maxDelayNs());
   }
 
-  /** It answered a question sent at {@code sentNs}. */
+  /** Uses the server's answer to a request sent at {@code sentNs}. */
   void answered(long sentNs, long ticks, long receivedNs) {
     if (isStamp(ticks)) {
       map.answered(sentNs, ns(ticks), receivedNs);
@@ -35,15 +35,15 @@ final class ServerTime {
   }
 
   /**
-   * When the frame was measured. Without usable stamps, the assumed largest delay bounds it. Null if it
-   * is not known yet.
+   * The time span in which the frame was measured; null if it is not known yet. Without usable stamps
+   * the assumed largest delay bounds it.
    */
   @Nullable TimeSpan measured(MocapFrame frame, long receivedNs) {
     if (!isStamp(frame.transmittedTicks())) {
       return new TimeSpan(receivedNs - bounds.maxDelayNs() - bounds.maxLatencyNs(), receivedNs);
     }
     long sentNs = ns(frame.transmittedTicks());
-    map.came(sentNs, receivedNs);
+    map.received(sentNs, receivedNs);
     if (!map.isSettled(receivedNs)) {
       return null;
     }

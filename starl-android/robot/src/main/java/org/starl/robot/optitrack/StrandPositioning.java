@@ -6,7 +6,7 @@ import org.starl.geometry.Fix;
 import org.starl.platform.Positioning;
 import org.starl.platform.Strand;
 
-/** Posts one body's fixes to a robot's strand: one at a time, and only the newest if it is late. */
+/** Posts one body's fixes to a robot's strand; if the strand is late, only the newest. */
 final class StrandPositioning implements Positioning {
 
   private final Strand strand;

@@ -7,12 +7,12 @@ import java.util.Map;
 import org.starl.time.Time;
 
 /**
- * Writes what a server streams, in one version: frames and descriptions. The layout is that of the
+ * Writes a server's frames and descriptions, in one version. The layout is that of the
  * published depacketization samples of the NatNet SDK. One thread at a time.
  */
 final class StreamEncoder {
 
-  /** Where a body's markers are, in metres from its pivot along the stream's axes. */
+  /** The positions of a body's markers, in metres from its pivot along the stream's axes. */
   private static final double[][] MARKERS = {{0.05, 0, 0}, {0, 0.05, 0.05}, {-0.05, 0, 0.05}};
 
   private static final double MARKER_SIZE_M = 0.014;
@@ -31,8 +31,8 @@ final class StreamEncoder {
     this.axes = axes;
   }
 
-  /** Numbers the bodies that are new; whether there are any. */
-  boolean hasNew(PoseSource.Snapshot snapshot) {
+  /** Numbers new bodies; returns whether there were any. */
+  boolean addNew(PoseSource.Snapshot snapshot) {
     int before = ids.size();
     for (PoseSource.Body body : snapshot.bodies()) {
       ids.putIfAbsent(body.name(), ids.size() + 1);
@@ -40,7 +40,7 @@ final class StreamEncoder {
     return ids.size() > before;
   }
 
-  /** The frame's datagram; each body has been seen by {@link #hasNew}. Times are ns, ticks too. */
+  /** The frame's datagram; each body has been seen by {@link #addNew}. Times are ns, ticks too. */
   byte[] frame(int number, PoseSource.Snapshot snapshot, boolean hasNewModels, long nowNs) {
     try {
       out.begin(Message.FRAME).i32(number);

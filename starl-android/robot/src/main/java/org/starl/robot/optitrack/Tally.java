@@ -11,7 +11,7 @@ final class Tally {
   private final LogSink log;
   private final String tag;
   private final DropCounts<FeedDrop> drops = new DropCounts<>(FeedDrop.class);
-  private final Set<String> told = new TreeSet<>();
+  private final Set<String> warned = new TreeSet<>();
   private long received;
   private long fixes;
 
@@ -41,7 +41,7 @@ final class Tally {
 
   /** Warns once for each {@code kind}, of which there are few. */
   void warnOnce(String kind, String what, long nowNs) {
-    if (told.add(kind)) {
+    if (warned.add(kind)) {
       log.log(nowNs, LogSink.Level.WARN, tag, what);
     }
   }

@@ -1,6 +1,6 @@
 package org.starl.robot.optitrack;
 
-/** An interval of our clock in which something happened, ends included. */
+/** An interval of our clock that contains the time of an event, ends included. */
 record TimeSpan(long earliestNs, long latestNs) {
 
   long middleNs() {

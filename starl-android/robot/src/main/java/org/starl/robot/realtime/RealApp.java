@@ -12,7 +12,7 @@ import org.starl.platform.StrandClosed;
  */
 final class RealApp {
 
-  /** Times that an app may wait again after its end was requested, before it is given up. */
+  /** Number of times that an app may wait again after its end was requested. */
   private static final int MAX_REFUSALS = 1000;
 
   private final RealStrand strand;

@@ -202,10 +202,10 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
         onError.accept(e);
       }
     }
-    RealApp left = app;
-    if (left != null) {
+    RealApp last = app;
+    if (last != null) {
       try {
-        left.unwind();
+        last.unwind();
       } catch (Throwable e) {
         onError.accept(e);
       }

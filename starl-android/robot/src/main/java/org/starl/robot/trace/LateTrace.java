@@ -5,7 +5,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceSink;
 
 /**
- * A trace whose time 0 is the start of its process, not that of the clock.
+ * A trace whose time 0 is the start of its process, not the clock's origin.
  *
  * @param startNs the clock's value at the trace's time 0
  * @param observer takes each event, with the clock's time, on the thread that makes the event

@@ -14,7 +14,7 @@ public enum ProcessWord {
   HELLO,
   /** Its radio's port. */
   PORT,
-  /** Its body waits for its start position on the floor. */
+  /** Its body waits for room at its start position. */
   WANTS_PLACE,
   /** It is alive: copies of datagrams so far, lost ones, the longest pause of its strand in ns. */
   ALIVE,

@@ -13,13 +13,13 @@ import org.starl.id.RobotId;
 import org.starl.platform.DeploymentKey;
 
 /**
- * "I am here": a robot's name and its radio's address, signed with the deployment's key. As bytes,
+ * Announces a robot: its name and its radio's address, signed with the deployment's key. As bytes,
  * big-endian: magic {@code SB}, version 1, 0; {@code start} and {@code count}, 8 each; the name's length
  * and the name; the address's length (0, 4 or 16) and the address; the port, 2; and with a key the first
  * 16 bytes of HMAC-SHA256 over all that.
  *
- * @param start number of its sender's start, larger at each start
- * @param count of this start's beacons, from 1
+ * @param start number of the sender's start, larger at each start
+ * @param count number of this beacon since that start, from 1
  * @param address null if it is the datagram's source address
  */
 record Beacon(RobotId robot, long start, long count, @Nullable InetAddress address, int port) {
@@ -33,7 +33,7 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
   private static final int LEAST_BYTES = 2 + 2 + 8 + 8 + 2 + 1 + 2;
 
   /** Whether these bytes begin like a beacon. */
-  static boolean isOne(byte[] bytes, int length) {
+  static boolean isBeacon(byte[] bytes, int length) {
     return length >= 2 && bytes[0] == MAGIC_0 && bytes[1] == MAGIC_1;
   }
 
@@ -110,18 +110,18 @@ record Beacon(RobotId robot, long start, long count, @Nullable InetAddress addre
       }
       try {
         InetAddress at = addressLength == 0 ? null : InetAddress.getByAddress(address);
-        // Java makes an address of version 4 of one of version 6 that holds it.
-        boolean isSpelledSo = at == null || at.getAddress().length == addressLength;
-        return isSpelledSo ? new Beacon(new RobotId(name), start, count, at, port) : null;
+        // Java converts an IPv6 address that contains an IPv4 address to that IPv4 address.
+        boolean isUnchanged = at == null || at.getAddress().length == addressLength;
+        return isUnchanged ? new Beacon(new RobotId(name), start, count, at, port) : null;
       } catch (UnknownHostException e) {
-        return null; // of no length that an address has
+        return null; // not the length of an address
       }
     }
   }
 
   /**
    * The robot's address, if the beacon came from {@code source}; null if the beacon names another
-   * sender: then it was forwarded by somebody else.
+   * sender: then another host has forwarded it.
    */
   @Nullable InetSocketAddress reachedFrom(InetSocketAddress source) {
     boolean isDirect =

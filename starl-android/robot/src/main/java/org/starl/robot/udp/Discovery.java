@@ -45,7 +45,7 @@ public final class Discovery implements AutoCloseable {
    */
   public record Settings(long everyMs, long suspectAfterMs, int broadcastPort) {}
 
-  /** Is called on threads of the radio; must not block. */
+  /** Called on threads of the radio; must not block. */
   public interface Listener {
 
     /** A robot was heard for the first time, or again after a silence. */

@@ -114,13 +114,13 @@ public final class FileStable implements StableStorage, AutoCloseable {
     return directory.resolve(StableFiles.name(key));
   }
 
-  private void onDisk(Work work, Runnable flushed) {
+  private void onDisk(DiskAction action, Runnable flushed) {
     disk.execute(() -> {
       if (hasFailed) {
         return;
       }
       try {
-        work.run();
+        action.run();
         forceDirectory();
         strand.post(flushed);
       } catch (IOException e) {
@@ -156,7 +156,7 @@ public final class FileStable implements StableStorage, AutoCloseable {
     }
   }
 
-  private interface Work {
+  private interface DiskAction {
     void run() throws IOException;
   }
 }

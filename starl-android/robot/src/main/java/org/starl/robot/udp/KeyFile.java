@@ -26,7 +26,7 @@ import org.starl.platform.DeploymentKey;
 public final class KeyFile {
 
   private static final String POSIX = "posix";
-  private static final String OWNERS_ALONE = "rw-------";
+  private static final String OWNER_ONLY = "rw-------";
   private static final int DIGITS = 2 * DeploymentKey.BYTES;
   private static final int RADIX = 16;
   // A line ending of either kind may follow.
@@ -46,7 +46,7 @@ public final class KeyFile {
     }
     refuseOthers(file);
     if (Files.size(file) > MAX_BYTES) {
-      throw noKey(file);
+      throw notAKey(file);
     }
     return parse(file, Files.readAllBytes(file));
   }
@@ -54,20 +54,20 @@ public final class KeyFile {
   /** The key in these bytes of {@code file}. */
   static DeploymentKey parse(Path file, byte[] bytes) throws IOException {
     if (bytes.length < DIGITS || bytes.length > MAX_BYTES) {
-      throw noKey(file);
+      throw notAKey(file);
     }
     byte[] secret = new byte[DeploymentKey.BYTES];
     for (int i = 0; i < secret.length; i++) {
       int high = Character.digit(bytes[2 * i], RADIX);
       int low = Character.digit(bytes[2 * i + 1], RADIX);
       if (high < 0 || low < 0) {
-        throw noKey(file);
+        throw notAKey(file);
       }
       secret[i] = (byte) (high << 4 | low);
     }
     for (int i = DIGITS; i < bytes.length; i++) {
       if (bytes[i] != '\n' && bytes[i] != '\r') {
-        throw noKey(file);
+        throw notAKey(file);
       }
     }
     return new DeploymentKey(secret);
@@ -109,7 +109,7 @@ public final class KeyFile {
       return new FileAttribute<?>[0];
     }
     return new FileAttribute<?>[] {
-      PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(OWNERS_ALONE))
+      PosixFilePermissions.asFileAttribute(PosixFilePermissions.fromString(OWNER_ONLY))
     };
   }
 
@@ -130,13 +130,13 @@ public final class KeyFile {
           file
               + ": "
               + PosixFilePermissions.toString(granted)
-              + ": expected a key that its owner alone may read ('chmod 600 "
+              + ": expected a key that only its owner may read ('chmod 600 "
               + file
               + "')");
     }
   }
 
-  private static IOException noKey(Path file) {
+  private static IOException notAKey(Path file) {
     return new IOException(
         file + ": is not a key; expected one line of " + DIGITS + " hexadecimal digits");
   }

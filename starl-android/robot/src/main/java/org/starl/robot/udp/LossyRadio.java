@@ -15,16 +15,16 @@ import org.starl.random.Rng;
  * A lossy radio: each copy that its robot sends to a recipient is lost or delayed by the random
  * generator of that link. Receiving is passed through to the radio below.
  *
- * <p>A copy leaves in a piece of the strand of its own, never inside the call that sends it: then the
- * sending action is over and its trace is written. So, on one clock, every effect of a message comes
- * after everything that its sender did in the sending action. Strand only.
+ * <p>A copy leaves in a later piece of the strand, after the sending action has ended and its trace is
+ * written. So, on one clock, every effect of a message comes after all events of the sending action.
+ * Strand only.
  */
 public final class LossyRadio implements Radio {
 
-  /** {@link Air}'s answer for a lost copy. */
+  /** The delay of a lost copy. */
   public static final long LOST = -1;
 
-  /** Decides the fate of a copy. */
+  /** Decides whether a copy is lost, and its delay. */
   @FunctionalInterface
   public interface Air {
     /**

@@ -14,7 +14,7 @@ import org.starl.id.RobotId;
  */
 final class Neighbours {
 
-  /** The judgement of a genuine beacon. */
+  /** The result of a genuine beacon. */
   enum Verdict {
     /** The first one, or the first one after a silence. */
     APPEARED,
@@ -35,7 +35,7 @@ final class Neighbours {
     private long start = Long.MIN_VALUE;
     private long count;
     private long lastNs;
-    private boolean isHere;
+    private boolean isPresent;
     private boolean isSuspected;
   }
 
@@ -61,10 +61,10 @@ final class Neighbours {
     neighbour.start = beacon.start();
     neighbour.count = beacon.count();
     neighbour.lastNs = nowNs;
-    boolean wasHere = neighbour.isHere;
-    neighbour.isHere = true;
+    boolean wasPresent = neighbour.isPresent;
+    neighbour.isPresent = true;
     neighbour.isSuspected = false;
-    return wasHere ? Verdict.HEARD : Verdict.APPEARED;
+    return wasPresent ? Verdict.HEARD : Verdict.APPEARED;
   }
 
   /** The robots suspected since the last call, in order; robots that were never heard are included. */
@@ -78,7 +78,7 @@ final class Neighbours {
       long sinceNs = neighbour.start == Long.MIN_VALUE ? beganNs : neighbour.lastNs;
       if (!neighbour.isSuspected && nowNs - sinceNs > suspectAfterNs) {
         neighbour.isSuspected = true;
-        neighbour.isHere = false;
+        neighbour.isPresent = false;
         suspected.add(robot);
       }
     }

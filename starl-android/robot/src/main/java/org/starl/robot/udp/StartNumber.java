@@ -27,7 +27,7 @@ public final class StartNumber {
         last == null || last.length != Long.BYTES
             ? dateNs
             : Math.max(dateNs, ByteBuffer.wrap(last).getLong() + 1);
-    // After a crash before the write the old number is there, and the date is larger than now.
+    // After a crash before this write the old number is read, and the date is then later than now.
     stable.put(KEY, ByteBuffer.allocate(Long.BYTES).putLong(number).array(), () -> {});
     return number;
   }

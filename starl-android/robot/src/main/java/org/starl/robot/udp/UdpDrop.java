@@ -14,11 +14,11 @@ public enum UdpDrop {
 
   private final String description;
 
-  UdpDrop(String what) {
-    this.description = what;
+  UdpDrop(String description) {
+    this.description = description;
   }
 
-  /** Whether it never occurs in a network of correct robots. */
+  /** Whether it cannot occur in a network of correct robots. */
   boolean isSuspicious() {
     return this != UNEXPECTED_BEACON && this != OLD_BEACON && this != OWN_BEACON;
   }

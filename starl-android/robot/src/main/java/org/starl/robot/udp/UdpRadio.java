@@ -85,19 +85,19 @@ public final class UdpRadio implements Radio, AutoCloseable {
     return new InetSocketAddress(socket.getLocalAddress(), socket.getLocalPort());
   }
 
-  /** Sends to {@code id} there and accepts its datagrams from now on; ignores this robot itself. */
+  /** Sets the address of another robot: to send to, and to accept datagrams from. */
   public void setPeer(RobotId id, InetSocketAddress address) {
     if (!id.equals(self)) {
       peers.put(id, address);
     }
   }
 
-  /** Sets the taker of one line for people for each reason, when it first drops a datagram. */
+  /** Sets the receiver of a log line for the first dropped datagram of each reason. */
   public void onDrop(Consumer<String> newLog) {
     log = newLog;
   }
 
-  /** Sets the taker of beacons, on the radio's thread. */
+  /** Sets the receiver of beacons, on the radio's thread. */
   void onBeacon(Consumer<DatagramPacket> taker) {
     beacons = taker;
   }
@@ -169,19 +169,19 @@ public final class UdpRadio implements Radio, AutoCloseable {
       try {
         packet.setLength(MAX_BYTES + 1);
         socket.receive(packet);
-        judge(packet);
+        accept(packet);
       } catch (IOException | RuntimeException e) {
         fail(e);
       }
     }
   }
 
-  /** On the radio's thread: hands on or drops a received datagram. */
-  void judge(DatagramPacket packet) {
+  /** Passes a received datagram to the strand, or drops it. On the radio's thread. */
+  void accept(DatagramPacket packet) {
     SocketAddress source = packet.getSocketAddress();
     if (packet.getLength() > MAX_BYTES) {
       dropped(UdpDrop.OVERSIZE, source);
-    } else if (Beacon.isOne(packet.getData(), packet.getLength())) {
+    } else if (Beacon.isBeacon(packet.getData(), packet.getLength())) {
       beacons.accept(packet);
     } else if (!peers.containsValue(source)) {
       dropped(UdpDrop.FOREIGN, source);

@@ -8,7 +8,7 @@ import java.util.TreeMap;
  * Counts of a radio's datagrams.
  *
  * @param sent datagrams given to the network, one for each recipient
- * @param unsent those that had no known recipient, or that the network refused
+ * @param unsent datagrams without a known recipient, or refused by the network
  * @param received datagrams handed to the strand
  * @param dropped received datagrams that were dropped, by reason; reasons without any are left out
  */

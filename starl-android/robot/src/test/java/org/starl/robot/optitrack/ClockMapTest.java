@@ -55,7 +55,7 @@ class ClockMapTest {
       assertThat(map.isSettled(nowNs)).isTrue();
       long sentNs = nowNs;
       nowNs += rng.nextLong(1, 300 * MS);
-      map.came(other.at(sentNs), nowNs);
+      map.received(other.at(sentNs), nowNs);
       assertHolds(map, other, sentNs - rng.nextLong(0, 30 * MS), nowNs);
     }
   }
@@ -69,7 +69,7 @@ class ClockMapTest {
     for (int i = 0; i < 300; i++) {
       long sentNs = nowNs + rng.nextLong(1, 30 * MS);
       nowNs = sentNs + rng.nextLong(0, i % 10 == 0 ? MAX_DELAY_NS : 200 * MS);
-      map.came(other.at(sentNs), nowNs);
+      map.received(other.at(sentNs), nowNs);
       if (i > 10) {
         assertHolds(map, other, sentNs, nowNs);
       }
@@ -101,7 +101,7 @@ class ClockMapTest {
   void withoutAnswersAClockIsNotTrustedAtOnce() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     assertThat(map.isSettled(0)).isFalse();
-    map.came(7000 * MS, 10 * MS);
+    map.received(7000 * MS, 10 * MS);
     assertThat(map.isSettled(10 * MS)).isFalse();
     assertThat(map.isSettled(10 * MS + ClockMap.SETTLE_NS)).isTrue();
   }
@@ -110,11 +110,11 @@ class ClockMapTest {
   void aBackwardJumpStartsANewClockAndOneOldDatagramHasNoLastingEffect() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     for (int i = 0; i < 100; i++) {
-      map.came(7000 * MS + 10 * i * MS, 10 * i * MS);
+      map.received(7000 * MS + 10 * i * MS, 10 * i * MS);
     }
-    map.came(100 * MS, 1000 * MS);
+    map.received(100 * MS, 1000 * MS);
     assertThat(map.isSettled(1000 * MS)).isFalse();
-    map.came(8010 * MS, 1010 * MS);
+    map.received(8010 * MS, 1010 * MS);
     long laterNs = 1010 * MS + ClockMap.SETTLE_NS;
     assertThat(map.isSettled(laterNs)).isTrue();
     assertThat(map.span(8010 * MS, 8010 * MS, laterNs).middleNs()).isBetween(990 * MS, 1011 * MS);
@@ -124,7 +124,7 @@ class ClockMapTest {
   void withAnswersADatagramFromTheFutureIsIgnored() {
     ClockMap map = new ClockMap(MAX_DELAY_NS);
     map.answered(1000 * MS, 5000 * MS, 1002 * MS);
-    map.came(9_000_000 * MS, 1003 * MS);
+    map.received(9_000_000 * MS, 1003 * MS);
     TimeSpan span = map.span(9_000_000 * MS, 9_000_000 * MS, 1003 * MS);
     assertThat(span.earliestNs()).isGreaterThan(span.latestNs());
     assertThat(map.span(5000 * MS, 5000 * MS, 1003 * MS).boundNs()).isLessThan(2 * MS);

@@ -179,8 +179,8 @@ class StreamTest {
     StreamEncoder encoder = new StreamEncoder(version, Axes.DEFAULT);
     PoseSource.Body body = new PoseSource.Body("bot0", new Pose(1000, -2000, 0), true, 2);
     PoseSource.Snapshot snapshot = new PoseSource.Snapshot(77, List.of(body));
-    assertThat(encoder.hasNew(snapshot)).isTrue();
-    assertThat(encoder.hasNew(snapshot)).isFalse();
+    assertThat(encoder.addNew(snapshot)).isTrue();
+    assertThat(encoder.addNew(snapshot)).isFalse();
     RigidBodyState state = new RigidBodyState(1, 1, 0, 2, 0, 0, 0, 1, 0.002f, true);
     assertThat(parse(encoder.frame(5, snapshot, true, 88), version))
         .isEqualTo(new MocapFrame(5, List.of(state), 77, 77, 88, true));

@@ -281,7 +281,7 @@ class HostileDatagramsTest {
       Victim victim, LoneRobot.PromptStrand strand, byte[] datagram, InetSocketAddress from) {
     // As the radio receives them: into a longer buffer, and cut off there.
     byte[] buffer = Arrays.copyOf(datagram, UdpRadio.MAX_BYTES + 1);
-    victim.radio.judge(new DatagramPacket(buffer, Math.min(datagram.length, buffer.length), from));
+    victim.radio.accept(new DatagramPacket(buffer, Math.min(datagram.length, buffer.length), from));
     strand.run();
   }
 
