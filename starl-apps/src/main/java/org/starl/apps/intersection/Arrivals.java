@@ -1,18 +1,17 @@
 package org.starl.apps.intersection;
 
+import java.util.ArrayList;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.random.Rng;
+import org.starl.time.Time;
 
 /**
  * Cars that arrive at random, independently of each other (a Poisson process), each on any of the
- * twelve routes. The cars do not depend on when {@link #poll} is called.
+ * twelve routes. The cars do not depend on when {@link #until} is called.
  */
 final class Arrivals {
-
-  private static final double NS_PER_S = 1e9;
 
   private final Crossing crossing;
   private final double rateHz;
@@ -37,19 +36,19 @@ final class Arrivals {
     drawGap();
   }
 
-  /** Removes the next car that has arrived by {@code nowNs}; null if there is none. */
-  @Nullable Car poll(long nowNs) {
-    if (nextNs > nowNs || nextNs >= untilNs) {
-      return null;
+  /** Removes the cars that have arrived by {@code nowNs}. */
+  List<Car> until(long nowNs) {
+    List<Car> cars = new ArrayList<>();
+    while (nextNs <= nowNs && nextNs < untilNs) {
+      Route route = routes.get(rng.nextInt(routes.size()));
+      cars.add(Car.atTheEdge(crossing, prefix + count, route, (long) nextNs));
+      count++;
+      drawGap();
     }
-    Route route = routes.get(rng.nextInt(routes.size()));
-    Car car = Car.atTheEdge(crossing, prefix + count, route, (long) nextNs);
-    count++;
-    drawGap();
-    return car;
+    return cars;
   }
 
   private void drawGap() {
-    nextNs += rng.nextExponential() / rateHz * NS_PER_S;
+    nextNs += rng.nextExponential() / rateHz * Time.NS_PER_S;
   }
 }

@@ -1,10 +1,12 @@
 package org.starl.apps.intersection;
 
-import java.util.ArrayList;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.Function;
+import org.starl.GlobalVarHolder;
 import org.starl.apps.Plan;
+import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.RoadsideUnit;
@@ -25,6 +27,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
+import org.starl.time.Time;
 
 /** Builds the simulation of an intersection: robots, director, story, specifications, picture. */
 record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings) {
@@ -37,31 +40,19 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
 
   // A message lost in a fault is repeated some time later, and a dead process is suspected later
   // still.
-  private static final long AFTER_FAULTS_NS = 15_000_000_000L;
+  private static final long AFTER_FAULTS_NS = 15 * Time.NS_PER_S;
 
   /** Of a fixed set of cars. */
   Plan closed(List<Car> cars) {
-    Operator operator = new Operator();
-    IntersectionStory story = new IntersectionStory();
-    Simulation.Builder simulation =
-        simulation(new Bounds(deltaNs(settings), cars.size(), 0))
-            .director(new Traffic(crossing, settings.robotRadiusMm(), cars, operator))
-            .observer(operator)
-            .observer(story);
+    Traffic traffic = new Traffic(crossing, settings.robotRadiusMm(), cars);
+    Simulation.Builder simulation = simulation(new Bounds(deltaNs(settings), cars.size(), 0));
     SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
       trips.put(car.id(), car.trip());
-      simulation.robot(
-          new RobotSpec(
-              car.id(),
-              car.start(),
-              false,
-              gvh ->
-                  operator.isOffFloor(car.id())
-                      ? new TowedCar(gvh, XID, gvh.id.participants(), 0)
-                      : new IntersectionApp(gvh, XID, crossing, car.trip())));
+      simulation.robot(robot(car, false, gvh -> gvh.id.participants(), traffic));
     }
-    return new Plan(simulation, story, new IntersectionLayer(crossing, trips), floor);
+    IntersectionLayer layer = new IntersectionLayer(crossing, trips);
+    return plan(simulation, traffic, new IntersectionStory(), layer);
   }
 
   /** Of an open road, on which cars arrive until the settings' end of the run. */
@@ -71,8 +62,7 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
     for (Pose pose : Floor.roadsideUnits(crossing)) {
       posts.put(new RobotId(UNIT + posts.size()), pose);
     }
-    Participants units = Participants.of(new ArrayList<>(posts.keySet()));
-    Operator operator = new Operator();
+    Participants units = Participants.of(posts.keySet());
     OpenRoadStory story = new OpenRoadStory(untilNs);
     OpenRoad road =
         new OpenRoad(
@@ -80,31 +70,35 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
             settings.robotRadiusMm(),
             new Arrivals(crossing, rateHz, untilNs, settings.robotName(), rng),
             untilNs,
-            car -> robot(car, units, operator),
-            story,
-            operator,
-            units);
+            units,
+            (car, traffic) -> robot(car, true, gvh -> units, traffic),
+            story);
     Bounds bounds = new Bounds(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES);
-    Simulation.Builder simulation =
-        simulation(bounds)
-            .endNs(untilNs + bounds.drainNs())
-            .director(road)
-            .observer(operator)
-            .observer(story);
+    Simulation.Builder simulation = simulation(bounds).endNs(untilNs + bounds.drainNs());
     posts.forEach((id, pose) ->
         simulation.robot(new RobotSpec(id, pose, true, gvh -> new RoadsideUnit(gvh, XID, units))));
-    return new Plan(simulation, story, new IntersectionLayer(crossing, units), floor);
+    return plan(simulation, road, story, new IntersectionLayer(crossing, units));
   }
 
-  private RobotSpec robot(Car car, Participants units, Operator operator) {
+  private Plan plan(
+      Simulation.Builder simulation, Traffic traffic, Story story, IntersectionLayer layer) {
+    simulation.director(traffic).observer(traffic).observer(story);
+    return new Plan(simulation, story, layer, floor);
+  }
+
+  private RobotSpec robot(
+      Car car,
+      boolean onFloor,
+      Function<GlobalVarHolder, Participants> acceptors,
+      Traffic traffic) {
     return new RobotSpec(
         car.id(),
         car.start(),
-        true,
+        onFloor,
         gvh ->
-            operator.isOffFloor(car.id())
-                ? new TowedCar(gvh, XID, units, Crossing.CLAIMED_PLACES)
-                : new IntersectionApp(gvh, XID, crossing, car.trip(), units));
+            traffic.isOffFloor(car.id())
+                ? new TowedCar(gvh, XID, acceptors.apply(gvh), car.trip().approach().size())
+                : new IntersectionApp(gvh, XID, crossing, car.trip(), acceptors.apply(gvh)));
   }
 
   /** A simulation without robots that checks all specifications. */

@@ -2,9 +2,10 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.ToLongFunction;
+import java.util.stream.Stream;
 import org.starl.apps.Measures;
 import org.starl.apps.Sample;
 import org.starl.apps.Story;
@@ -12,11 +13,12 @@ import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
 
 /** Reports when each car came, registered, waited and crossed. */
 final class IntersectionStory implements Story {
-
-  private static final double NS_PER_S = 1e9;
 
   // Each car's trips in order; a car that is put on the floor again starts another trip.
   private final SortedMap<RobotId, List<Crossed>> cars = new TreeMap<>();
@@ -36,10 +38,12 @@ final class IntersectionStory implements Story {
 
   @Override
   public void observed(TraceEvent event) {
-    if (event instanceof TraceEvent.Fault fault && !fault.name().equals(TraceEvent.Fault.CRASH)) {
+    if (event instanceof Fault fault && !fault.name().equals(Fault.CRASH)) {
       return; // may be about no car
     }
-    Crossed car = latest(event.robot());
+    List<Crossed> trips =
+        cars.computeIfAbsent(event.robot(), id -> new ArrayList<>(List.of(new Crossed())));
+    Crossed car = trips.get(trips.size() - 1);
     CrossingTrace.trip(event).ifPresent(trip -> car.trip = trip.label());
     CrossingTrace.myseq(event).ifPresent(myseq -> car.rest = myseq);
     CrossingTrace.location(event).ifPresent(location -> located(car, location, event.timeNs()));
@@ -47,25 +51,19 @@ final class IntersectionStory implements Story {
       car.stops++;
     }
     switch (event) {
-      case TraceEvent.Joined joined -> came(joined.robot(), joined.timeNs());
-      case TraceEvent.Left left -> car.leftNs = left.timeNs();
-      case TraceEvent.Fault crash -> car.crashedNs = crash.timeNs();
+      case Joined joined when car.cameNs < 0 -> car.cameNs = joined.timeNs();
+      case Joined joined -> {
+        Crossed again = new Crossed();
+        again.trip = car.trip;
+        again.cameNs = joined.timeNs();
+        trips.add(again);
+      }
+      case Left left -> car.leftNs = left.timeNs();
+      case Fault crash -> car.crashedNs = crash.timeNs();
       default -> {
         // Not part of the story.
       }
     }
-  }
-
-  private void came(RobotId robot, long timeNs) {
-    Crossed last = latest(robot);
-    if (last.cameNs < 0) {
-      last.cameNs = timeNs;
-      return;
-    }
-    Crossed again = new Crossed();
-    again.trip = last.trip;
-    again.cameNs = timeNs;
-    trips(robot).add(again);
   }
 
   private static void located(Crossed car, Location location, long timeNs) {
@@ -76,15 +74,6 @@ final class IntersectionStory implements Story {
     } else if (location == Location.DONE) {
       car.doneNs = timeNs;
     }
-  }
-
-  private Crossed latest(RobotId robot) {
-    List<Crossed> trips = trips(robot);
-    return trips.get(trips.size() - 1);
-  }
-
-  private List<Crossed> trips(RobotId robot) {
-    return cars.computeIfAbsent(robot, id -> new ArrayList<>(List.of(new Crossed())));
   }
 
   @Override
@@ -99,56 +88,60 @@ final class IntersectionStory implements Story {
     if (car.cameNs < 0) {
       return name + " never came onto the floor";
     }
-    List<String> parts = new ArrayList<>(List.of(name + " came at " + seconds(car.cameNs)));
+    StringBuilder line = new StringBuilder(name + " came at " + Story.seconds(car.cameNs));
     if (car.askedNs >= 0) {
-      parts.add("was registered at " + seconds(car.askedNs));
+      line.append(", was registered at ").append(Story.seconds(car.askedNs));
     }
     if (car.grantedNs >= 0) {
-      parts.add("waited " + seconds(car.grantedNs - car.askedNs));
+      line.append(", waited ").append(Story.seconds(car.grantedNs - car.askedNs));
     } else if (car.askedNs >= 0 && car.crashedNs < 0) {
-      parts.add("still waits for " + car.rest);
+      line.append(", still waits for ").append(car.rest);
     }
     if (car.stops > 0) {
-      parts.add("was stopped " + (car.stops == 1 ? "once" : car.stops + " times"));
+      line.append(", was stopped ").append(times(car.stops));
     }
     if (car.leftNs >= 0) {
-      parts.add("left the floor at " + seconds(car.leftNs));
+      line.append(", left the floor at ").append(Story.seconds(car.leftNs));
     }
     if (car.doneNs > 0) {
-      parts.add("was unregistered at " + seconds(car.doneNs));
+      line.append(", was unregistered at ").append(Story.seconds(car.doneNs));
     }
     if (car.crashedNs >= 0) {
-      boolean wasInside = car.grantedNs >= 0 && car.leftNs < 0;
-      String rest = wasInside ? " with " + car.rest + " ahead" : "";
-      parts.add("crashed at " + seconds(car.crashedNs) + rest);
+      line.append(", crashed at ").append(Story.seconds(car.crashedNs));
+      line.append(car.grantedNs >= 0 && car.leftNs < 0 ? " with " + car.rest + " ahead" : "");
     }
-    return String.join(", ", parts);
+    return line.toString();
+  }
+
+  /** {@code once}, {@code 3 times}. */
+  static String times(int count) {
+    return count == 1 ? "once" : count + " times";
   }
 
   @Override
   public Measures measures() {
-    List<Crossed> trips = cars.values().stream().flatMap(List::stream).toList();
-    List<Long> waitsNs =
-        trips.stream().filter(t -> t.grantedNs >= 0).map(t -> t.grantedNs - t.askedNs).toList();
-    return new Measures(cars.size(), leftNs().size(), waitsNs);
-  }
-
-  private List<Long> leftNs() {
-    return cars.values().stream()
-        .flatMap(List::stream)
-        .filter(trip -> trip.leftNs >= 0)
-        .map(trip -> trip.leftNs)
-        .toList();
+    return new Measures(cars.size(), leftNs().size(), waitsNs());
   }
 
   @Override
   public List<Sample> samples() {
     return List.of(
-        Sample.howLong("wait from registration to the grant of all zones", measures().waitsNs()),
+        Sample.howLong("wait from registration to the grant of all zones", waitsNs()),
         Sample.when("crossings", leftNs()));
   }
 
-  static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.1f s", ns / NS_PER_S);
+  private List<Long> waitsNs() {
+    return trips(trip -> trip.grantedNs).map(trip -> trip.grantedNs - trip.askedNs).toList();
+  }
+
+  private List<Long> leftNs() {
+    return trips(trip -> trip.leftNs).map(trip -> trip.leftNs).toList();
+  }
+
+  /** The trips for which {@code timeNs} has come. */
+  private Stream<Crossed> trips(ToLongFunction<Crossed> timeNs) {
+    return cars.values().stream()
+        .flatMap(List::stream)
+        .filter(trip -> timeNs.applyAsLong(trip) >= 0);
   }
 }

@@ -1,7 +1,5 @@
 package org.starl.apps.intersection;
 
-import static org.starl.apps.intersection.IntersectionStory.seconds;
-
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -16,19 +14,18 @@ import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 
 /** Reports the traffic of an open road. Of a car that has left, it keeps only two times. */
 final class OpenRoadStory implements Story {
 
-  private static final double NS_PER_MIN = 60e9;
-
   private final long untilNs;
-  private final SortedMap<RobotId, Car> waiting = new TreeMap<>();
   private final Set<RobotId> onFloor = new TreeSet<>();
-  // Number of cars per arm that wait for their zones, and of those the ones beyond the edge.
-  private final Map<String, Integer> queued = new TreeMap<>();
-  private final Map<String, Integer> beyondEdge = new TreeMap<>();
+
+  /** The cars on the floor that wait for their zones. */
+  private final Map<RobotId, Car> waiting = new TreeMap<>();
+
   private final List<Long> waitsNs = new ArrayList<>();
   private final List<Long> leftNs = new ArrayList<>();
   private int arrived;
@@ -46,24 +43,28 @@ final class OpenRoadStory implements Story {
     this.untilNs = untilNs;
   }
 
-  /** A car has arrived at the edge of the road. */
-  void arrived(Car car) {
+  /**
+   * A car has arrived at the edge of the road.
+   *
+   * @param beyondEdge number of cars of its arm beyond the edge, this one included
+   */
+  void arrived(Car car, int beyondEdge) {
     arrived++;
-    longestQueue = Math.max(longestQueue, queued.merge(car.arm(), 1, Integer::sum));
-    longestBeyondEdge = Math.max(longestBeyondEdge, beyondEdge.merge(car.arm(), 1, Integer::sum));
+    long inside = waiting.values().stream().filter(w -> w.arm().equals(car.arm())).count();
+    longestQueue = Math.max(longestQueue, beyondEdge + (int) inside);
+    longestBeyondEdge = Math.max(longestBeyondEdge, beyondEdge);
   }
 
   /** A car that had arrived enters the road. */
   void entered(Car car) {
     entered++;
-    beyondEdge.merge(car.arm(), -1, Integer::sum);
     waiting.put(car.id(), car);
     onFloor.add(car.id());
   }
 
   /** So many cars that had arrived never entered. */
   void turnedAway(int cars) {
-    turnedAway += cars;
+    turnedAway = cars;
   }
 
   /** So many cars have been towed so far. */
@@ -76,17 +77,13 @@ final class OpenRoadStory implements Story {
     if (CrossingTrace.location(event).filter(Location.MOVE_WAIT::equals).isPresent()) {
       Car car = waiting.remove(event.robot());
       if (car != null) {
-        queued.merge(car.arm(), -1, Integer::sum);
         waitsNs.add(event.timeNs() - car.readyNs());
       }
     } else if (CrossingTrace.isStopped(event)) {
       stopped++;
     } else if (event instanceof TraceEvent.Left && onFloor.remove(event.robot())) {
       leftNs.add(event.timeNs());
-      Car towedBefore = waiting.remove(event.robot());
-      if (towedBefore != null) {
-        queued.merge(towedBefore.arm(), -1, Integer::sum);
-      }
+      waiting.remove(event.robot());
     }
   }
 
@@ -99,7 +96,7 @@ final class OpenRoadStory implements Story {
   }
 
   private static double perMinute(int cars, long ns) {
-    return ns == 0 ? 0 : cars * NS_PER_MIN / ns;
+    return ns == 0 ? 0 : 60 * cars / Time.seconds(ns);
   }
 
   @Override
@@ -107,40 +104,34 @@ final class OpenRoadStory implements Story {
     long[] waits = waitsNs.stream().mapToLong(Long::longValue).sorted().toArray();
     List<String> lines = new ArrayList<>();
     lines.add(
-        String.format(
-            Locale.ROOT,
+        format(
             "%d cars arrived in %s (%.1f/min), %d entered the road, %d turned away",
-            arrived,
-            seconds(untilNs),
-            perMinute(arrived, untilNs),
-            entered,
-            turnedAway));
+            arrived, Story.seconds(untilNs), perMinute(arrived, untilNs), entered, turnedAway));
     lines.add(
-        String.format(
-            Locale.ROOT,
+        format(
             "%d crossed (%.1f/min), the last one left at %s",
-            crossed(),
-            perMinute(crossed(), lastLeftNs()),
-            seconds(lastLeftNs())));
+            crossed(), perMinute(crossed(), lastLeftNs()), Story.seconds(lastLeftNs())));
     lines.add(
-        String.format(
-            Locale.ROOT,
+        format(
             "time from arrival to the grant of its zones: median %s, 95 %% up to %s, longest %s",
-            seconds(Measures.waitNs(waits, 50)),
-            seconds(Measures.waitNs(waits, 95)),
-            seconds(Measures.waitNs(waits, 100))));
+            Story.seconds(Measures.waitNs(waits, 50)),
+            Story.seconds(Measures.waitNs(waits, 95)),
+            Story.seconds(Measures.waitNs(waits, 100))));
     lines.add(
-        "longest queue of an arm: "
-            + longestQueue
-            + " cars; beyond the edge: "
-            + longestBeyondEdge);
+        format(
+            "longest queue of an arm: %d cars; beyond the edge: %d",
+            longestQueue, longestBeyondEdge));
     if (towed > 0) {
       lines.add(towed + " dead cars were towed");
     }
     if (stopped > 0) {
-      lines.add("cars were stopped on their way " + (stopped == 1 ? "once" : stopped + " times"));
+      lines.add("cars were stopped on their way " + IntersectionStory.times(stopped));
     }
     return lines;
+  }
+
+  private static String format(String form, Object... values) {
+    return String.format(Locale.ROOT, form, values);
   }
 
   @Override

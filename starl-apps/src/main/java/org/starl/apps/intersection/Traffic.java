@@ -4,73 +4,182 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Deque;
+import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.SortedMap;
+import java.util.Map;
+import java.util.Set;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.starl.apps.intersection.logic.Crossing;
+import org.starl.apps.intersection.logic.CrossingTrace;
+import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.apps.intersection.logic.Zone;
-import org.starl.geometry.Rectangle;
+import org.starl.geometry.Circle;
+import org.starl.geometry.Point;
+import org.starl.geometry.Region;
+import org.starl.id.RobotId;
 import org.starl.sim.Director;
 import org.starl.sim.SimControl;
+import org.starl.sim.SimObserver;
+import org.starl.sim.world.Unsynced;
+import org.starl.time.Time;
+import org.starl.trace.TraceEvent;
 
 /**
- * Moves a fixed set of cars on and off the floor. A car appears in its arrival zone when it is ready
- * and the cars before it have left that zone. It leaves the floor when it has released all its zones
- * and stands at the end of a road.
+ * Moves cars on and off the floor: here a fixed set of cars, on an {@link OpenRoad} cars that join and
+ * leave the run. A car appears when it is ready, the cars before it on its arm have appeared, and its
+ * place is free. It leaves the floor when it has released everything and stands in an exit.
+ *
+ * <p>Tows a car whose program has been dead for a minute: takes the car off the floor and restarts the
+ * program. The program of a car off the floor has to be a {@link
+ * org.starl.apps.intersection.logic.TowedCar}: see {@link #isOffFloor}.
  */
-final class Traffic implements Director {
+class Traffic implements Director, SimObserver {
 
-  private static final long LOOK_EVERY_NS = 100_000_000;
+  private static final long LOOK_EVERY_NS = 100 * Time.NS_PER_MS;
+  private static final long TOW_AFTER_NS = 60 * Time.NS_PER_S;
 
-  private final double clearanceMm;
-  private final List<Rectangle> exits;
-  private final SortedMap<String, Deque<Car>> waiting = new TreeMap<>();
-  private final List<Car> cars;
-  private final List<Car> onFloor = new ArrayList<>();
-  private final Operator operator;
+  protected final double radiusMm;
+
+  /** The cars that have not appeared, by arm. */
+  protected final Map<String, Deque<Car>> queues = new LinkedHashMap<>();
+
+  /** The cars in the run. */
+  protected final List<Car> cars;
+
+  private final List<? extends Region> exits;
+  private final Set<RobotId> ready = new TreeSet<>();
+  private final Set<RobotId> offFloor = new TreeSet<>();
+  private final Map<RobotId, Long> deadSinceNs = new TreeMap<>();
+  private int towed;
   private boolean isOver;
 
-  Traffic(Crossing crossing, double radiusMm, List<Car> cars, Operator operator) {
-    this.cars = List.copyOf(cars);
-    this.operator = operator;
-    // Between the centres of two cars, one of which has left the arrival zone of the other.
-    clearanceMm = 3 * radiusMm;
+  /**
+   * @param cars in the run from the start
+   */
+  Traffic(Crossing crossing, double radiusMm, List<Car> cars) {
+    this.radiusMm = radiusMm;
+    this.cars = new ArrayList<>(cars);
     exits = Arrays.stream(Zone.values()).map(crossing::exitRegion).toList();
-    for (Car car : cars) {
-      waiting.computeIfAbsent(car.arm(), arm -> new ArrayDeque<>()).add(car);
-    }
+    cars.stream().map(Car::arm).sorted().forEach(arm -> queues.put(arm, new ArrayDeque<>()));
+    cars.forEach(car -> queues.get(car.arm()).add(car));
   }
 
   @Override
-  public void direct(SimControl control) {
-    cars.forEach(car -> operator.checkCar(control, car.id()));
-    onFloor.removeIf(
-        car -> !control.isOnFloor(car.id()) || operator.takeIfThrough(control, car.id(), exits));
-    for (Deque<Car> queue : waiting.values()) {
+  public final void observed(TraceEvent event) {
+    CrossingTrace.location(event)
+        .ifPresent(location -> {
+          if (location == Location.UNREGISTER_WAIT || location == Location.DONE) {
+            ready.add(event.robot());
+          } else {
+            ready.remove(event.robot());
+          }
+        });
+  }
+
+  @Override
+  public final void direct(SimControl control) {
+    cars.forEach(car -> towIfLongDead(control, car.id()));
+    cars.forEach(car -> takeIfThrough(control, car.id()));
+    boolean isLast = update(control);
+    for (Deque<Car> queue : queues.values()) {
       Car first = queue.peek();
       if (first != null && first.readyNs() <= control.nowNs() && appears(control, first)) {
-        onFloor.add(queue.remove());
+        queue.remove();
       }
     }
     isOver =
-        waiting.values().stream().allMatch(Deque::isEmpty)
+        isLast
+            && queues.values().stream().allMatch(Deque::isEmpty)
             && cars.stream().allMatch(car -> control.isFinished(car.id()));
-    if (!isOver) {
+    if (isOver) {
+      finish(control);
+    } else {
       control.at(control.nowNs() + LOOK_EVERY_NS, () -> direct(control));
     }
   }
 
   @Override
-  public boolean isOver() {
+  public final boolean isOver() {
     return isOver;
   }
 
-  private boolean appears(SimControl control, Car car) {
-    for (Car other : onFloor) {
-      if (control.truePose(other.id()).distanceMm(car.start().at()) < clearanceMm) {
-        return false;
+  /**
+   * Lets cars join the queues and leave the run.
+   *
+   * @return whether no more cars will join
+   */
+  protected boolean update(SimControl control) {
+    return true;
+  }
+
+  /** Puts a car on the floor, if its place is free; returns whether it did. */
+  protected boolean appears(SimControl control, Car car) {
+    // So that the other car has left the arrival zone.
+    return isClear(control, new Circle(car.start().at(), 2 * radiusMm))
+        && control.putOnFloor(car.id());
+  }
+
+  /** All cars have left. */
+  protected void finish(SimControl control) {}
+
+  /** Whether no car's body is in {@code place}. */
+  protected final boolean isClear(SimControl control, Region place) {
+    return cars.stream()
+        .filter(car -> control.isOnFloor(car.id()))
+        .noneMatch(car -> place.distanceMm(control.truePose(car.id()).at()) < radiusMm);
+  }
+
+  private void takeIfThrough(SimControl control, RobotId car) {
+    if (control.isOnFloor(car) && ready.contains(car)) {
+      Point at = control.truePose(car).at();
+      if (exits.stream().anyMatch(exit -> exit.contains(at))) {
+        takeOffFloor(control, car);
       }
     }
-    return control.putOnFloor(car.id());
+  }
+
+  private void towIfLongDead(SimControl control, RobotId car) {
+    if (isLongDead(control, car)) {
+      if (control.isOnFloor(car)) {
+        towed++;
+        takeOffFloor(control, car);
+      }
+      control.restart(car, Unsynced.LOST);
+    }
+  }
+
+  private void takeOffFloor(SimControl control, RobotId car) {
+    offFloor.add(car);
+    control.takeOffFloor(car);
+  }
+
+  /** Whether a robot has been dead for a minute; call it at regular intervals. */
+  protected final boolean isLongDead(SimControl control, RobotId robot) {
+    if (control.isUp(robot)) {
+      deadSinceNs.remove(robot);
+      return false;
+    }
+    long sinceNs = deadSinceNs.computeIfAbsent(robot, any -> control.nowNs());
+    return control.nowNs() - sinceNs >= TOW_AFTER_NS;
+  }
+
+  /** Whether {@code car} has been on the floor and was taken off it. */
+  final boolean isOffFloor(RobotId car) {
+    return offFloor.contains(car);
+  }
+
+  /** Number of cars towed so far. */
+  protected final int towed() {
+    return towed;
+  }
+
+  /** Removes a car from the run. */
+  protected final void remove(SimControl control, Car car) {
+    cars.remove(car);
+    control.leave(car.id());
+    ready.remove(car.id());
+    offFloor.remove(car.id());
+    deadSinceNs.remove(car.id());
   }
 }

@@ -18,10 +18,10 @@ class ArrivalsTest {
   private static List<Car> all(Arrivals arrivals, long stepNs) {
     List<Car> all = new ArrayList<>();
     for (long nowNs = 0; nowNs < 20 * HOUR_NS; nowNs += stepNs) {
-      for (Car a = arrivals.poll(nowNs); a != null; a = arrivals.poll(nowNs)) {
-        assertThat(a.readyNs()).isLessThanOrEqualTo(nowNs);
-        all.add(a);
-      }
+      List<Car> arrived = arrivals.until(nowNs);
+      long latestNs = nowNs;
+      assertThat(arrived).allMatch(car -> car.readyNs() <= latestNs);
+      all.addAll(arrived);
     }
     return all;
   }
@@ -54,7 +54,7 @@ class ArrivalsTest {
   }
 
   @Test
-  void arrivalsDoNotDependOnWhenPollIsCalled() {
+  void arrivalsDoNotDependOnWhenTheyAreAskedFor() {
     assertThat(all(arrivals(3), HOUR_NS)).isEqualTo(all(arrivals(3), HOUR_NS / 100));
     assertThat(all(arrivals(3), HOUR_NS)).isNotEqualTo(all(arrivals(4), HOUR_NS));
   }

@@ -29,13 +29,13 @@ class RudeCarsTest {
             .build();
     Crossing crossing = Crossing.STANDARD;
     List<Car> cars = Car.drawn(crossing, settings.robotName(), CARS, new Rng(seed).fork("cars"));
-    Operator operator = new Operator();
+    Traffic traffic = new Traffic(crossing, settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
         new IntersectionPlan(crossing, Floor.kerbs(crossing), settings)
             .simulation(new Bounds(IntersectionPlan.deltaNs(settings), CARS, 0))
             .seed(seed)
-            .director(new Traffic(crossing, settings.robotRadiusMm(), cars, operator))
-            .observer(operator);
+            .director(traffic)
+            .observer(traffic);
     for (Car car : cars) {
       simulation.robot(
           new RobotSpec(car.id(), car.start(), false, gvh -> new RudeCar(gvh, car.trip(), fault)));

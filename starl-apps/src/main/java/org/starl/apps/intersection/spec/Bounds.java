@@ -1,5 +1,8 @@
 package org.starl.apps.intersection.spec;
 
+import static org.starl.time.Time.NS_PER_MS;
+import static org.starl.time.Time.NS_PER_S;
+
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.primitives.mutex.MutexBounds;
 import org.starl.primitives.mutex.MutexTimes;
@@ -15,24 +18,22 @@ import org.starl.primitives.mutex.MutexTimes;
  */
 public record Bounds(long deltaNs, int cars, int places) {
 
-  private static final long NS_PER_MS = 1_000_000;
-
-  // At most, for one car that has its turn: to join the view and be granted its zones; to drive 3.5
-  // m
-  // at the lowest straight speed; to turn by a right angle three times at the lowest turning speed.
-  private static final long NETWORK_NS = 15_000_000_000L;
-  private static final long DRIVE_NS = 20_000_000_000L;
-  private static final long TURNS_NS = 15_000_000_000L;
+  // At most, for one car that has its turn: to join the view and be granted its zones; to drive
+  // 3.5 m at the lowest straight speed; to turn by a right angle three times at the lowest turning
+  // speed.
+  private static final long NETWORK_NS = 15 * NS_PER_S;
+  private static final long DRIVE_NS = 20 * NS_PER_S;
+  private static final long TURNS_NS = 15 * NS_PER_S;
   // Once: until the last debris is cleared away.
-  private static final long DEBRIS_NS = 30_000_000_000L;
+  private static final long DEBRIS_NS = 30 * NS_PER_S;
 
   // Other cars that may go before a car at the head of its arm: three waiting, four crossing.
   private static final int TURNS_BEFORE = 7;
 
   // A car may have left, and news of it is asked for every so often.
-  private static final long NEWS_NS = 2_000_000_000;
+  private static final long NEWS_NS = 2 * NS_PER_S;
 
-  private static final long DAY_NS = 24L * 3600 * 1_000_000_000;
+  private static final long DAY_NS = 24 * 3600 * NS_PER_S;
 
   // So many losses in a row are not expected in all campaigns together.
   private static final double NEVER = 1e-13;

@@ -1,7 +1,9 @@
 package org.starl.apps.intersection.spec;
 
+import java.util.Collections;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
@@ -10,105 +12,53 @@ import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexEvent;
 import org.starl.primitives.mutex.MutexTrace;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 
 /**
- * The zones and places that each robot holds (crit_set) and requests (req_set), read from the mutexes'
- * events in a trace. Forgets robots that have left the floor and hold nothing.
+ * The zones and places that each robot holds (crit_set), read from the mutexes' events in a trace. No
+ * section belongs to two mutexes.
  */
 public final class HeldZones {
 
-  private final String onlySource;
-  private final Map<RobotId, Car> cars = new TreeMap<>();
+  private final Map<RobotId, SortedMap<String, Hold>> held = new TreeMap<>();
 
-  private record Hold(ProcessId who, SortedSet<String> sections) {}
-
-  /** What one car holds, requests and was refused, by mutex. */
-  private record Car(
-      Map<String, Hold> held, Map<String, SortedSet<String>> requested, Set<String> refused) {
-    Car() {
-      this(new TreeMap<>(), new TreeMap<>(), new TreeSet<>());
-    }
-
-    Car copy() {
-      return new Car(new TreeMap<>(held), new TreeMap<>(requested), new TreeSet<>(refused));
-    }
-
-    void holds(String mutex, ProcessId who, SortedSet<String> left) {
-      if (left.isEmpty()) {
-        held.remove(mutex);
-      } else {
-        held.put(mutex, new Hold(who, left));
-      }
-    }
-  }
-
-  /** Of all mutexes. */
-  public HeldZones() {
-    onlySource = "";
-  }
-
-  /** Of the mutex {@code xid} only. */
-  public HeldZones(String xid) {
-    onlySource = MutexTrace.source(xid);
-  }
-
-  private HeldZones(HeldZones other) {
-    onlySource = other.onlySource;
-    other.cars.forEach((robot, car) -> cars.put(robot, car.copy()));
-  }
+  private record Hold(String mutex, ProcessId process) {}
 
   /** An independent copy of the present state. */
   public HeldZones copy() {
-    return new HeldZones(this);
+    HeldZones copy = new HeldZones();
+    held.forEach((robot, zones) -> copy.held.put(robot, new TreeMap<>(zones)));
+    return copy;
   }
 
   /** Takes the next event of the trace. */
   public void observe(TraceEvent event) {
-    if (event instanceof TraceEvent.Action action
-        && (onlySource.isEmpty() || action.source().equals(onlySource))) {
-      MutexTrace.read(event).ifPresent(e -> observe(action.source(), e));
-    } else if (event instanceof TraceEvent.Left left && held(left.robot()).isEmpty()) {
-      cars.remove(left.robot());
-    }
+    MutexTrace.read(event).ifPresent(e -> observe(((Action) event).source(), e));
   }
 
   private void observe(String mutex, MutexEvent event) {
+    SortedMap<String, Hold> zones =
+        held.computeIfAbsent(event.who().robot(), robot -> new TreeMap<>());
     switch (event) {
-      case MutexEvent.DoMutex request -> {
-        Car car = car(request);
-        car.requested.put(mutex, request.want());
-        car.refused.remove(mutex);
-      }
       case MutexEvent.OdMutex grant -> {
-        Car car = car(grant);
-        car.requested.remove(mutex);
-        car.held.put(mutex, new Hold(grant.who(), grant.held()));
+        zones.values().removeIf(hold -> hold.mutex.equals(mutex));
+        grant.held().forEach(zone -> zones.put(zone, new Hold(mutex, grant.who())));
       }
-      case MutexEvent.Release release -> car(release).holds(mutex, release.who(), release.left());
-      case MutexEvent.Withdraw withdrawal -> {
-        Car car = car(withdrawal);
-        car.requested.remove(mutex);
-        car.refused.add(mutex);
-      }
-      case MutexEvent.StandsIn word -> restarted(car(word), mutex, word);
+      case MutexEvent.Release release -> zones.keySet().removeAll(release.given());
+      // Of what an earlier process of the robot held, the robot keeps only the sections it is in.
+      case MutexEvent.StandsIn word ->
+          zones
+              .entrySet()
+              .removeIf(zone ->
+                  zone.getValue().mutex.equals(mutex)
+                      && boot(zone.getValue().process) < boot(word.who())
+                      && !word.sections().contains(zone.getKey()));
       default -> {
-        // Changes neither a request nor what is held.
+        // Does not change what is held.
       }
     }
-  }
-
-  private Car car(MutexEvent event) {
-    return cars.computeIfAbsent(event.who().robot(), robot -> new Car());
-  }
-
-  /** Of what an earlier process of the robot held, the robot keeps only the sections it is in. */
-  private static void restarted(Car car, String mutex, MutexEvent.StandsIn word) {
-    Hold hold = car.held.get(mutex);
-    if (hold != null && boot(hold.who()) < boot(word.who())) {
-      TreeSet<String> left = new TreeSet<>(hold.sections());
-      left.retainAll(word.sections());
-      car.holds(mutex, hold.who(), left);
-      car.requested.remove(mutex);
+    if (zones.isEmpty()) {
+      held.remove(event.who().robot());
     }
   }
 
@@ -118,36 +68,16 @@ public final class HeldZones {
 
   /** The crit_set of {@code robot}: the sections that it has access to. */
   public SortedSet<String> held(RobotId robot) {
-    TreeSet<String> all = new TreeSet<>();
-    if (cars.containsKey(robot)) {
-      cars.get(robot).held.values().forEach(hold -> all.addAll(hold.sections()));
-    }
-    return all;
+    return new TreeSet<>(held.getOrDefault(robot, Collections.emptySortedMap()).keySet());
   }
 
   /** Whether {@code robot} has access to {@code zone}. */
   boolean holds(RobotId robot, String zone) {
-    Car car = cars.get(robot);
-    return car != null
-        && car.held.values().stream().anyMatch(hold -> hold.sections().contains(zone));
+    return held.getOrDefault(robot, Collections.emptySortedMap()).containsKey(zone);
   }
 
-  /** Whether a latest request of {@code robot} ended without access. */
-  boolean isRefused(RobotId robot) {
-    return cars.containsKey(robot) && !cars.get(robot).refused.isEmpty();
-  }
-
-  /** All robots that may hold something, in order. */
+  /** All robots that hold something, in order. */
   Set<RobotId> holders() {
-    return cars.keySet();
-  }
-
-  /** The req_set of {@code robot}: the sections that it waits for. */
-  SortedSet<String> requested(RobotId robot) {
-    TreeSet<String> all = new TreeSet<>();
-    if (cars.containsKey(robot)) {
-      cars.get(robot).requested.values().forEach(all::addAll);
-    }
-    return all;
+    return held.keySet();
   }
 }

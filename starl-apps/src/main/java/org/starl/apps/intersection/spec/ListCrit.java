@@ -9,8 +9,11 @@ import org.jspecify.annotations.Nullable;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
+import org.starl.primitives.mutex.MutexEvent;
+import org.starl.primitives.mutex.MutexTrace;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceEvent.Action;
 
 /**
  * {@code Inv_list_crit} (paper, Figure 6): the zones ahead of a car ({@code myseq}) are its whole path
@@ -22,26 +25,28 @@ import org.starl.trace.TraceEvent;
  *
  * <p>In PVS the grant and the car's step from {@code mutex_wait} to {@code move_wait} are one action,
  * {@code od_mutex}. A program sees the grant at its next step, so between the two it still waits for
- * what it already holds, or for what has just been refused.
+ * what it already holds, or for what has just been refused: its latest request.
  */
 final class ListCrit implements Monitor {
 
   private static final String LEMMA = "Inv_list_crit";
 
   private final SortedMap<RobotId, State> states = new TreeMap<>();
-  private final HeldZones zones;
+  private final String mutex;
+  private final HeldZones zones = new HeldZones();
   private @Nullable TraceEvent last;
 
   private static final class State {
     private Location location = Location.S_0;
     private List<String> path = List.of();
     private List<String> myseq = List.of();
+    private Set<String> requested = Set.of();
     private boolean isReported;
   }
 
   /** Of the mutex {@code xid}. */
   ListCrit(String xid) {
-    zones = new HeldZones(xid);
+    mutex = MutexTrace.source(xid);
   }
 
   @Override
@@ -77,6 +82,11 @@ final class ListCrit implements Monitor {
     if (state != null) {
       CrossingTrace.location(event).ifPresent(location -> state.location = location);
       CrossingTrace.myseq(event).ifPresent(myseq -> state.myseq = myseq);
+      if (event instanceof Action action
+          && action.source().equals(mutex)
+          && MutexTrace.read(action).orElseThrow() instanceof MutexEvent.DoMutex request) {
+        state.requested = request.want();
+      }
     }
   }
 
@@ -109,11 +119,9 @@ final class ListCrit implements Monitor {
       case S_0, REGISTER_WAIT, QUEUE ->
           state.myseq.equals(state.path) ? "" : myseq + " is not the path " + state.path;
       case MUTEX_WAIT ->
-          zones.requested(robot).equals(rest)
-                  || zones.held(robot).equals(rest)
-                  || zones.isRefused(robot)
+          state.requested.equals(rest)
               ? ""
-              : myseq + " is not what is requested, " + zones.requested(robot);
+              : myseq + " is not what is requested, " + state.requested;
       case MOVE_WAIT ->
           zones.held(robot).containsAll(rest)
               ? ""

@@ -9,6 +9,7 @@ import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
@@ -25,9 +26,9 @@ final class TrafficProgress implements Monitor {
   private static final String LEMMA = "traffic_progress";
 
   private final Within<RobotId> departures;
-  private final FaultState circumstances = new FaultState();
+  private final FaultState faults = new FaultState();
   private final Set<RobotId> dead = new TreeSet<>();
-  // Robots with a trip; a car that comes onto the floor may write its trip before or after that.
+  // Robots on a trip; a car that comes onto the floor may write its trip before or after that.
   private final Set<RobotId> cars = new TreeSet<>();
   private final Set<RobotId> onFloor = new TreeSet<>();
 
@@ -49,29 +50,30 @@ final class TrafficProgress implements Monitor {
   public void observe(TraceEvent event, Report report) {
     expire(event.timeNs(), report);
     RobotId robot = event.robot();
-    boolean isChanged = circumstances.observe(event);
-    if (event instanceof Fault) {
-      dead.removeIf(circumstances::isUp);
-      if (!circumstances.isUp(robot)) {
-        dead.add(robot);
+    faults.observe(event);
+    switch (event) {
+      case Joined joined -> onFloor.add(robot);
+      case Left left -> {
+        dead.remove(robot);
+        onFloor.remove(robot);
+      }
+      case Fault fault when faults.isUp(robot) -> dead.remove(robot);
+      case Fault fault -> dead.add(robot);
+      default -> {
+        if (CrossingTrace.trip(event).filter(trip -> !trip.zones().isEmpty()).isPresent()) {
+          cars.add(robot);
+        }
       }
     }
-    if (event instanceof Left) {
-      dead.remove(robot);
+    departures.assumeAll(faults.isFaultFree() && dead.isEmpty(), event.timeNs());
+    if (event instanceof Left
+        || CrossingTrace.location(event).filter(Location.DONE::equals).isPresent()) {
       cars.remove(robot);
-      onFloor.remove(robot);
-    }
-    if (isChanged) {
-      departures.assumeAll(circumstances.isFaultFree() && dead.isEmpty(), event.timeNs());
-    }
-    boolean hasTrip = CrossingTrace.trip(event).filter(trip -> !trip.zones().isEmpty()).isPresent();
-    boolean isNew = (hasTrip && cars.add(robot)) || (event instanceof Joined && onFloor.add(robot));
-    if (isNew && cars.contains(robot) && onFloor.contains(robot)) {
+      if (departures.stop(robot)) {
+        report.checked(LEMMA);
+      }
+    } else if (cars.contains(robot) && onFloor.contains(robot)) {
       departures.start(robot, event.timeNs());
-    }
-    boolean isDone = CrossingTrace.location(event).filter(Location.DONE::equals).isPresent();
-    if ((isDone || event instanceof Left) && departures.stop(robot)) {
-      report.checked(LEMMA);
     }
   }
 
@@ -81,7 +83,7 @@ final class TrafficProgress implements Monitor {
   }
 
   private void expire(long nowNs, Report report) {
-    long boundS = departures.boundNs() / 1_000_000_000;
+    long boundS = departures.boundNs() / Time.NS_PER_S;
     departures.expire(
         nowNs,
         (robot, sinceNs, deadlineNs) ->
@@ -89,6 +91,10 @@ final class TrafficProgress implements Monitor {
                 LEMMA,
                 deadlineNs,
                 List.of(robot),
-                "came at " + sinceNs / 1_000_000 + " ms, not departed within " + boundS + " s"));
+                "came at "
+                    + sinceNs / Time.NS_PER_MS
+                    + " ms, not departed within "
+                    + boundS
+                    + " s"));
   }
 }

@@ -10,6 +10,7 @@ import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -28,7 +29,7 @@ final class TrafficSafety implements Monitor {
 
   private static final String SAFETY = "traffic_safety";
   private static final String HELD = "occupied_is_held";
-  private static final long STEP_NS = 10_000_000;
+  private static final long STEP_NS = 10 * Time.NS_PER_MS;
 
   private final List<Zone> zones = new ArrayList<>();
   private final Bodies bodies = new Bodies();
