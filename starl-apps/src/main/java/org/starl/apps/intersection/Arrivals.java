@@ -13,7 +13,6 @@ import org.starl.time.Time;
  */
 final class Arrivals {
 
-  private final Crossing crossing;
   private final double rateHz;
   private final long untilNs;
   private final String prefix;
@@ -27,8 +26,7 @@ final class Arrivals {
    * @param untilNs no car arrives from then on
    * @param prefix of the cars' names; their number follows
    */
-  Arrivals(Crossing crossing, double rateHz, long untilNs, String prefix, Rng rng) {
-    this.crossing = crossing;
+  Arrivals(double rateHz, long untilNs, String prefix, Rng rng) {
     this.rateHz = rateHz;
     this.untilNs = untilNs;
     this.prefix = prefix;
@@ -41,7 +39,7 @@ final class Arrivals {
     List<Car> cars = new ArrayList<>();
     while (nextNs <= nowNs && nextNs < untilNs) {
       Route route = routes.get(rng.nextInt(routes.size()));
-      cars.add(Car.atTheEdge(crossing, prefix + count, route, (long) nextNs));
+      cars.add(Car.on(route, Crossing.PLACES - 1, prefix + count, (long) nextNs));
       count++;
       drawGap();
     }

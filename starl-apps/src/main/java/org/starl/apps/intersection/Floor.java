@@ -2,13 +2,11 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.stream.Stream;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
-import org.starl.geometry.Pose;
 import org.starl.random.Rng;
 
 /** Objects at an intersection: kerbs, which cars know; debris, which they do not; roadside units. */
@@ -26,40 +24,32 @@ final class Floor {
   private Floor() {}
 
   /** Where the roadside units of an open road stand: at three of the four corners. */
-  static List<Pose> roadsideUnits(Crossing crossing) {
-    return Stream.of(new Point(-UNIT, UNIT), new Point(UNIT, UNIT), new Point(UNIT, -UNIT))
-        .map(corner -> Pose.of(crossing.middle().plus(corner.times(crossing.zoneWidthMm())), 0))
-        .toList();
+  static List<Point> roadsideUnits() {
+    return List.of(Crossing.at(-UNIT, UNIT), Crossing.at(UNIT, UNIT), Crossing.at(UNIT, -UNIT));
   }
 
   /** Both sides and the middle line of each arm, as in the original StarL's intersection. */
-  static Obstacles kerbs(Crossing crossing) {
+  static Obstacles kerbs() {
     List<Obstacle> kerbs = new ArrayList<>();
     for (int side = -1; side <= 1; side++) {
       for (int sign : new int[] {-1, 1}) {
         double from = sign * KERB_FROM;
         double to = sign * KERB_TO;
-        kerbs.add(wall(crossing, new Point(from, side), new Point(to, side)));
-        kerbs.add(wall(crossing, new Point(side, from), new Point(side, to)));
+        kerbs.add(Obstacle.wall(Crossing.at(from, side), Crossing.at(to, side)));
+        kerbs.add(Obstacle.wall(Crossing.at(side, from), Crossing.at(side, to)));
       }
     }
     return new Obstacles(kerbs);
-  }
-
-  private static Obstacle wall(Crossing crossing, Point from, Point to) {
-    double width = crossing.zoneWidthMm();
-    Point middle = crossing.middle();
-    return Obstacle.wall(middle.plus(from.times(width)), middle.plus(to.times(width)));
   }
 
   /**
    * Adds {@code pieces} hidden squares of 60 mm in the middle of critical zones. Each is removed after 5
    * to 30 s.
    */
-  static Obstacles withDebris(Obstacles obstacles, Crossing crossing, int pieces, Rng rng) {
+  static Obstacles withDebris(Obstacles obstacles, int pieces, Rng rng) {
     Obstacles all = obstacles;
     for (int i = 0; i < pieces; i++) {
-      Point at = crossing.centre(Zone.values()[rng.nextInt(Zone.values().length)]);
+      Point at = Crossing.centre(Zone.values()[rng.nextInt(Zone.values().length)]);
       List<Point> corners =
           List.of(
               at.plus(new Point(-DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),

@@ -10,7 +10,6 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
-import org.starl.apps.intersection.logic.Crossing;
 import org.starl.geometry.Obstacles;
 import org.starl.input.BadInput;
 import org.starl.input.Form;
@@ -27,7 +26,6 @@ public final class IntersectionDemo implements Demo {
   private static final int MIN_CARS = 1;
   private static final int MAX_CARS = 12;
   private static final int MAX_DEBRIS = 8;
-  private static final Crossing CROSSING = Crossing.STANDARD;
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
   private static final long MAX_ARRIVALS_NS = 1000L * 3600 * 1_000_000_000;
@@ -109,7 +107,7 @@ public final class IntersectionDemo implements Demo {
     Rng rng = new Rng(request.seed()).fork(name());
     String scenario = scenario(request);
     String prefix = settings.robotName();
-    Obstacles obstacles = Floor.kerbs(CROSSING);
+    Obstacles obstacles = Floor.kerbs();
     List<Car> cars = List.of();
     switch (scenario) {
       case OPEN -> checkOpen(request, settings);
@@ -118,14 +116,14 @@ public final class IntersectionDemo implements Demo {
         if (count < MIN_CARS || count > MAX_CARS) {
           throw new BadInput("robots: " + count + ": expected 1 to 12 cars at the intersection");
         }
-        cars = Car.drawn(CROSSING, prefix, count, rng.fork("cars"));
+        cars = Car.drawn(prefix, count, rng.fork("cars"));
       }
-      case "figure7" -> cars = Car.figure7(CROSSING, prefix);
+      case "figure7" -> cars = Car.figure7(prefix);
       case "legacy" -> {
         if (request.parameter(FILES.key()).isEmpty()) {
           throw new BadInput("files='': expected the folder of the original's .wpt files");
         }
-        LegacyFiles files = LegacyFiles.read(Path.of(request.parameter(FILES.key())), CROSSING);
+        LegacyFiles files = LegacyFiles.read(Path.of(request.parameter(FILES.key())));
         cars = files.cars();
         obstacles = files.obstacles();
       }
@@ -139,8 +137,8 @@ public final class IntersectionDemo implements Demo {
       throw new BadInput("robots: " + given + ": expected " + cars.size() + " for " + scenario);
     }
     long pieces = request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));
-    Obstacles floor = Floor.withDebris(obstacles, CROSSING, (int) pieces, rng.fork("debris"));
-    IntersectionPlan plan = new IntersectionPlan(CROSSING, floor, settings);
+    Obstacles floor = Floor.withDebris(obstacles, (int) pieces, rng.fork("debris"));
+    IntersectionPlan plan = new IntersectionPlan(floor, settings);
     return isOpen ? plan.open(rateHz(request), rng.fork("arrivals")) : plan.closed(cars);
   }
 

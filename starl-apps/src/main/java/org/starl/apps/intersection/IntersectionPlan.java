@@ -17,6 +17,7 @@ import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
+import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -30,7 +31,7 @@ import org.starl.sim.fault.Envelope;
 import org.starl.time.Time;
 
 /** Builds the simulation of an intersection: robots, director, story, specifications, picture. */
-record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings) {
+record IntersectionPlan(Obstacles floor, SimSettings settings) {
 
   private static final String XID = "crossing";
   private static final String UNIT = "roadside";
@@ -44,14 +45,14 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
 
   /** Of a fixed set of cars. */
   Plan closed(List<Car> cars) {
-    Traffic traffic = new Traffic(crossing, settings.robotRadiusMm(), cars);
+    Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation = simulation(new Bounds(deltaNs(settings), cars.size(), 0));
     SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
       trips.put(car.id(), car.trip());
       simulation.robot(robot(car, false, gvh -> gvh.id.participants(), traffic));
     }
-    IntersectionLayer layer = new IntersectionLayer(crossing, trips);
+    IntersectionLayer layer = new IntersectionLayer(trips);
     return plan(simulation, traffic, new IntersectionStory(), layer);
   }
 
@@ -59,16 +60,15 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
   Plan open(double rateHz, Rng rng) {
     long untilNs = settings.endNs();
     SortedMap<RobotId, Pose> posts = new TreeMap<>();
-    for (Pose pose : Floor.roadsideUnits(crossing)) {
-      posts.put(new RobotId(UNIT + posts.size()), pose);
+    for (Point at : Floor.roadsideUnits()) {
+      posts.put(new RobotId(UNIT + posts.size()), Pose.of(at, 0));
     }
     Participants units = Participants.of(posts.keySet());
     OpenRoadStory story = new OpenRoadStory(untilNs);
     OpenRoad road =
         new OpenRoad(
-            crossing,
             settings.robotRadiusMm(),
-            new Arrivals(crossing, rateHz, untilNs, settings.robotName(), rng),
+            new Arrivals(rateHz, untilNs, settings.robotName(), rng),
             untilNs,
             units,
             (car, traffic) -> robot(car, true, gvh -> units, traffic),
@@ -77,7 +77,7 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
     Simulation.Builder simulation = simulation(bounds).endNs(untilNs + bounds.drainNs());
     posts.forEach((id, pose) ->
         simulation.robot(new RobotSpec(id, pose, true, gvh -> new RoadsideUnit(gvh, XID, units))));
-    return plan(simulation, road, story, new IntersectionLayer(crossing, units));
+    return plan(simulation, road, story, new IntersectionLayer(units));
   }
 
   private Plan plan(
@@ -98,13 +98,13 @@ record IntersectionPlan(Crossing crossing, Obstacles floor, SimSettings settings
         gvh ->
             traffic.isOffFloor(car.id())
                 ? new TowedCar(gvh, XID, acceptors.apply(gvh), car.trip().approach().size())
-                : new IntersectionApp(gvh, XID, crossing, car.trip(), acceptors.apply(gvh)));
+                : new IntersectionApp(gvh, XID, car.trip(), acceptors.apply(gvh)));
   }
 
   /** A simulation without robots that checks all specifications. */
   Simulation.Builder simulation(Bounds bounds) {
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(floor);
-    IntersectionSpec.of(XID, crossing, bounds).forEach(simulation::monitor);
+    IntersectionSpec.of(XID, bounds).forEach(simulation::monitor);
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     return simulation.monitor(() -> new MotionSpec(motion));
   }

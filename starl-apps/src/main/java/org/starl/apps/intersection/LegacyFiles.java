@@ -2,7 +2,6 @@ package org.starl.apps.intersection;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
 import org.starl.apps.intersection.logic.Crossing;
@@ -28,7 +27,7 @@ record LegacyFiles(List<Car> cars, Obstacles obstacles) {
   /**
    * @throws BadInput if a file is missing, or a robot's waypoints are not a way through the crossing
    */
-  static LegacyFiles read(Path folder, Crossing crossing) {
+  static LegacyFiles read(Path folder) {
     List<Waypoint> goals = WaypointFiles.read(folder.resolve("dest.wpt")).waypoints();
     List<Car> cars = new ArrayList<>();
     for (Waypoint start : WaypointFiles.read(folder.resolve("start.wpt")).waypoints()) {
@@ -40,19 +39,16 @@ record LegacyFiles(List<Car> cars, Obstacles obstacles) {
       int number = cars.size();
       List<ItemPosition> points =
           goals.stream().filter(g -> g.angle() == number).map(Waypoint::position).toList();
-      Trip trip = points.isEmpty() ? Trip.parked(start.position()) : trip(name, points, crossing);
+      Trip trip = points.isEmpty() ? Trip.parked(start.position()) : trip(name, points);
       cars.add(new Car(new RobotId(name), name, start.position().pose(), trip, 0));
     }
     return new LegacyFiles(cars, WaypointFiles.read(folder.resolve("obstacles.wpt")).obstacles());
   }
 
-  private static Trip trip(String robot, List<ItemPosition> points, Crossing crossing) {
+  private static Trip trip(String robot, List<ItemPosition> points) {
     List<ItemPosition> stations = new ArrayList<>();
     for (ItemPosition point : points) {
-      Optional<Zone> zone =
-          Arrays.stream(Zone.values())
-              .filter(z -> crossing.region(z).contains(point.at()))
-              .findFirst();
+      Optional<Zone> zone = Crossing.zoneAt(point.at());
       if (zone.isPresent()) {
         addZone(robot, stations, new ItemPosition(zone.get().name(), point.pose()));
       } else if (endsInCriticalZone(stations)) {

@@ -21,7 +21,6 @@ import org.starl.sim.world.Unsynced;
  */
 final class OpenRoad extends Traffic {
 
-  private final Crossing crossing;
   private final Arrivals arrivals;
   private final long untilNs;
   private final Participants units;
@@ -35,15 +34,13 @@ final class OpenRoad extends Traffic {
    * @param robots creates the robot of a car that enters
    */
   OpenRoad(
-      Crossing crossing,
       double radiusMm,
       Arrivals arrivals,
       long untilNs,
       Participants units,
       BiFunction<Car, Traffic, RobotSpec> robots,
       OpenRoadStory story) {
-    super(crossing, radiusMm, List.of());
-    this.crossing = crossing;
+    super(radiusMm, List.of());
     this.arrivals = arrivals;
     this.untilNs = untilNs;
     this.units = units;
@@ -85,7 +82,7 @@ final class OpenRoad extends Traffic {
   @Override
   protected boolean appears(SimControl control, Car car) {
     String edge = car.arm() + "." + (Crossing.PLACES - 1);
-    if (!isClear(control, crossing.region(edge)) || !control.isFree(car.start())) {
+    if (!isClear(control, Crossing.region(edge)) || !control.isFree(car.start())) {
       return false;
     }
     cars.add(car);

@@ -57,10 +57,10 @@ class Traffic implements Director, SimObserver {
   /**
    * @param cars in the run from the start
    */
-  Traffic(Crossing crossing, double radiusMm, List<Car> cars) {
+  Traffic(double radiusMm, List<Car> cars) {
     this.radiusMm = radiusMm;
     this.cars = new ArrayList<>(cars);
-    exits = Arrays.stream(Zone.values()).map(crossing::exitRegion).toList();
+    exits = Arrays.stream(Zone.values()).map(Crossing::exitRegion).toList();
     cars.stream().map(Car::arm).sorted().forEach(arm -> queues.put(arm, new ArrayDeque<>()));
     cars.forEach(car -> queues.get(car.arm()).add(car));
   }

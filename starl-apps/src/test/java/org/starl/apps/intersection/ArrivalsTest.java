@@ -8,7 +8,6 @@ import java.util.List;
 import java.util.Set;
 import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
-import org.starl.apps.intersection.logic.Crossing;
 import org.starl.random.Rng;
 
 class ArrivalsTest {
@@ -27,7 +26,7 @@ class ArrivalsTest {
   }
 
   private static Arrivals arrivals(long seed) {
-    return new Arrivals(Crossing.STANDARD, 1 / 3.0, 10 * HOUR_NS, "bot", new Rng(seed));
+    return new Arrivals(1 / 3.0, 10 * HOUR_NS, "bot", new Rng(seed));
   }
 
   @Test

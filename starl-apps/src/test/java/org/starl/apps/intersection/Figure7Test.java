@@ -8,7 +8,6 @@ import java.util.TreeSet;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.intersection.logic.Crossing;
-import org.starl.apps.intersection.logic.Zone;
 import org.starl.apps.intersection.spec.HeldZones;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
@@ -44,12 +43,7 @@ class Figure7Test {
 
     private boolean isInside(RobotId robot, long timeNs) {
       Point at = bodies.poseAt(robot, timeNs).at();
-      for (Zone zone : Zone.values()) {
-        if (Crossing.STANDARD.region(zone).contains(at)) {
-          return true;
-        }
-      }
-      return false;
+      return Crossing.zoneAt(at).isPresent();
     }
   }
 

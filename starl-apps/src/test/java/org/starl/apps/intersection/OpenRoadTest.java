@@ -59,7 +59,7 @@ class OpenRoadTest {
     /** Whether no other body is in the place in which a car appears. */
     private boolean isAlone(TraceEvent.Joined joined) {
       for (Zone arm : Zone.values()) {
-        Region edge = Crossing.STANDARD.place(arm, Crossing.PLACES - 1);
+        Region edge = Crossing.region(Crossing.placeName(arm, Crossing.PLACES - 1));
         for (RobotId other : bodies.robots()) {
           Point at = bodies.poseAt(other, joined.timeNs()).at();
           if (edge.contains(joined.pose().at()) && edge.distanceMm(at) < joined.radiusMm()) {

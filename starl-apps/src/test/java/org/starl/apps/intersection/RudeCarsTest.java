@@ -6,7 +6,6 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.spec.Bounds;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
@@ -27,11 +26,10 @@ class RudeCarsTest {
             .set(Setting.FLOOR_HEIGHT, SimSettings.defaults().get(Setting.FLOOR_WIDTH))
             .duration(Duration.ofSeconds(fault == RudeCar.Fault.NEVER_LEAVES ? 1800 : 60))
             .build();
-    Crossing crossing = Crossing.STANDARD;
-    List<Car> cars = Car.drawn(crossing, settings.robotName(), CARS, new Rng(seed).fork("cars"));
-    Traffic traffic = new Traffic(crossing, settings.robotRadiusMm(), cars);
+    List<Car> cars = Car.drawn(settings.robotName(), CARS, new Rng(seed).fork("cars"));
+    Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
-        new IntersectionPlan(crossing, Floor.kerbs(crossing), settings)
+        new IntersectionPlan(Floor.kerbs(), settings)
             .simulation(new Bounds(IntersectionPlan.deltaNs(settings), CARS, 0))
             .seed(seed)
             .director(traffic)

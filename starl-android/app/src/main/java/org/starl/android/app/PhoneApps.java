@@ -14,8 +14,7 @@ import org.starl.apps.hello.logic.Hello;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.Route;
-import org.starl.apps.intersection.logic.Turn;
-import org.starl.apps.intersection.logic.Zone;
+import org.starl.apps.intersection.logic.Trip;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
@@ -33,15 +32,6 @@ final class PhoneApps {
 
   /** Accepted and ignored: debris exists only on a simulated floor. */
   private static final String DEBRIS = "debris";
-
-  /** The paper's Figure 7, in the order of the robots' names. */
-  private static final List<Route> FIGURE7_ROUTES =
-      Collections.unmodifiableList(
-          Arrays.asList(
-              new Route(Zone.C, Turn.RIGHT),
-              new Route(Zone.D, Turn.STRAIGHT),
-              new Route(Zone.B, Turn.LEFT),
-              new Route(Zone.A, Turn.RIGHT)));
 
   /** Makes the app of one robot of a deployment. */
   private interface Maker {
@@ -92,15 +82,14 @@ final class PhoneApps {
       throw deployment.error(SCENARIO, String.valueOf(scenario), FIGURE7 + " on a phone");
     }
     int number = deployment.participants().asList().indexOf(robot);
-    if (number < 0 || number >= FIGURE7_ROUTES.size()) {
+    if (number < 0 || number >= Route.FIGURE7.size()) {
       throw deployment.error(
           SCENARIO,
           FIGURE7,
-          "at most " + FIGURE7_ROUTES.size() + " robots; " + robot + " is one too many");
+          "at most " + Route.FIGURE7.size() + " robots; " + robot + " is one too many");
     }
-    Crossing crossing = Crossing.STANDARD;
-    Route route = FIGURE7_ROUTES.get(number);
-    return gvh -> new IntersectionApp(gvh, XID, crossing, crossing.trip(route));
+    Trip trip = Crossing.trip(Route.FIGURE7.get(number), 0);
+    return gvh -> new IntersectionApp(gvh, XID, trip, gvh.id.participants());
   }
 
   private static void refuseAllBut(Deployment deployment, String... known) {

@@ -16,15 +16,13 @@ import org.starl.gvh.GvhCell;
 final class Course {
 
   private final GlobalVarHolder gvh;
-  private final Crossing crossing;
   private final Trip trip;
   private final GvhCell<List<String>> myseq;
   private final ArrayDeque<ItemPosition> ahead;
   private final List<String> behind = new ArrayList<>();
 
-  Course(GlobalVarHolder gvh, Crossing crossing, Trip trip) {
+  Course(GlobalVarHolder gvh, Trip trip) {
     this.gvh = gvh;
-    this.crossing = crossing;
     this.trip = trip;
     ahead = new ArrayDeque<>(trip.stations());
     myseq = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.MYSEQ, trip.zones());
@@ -53,7 +51,8 @@ final class Course {
 
   /** Removes and returns the zones behind that the whole body has left for certain. */
   List<String> takeLeft() {
-    List<String> left = behind.stream().filter(this::isClearOf).collect(Collectors.toList());
+    List<String> left = new ArrayList<>(behind);
+    left.removeIf(zone -> !Crossing.isClearOf(gvh, zone));
     behind.removeAll(left);
     return left;
   }
@@ -65,7 +64,9 @@ final class Course {
 
   /** The zones ahead that the body may be in. */
   List<String> occupied() {
-    return zones().stream().filter(zone -> !isClearOf(zone)).collect(Collectors.toList());
+    List<String> occupied = zones();
+    occupied.removeIf(zone -> Crossing.isClearOf(gvh, zone));
+    return occupied;
   }
 
   /**
@@ -77,7 +78,9 @@ final class Course {
    */
   boolean resume() {
     List<String> occupied = occupied();
-    boolean isBeyond = occupied.isEmpty() && isNearerToTheExit();
+    Point at = gvh.gps.pose().at();
+    Point first = trip.stations().get(0).at();
+    boolean isBeyond = occupied.isEmpty() && at.distanceMm(trip.exit().at()) < at.distanceMm(first);
     if (isBeyond) {
       ahead.clear();
     }
@@ -91,16 +94,5 @@ final class Course {
   void tell() {
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), zones());
     myseq.set(zones());
-  }
-
-  private boolean isNearerToTheExit() {
-    Point at = gvh.gps.pose().at();
-    Point first = trip.stations().get(0).at();
-    return at.distanceMm(trip.exit().at()) < at.distanceMm(first);
-  }
-
-  private boolean isClearOf(String zone) {
-    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
-    return gvh.gps.isClearOf(crossing.region(zone), radiusMm);
   }
 }

@@ -64,30 +64,19 @@ public final class IntersectionApp extends LogicThread {
   private Participants plist = Participants.of();
 
   /**
-   * A car that starts in its arrival zone. All cars are known to the deployment and are acceptors of
-   * the registration.
-   *
    * @param xid names this intersection: cars with another one are at another intersection
+   * @param acceptors of the registrations: all cars of the deployment, or on an open road, where any
+   *     car may arrive, the roadside units
    */
-  public IntersectionApp(GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip) {
-    this(gvh, xid, crossing, trip, gvh.id.participants());
-  }
-
-  /**
-   * A car on an open road, where any car may arrive.
-   *
-   * @param acceptors of the registrations: the roadside units
-   */
-  public IntersectionApp(
-      GlobalVarHolder gvh, String xid, Crossing crossing, Trip trip, Participants acceptors) {
+  public IntersectionApp(GlobalVarHolder gvh, String xid, Trip trip, Participants acceptors) {
     super(gvh);
     Registration registration = new Registration(gvh, xid, acceptors);
     reg = registration;
     mutex = new M_Mutex(gvh, xid, registration);
-    lane = new Lane(gvh, xid, crossing, trip.approach(), acceptors);
+    lane = new Lane(gvh, xid, trip.approach(), acceptors);
     gvh.trace.action(CrossingTrace.SOURCE, CrossingTrace.TRIP, trip.label(), trip.zones());
     location = gvh.variable(CrossingTrace.SOURCE, CrossingTrace.LOCATION, start(trip));
-    myseq = new Course(gvh, crossing, trip);
+    myseq = new Course(gvh, trip);
     gvh.plat.moat.setParameters(Crossing.motion(gvh.plat.moat.parameters()));
   }
 
@@ -184,7 +173,7 @@ public final class IntersectionApp extends LogicThread {
     if (isRestarted()) {
       return Location.RESUME;
     }
-    lane.begin();
+    lane.wantNext();
     return lane.isAtTheHead() ? Location.S_0 : Location.QUEUE;
   }
 

@@ -20,7 +20,6 @@ import org.starl.id.Participants;
 public final class Lane {
 
   private final GlobalVarHolder gvh;
-  private final Crossing crossing;
   private final ArrayDeque<ItemPosition> ahead;
   private final List<Claim> claims = new ArrayList<>();
   private boolean isDriving;
@@ -29,14 +28,8 @@ public final class Lane {
    * @param approach the places to drive to, in order
    * @param acceptors of every registration
    */
-  Lane(
-      GlobalVarHolder gvh,
-      String xid,
-      Crossing crossing,
-      List<ItemPosition> approach,
-      Participants acceptors) {
+  Lane(GlobalVarHolder gvh, String xid, List<ItemPosition> approach, Participants acceptors) {
     this.gvh = gvh;
-    this.crossing = crossing;
     ahead = new ArrayDeque<>(approach);
     for (int rank = 0; rank < approach.size(); rank++) {
       claims.add(new Claim(gvh, instance(xid, rank), acceptors));
@@ -67,11 +60,6 @@ public final class Lane {
     return claims.stream().anyMatch(Claim::isHeld);
   }
 
-  /** Asks for the first place, for a car that has just entered the road. */
-  void begin() {
-    wantNext();
-  }
-
   /**
    * After a restart of the program: finds the place that the car stands in, claims it, and continues
    * from there.
@@ -80,21 +68,18 @@ public final class Lane {
    */
   void resume(boolean isPast) {
     int rank = ahead.size();
-    int behind = 0;
     boolean isFound = false;
-    for (ItemPosition place : ahead) {
+    for (ItemPosition place : new ArrayList<>(ahead)) {
       rank--;
-      boolean isThere = !isClearOf(place.name());
+      boolean isThere = !Crossing.isClearOf(gvh, place.name());
       claims.get(rank).standsIn(isThere ? place.name() : "");
+      while (isThere && !isFound && !ahead.element().equals(place)) {
+        ahead.remove();
+      }
       isFound |= isThere;
-      behind += isFound ? 0 : 1;
     }
     if (isPast) {
       ahead.clear();
-    } else if (isFound) {
-      for (int i = 0; i < behind; i++) {
-        ahead.remove();
-      }
     }
     wantNext();
   }
@@ -126,18 +111,14 @@ public final class Lane {
   void releaseLeft() {
     for (Claim claim : claims) {
       boolean isAhead = ahead.stream().anyMatch(next -> next.name().equals(claim.place()));
-      if (claim.isHeld() && !isAhead && isClearOf(claim.place())) {
+      if (claim.isHeld() && !isAhead && Crossing.isClearOf(gvh, claim.place())) {
         claim.release();
       }
     }
   }
 
-  private boolean isClearOf(String place) {
-    double radiusMm = gvh.plat.moat.parameters().robotRadiusMm();
-    return gvh.gps.isClearOf(crossing.region(place), radiusMm);
-  }
-
-  private void wantNext() {
+  /** Asks for the next place, unless the car holds the last one. */
+  void wantNext() {
     ItemPosition next = ahead.peek();
     if (next != null && claims.get(ahead.size() - 1).place().isEmpty()) {
       claims.get(ahead.size() - 1).want(next.name());

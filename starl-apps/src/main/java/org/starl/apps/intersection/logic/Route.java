@@ -12,6 +12,17 @@ import java.util.stream.Stream;
  */
 public record Route(Zone from, Turn turn) {
 
+  /**
+   * The routes of Figure 7 (paper, section 5.3): robot 0 in C0 turns right, robot 1 in D0 goes
+   * straight, robot 2 in B0 turns left, robot 3 in A0 turns right.
+   */
+  public static final List<Route> FIGURE7 =
+      List.of(
+          new Route(Zone.C, Turn.RIGHT),
+          new Route(Zone.D, Turn.STRAIGHT),
+          new Route(Zone.B, Turn.LEFT),
+          new Route(Zone.A, Turn.RIGHT));
+
   /** All twelve routes. */
   public static List<Route> all() {
     return Arrays.stream(Zone.values())

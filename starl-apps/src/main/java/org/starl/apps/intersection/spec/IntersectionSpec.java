@@ -17,9 +17,8 @@ public final class IntersectionSpec {
   private IntersectionSpec() {}
 
   /** Creates the monitors of one run each. */
-  public static List<Supplier<? extends Monitor>> of(String xid, Crossing crossing, Bounds bounds) {
-    SortedMap<String, Rectangle> zones = crossing.regions();
-    zones.putAll(crossing.places(bounds.places()));
+  public static List<Supplier<? extends Monitor>> of(String xid, Bounds bounds) {
+    SortedMap<String, Rectangle> zones = Crossing.regions(bounds.places());
     List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
     monitors.add(() -> new TrafficSafety(zones));
     monitors.add(MuxSafety::new);

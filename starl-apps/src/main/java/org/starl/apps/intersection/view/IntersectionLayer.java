@@ -7,10 +7,8 @@ import java.awt.geom.AffineTransform;
 import java.awt.geom.Path2D;
 import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import java.util.Map;
-import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingTrace;
@@ -36,14 +34,13 @@ public final class IntersectionLayer implements Layer {
   private static final String ROUTES = "routes";
   private static final int HELD_ALPHA = 70;
 
-  private final Crossing crossing;
   private final Map<RobotId, Trip> trips;
   private final Participants units;
   private final HeldZones zones;
 
   /** For a fixed set of cars. */
-  public IntersectionLayer(Crossing crossing, Map<RobotId, Trip> trips) {
-    this(crossing, trips, Participants.of(), new HeldZones());
+  public IntersectionLayer(Map<RobotId, Trip> trips) {
+    this(trips, Participants.of(), new HeldZones());
   }
 
   /**
@@ -51,13 +48,11 @@ public final class IntersectionLayer implements Layer {
    *
    * @param units the roadside units
    */
-  public IntersectionLayer(Crossing crossing, Participants units) {
-    this(crossing, Map.of(), units, new HeldZones());
+  public IntersectionLayer(Participants units) {
+    this(Map.of(), units, new HeldZones());
   }
 
-  private IntersectionLayer(
-      Crossing crossing, Map<RobotId, Trip> trips, Participants units, HeldZones zones) {
-    this.crossing = crossing;
+  private IntersectionLayer(Map<RobotId, Trip> trips, Participants units, HeldZones zones) {
     this.trips = new TreeMap<>(trips);
     this.units = units;
     this.zones = zones;
@@ -65,7 +60,7 @@ public final class IntersectionLayer implements Layer {
 
   @Override
   public IntersectionLayer copy() {
-    return new IntersectionLayer(crossing, trips, units, zones.copy());
+    return new IntersectionLayer(trips, units, zones.copy());
   }
 
   @Override
@@ -74,7 +69,7 @@ public final class IntersectionLayer implements Layer {
     if (isOpen()) {
       CrossingTrace.trip(event)
           .flatMap(trip -> Route.parse(trip.label()))
-          .ifPresent(route -> trips.put(event.robot(), crossing.trip(route)));
+          .ifPresent(route -> trips.put(event.robot(), Crossing.trip(route, 0)));
       if (event instanceof TraceEvent.Left) {
         trips.remove(event.robot());
       }
@@ -107,9 +102,8 @@ public final class IntersectionLayer implements Layer {
   }
 
   private void paintZones(Graphics2D floor, Scene scene, Look look) {
-    SortedMap<String, Rectangle> areas = crossing.regions();
-    areas.putAll(crossing.places(isOpen() ? Crossing.PLACES : 1));
-    areas.forEach((name, area) -> paintZone(floor, name, area, scene, look));
+    Crossing.regions(isOpen() ? Crossing.PLACES : 1)
+        .forEach((name, area) -> paintZone(floor, name, area, scene, look));
   }
 
   @Override
@@ -119,7 +113,7 @@ public final class IntersectionLayer implements Layer {
       ends.add(trip.exit().at());
     }
     for (Zone zone : isOpen() ? Zone.values() : new Zone[0]) {
-      Rectangle last = crossing.place(zone, Crossing.PLACES - 1);
+      Rectangle last = Crossing.region(Crossing.placeName(zone, Crossing.PLACES - 1));
       ends.add(new Point(last.xMinMm(), last.yMinMm()));
       ends.add(new Point(last.xMaxMm(), last.yMaxMm()));
     }
@@ -193,10 +187,7 @@ public final class IntersectionLayer implements Layer {
     double interest = 0;
     for (RobotId robot : scene.robots()) {
       if (scene.pose(robot).isPresent()) {
-        Point at = scene.pose(robot).get().at();
-        boolean isInside =
-            Arrays.stream(Zone.values()).anyMatch(zone -> crossing.region(zone).contains(at));
-        interest += isInside ? 10 : 1;
+        interest += Crossing.zoneAt(scene.pose(robot).get().at()).isPresent() ? 10 : 1;
       }
     }
     return interest;

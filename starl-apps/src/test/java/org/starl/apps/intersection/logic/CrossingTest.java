@@ -21,7 +21,6 @@ import org.starl.geometry.Region;
 class CrossingTest {
 
   private static final double RADIUS_MM = 165;
-  private static final Crossing CROSSING = Crossing.STANDARD;
 
   static Stream<Route> routes() {
     return Route.all().stream();
@@ -55,18 +54,17 @@ class CrossingTest {
 
   @Test
   void criticalZonesAreTheSquaresAroundTheMiddle() {
-    assertThat(CROSSING.region(Zone.A)).isEqualTo(new Rectangle(2000, 2500, 2500, 3000));
-    assertThat(CROSSING.region(Zone.B)).isEqualTo(new Rectangle(2500, 2500, 3000, 3000));
-    assertThat(CROSSING.region(Zone.C)).isEqualTo(new Rectangle(2000, 2000, 2500, 2500));
-    assertThat(CROSSING.region(Zone.D)).isEqualTo(new Rectangle(2500, 2000, 3000, 2500));
+    assertThat(Crossing.region("A")).isEqualTo(new Rectangle(2000, 2500, 2500, 3000));
+    assertThat(Crossing.region("B")).isEqualTo(new Rectangle(2500, 2500, 3000, 3000));
+    assertThat(Crossing.region("C")).isEqualTo(new Rectangle(2000, 2000, 2500, 2500));
+    assertThat(Crossing.region("D")).isEqualTo(new Rectangle(2500, 2000, 3000, 2500));
   }
 
   @Test
   void noTwoZonesOverlap() {
-    Map<String, Region> zones = new TreeMap<>(CROSSING.regions());
-    zones.putAll(CROSSING.places(Crossing.PLACES));
+    Map<String, Region> zones = new TreeMap<>(Crossing.regions(Crossing.PLACES));
     for (Zone zone : Zone.values()) {
-      zones.put(zone + " exit", CROSSING.exitRegion(zone));
+      zones.put(zone + " exit", Crossing.exitRegion(zone));
     }
     assertThat(zones).hasSize(24);
     List<String> names = new ArrayList<>(zones.keySet());
@@ -90,72 +88,68 @@ class CrossingTest {
     List<String> expected = new ArrayList<>();
     route.zones().forEach(zone -> expected.add(zone.name()));
     expected.add(route.departure());
-    Trip trip = CROSSING.trip(route);
+    Trip trip = Crossing.trip(route, 0);
     assertThat(trip.zones()).isEqualTo(expected);
     assertThat(trip.label()).isEqualTo(route.toString());
     for (ItemPosition station : trip.stations()) {
-      assertThat(CROSSING.region(station.name()).contains(station.at())).as("%s", station).isTrue();
+      assertThat(Crossing.region(station.name()).contains(station.at())).as("%s", station).isTrue();
     }
   }
 
   @ParameterizedTest
   @MethodSource("routes")
   void aCarFromTheEdgeDrivesPlaceByPlaceToItsArrivalZone(Route route) {
-    Trip trip = CROSSING.tripFromEdge(route);
+    Trip trip = Crossing.trip(route, Crossing.PLACES - 1);
     String head = route.arrival();
     assertThat(trip.approach()).extracting(ItemPosition::name).containsExactly(head + ".1", head);
-    assertThat(trip.stations()).isEqualTo(CROSSING.trip(route).stations());
+    assertThat(trip.stations()).isEqualTo(Crossing.trip(route, 0).stations());
     for (int rank = 0; rank < Crossing.PLACES; rank++) {
-      Pose middle = CROSSING.placePose(route.from(), rank);
+      Pose middle = Crossing.placePose(route.from(), rank);
       for (int other = 0; other < Crossing.PLACES; other++) {
-        double distanceMm = CROSSING.place(route.from(), other).distanceMm(middle.at());
+        double distanceMm =
+            Crossing.region(Crossing.placeName(route.from(), other)).distanceMm(middle.at());
         if (other == rank) {
           assertThat(distanceMm).isZero();
         } else {
           assertThat(distanceMm).isGreaterThan(RADIUS_MM);
         }
       }
-      String name = Crossing.placeName(route.from(), rank);
-      assertThat(CROSSING.region(name)).isEqualTo(CROSSING.place(route.from(), rank));
     }
   }
 
   @ParameterizedTest
   @MethodSource("routes")
   void carsAtArrivalPointDeparturePointAndExitAreClearOfTheZonesBefore(Route route) {
-    Pose arrival = CROSSING.placePose(route.from(), 0);
-    assertThat(CROSSING.place(route.from(), 0).contains(arrival.at())).isTrue();
-    CROSSING
-        .regions()
+    Pose arrival = Crossing.placePose(route.from(), 0);
+    assertThat(Crossing.region(route.arrival()).contains(arrival.at())).isTrue();
+    Crossing.regions(0)
         .forEach((name, region) ->
             assertThat(region.distanceMm(arrival.at())).as(name).isGreaterThan(RADIUS_MM));
-    Trip trip = CROSSING.trip(route);
+    Trip trip = Crossing.trip(route, 0);
     ItemPosition departure = trip.stations().get(trip.stations().size() - 1);
     for (Zone zone : Zone.values()) {
-      assertThat(CROSSING.region(zone).distanceMm(departure.at())).isGreaterThan(RADIUS_MM);
+      assertThat(Crossing.region(zone.name()).distanceMm(departure.at())).isGreaterThan(RADIUS_MM);
     }
-    CROSSING
-        .regions()
+    Crossing.regions(0)
         .forEach((name, region) ->
             assertThat(region.distanceMm(trip.exit().at())).as(name).isGreaterThan(RADIUS_MM));
-    assertThat(CROSSING.exitRegion(route.lastZone()).contains(trip.exit().at())).isTrue();
+    assertThat(Crossing.exitRegion(route.lastZone()).contains(trip.exit().at())).isTrue();
   }
 
   @ParameterizedTest
   @MethodSource("routes")
   void aStraightLineFromStationToStationTouchesOnlyTheTripsZones(Route route) {
-    Trip trip = CROSSING.trip(route);
+    Trip trip = Crossing.trip(route, 0);
     Set<String> allowed = new TreeSet<>(trip.zones());
     List<Pose> way = new ArrayList<>();
-    way.add(CROSSING.placePose(route.from(), 0));
+    way.add(Crossing.placePose(route.from(), 0));
     trip.stations().forEach(station -> way.add(station.pose()));
     way.add(trip.exit().pose());
     for (int leg = 1; leg < way.size(); leg++) {
       for (int percent = 0; percent <= 100; percent++) {
         var from = way.get(leg - 1).at();
         var at = from.plus(way.get(leg).at().minus(from).times(percent / 100.0));
-        CROSSING
-            .regions()
+        Crossing.regions(0)
             .forEach((name, region) -> {
               if (region.distanceMm(at) < RADIUS_MM) {
                 assertThat(allowed).as("%s at %s", route, at).contains(name);

@@ -67,7 +67,7 @@ class MonitorsTest {
   }
 
   private static TrafficSafety trafficSafety() {
-    return new TrafficSafety(Crossing.STANDARD.regions());
+    return new TrafficSafety(Crossing.regions(0));
   }
 
   @Test
@@ -134,14 +134,13 @@ class MonitorsTest {
     mutex(BOT0, "od_mutex", "C C1");
     mutex(BOT0, "release", "C C1", "");
     after(1);
-    assertThat(report(new TrafficSafety(Crossing.STANDARD.places(Crossing.CLAIMED_PLACES))).holds())
+    assertThat(report(new TrafficSafety(Crossing.regions(Crossing.CLAIMED_PLACES))).holds())
         .isTrue();
     events.add(
         new TraceEvent.Action(
             nowNs, BOT0, "mutex/crossing.queue1", "release", List.of("bot0#1", "1", "C0.1", "")));
     after(1);
-    SpecReport report =
-        report(new TrafficSafety(Crossing.STANDARD.places(Crossing.CLAIMED_PLACES)));
+    SpecReport report = report(new TrafficSafety(Crossing.regions(Crossing.CLAIMED_PLACES)));
     assertRed(report, "occupied_is_held", 2, BOT0);
   }
 
