@@ -2,7 +2,6 @@ package org.starl.apps.race;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
-import java.util.Collections;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
@@ -10,6 +9,7 @@ import java.util.TreeMap;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
+import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.race.logic.Drive;
@@ -21,6 +21,7 @@ import org.starl.apps.race.view.RaceLayer;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
+import org.starl.geometry.Rectangle;
 import org.starl.input.BadInput;
 import org.starl.input.Quantities;
 import org.starl.primitives.geocast.GeocastSpec;
@@ -130,23 +131,14 @@ public final class RaceDemo implements Demo {
     simulation.monitor(() -> new GeocastSpec(POSITION_ERROR_MM, Scoreboard.CLOCK_SKEW_NS));
   }
 
-  /** The greatest distance from a point, or from a place on the floor, to a point. */
+  /** No robot on the floor, or at a point, is farther from any point. */
   private static double farthestMm(List<RacePoint> points, SimSettings settings) {
-    double width = settings.get(Setting.FLOOR_WIDTH);
-    double height = settings.get(Setting.FLOOR_HEIGHT);
     List<Point> places = new ArrayList<>();
     points.forEach(point -> places.add(point.at()));
-    Collections.addAll(
-        places,
-        new Point(0, 0),
-        new Point(width, 0),
-        new Point(0, height),
-        new Point(width, height));
-    return places.stream()
-        .flatMapToDouble(
-            place -> points.stream().mapToDouble(point -> place.distanceMm(point.at())))
-        .max()
-        .orElse(0);
+    places.add(new Point(0, 0));
+    places.add(new Point(settings.get(Setting.FLOOR_WIDTH), settings.get(Setting.FLOOR_HEIGHT)));
+    Rectangle all = Rectangle.around(places);
+    return StrictMath.hypot(all.xMaxMm() - all.xMinMm(), all.yMaxMm() - all.yMinMm());
   }
 
   private List<RacePoint> points(Request request, SimSettings settings) {
@@ -154,11 +146,8 @@ public final class RaceDemo implements Demo {
     if (!file.isEmpty()) {
       return RacePoints.read(file);
     }
-    try {
-      int count = (int) Quantities.whole(request.parameter(DRAWN.key()), 1, MAX_DRAWN);
-      return RacePoints.drawn(count, settings, new Rng(request.seed()).fork(name()));
-    } catch (BadInput error) {
-      throw Quantities.in(DRAWN.key(), error);
-    }
+    long count =
+        ParameterParser.parse(request, DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
+    return RacePoints.drawn((int) count, settings, new Rng(request.seed()).fork(name()));
   }
 }

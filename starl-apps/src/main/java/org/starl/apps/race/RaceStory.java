@@ -2,7 +2,6 @@ package org.starl.apps.race;
 
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.Measures;
@@ -19,8 +18,6 @@ import org.starl.trace.TraceEvent.Action;
 /** Which robot won which point, when, and how many robots arrived. */
 final class RaceStory implements Story {
 
-  private static final double NS_PER_S = 1e9;
-
   private final List<RacePoint> points;
   private final List<Race> races = new ArrayList<>();
   private int robots;
@@ -33,6 +30,11 @@ final class RaceStory implements Story {
     private int arrivals;
     private long firstNs;
     private long lastNs;
+
+    /** How many of the known winners were kept off. */
+    long keptOff() {
+      return known.values().stream().distinct().filter(Claim::wasKeptOff).count();
+    }
   }
 
   RaceStory(List<RacePoint> points) {
@@ -44,13 +46,13 @@ final class RaceStory implements Story {
   public void observed(TraceEvent event) {
     if (event instanceof Action action && RaceTrace.is(action, RaceTrace.ARRIVE)) {
       races.get(Integer.parseInt(action.args().get(0))).arrivals++;
-    } else if (event instanceof Action action && RaceTrace.is(action, RaceTrace.TAKEN)) {
-      Claim claim = Claim.ofTrace(action.args());
-      Race race = races.get(claim.point());
-      race.firstNs = race.known.isEmpty() ? action.timeNs() : race.firstNs;
-      race.lastNs = action.timeNs();
-      race.known.put(action.robot(), claim);
     }
+    RaceTrace.taken(event).ifPresent(claim -> {
+      Race race = races.get(claim.point());
+      race.firstNs = race.known.isEmpty() ? event.timeNs() : race.firstNs;
+      race.lastNs = event.timeNs();
+      race.known.put(event.robot(), claim);
+    });
   }
 
   @Override
@@ -66,7 +68,7 @@ final class RaceStory implements Story {
     for (int i = 0; i < races.size(); i++) {
       lines.add(points.get(i).name() + ": " + told(races.get(i)));
     }
-    lines.add(returned + " of " + robots + " robots ended, at " + seconds(endNs));
+    lines.add(returned + " of " + robots + " robots ended, at " + Story.seconds(endNs));
     return lines;
   }
 
@@ -77,22 +79,18 @@ final class RaceStory implements Story {
     Claim best = race.known.values().stream().min(Claim::compareTo).orElseThrow();
     return best.winner()
         + " at "
-        + seconds(best.atNs())
+        + Story.seconds(best.atNs())
         + (best.wasKeptOff() ? ", kept off by " + best.keptOffMm() + " mm" : "")
         + (race.arrivals > 1 ? ", of " + race.arrivals + " that arrived" : "")
         + "; all robots knew after "
-        + seconds(race.lastNs - race.firstNs);
+        + Story.seconds(race.lastNs - race.firstNs);
   }
 
   @Override
   public Measures measures() {
     SortedMap<String, Long> counts = new TreeMap<>();
-    for (Race race : races) {
-      counts.merge("arrivals", (long) race.arrivals, Long::sum);
-      race.known.values().stream()
-          .distinct()
-          .forEach(claim -> counts.merge("kept_off", claim.wasKeptOff() ? 1L : 0L, Long::sum));
-    }
+    counts.put("arrivals", races.stream().mapToLong(race -> race.arrivals).sum());
+    counts.put("kept_off", won().stream().mapToLong(Race::keptOff).sum());
     return new Measures(robots, returned, waitsNs(), new TreeMap<>(), counts);
   }
 
@@ -118,9 +116,5 @@ final class RaceStory implements Story {
       before = race.firstNs;
     }
     return waits;
-  }
-
-  private static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.1f s", ns / NS_PER_S);
   }
 }

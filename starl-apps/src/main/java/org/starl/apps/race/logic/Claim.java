@@ -1,7 +1,6 @@
 package org.starl.apps.race.logic;
 
 import java.util.Comparator;
-import java.util.List;
 import org.starl.id.RobotId;
 
 /**
@@ -27,15 +26,6 @@ public record Claim(int point, RobotId winner, long atNs, int keptOffMm)
       String values = point + " at " + atNs + " ns, " + keptOffMm + " mm off";
       throw new IllegalArgumentException("claim on point " + values + ": expected >= 0");
     }
-  }
-
-  /** The claim in the arguments of {@link RaceTrace#TAKEN}. */
-  public static Claim ofTrace(List<String> args) {
-    return new Claim(
-        Integer.parseInt(args.get(0)),
-        new RobotId(args.get(2)),
-        Long.parseLong(args.get(3)),
-        Integer.parseInt(args.get(4)));
   }
 
   /** Whether something on the point kept the winner from it. */

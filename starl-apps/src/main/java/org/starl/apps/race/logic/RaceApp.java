@@ -8,6 +8,7 @@ import org.starl.LogicThread;
 import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 import org.starl.motion.Location.Known;
+import org.starl.time.Time;
 
 /**
  * A robot in a race. It drives to the first point without a known winner; the first robot there
@@ -32,7 +33,6 @@ public final class RaceApp extends LogicThread {
   public static final long TELL_PATIENCE_MS = 90_000;
 
   private static final long PERIOD_MS = 100;
-  private static final long NS_PER_MS = 1_000_000;
   private static final long MAKE_WAY_MS = 3_000;
 
   private final List<RacePoint> points;
@@ -119,38 +119,31 @@ public final class RaceApp extends LogicThread {
       if (drive.isAt(point, known)) {
         arrive(0); // maybe while it turns away from another robot
       } else if (gvh.plat.moat.failed()) {
-        inVain(distanceMm);
+        if (patience.recordFailedMotion(distanceMm)) {
+          arrive((int) Math.ceil(distanceMm));
+        } else {
+          askForWay(distanceMm);
+        }
       } else if (!gvh.plat.moat.inMotion()) {
         drive(); // a new fix shows that it is not quite there
       } else if (way.isOthers(number)) {
-        giveWay(distanceMm);
+        askForWay(distanceMm);
       }
     }
   }
 
-  /** A motion has failed. */
-  private void inVain(double distanceMm) {
-    if (patience.recordFailedMotion(distanceMm)) {
-      arrive((int) Math.ceil(distanceMm));
-    } else if (way.isOthers(number)) {
-      giveWay(distanceMm);
-    } else if (way.hasAsked()) {
-      drawBack();
-    } else {
-      way.ask(number, point.at(), distanceMm);
+  /**
+   * Asks for the way and drives on; draws back if it is another robot's turn.
+   */
+  private void askForWay(double distanceMm) {
+    if (!way.mayAsk(number, distanceMm)) {
+      drive.backFrom(point);
+      enter(Location.MAKE_WAY);
+      return;
+    }
+    way.ask(number, point.at(), distanceMm);
+    if (!gvh.plat.moat.inMotion()) {
       drive();
-    }
-  }
-
-  /** Draws back, unless this robot is nearer than the one with the way and has not had its turn. */
-  private void giveWay(double distanceMm) {
-    if (way.hasAsked() || !way.isNearer(distanceMm)) {
-      drawBack();
-    } else {
-      way.ask(number, point.at(), distanceMm);
-      if (!gvh.plat.moat.inMotion()) {
-        drive();
-      }
     }
   }
 
@@ -177,18 +170,13 @@ public final class RaceApp extends LogicThread {
     location.set(Location.PICK);
   }
 
-  private void drawBack() {
-    drive.backFrom(point);
-    enter(Location.MAKE_WAY);
-  }
-
   private void enter(Location next) {
     location.set(next);
     sinceNs = gvh.plat.clock.nowNs();
   }
 
   private boolean hasLasted(long ms) {
-    return gvh.plat.clock.nowNs() - sinceNs >= ms * NS_PER_MS;
+    return gvh.plat.clock.nowNs() - sinceNs >= ms * Time.NS_PER_MS;
   }
 
   private Patience patience() {

@@ -1,6 +1,9 @@
 package org.starl.apps.race.logic;
 
+import java.util.Optional;
 import org.starl.GlobalVarHolder;
+import org.starl.id.RobotId;
+import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -38,6 +41,18 @@ public final class RaceTrace {
   /** Whether it is this app's variable of that name. */
   public static boolean is(Variable variable, String name) {
     return variable.source().equals(SOURCE) && variable.name().equals(name);
+  }
+
+  /** The claim of a {@link #TAKEN}, if the event is one. */
+  public static Optional<Claim> taken(TraceEvent event) {
+    return event instanceof Action action && is(action, TAKEN)
+        ? Optional.of(
+            new Claim(
+                Integer.parseInt(action.args().get(0)),
+                new RobotId(action.args().get(2)),
+                Long.parseLong(action.args().get(3)),
+                Integer.parseInt(action.args().get(4))))
+        : Optional.empty();
   }
 
   static void taken(GlobalVarHolder gvh, Claim claim, RacePoint point) {

@@ -10,6 +10,7 @@ import org.starl.geometry.Circle;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.primitives.geocast.Geocast;
+import org.starl.time.Time;
 
 /**
  * Decides which robot goes first where robots hold each other up. A robot that gets no nearer to
@@ -19,7 +20,7 @@ import org.starl.primitives.geocast.Geocast;
  */
 final class RightOfWay {
 
-  private static final long LASTS_NS = 8_000_000_000L;
+  private static final long LASTS_NS = 8 * Time.NS_PER_S;
   private static final long ASK_MS = 2_000;
   private static final double AREA_RADII = 12;
 
@@ -51,19 +52,18 @@ final class RightOfWay {
     geocast.do_geocast(ask, new Circle(at, areaMm), ASK_MS);
   }
 
-  /** Whether this robot has asked a short time ago: then it is the turn of others. */
-  boolean hasAsked() {
-    return gvh.plat.clock.nowNs() - askedNs < LASTS_NS;
+  /**
+   * Whether this robot may ask for the way to {@code point}, from this distance: it has not asked a
+   * short time ago, and no robot that is nearer has the way.
+   */
+  boolean mayAsk(int point, double distanceMm) {
+    boolean isNearest = held == null || (int) distanceMm < held.ask.distanceMm;
+    return gvh.plat.clock.nowNs() - askedNs >= LASTS_NS && (isNearest || !isOthers(point));
   }
 
   /** Whether another robot has the way to {@code point}. */
   boolean isOthers(int point) {
     return isHeld(point) && held != null && !held.robot.equals(gvh.id.name());
-  }
-
-  /** Whether this robot, at this distance from that point, would get the way if it asked. */
-  boolean isNearer(double distanceMm) {
-    return held == null || (int) distanceMm < held.ask.distanceMm;
   }
 
   private boolean isHeld(int point) {

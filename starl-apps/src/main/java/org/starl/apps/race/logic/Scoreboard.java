@@ -12,6 +12,7 @@ import org.starl.primitives.geocast.Broadcast;
 import org.starl.primitives.geocast.GeocastReceipt;
 import org.starl.primitives.geocast.GeocastSettings;
 import org.starl.random.Rng;
+import org.starl.time.Time;
 
 /**
  * The winners of the points, as far as one robot knows them. It broadcasts every claim that it
@@ -24,14 +25,13 @@ import org.starl.random.Rng;
  */
 public final class Scoreboard {
 
-  private static final long NS_PER_MS = 1_000_000;
   private static final long ANNOUNCE_MS = 5_000;
   private static final long ROUND_MS = 500;
   private static final long MIN_QUIET_MS = 6_000;
   private static final long MAX_QUIET_MS = 8_000;
 
   /** Clocks that are up to 200 ppm off differ by no more after four minutes. */
-  public static final long CLOCK_SKEW_NS = 100_000_000;
+  public static final long CLOCK_SKEW_NS = 100 * Time.NS_PER_MS;
 
   static final GeocastSettings SETTINGS =
       new GeocastSettings(
@@ -184,11 +184,11 @@ public final class Scoreboard {
 
   private void keepQuiet(Entry entry) {
     long quietMs = rng.nextLong(MIN_QUIET_MS, MAX_QUIET_MS);
-    entry.quietUntilNs = gvh.plat.clock.nowNs() + quietMs * NS_PER_MS;
+    entry.quietUntilNs = gvh.plat.clock.nowNs() + quietMs * Time.NS_PER_MS;
   }
 
   private void setNextRound() {
-    rounds.set(gvh.plat.clock.nowNs() + ROUND_MS * NS_PER_MS);
+    rounds.set(gvh.plat.clock.nowNs() + ROUND_MS * Time.NS_PER_MS);
   }
 
   private void round() {

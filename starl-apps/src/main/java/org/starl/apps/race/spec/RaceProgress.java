@@ -10,7 +10,9 @@ import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
+import org.starl.trace.TraceEvent.Joined;
+import org.starl.trace.TraceEvent.Left;
 
 /**
  * What a race owes while the world behaves.
@@ -30,7 +32,7 @@ final class RaceProgress implements Monitor {
 
   private final List<RacePoint> points;
   private final Records records = new Records();
-  private final FaultState circumstances = new FaultState();
+  private final FaultState faults = new FaultState();
   private final Within<Hearing> told;
   private final Within<Integer> taken;
   private long fairSinceNs;
@@ -68,18 +70,15 @@ final class RaceProgress implements Monitor {
   public void observe(TraceEvent event, Report report) {
     long nowNs = event.timeNs();
     expire(nowNs, report);
-    if (circumstances.observe(event)) {
-      boolean isFair = circumstances.isFaultFree();
+    if (faults.observe(event)) {
+      boolean isFair = faults.isFaultFree();
       told.assumeAll(isFair, nowNs);
       taken.assumeAll(isFair, nowNs);
       fairSinceNs = isFair ? nowNs : Long.MAX_VALUE;
     }
     records.observe(event);
-    if (event instanceof Action action && RaceTrace.is(action, RaceTrace.TAKEN)) {
-      update(Claim.ofTrace(action.args()).point(), nowNs, report);
-    } else if (event instanceof TraceEvent.Joined
-        || event instanceof TraceEvent.Left
-        || event instanceof TraceEvent.Fault) {
+    RaceTrace.taken(event).ifPresent(claim -> update(claim.point(), nowNs, report));
+    if (event instanceof Joined || event instanceof Left || event instanceof Fault) {
       for (int point = 0; point < points.size(); point++) {
         update(point, nowNs, report);
       }
@@ -89,7 +88,7 @@ final class RaceProgress implements Monitor {
   @Override
   public void finish(long endNs, Report report) {
     expire(endNs, report);
-    if (circumstances.isFaultFree() && endNs - fairSinceNs > told.boundNs()) {
+    if (faults.isFaultFree() && endNs - fairSinceNs > told.boundNs()) {
       for (int point = 0; point < points.size(); point++) {
         agree(point, endNs, report);
       }
@@ -124,7 +123,7 @@ final class RaceProgress implements Monitor {
       Claim theirs = records.claim(first, point);
       Claim own = records.claim(robot, point);
       if (!Objects.equals(theirs, own)) {
-        String detail = points.get(point).name() + ": " + theirs + " and " + own;
+        String detail = name(point) + ": " + theirs + " and " + own;
         report.violated(AGREED, endNs, List.of(first, robot), detail);
         return;
       }
@@ -135,23 +134,23 @@ final class RaceProgress implements Monitor {
     told.expire(
         nowNs,
         (hearing, sinceNs, deadlineNs) -> {
-          // A robot that has crashed since owes nothing.
           RobotId robot = hearing.robot();
+          // A robot that has crashed since need not know.
           if (records.robots().contains(robot) && records.isKnown(hearing.point())) {
-            String name = points.get(hearing.point()).name();
-            report.violated(
-                TOLD,
-                deadlineNs,
-                List.of(robot),
-                "does not know the winner of " + name + ", others have since " + sinceNs + " ns");
+            String others = ", others have since " + sinceNs + " ns";
+            String detail = "does not know the winner of " + name(hearing.point()) + others;
+            report.violated(TOLD, deadlineNs, List.of(robot), detail);
           }
         });
     taken.expire(
         nowNs,
         (point, sinceNs, deadlineNs) -> {
-          String name = points.get(point).name();
-          report.violated(
-              TAKEN, deadlineNs, List.of(), name + " has not been won since " + sinceNs + " ns");
+          String detail = name(point) + " has not been won since " + sinceNs + " ns";
+          report.violated(TAKEN, deadlineNs, List.of(), detail);
         });
+  }
+
+  private String name(int point) {
+    return points.get(point).name();
   }
 }

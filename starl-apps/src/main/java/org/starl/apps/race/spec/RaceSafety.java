@@ -70,15 +70,12 @@ final class RaceSafety implements Monitor {
   public void observe(TraceEvent event, Report report) {
     bodies.observe(event);
     switch (event) {
-      case Action taken when RaceTrace.is(taken, RaceTrace.TAKEN) -> taken(taken, report);
       case Action arrived when RaceTrace.is(arrived, RaceTrace.ARRIVE) -> arrived(arrived, report);
       case Variable point when RaceTrace.is(point, RaceTrace.POINT) -> inVain.put(point.robot(), 0);
       case Variable flag
           when flag.name().equals("motionflag") && flag.value().equals(MotionFlag.FAIL.name()) ->
           inVain.merge(flag.robot(), 1, Integer::sum);
-      default -> {
-        // Concerns no winner.
-      }
+      default -> RaceTrace.taken(event).ifPresent(claim -> taken(event, claim, report));
     }
     records.observe(event);
   }
@@ -91,33 +88,24 @@ final class RaceSafety implements Monitor {
     double saidMm = Double.parseDouble(action.args().get(4));
     arrivedAt.put(robot, number);
     report.checked(AT_THE_POINT);
-    boolean isOnFloor = bodies.isOnFloor(robot);
-    double truthMm =
-        isOnFloor
-            ? bodies.poseAt(robot, action.timeNs()).distanceMm(point.at())
-            : Double.POSITIVE_INFINITY;
-    double bodyMm = isOnFloor ? bodies.radiusMm(robot) : 0;
+    double truthMm = Double.POSITIVE_INFINITY;
+    double bodyMm = 0;
+    if (bodies.isOnFloor(robot)) {
+      truthMm = bodies.poseAt(robot, action.timeNs()).distanceMm(point.at());
+      bodyMm = bodies.radiusMm(robot);
+    }
     int tries = inVain.getOrDefault(robot, 0);
     double allowedMm = Math.max(point.radiusMm(), Patience.allowedMm(point, bodyMm, tries));
     if (truthMm > Math.min(saidMm, allowedMm) + errorMm + ROUNDING_MM) {
-      report.violated(
-          AT_THE_POINT,
-          action.timeNs(),
-          List.of(robot),
-          String.format(
-              Locale.ROOT,
-              "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm",
-              point.name(),
-              truthMm,
-              saidMm,
-              allowedMm,
-              errorMm));
+      String form = "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm";
+      String detail =
+          String.format(Locale.ROOT, form, point.name(), truthMm, saidMm, allowedMm, errorMm);
+      report.violated(AT_THE_POINT, action.timeNs(), List.of(robot), detail);
     }
   }
 
-  private void taken(Action action, Report report) {
-    RobotId robot = action.robot();
-    Claim claim = Claim.ofTrace(action.args());
+  private void taken(TraceEvent event, Claim claim, Report report) {
+    RobotId robot = event.robot();
     List<RobotId> concerned = List.copyOf(new TreeSet<>(List.of(robot, claim.winner())));
     Integer here = robot.equals(claim.winner()) ? arrivedAt.remove(robot) : null;
     if (here != null && here == claim.point()) {
@@ -125,13 +113,13 @@ final class RaceSafety implements Monitor {
     }
     report.checked(TRULY_WON);
     if (!made.contains(claim)) {
-      report.violated(TRULY_WON, action.timeNs(), concerned, claim + " was never made");
+      report.violated(TRULY_WON, event.timeNs(), concerned, claim + " was never made");
     }
     report.checked(ONE_WINNER);
     Claim before = records.claim(robot, claim.point());
     if (before != null && before.compareTo(claim) <= 0) {
       String detail = before + " is replaced by " + claim + ", which is no better";
-      report.violated(ONE_WINNER, action.timeNs(), concerned, detail);
+      report.violated(ONE_WINNER, event.timeNs(), concerned, detail);
     }
   }
 }

@@ -4,11 +4,10 @@ import java.util.List;
 import java.util.function.Supplier;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.spec.Monitor;
+import org.starl.time.Time;
 
 /** The monitors of a race itself, and the bounds within which it owes progress. */
 public final class RaceSpec {
-
-  private static final double NS_PER_S = 1e9;
 
   /** Generous, to tell a race that stands still from one that is slow. */
   private static final double SLOWEST_MM_PER_S = 25;
@@ -44,8 +43,8 @@ public final class RaceSpec {
       copies++;
     }
     int rounds = 1 + (copies + COPIES - 1) / COPIES;
-    long toldNs = 2 * longestDelayNs + (long) ((rounds * ROUND_S + SETTLE_S) * NS_PER_S);
-    long driveNs = (long) ((farthestMm / SLOWEST_MM_PER_S + TURNS_S) * NS_PER_S);
+    long toldNs = 2 * longestDelayNs + (long) ((rounds * ROUND_S + SETTLE_S) * Time.NS_PER_S);
+    long driveNs = (long) ((farthestMm / SLOWEST_MM_PER_S + TURNS_S) * Time.NS_PER_S);
     return List.of(
         () -> new RaceSafety(points), () -> new RaceProgress(points, toldNs, driveNs + toldNs));
   }

@@ -11,7 +11,6 @@ import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
@@ -35,18 +34,11 @@ final class Records {
         forget(robot);
         of(robot);
       }
-      case Action taken when RaceTrace.is(taken, RaceTrace.TAKEN) -> {
-        Claim claim = Claim.ofTrace(taken.args());
-        of(robot).put(claim.point(), claim);
-      }
-      case Variable location when RaceTrace.is(location, RaceTrace.LOCATION) -> {
-        if (location.value().equals(Location.DONE.name())) {
+      case Variable location
+          when RaceTrace.is(location, RaceTrace.LOCATION)
+              && location.value().equals(Location.DONE.name()) ->
           done.add(robot);
-        }
-      }
-      default -> {
-        // Says nothing of winners.
-      }
+      default -> RaceTrace.taken(event).ifPresent(claim -> of(robot).put(claim.point(), claim));
     }
   }
 

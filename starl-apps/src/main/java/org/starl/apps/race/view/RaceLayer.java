@@ -6,13 +6,15 @@ import java.awt.Graphics2D;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.util.Comparator;
 import java.util.List;
-import java.util.Locale;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.function.BinaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
+import org.starl.apps.Story;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RacePoint;
@@ -23,8 +25,8 @@ import org.starl.sim.record.Layer;
 import org.starl.sim.record.Look;
 import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
-import org.starl.trace.TraceEvent.Action;
 
 /**
  * Draws each point as a target, in its winner's colour once it is won, the course dashed, and
@@ -38,7 +40,6 @@ public final class RaceLayer implements Layer {
   private static final double TARGET_MM = 230;
   private static final int NAME_MM = 110;
   private static final int WINNER_MM = 85;
-  private static final double NS_PER_S = 1e9;
 
   private final List<RacePoint> points;
   private final SortedMap<Integer, Claim> winners = new TreeMap<>();
@@ -56,10 +57,9 @@ public final class RaceLayer implements Layer {
 
   @Override
   public void observe(TraceEvent event) {
-    if (event instanceof Action action && RaceTrace.is(action, RaceTrace.TAKEN)) {
-      Claim claim = Claim.ofTrace(action.args());
-      winners.merge(claim.point(), claim, (a, b) -> a.compareTo(b) <= 0 ? a : b);
-    }
+    RaceTrace.taken(event)
+        .ifPresent(claim ->
+            winners.merge(claim.point(), claim, BinaryOperator.minBy(Comparator.naturalOrder())));
   }
 
   @Override
@@ -102,8 +102,7 @@ public final class RaceLayer implements Layer {
     upright.drawString(point.name(), x, y);
     if (won != null) {
       upright.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, WINNER_MM));
-      String when = String.format(Locale.ROOT, " %.1f s", won.atNs() / NS_PER_S);
-      upright.drawString(won.winner().name() + when, x, y + NAME_MM);
+      upright.drawString(won.winner() + " " + Story.seconds(won.atNs()), x, y + NAME_MM);
     }
     upright.dispose();
   }
@@ -159,7 +158,7 @@ public final class RaceLayer implements Layer {
   @Override
   public double interest(Scene scene) {
     boolean isOn = winners.size() < points.size();
-    return winners.size() + (isOn ? points.size() : 0) + scene.nowNs() / NS_PER_S / 1e4;
+    return winners.size() + (isOn ? points.size() : 0) + Time.seconds(scene.nowNs()) / 1e4;
   }
 
   private static Line2D line(Point from, Point to) {
