@@ -7,6 +7,7 @@ import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Trip;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.input.BadInput;
 import org.starl.random.Rng;
 import org.starl.time.Time;
 
@@ -19,6 +20,7 @@ import org.starl.time.Time;
  */
 record Car(RobotId id, String arm, Pose start, Trip trip, long readyNs) {
 
+  private static final int MAX_CARS = 12;
   private static final long LATEST_START_MS = 3_000;
 
   /** A car that starts in the place of {@code rank} on the arm of its route. */
@@ -35,8 +37,16 @@ record Car(RobotId id, String arm, Pose start, Trip trip, long readyNs) {
         .toList();
   }
 
-  /** {@code count} cars on any of the twelve routes, each of which starts in the first 3 s. */
+  /**
+   * {@code count} cars on any of the twelve routes, each of which starts in the first 3 s.
+   *
+   * @throws BadInput if there are too many, or none
+   */
   static List<Car> drawn(String prefix, int count, Rng rng) {
+    if (count < 1 || count > MAX_CARS) {
+      throw new BadInput(
+          "robots: " + count + ": expected 1 to " + MAX_CARS + " cars at the intersection");
+    }
     List<Route> routes = Route.all();
     List<Car> cars = new ArrayList<>();
     for (int i = 0; i < count; i++) {

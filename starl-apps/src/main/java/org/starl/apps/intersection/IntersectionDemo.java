@@ -19,16 +19,15 @@ import org.starl.random.Rng;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
+import org.starl.time.Time;
 
 /** The paper's section 3: {@code starl run intersection}. */
 public final class IntersectionDemo implements Demo {
 
-  private static final int MIN_CARS = 1;
-  private static final int MAX_CARS = 12;
   private static final int MAX_DEBRIS = 8;
   private static final String OPEN = "open";
   private static final String DEFAULT_ARRIVALS = "20/min";
-  private static final long MAX_ARRIVALS_NS = 1000L * 3600 * 1_000_000_000;
+  private static final long MAX_ARRIVALS_NS = 1000 * 3600 * Time.NS_PER_S;
 
   private static final Parameter SCENARIO =
       new Parameter("scenario", "drawn", "one of the scenarios above");
@@ -111,19 +110,11 @@ public final class IntersectionDemo implements Demo {
     List<Car> cars = List.of();
     switch (scenario) {
       case OPEN -> checkOpen(request, settings);
-      case "drawn" -> {
-        int count = request.robots().orElse(settings.robots());
-        if (count < MIN_CARS || count > MAX_CARS) {
-          throw new BadInput("robots: " + count + ": expected 1 to 12 cars at the intersection");
-        }
-        cars = Car.drawn(prefix, count, rng.fork("cars"));
-      }
+      case "drawn" ->
+          cars = Car.drawn(prefix, request.robots().orElse(settings.robots()), rng.fork("cars"));
       case "figure7" -> cars = Car.figure7(prefix);
       case "legacy" -> {
-        if (request.parameter(FILES.key()).isEmpty()) {
-          throw new BadInput("files='': expected the folder of the original's .wpt files");
-        }
-        LegacyFiles files = LegacyFiles.read(Path.of(request.parameter(FILES.key())));
+        LegacyFiles files = LegacyFiles.read(request.parameter(FILES.key()));
         cars = files.cars();
         obstacles = files.obstacles();
       }
@@ -132,8 +123,8 @@ public final class IntersectionDemo implements Demo {
               "scenario=" + BadInput.quote(scenario) + ": expected drawn, figure7, legacy or open");
     }
     boolean isOpen = scenario.equals(OPEN);
-    if (!isOpen && request.robots().isPresent() && request.robots().getAsInt() != cars.size()) {
-      int given = request.robots().getAsInt();
+    int given = request.robots().orElse(cars.size());
+    if (!isOpen && given != cars.size()) {
       throw new BadInput("robots: " + given + ": expected " + cars.size() + " for " + scenario);
     }
     long pieces = request.parse(DEBRIS, text -> Quantities.whole(text, 0, MAX_DEBRIS));

@@ -12,7 +12,6 @@ import org.starl.apps.intersection.logic.IntersectionApp;
 import org.starl.apps.intersection.logic.RoadsideUnit;
 import org.starl.apps.intersection.logic.TowedCar;
 import org.starl.apps.intersection.logic.Trip;
-import org.starl.apps.intersection.spec.Bounds;
 import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.apps.intersection.view.IntersectionLayer;
 import org.starl.body.MotionParameters;
@@ -46,7 +45,8 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
   /** Of a fixed set of cars. */
   Plan closed(List<Car> cars) {
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
-    Simulation.Builder simulation = simulation(new Bounds(deltaNs(settings), cars.size(), 0));
+    Simulation.Builder simulation =
+        simulation(new IntersectionSpec(deltaNs(settings), cars.size(), 0));
     SortedMap<RobotId, Trip> trips = new TreeMap<>();
     for (Car car : cars) {
       trips.put(car.id(), car.trip());
@@ -73,8 +73,9 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
             units,
             (car, traffic) -> robot(car, true, gvh -> units, traffic),
             story);
-    Bounds bounds = new Bounds(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES);
-    Simulation.Builder simulation = simulation(bounds).endNs(untilNs + bounds.drainNs());
+    IntersectionSpec spec =
+        new IntersectionSpec(deltaNs(settings), MOST_CARS, Crossing.CLAIMED_PLACES);
+    Simulation.Builder simulation = simulation(spec).endNs(untilNs + spec.drainNs());
     posts.forEach((id, pose) ->
         simulation.robot(new RobotSpec(id, pose, true, gvh -> new RoadsideUnit(gvh, XID, units))));
     return plan(simulation, road, story, new IntersectionLayer(units));
@@ -102,9 +103,9 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
   }
 
   /** A simulation without robots that checks all specifications. */
-  Simulation.Builder simulation(Bounds bounds) {
+  Simulation.Builder simulation(IntersectionSpec spec) {
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(floor);
-    IntersectionSpec.of(XID, bounds).forEach(simulation::monitor);
+    spec.monitors(XID).forEach(simulation::monitor);
     MotionParameters motion = Crossing.motion(settings.motionParameters(0));
     return simulation.monitor(() -> new MotionSpec(motion));
   }
@@ -113,7 +114,8 @@ record IntersectionPlan(Obstacles floor, SimSettings settings) {
   static long deltaNs(SimSettings settings) {
     boolean hasFaults =
         !settings.get(Setting.FAULTS).isEmpty() || settings.get(Setting.CHAOS) != Envelope.NONE;
-    return Bounds.deltaNs(settings.messageDelay().longestNs(), settings.messageLoss().probability())
+    return IntersectionSpec.deltaNs(
+            settings.messageDelay().longestNs(), settings.messageLoss().probability())
         + (hasFaults ? AFTER_FAULTS_NS : 0);
   }
 }

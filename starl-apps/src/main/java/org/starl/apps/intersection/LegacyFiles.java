@@ -2,7 +2,9 @@ package org.starl.apps.intersection;
 
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Trip;
@@ -27,7 +29,11 @@ record LegacyFiles(List<Car> cars, Obstacles obstacles) {
   /**
    * @throws BadInput if a file is missing, or a robot's waypoints are not a way through the crossing
    */
-  static LegacyFiles read(Path folder) {
+  static LegacyFiles read(String path) {
+    if (path.isEmpty()) {
+      throw new BadInput("files='': expected the folder of the original's .wpt files");
+    }
+    Path folder = Path.of(path);
     List<Waypoint> goals = WaypointFiles.read(folder.resolve("dest.wpt")).waypoints();
     List<Car> cars = new ArrayList<>();
     for (Waypoint start : WaypointFiles.read(folder.resolve("start.wpt")).waypoints()) {
@@ -45,43 +51,27 @@ record LegacyFiles(List<Car> cars, Obstacles obstacles) {
     return new LegacyFiles(cars, WaypointFiles.read(folder.resolve("obstacles.wpt")).obstacles());
   }
 
+  /** The stations of a trip; a zone is requested and released once. */
   private static Trip trip(String robot, List<ItemPosition> points) {
-    List<ItemPosition> stations = new ArrayList<>();
+    Map<String, ItemPosition> stations = new LinkedHashMap<>();
+    String last = "";
     for (ItemPosition point : points) {
       Optional<Zone> zone = Crossing.zoneAt(point.at());
-      if (zone.isPresent()) {
-        addZone(robot, stations, new ItemPosition(zone.get().name(), point.pose()));
-      } else if (endsInCriticalZone(stations)) {
-        stations.add(new ItemPosition(last(stations) + "1", point.pose()));
+      boolean isBehindZone = zone.isEmpty() && last.length() == 1;
+      String name = isBehindZone ? last + "1" : zone.map(Zone::name).orElse(last);
+      if (!name.equals(last)) {
+        if (stations.put(name, new ItemPosition(name, point.pose())) != null) {
+          throw new BadInput(
+              robot + ": its waypoints come back to zone " + name + ": expected each once");
+        }
+        last = name;
       }
     }
-    if (stations.isEmpty() || endsInCriticalZone(stations)) {
+    if (last.length() <= 1) {
       throw new BadInput(robot + ": its waypoints do not lead through the intersection and out");
     }
-    String label = "legacy " + String.join(" ", names(stations));
-    return new Trip(label, List.of(), stations, points.get(points.size() - 1));
-  }
-
-  /** Adds a station, unless the last one is in the same zone. A zone is requested and released once. */
-  private static void addZone(String robot, List<ItemPosition> stations, ItemPosition next) {
-    if (stations.isEmpty() || !last(stations).equals(next.name())) {
-      if (names(stations).contains(next.name())) {
-        throw new BadInput(
-            robot + ": its waypoints come back to zone " + next.name() + ": expected each once");
-      }
-      stations.add(next);
-    }
-  }
-
-  private static boolean endsInCriticalZone(List<ItemPosition> stations) {
-    return !stations.isEmpty() && last(stations).length() == 1;
-  }
-
-  private static String last(List<ItemPosition> stations) {
-    return stations.get(stations.size() - 1).name();
-  }
-
-  private static List<String> names(List<ItemPosition> stations) {
-    return stations.stream().map(ItemPosition::name).toList();
+    String label = "legacy " + String.join(" ", stations.keySet());
+    ItemPosition exit = points.get(points.size() - 1);
+    return new Trip(label, List.of(), List.copyOf(stations.values()), exit);
   }
 }

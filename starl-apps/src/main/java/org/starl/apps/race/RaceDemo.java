@@ -16,7 +16,8 @@ import org.starl.apps.race.logic.Drive;
 import org.starl.apps.race.logic.RaceApp;
 import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.Scoreboard;
-import org.starl.apps.race.spec.RaceSpec;
+import org.starl.apps.race.spec.RaceProgress;
+import org.starl.apps.race.spec.RaceSafety;
 import org.starl.apps.race.view.RaceLayer;
 import org.starl.body.MotionParameters;
 import org.starl.geometry.Obstacles;
@@ -118,12 +119,11 @@ public final class RaceDemo implements Demo {
 
   /** Adds all monitors of a run. */
   static void watch(Simulation.Builder simulation, List<RacePoint> points, SimSettings settings) {
-    RaceSpec.of(
-            points,
-            settings.messageDelay().longestNs(),
-            settings.messageLoss().probability(),
-            farthestMm(points, settings))
-        .forEach(simulation::monitor);
+    long delayNs = settings.messageDelay().longestNs();
+    double loss = settings.messageLoss().probability();
+    double farthestMm = farthestMm(points, settings);
+    simulation.monitor(() -> new RaceSafety(points));
+    simulation.monitor(() -> new RaceProgress(points, delayNs, loss, farthestMm));
     RacePoint widest =
         points.stream().max(Comparator.comparingDouble(RacePoint::radiusMm)).orElseThrow();
     MotionParameters motion = Drive.motion(settings.motionParameters(0), widest);

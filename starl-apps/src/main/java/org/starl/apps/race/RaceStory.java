@@ -47,12 +47,13 @@ final class RaceStory implements Story {
     if (event instanceof Action action && RaceTrace.is(action, RaceTrace.ARRIVE)) {
       races.get(Integer.parseInt(action.args().get(0))).arrivals++;
     }
-    RaceTrace.taken(event).ifPresent(claim -> {
-      Race race = races.get(claim.point());
-      race.firstNs = race.known.isEmpty() ? event.timeNs() : race.firstNs;
-      race.lastNs = event.timeNs();
-      race.known.put(event.robot(), claim);
-    });
+    RaceTrace.taken(event)
+        .ifPresent(claim -> {
+          Race race = races.get(claim.point());
+          race.firstNs = race.known.isEmpty() ? event.timeNs() : race.firstNs;
+          race.lastNs = event.timeNs();
+          race.known.put(event.robot(), claim);
+        });
   }
 
   @Override

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.starl.apps.intersection.spec.Bounds;
+import org.starl.apps.intersection.spec.IntersectionSpec;
 import org.starl.random.Rng;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
@@ -30,7 +30,7 @@ class RudeCarsTest {
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
     Simulation.Builder simulation =
         new IntersectionPlan(Floor.kerbs(), settings)
-            .simulation(new Bounds(IntersectionPlan.deltaNs(settings), CARS, 0))
+            .simulation(new IntersectionSpec(IntersectionPlan.deltaNs(settings), CARS, 0))
             .seed(seed)
             .director(traffic)
             .observer(traffic);

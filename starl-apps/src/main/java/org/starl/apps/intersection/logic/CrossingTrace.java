@@ -3,9 +3,7 @@ package org.starl.apps.intersection.logic;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.stream.Collectors;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
-import org.starl.id.RobotId;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -27,16 +25,15 @@ public final class CrossingTrace {
 
   private CrossingTrace() {}
 
-  /** The action {@link #TRIP}: what {@code robot}'s program says at its start. */
-  public record TripEvent(RobotId robot, String label, List<String> zones) {}
+  /** The action {@link #TRIP}. */
+  public record TripEvent(String label, List<String> zones) {}
 
   /** The event as a trip, if it is one. */
   public static Optional<TripEvent> trip(TraceEvent event) {
     return event instanceof Action action
             && action.source().equals(SOURCE)
             && action.name().equals(TRIP)
-        ? Optional.of(
-            new TripEvent(action.robot(), action.args().get(0), list(action.args().get(1))))
+        ? Optional.of(new TripEvent(action.args().get(0), list(action.args().get(1))))
         : Optional.empty();
   }
 
@@ -52,9 +49,9 @@ public final class CrossingTrace {
 
   /** Reads a list such as {@code [A, C, D1]}. */
   private static List<String> list(String value) {
-    return Arrays.stream(value.substring(1, value.length() - 1).split(", ", -1))
-        .filter(name -> !name.isEmpty())
-        .collect(Collectors.toList());
+    return value.equals("[]")
+        ? List.of()
+        : Arrays.asList(value.substring(1, value.length() - 1).split(", ", -1));
   }
 
   private static Optional<String> variable(TraceEvent event, String name) {

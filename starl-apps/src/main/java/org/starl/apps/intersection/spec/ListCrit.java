@@ -77,7 +77,7 @@ final class ListCrit implements Monitor {
     // A restarted program writes another trip, from where the car stands.
     CrossingTrace.trip(event)
         .ifPresent(
-            trip -> states.computeIfAbsent(trip.robot(), r -> new State()).path = trip.zones());
+            trip -> states.computeIfAbsent(event.robot(), r -> new State()).path = trip.zones());
     State state = states.get(event.robot());
     if (state != null) {
       CrossingTrace.location(event).ifPresent(location -> state.location = location);

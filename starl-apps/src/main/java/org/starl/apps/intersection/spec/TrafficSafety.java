@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.starl.geometry.Point;
 import org.starl.geometry.Region;
 import org.starl.id.RobotId;
+import org.starl.primitives.membership.Sections;
 import org.starl.spec.Bodies;
 import org.starl.spec.Monitor;
 import org.starl.time.Time;
@@ -22,6 +23,9 @@ import org.starl.trace.TraceEvent;
  * traffic_safety} follows from {@code Inv_mux_safety}. It reports a zone that is released too early
  * even if no other car enters it.
  *
+ * <p>Also {@code Inv_mux_safety} (paper, Figure 6): the crit_sets of any two cars are disjoint. The
+ * mutex's {@code Exclusive} says the same of processes; this says it of cars, over all their processes.
+ *
  * <p>Bodies are checked every 10 ms of movement: at 250 mm/s a body may be 2.5 mm inside a zone before
  * it is seen.
  */
@@ -29,6 +33,7 @@ final class TrafficSafety implements Monitor {
 
   private static final String SAFETY = "traffic_safety";
   private static final String HELD = "occupied_is_held";
+  private static final String MUX = "Inv_mux_safety";
   private static final long STEP_NS = 10 * Time.NS_PER_MS;
 
   private final List<Zone> zones = new ArrayList<>();
@@ -45,21 +50,43 @@ final class TrafficSafety implements Monitor {
 
   @Override
   public List<String> lemmas() {
-    return List.of(SAFETY, HELD);
+    return List.of(SAFETY, HELD, MUX);
   }
 
   @Override
   public String description(String lemma) {
-    return lemma.equals(SAFETY)
-        ? "No two cars are in one zone at the same time, with any part of their bodies."
-        : "A car that is in a zone, with any part of its body, holds that zone.";
+    return switch (lemma) {
+      case SAFETY -> "No two cars are in one zone at the same time, with any part of their bodies.";
+      case HELD -> "A car that is in a zone, with any part of its body, holds that zone.";
+      case MUX -> "No two cars hold the same zone.";
+      default -> "";
+    };
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
     checkUntil(event.timeNs(), report);
     bodies.observe(event);
+    if (!(event instanceof TraceEvent.Action)) {
+      return; // cannot be a grant
+    }
+    SortedSet<String> before = held.held(event.robot());
     held.observe(event);
+    SortedSet<String> after = held.held(event.robot());
+    if (!before.containsAll(after)) {
+      granted(event, after, report);
+    }
+  }
+
+  private void granted(TraceEvent event, SortedSet<String> zones, Report report) {
+    report.checked(MUX);
+    for (RobotId other : held.holders()) {
+      SortedSet<String> both = Sections.common(zones, held.held(other));
+      if (!other.equals(event.robot()) && !both.isEmpty()) {
+        List<RobotId> robots = List.of(other, event.robot());
+        report.violated(MUX, event.timeNs(), robots, "both hold " + both);
+      }
+    }
   }
 
   @Override

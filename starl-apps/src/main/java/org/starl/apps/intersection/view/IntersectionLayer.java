@@ -9,15 +9,15 @@ import java.awt.geom.Rectangle2D;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.Route;
 import org.starl.apps.intersection.logic.Trip;
-import org.starl.apps.intersection.logic.Zone;
 import org.starl.apps.intersection.spec.HeldZones;
-import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
+import org.starl.geometry.Pose;
 import org.starl.geometry.Rectangle;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -88,56 +88,49 @@ public final class IntersectionLayer implements Layer {
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
     if (look.shows(ZONES)) {
-      paintZones(floor, scene, look);
+      regions().forEach((name, area) -> paintZone(floor, name, area, scene, look));
     }
     for (RobotId robot : scene.robots()) {
-      if (scene.pose(robot).isPresent()) {
-        if (units.contains(robot)) {
-          paintPost(floor, scene.pose(robot).get().at(), scene.radiusMm(robot), look);
-        } else if (look.shows(ROUTES)) {
-          paintRoute(floor, robot, scene, look);
-        }
+      Point at = scene.pose(robot).map(Pose::at).orElse(null);
+      if (at != null && units.contains(robot)) {
+        double sideMm = 2 * scene.radiusMm(robot);
+        floor.setColor(look.theme().border());
+        floor.fill(shape(Rectangle.around(at, sideMm, sideMm))); // a plate under the unit
+      } else if (at != null && look.shows(ROUTES)) {
+        paintRoute(floor, robot, scene, look);
       }
     }
   }
 
-  private void paintZones(Graphics2D floor, Scene scene, Look look) {
-    Crossing.regions(isOpen() ? Crossing.PLACES : 1)
-        .forEach((name, area) -> paintZone(floor, name, area, scene, look));
+  private SortedMap<String, Rectangle> regions() {
+    return Crossing.regions(isOpen() ? Crossing.PLACES : 1);
   }
 
   @Override
   public List<Point> corners() {
-    List<Point> ends = new ArrayList<>();
-    for (Trip trip : trips.values()) {
-      ends.add(trip.exit().at());
-    }
-    for (Zone zone : isOpen() ? Zone.values() : new Zone[0]) {
-      Rectangle last = Crossing.region(Crossing.placeName(zone, Crossing.PLACES - 1));
-      ends.add(new Point(last.xMinMm(), last.yMinMm()));
-      ends.add(new Point(last.xMaxMm(), last.yMaxMm()));
-    }
-    return ends;
-  }
-
-  private Color holder(String zone, Scene scene, Look look) {
-    for (RobotId robot : scene.robots()) {
-      if (zones.held(robot).contains(zone)) {
-        return Theme.faded(look.robot(scene, robot), HELD_ALPHA);
+    List<Point> corners = new ArrayList<>();
+    trips.values().forEach(trip -> corners.add(trip.exit().at()));
+    if (isOpen()) {
+      for (Rectangle region : regions().values()) {
+        corners.add(new Point(region.xMinMm(), region.yMinMm()));
+        corners.add(new Point(region.xMaxMm(), region.yMaxMm()));
       }
     }
-    return look.theme().floor();
+    return corners;
   }
 
   private void paintZone(Graphics2D floor, String name, Rectangle area, Scene scene, Look look) {
-    double widthMm = area.xMaxMm() - area.xMinMm();
-    double heightMm = area.yMaxMm() - area.yMinMm();
-    Rectangle2D square = new Rectangle2D.Double(area.xMinMm(), area.yMinMm(), widthMm, heightMm);
-    floor.setColor(holder(name, scene, look));
-    floor.fill(square);
+    Color colour =
+        scene.robots().stream()
+            .filter(robot -> zones.held(robot).contains(name))
+            .findFirst()
+            .map(robot -> Theme.faded(look.robot(scene, robot), HELD_ALPHA))
+            .orElse(look.theme().floor());
+    floor.setColor(colour);
+    floor.fill(shape(area));
     floor.setColor(look.theme().border());
     floor.setStroke(look.line(5));
-    floor.draw(square);
+    floor.draw(shape(area));
     Graphics2D upright = (Graphics2D) floor.create();
     upright.transform(AffineTransform.getScaleInstance(1, -1));
     upright.setColor(look.theme().muted());
@@ -146,11 +139,10 @@ public final class IntersectionLayer implements Layer {
     upright.dispose();
   }
 
-  /** A square plate under a roadside unit. */
-  private static void paintPost(Graphics2D floor, Point at, double halfMm, Look look) {
-    floor.setColor(look.theme().border());
-    floor.fill(
-        new Rectangle2D.Double(at.xMm() - halfMm, at.yMm() - halfMm, 2 * halfMm, 2 * halfMm));
+  private static Rectangle2D shape(Rectangle area) {
+    double widthMm = area.xMaxMm() - area.xMinMm();
+    double heightMm = area.yMaxMm() - area.yMinMm();
+    return new Rectangle2D.Double(area.xMinMm(), area.yMinMm(), widthMm, heightMm);
   }
 
   private void paintRoute(Graphics2D floor, RobotId robot, Scene scene, Look look) {
@@ -161,9 +153,7 @@ public final class IntersectionLayer implements Layer {
     Point start = scene.trail(robot).get(0);
     Path2D path = new Path2D.Double();
     path.moveTo(start.xMm(), start.yMm());
-    for (ItemPosition station : trip.stations()) {
-      path.lineTo(station.at().xMm(), station.at().yMm());
-    }
+    trip.stations().forEach(station -> path.lineTo(station.at().xMm(), station.at().yMm()));
     path.lineTo(trip.exit().at().xMm(), trip.exit().at().yMm());
     floor.setColor(look.robot(scene, robot));
     floor.setStroke(look.dots(18, 55));
@@ -182,14 +172,12 @@ public final class IntersectionLayer implements Layer {
     return route + "\n" + location + (held.isEmpty() ? "" : ", holds " + held);
   }
 
+  /** Counts each car, and a car in a critical zone ten times. */
   @Override
   public double interest(Scene scene) {
-    double interest = 0;
-    for (RobotId robot : scene.robots()) {
-      if (scene.pose(robot).isPresent()) {
-        interest += Crossing.zoneAt(scene.pose(robot).get().at()).isPresent() ? 10 : 1;
-      }
-    }
-    return interest;
+    return scene.robots().stream()
+        .flatMap(robot -> scene.pose(robot).stream())
+        .mapToDouble(pose -> Crossing.zoneAt(pose.at()).isPresent() ? 10 : 1)
+        .sum();
   }
 }

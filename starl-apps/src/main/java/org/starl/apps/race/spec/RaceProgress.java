@@ -9,6 +9,7 @@ import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
 import org.starl.spec.Monitor;
 import org.starl.spec.Within;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
@@ -24,11 +25,29 @@ import org.starl.trace.TraceEvent.Left;
  *   <li>{@code agreed}: at the end, all robots whose apps have ended know the same winners.
  * </ul>
  */
-final class RaceProgress implements Monitor {
+public final class RaceProgress implements Monitor {
 
   private static final String TOLD = "told";
   private static final String TAKEN = "taken";
   private static final String AGREED = "agreed";
+
+  /** Generous, to tell a race that stands still from one that is slow. */
+  private static final double SLOWEST_MM_PER_S = 25;
+
+  private static final double TURNS_S = 120;
+
+  /**
+   * A broadcast sends so many copies in 5 s; the next one begins at most a round after it began.
+   */
+  private static final int COPIES = 9;
+
+  private static final double ROUND_S = 8.5;
+  private static final double SETTLE_S = 1;
+
+  /** So many copies in a row are lost in no run of all campaigns together. */
+  private static final double NEVER = 1e-13;
+
+  private static final int MAX_COPIES = 50_000;
 
   private final List<RacePoint> points;
   private final Records records = new Records();
@@ -41,13 +60,21 @@ final class RaceProgress implements Monitor {
   private record Hearing(RobotId robot, int point) {}
 
   /**
-   * @param toldNs from the first robot that knows a point's winner to the last
-   * @param takenNs from one point to the next
+   * @param longestDelayNs no message that arrives takes longer
+   * @param loss probability that a message is lost
+   * @param farthestMm no robot is farther from the next point
    */
-  RaceProgress(List<RacePoint> points, long toldNs, long takenNs) {
+  public RaceProgress(List<RacePoint> points, long longestDelayNs, double loss, double farthestMm) {
     this.points = List.copyOf(points);
+    int copies = 1;
+    for (double all = loss; all > NEVER && copies < MAX_COPIES; all *= loss) {
+      copies++;
+    }
+    int rounds = 1 + (copies + COPIES - 1) / COPIES;
+    long toldNs = 2 * longestDelayNs + (long) ((rounds * ROUND_S + SETTLE_S) * Time.NS_PER_S);
+    long driveNs = (long) ((farthestMm / SLOWEST_MM_PER_S + TURNS_S) * Time.NS_PER_S);
     told = new Within<>(toldNs);
-    taken = new Within<>(takenNs);
+    taken = new Within<>(driveNs + toldNs);
   }
 
   @Override

@@ -31,7 +31,7 @@ import org.starl.trace.TraceEvent.Variable;
  *       better one, in the order of {@link Claim}: so two robots that know the same claims agree.
  * </ul>
  */
-final class RaceSafety implements Monitor {
+public final class RaceSafety implements Monitor {
 
   private static final String AT_THE_POINT = "at_the_point";
   private static final String TRULY_WON = "truly_won";
@@ -45,7 +45,7 @@ final class RaceSafety implements Monitor {
   private final Map<RobotId, Integer> arrivedAt = new TreeMap<>();
   private final Set<Claim> made = new TreeSet<>();
 
-  RaceSafety(List<RacePoint> points) {
+  public RaceSafety(List<RacePoint> points) {
     this.points = List.copyOf(points);
   }
 
@@ -97,7 +97,8 @@ final class RaceSafety implements Monitor {
     int tries = inVain.getOrDefault(robot, 0);
     double allowedMm = Math.max(point.radiusMm(), Patience.allowedMm(point, bodyMm, tries));
     if (truthMm > Math.min(saidMm, allowedMm) + errorMm + ROUNDING_MM) {
-      String form = "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm";
+      String form =
+          "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm";
       String detail =
           String.format(Locale.ROOT, form, point.name(), truthMm, saidMm, allowedMm, errorMm);
       report.violated(AT_THE_POINT, action.timeNs(), List.of(robot), detail);

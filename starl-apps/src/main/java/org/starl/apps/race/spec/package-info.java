@@ -1,6 +1,6 @@
 /**
  * The specification of a race, as monitors over the trace: the winner of a point is at it, all
- * robots agree on the winners, and the race goes on ({@link org.starl.apps.race.spec.RaceSpec}).
+ * robots agree on the winners, and the race goes on.
  *
  * <p>May import: core, primitives, {@code logic} beside it.
  */

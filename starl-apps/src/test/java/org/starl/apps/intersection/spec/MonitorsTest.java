@@ -149,7 +149,7 @@ class MonitorsTest {
     mutex(BOT0, "od_mutex", "A A1");
     mutex(BOT1, "od_mutex", "B B1 D");
     mutex(BOT1, "release", "D", "B B1");
-    assertThat(report(new MuxSafety()).holds()).isTrue();
+    assertThat(report(trafficSafety()).holds()).isTrue();
   }
 
   @Test
@@ -159,7 +159,7 @@ class MonitorsTest {
     mutex(BOT0, "release", "A", "C C1");
     after(1);
     mutex(BOT1, "od_mutex", "B C");
-    assertRed(report(new MuxSafety()), "Inv_mux_safety", 2, BOT0, BOT1);
+    assertRed(report(trafficSafety()), "Inv_mux_safety", 2, BOT0, BOT1);
   }
 
   private void sets(RobotId robot, String trip) {
