@@ -11,7 +11,7 @@ import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.primitives.mutex.MutexEvent;
 import org.starl.primitives.mutex.MutexTrace;
-import org.starl.spec.Monitor;
+import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -27,7 +27,7 @@ import org.starl.trace.TraceEvent.Action;
  * {@code od_mutex}. A program sees the grant at its next step, so between the two it still waits for
  * what it already holds, or for what has just been refused: its latest request.
  */
-final class ListCrit implements Monitor {
+final class ListCrit extends LemmaMonitor {
 
   private static final String LEMMA = "Inv_list_crit";
 
@@ -47,21 +47,14 @@ final class ListCrit implements Monitor {
   /** Of the mutex {@code xid}. */
   ListCrit(String xid) {
     mutex = MutexTrace.source(xid);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(LEMMA);
+    lemma(
+        LEMMA,
+        "A car holds the zones ahead of it while it moves, and has requested them while it waits.");
   }
 
   @Override
   public List<String> perRobotLemmas() {
     return List.of(LEMMA);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return "A car holds the zones ahead of it while it moves, and has requested them while it waits.";
   }
 
   @Override

@@ -7,7 +7,7 @@ import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
-import org.starl.spec.Monitor;
+import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
@@ -21,7 +21,7 @@ import org.starl.trace.TraceEvent.Left;
  * fault is active or a car is dead, because cars behind a dead car cannot depart. Parked cars and
  * roadside units need not depart.
  */
-final class TrafficProgress implements Monitor {
+final class TrafficProgress extends LemmaMonitor {
 
   private static final String LEMMA = "traffic_progress";
 
@@ -34,16 +34,7 @@ final class TrafficProgress implements Monitor {
 
   TrafficProgress(long boundNs) {
     departures = new Within<>(boundNs);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(LEMMA);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return "Every car that has come onto the floor leaves it within the bound.";
+    lemma(LEMMA, "Every car that has come onto the floor leaves it within the bound.");
   }
 
   @Override

@@ -10,7 +10,7 @@ import org.starl.geometry.Region;
 import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.spec.Bodies;
-import org.starl.spec.Monitor;
+import org.starl.spec.LemmaMonitor;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 
@@ -29,7 +29,7 @@ import org.starl.trace.TraceEvent;
  * <p>Bodies are checked every 10 ms of movement: at 250 mm/s a body may be 2.5 mm inside a zone before
  * it is seen.
  */
-final class TrafficSafety implements Monitor {
+final class TrafficSafety extends LemmaMonitor {
 
   private static final String SAFETY = "traffic_safety";
   private static final String HELD = "occupied_is_held";
@@ -45,22 +45,10 @@ final class TrafficSafety implements Monitor {
   private record Zone(String name, Region region, SortedSet<RobotId> occupants) {}
 
   TrafficSafety(SortedMap<String, ? extends Region> zones) {
+    lemma(SAFETY, "No two cars are in one zone at the same time, with any part of their bodies.");
+    lemma(HELD, "A car that is in a zone, with any part of its body, holds that zone.");
+    lemma(MUX, "No two cars hold the same zone.");
     zones.forEach((name, region) -> this.zones.add(new Zone(name, region, new TreeSet<>())));
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(SAFETY, HELD, MUX);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case SAFETY -> "No two cars are in one zone at the same time, with any part of their bodies.";
-      case HELD -> "A car that is in a zone, with any part of its body, holds that zone.";
-      case MUX -> "No two cars hold the same zone.";
-      default -> "";
-    };
   }
 
   @Override

@@ -7,7 +7,7 @@ import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.spec.FaultState;
-import org.starl.spec.Monitor;
+import org.starl.spec.LemmaMonitor;
 import org.starl.spec.Within;
 import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
@@ -25,7 +25,7 @@ import org.starl.trace.TraceEvent.Left;
  *   <li>{@code agreed}: at the end, all robots whose apps have ended know the same winners.
  * </ul>
  */
-public final class RaceProgress implements Monitor {
+public final class RaceProgress extends LemmaMonitor {
 
   private static final String TOLD = "told";
   private static final String TAKEN = "taken";
@@ -66,31 +66,19 @@ public final class RaceProgress implements Monitor {
    */
   public RaceProgress(List<RacePoint> points, long longestDelayNs, double loss, double farthestMm) {
     this.points = List.copyOf(points);
+    lemma(
+        TOLD, "Once a robot knows the winner of a point, all robots that are up know one in time.");
+    lemma(TAKEN, "Within the bound after one point the next one is won.");
+    lemma(AGREED, "All robots that end know the same winners.");
     int copies = 1;
     for (double all = loss; all > NEVER && copies < MAX_COPIES; all *= loss) {
       copies++;
     }
-    int rounds = 1 + (copies + COPIES - 1) / COPIES;
+    int rounds = 1 + Math.ceilDiv(copies, COPIES);
     long toldNs = 2 * longestDelayNs + (long) ((rounds * ROUND_S + SETTLE_S) * Time.NS_PER_S);
     long driveNs = (long) ((farthestMm / SLOWEST_MM_PER_S + TURNS_S) * Time.NS_PER_S);
     told = new Within<>(toldNs);
     taken = new Within<>(driveNs + toldNs);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(TOLD, TAKEN, AGREED);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case TOLD ->
-          "Once a robot knows the winner of a point, all robots that are up know one in time.";
-      case TAKEN -> "Within the bound after one point the next one is won.";
-      case AGREED -> "All robots that end know the same winners.";
-      default -> "";
-    };
   }
 
   @Override

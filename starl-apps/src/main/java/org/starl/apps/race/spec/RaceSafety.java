@@ -13,7 +13,7 @@ import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.spec.Bodies;
-import org.starl.spec.Monitor;
+import org.starl.spec.LemmaMonitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
@@ -31,7 +31,7 @@ import org.starl.trace.TraceEvent.Variable;
  *       better one, in the order of {@link Claim}: so two robots that know the same claims agree.
  * </ul>
  */
-public final class RaceSafety implements Monitor {
+public final class RaceSafety extends LemmaMonitor {
 
   private static final String AT_THE_POINT = "at_the_point";
   private static final String TRULY_WON = "truly_won";
@@ -46,24 +46,13 @@ public final class RaceSafety implements Monitor {
   private final Set<Claim> made = new TreeSet<>();
 
   public RaceSafety(List<RacePoint> points) {
+    lemma(AT_THE_POINT, "A robot that arrives at a point is there, by its true body.");
+    lemma(
+        TRULY_WON, "Every winner that a robot knows has arrived and has claimed the point itself.");
+    lemma(
+        ONE_WINNER,
+        "A robot knows one winner of each point, and replaces it only by a better one.");
     this.points = List.copyOf(points);
-  }
-
-  @Override
-  public List<String> lemmas() {
-    return List.of(AT_THE_POINT, TRULY_WON, ONE_WINNER);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case AT_THE_POINT -> "A robot that arrives at a point is there, by its true body.";
-      case TRULY_WON ->
-          "Every winner that a robot knows has arrived and has claimed the point itself.";
-      case ONE_WINNER ->
-          "A robot knows one winner of each point, and replaces it only by a better one.";
-      default -> "";
-    };
   }
 
   @Override
