@@ -43,7 +43,7 @@ public final class RaceDemo implements Demo {
   /** More robots than this get a larger floor. */
   private static final int ROBOTS_ON_DEFAULT_FLOOR = 12;
 
-  /** A robot with a larger position error owes nothing by geocast. */
+  /** A robot with a larger position error need not deliver a geocast. */
   private static final double POSITION_ERROR_MM = 50;
 
   private static final Parameter POINTS =

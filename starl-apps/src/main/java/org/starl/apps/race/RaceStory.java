@@ -15,7 +15,7 @@ import org.starl.sim.SimResult;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** Which robot won which point, when, and how many robots arrived. */
+/** Reports the winner of each point, when it won, and how many robots arrived. */
 final class RaceStory implements Story {
 
   private final List<RacePoint> points;
@@ -67,13 +67,13 @@ final class RaceStory implements Story {
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     for (int i = 0; i < races.size(); i++) {
-      lines.add(points.get(i).name() + ": " + told(races.get(i)));
+      lines.add(points.get(i).name() + ": " + result(races.get(i)));
     }
     lines.add(returned + " of " + robots + " robots ended, at " + Story.seconds(endNs));
     return lines;
   }
 
-  private static String told(Race race) {
+  private static String result(Race race) {
     if (race.known.isEmpty()) {
       return "not won";
     }

@@ -23,9 +23,9 @@ final class RudeCar extends LogicThread {
     /** Drives without asking the mutex. */
     DOES_NOT_ASK,
     /** Has a mutex that grants at once, even if other cars are inside. */
-    ASKS_NOBODY,
+    GRANTS_ITSELF,
     /** Releases a zone as soon as it has reached its middle. */
-    GIVES_BACK_TOO_EARLY,
+    RELEASES_TOO_EARLY,
     /** Stands at the head of its arm for ever. */
     NEVER_LEAVES
   }
@@ -63,14 +63,14 @@ final class RudeCar extends LogicThread {
       List<String> left = new ArrayList<>(myseq.get());
       left.remove(station.name());
       myseq.set(List.copyOf(left));
-      if (fault == Fault.GIVES_BACK_TOO_EARLY) {
-        giveBack(left);
+      if (fault == Fault.RELEASES_TOO_EARLY) {
+        release(left);
       }
     }
     location.set(Location.S_1);
     driveTo(trip.exit());
     if (!held.isEmpty()) {
-      giveBack(List.of());
+      release(List.of());
     }
     gvh.plat.moat.motion_stop();
     location.set(Location.DONE);
@@ -88,7 +88,7 @@ final class RudeCar extends LogicThread {
     }
   }
 
-  private void giveBack(List<String> left) {
+  private void release(List<String> left) {
     List<String> given = new ArrayList<>(held);
     given.removeAll(left);
     held = List.copyOf(left);

@@ -45,9 +45,9 @@ class RudeCarsTest {
   @CsvSource({
     "DOES_NOT_ASK, Inv_list_crit",
     "DOES_NOT_ASK, traffic_safety",
-    "ASKS_NOBODY, Inv_mux_safety",
-    "ASKS_NOBODY, Exclusive",
-    "GIVES_BACK_TOO_EARLY, occupied_is_held",
+    "GRANTS_ITSELF, Inv_mux_safety",
+    "GRANTS_ITSELF, Exclusive",
+    "RELEASES_TOO_EARLY, occupied_is_held",
     "NEVER_LEAVES, traffic_progress",
   })
   void aRudeCarIsSeen(RudeCar.Fault fault, String lemma) {

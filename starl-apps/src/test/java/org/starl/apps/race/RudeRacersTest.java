@@ -26,7 +26,7 @@ class RudeRacersTest {
             .set("messageDelay", "uniform(500ms,3s)")
             .set("robots", "6")
             // So far that a robot that hears nothing does not arrive before it should know.
-            .set("floorWidth", bug == RudeRacer.Bug.TELLS_NOBODY ? "30m" : "5m")
+            .set("floorWidth", bug == RudeRacer.Bug.ANNOUNCES_NOTHING ? "30m" : "5m")
             .build();
     List<RacePoint> points = RacePoints.drawn(4, settings, new Rng(seed).fork("race"));
     Simulation.Builder simulation =
@@ -41,9 +41,9 @@ class RudeRacersTest {
   @ParameterizedTest
   @CsvSource({
     "CLAIMS_FROM_AFAR, at_the_point",
-    "TELLS_OF_ANOTHER_WINNER, truly_won",
+    "ANNOUNCES_ANOTHER_WINNER, truly_won",
     "LAST_HEARD_COUNTS, one_winner",
-    "TELLS_NOBODY, told",
+    "ANNOUNCES_NOTHING, told",
     "DOES_NOT_DRIVE, taken",
     "FIRST_HEARD_COUNTS, agreed",
   })

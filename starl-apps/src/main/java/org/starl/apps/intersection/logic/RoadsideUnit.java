@@ -12,8 +12,8 @@ import org.starl.primitives.registration.Registration;
 /**
  * A fixed unit at the roadside, without wheels. It is an acceptor of all registrations, so cars that
  * come and go agree on the list of cars. It is also a participant of every mutex, but never asks for a
- * section. It is older than any car, so every car needs its consent: it still knows what a crashed car
- * may hold when all cars that crossed with it have left.
+ * section. It is older than any car, so every car needs its consent: it still knows the sections that a
+ * crashed car may hold when all cars that crossed with it have left.
  */
 public final class RoadsideUnit extends LogicThread {
 

@@ -45,16 +45,16 @@ public final class HeldZones {
         grant.held().forEach(zone -> zones.put(zone, new Hold(mutex, grant.who())));
       }
       case MutexEvent.Release release -> zones.keySet().removeAll(release.given());
-      // Of what an earlier process of the robot held, the robot keeps only the sections it is in.
-      case MutexEvent.StandsIn word ->
+      // The robot keeps only those sections of its earlier processes that it is in.
+      case MutexEvent.StandsIn declared ->
           zones
               .entrySet()
               .removeIf(zone ->
                   zone.getValue().mutex.equals(mutex)
-                      && boot(zone.getValue().process) < boot(word.who())
-                      && !word.sections().contains(zone.getKey()));
+                      && boot(zone.getValue().process) < boot(declared.who())
+                      && !declared.sections().contains(zone.getKey()));
       default -> {
-        // Does not change what is held.
+        // Neither grants nor releases a section.
       }
     }
     if (zones.isEmpty()) {

@@ -39,8 +39,8 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
   // Other cars that may go before a car at the head of its arm: three waiting, four crossing.
   private static final int TURNS_BEFORE = 7;
 
-  // A car may have left, and news of it is asked for every so often.
-  private static final long NEWS_NS = 2 * NS_PER_S;
+  // A car may have left: after so long, a car that waits asks for the latest view.
+  private static final long REFRESH_NS = 2 * NS_PER_S;
 
   private static final long DAY_NS = 24 * 3600 * NS_PER_S;
 
@@ -66,7 +66,7 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
     double waitMs = times.resendMs();
     long deltaNs = longestDelayNs;
     for (double all = roundTripFails; all > NEVER && deltaNs < DAY_NS; all *= roundTripFails) {
-      deltaNs += (long) (waitMs * NS_PER_MS) + NEWS_NS;
+      deltaNs += (long) (waitMs * NS_PER_MS) + REFRESH_NS;
       waitMs = Math.min(waitMs * times.backoff(), (double) times.maxResendMs());
     }
     return deltaNs;

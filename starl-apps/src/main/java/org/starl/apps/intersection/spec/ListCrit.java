@@ -24,8 +24,8 @@ import org.starl.trace.TraceEvent.Action;
  * or another robot.
  *
  * <p>In PVS the grant and the car's step from {@code mutex_wait} to {@code move_wait} are one action,
- * {@code od_mutex}. A program sees the grant at its next step, so between the two it still waits for
- * what it already holds, or for what has just been refused: its latest request.
+ * {@code od_mutex}. A program sees the grant, or the refusal, at its next step. Between the two it is
+ * still in MUTEX_WAIT, so there its latest request counts, granted or not.
  */
 final class ListCrit extends LemmaMonitor {
 
@@ -114,7 +114,7 @@ final class ListCrit extends LemmaMonitor {
       case MUTEX_WAIT ->
           state.requested.equals(rest)
               ? ""
-              : myseq + " is not what is requested, " + state.requested;
+              : myseq + " is not the latest request " + state.requested;
       case MOVE_WAIT ->
           zones.held(robot).containsAll(rest)
               ? ""

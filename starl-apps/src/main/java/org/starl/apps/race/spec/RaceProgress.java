@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Left;
 
 /**
- * What a race owes while the world behaves.
+ * The progress of a race, required while no fault is active.
  *
  * <ul>
  *   <li>{@code told}: within a bound of the first robot that knows a point's winner, all robots
@@ -56,7 +56,7 @@ public final class RaceProgress extends LemmaMonitor {
   private final Within<Integer> taken;
   private long fairSinceNs;
 
-  /** A robot that has to hear of a point. */
+  /** A robot that does not know the winner of a point that another robot knows. */
   private record Hearing(RobotId robot, int point) {}
 
   /**

@@ -19,12 +19,12 @@ import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What holds in a race under all faults.
+ * The safety of a race, under all faults.
  *
  * <ul>
  *   <li>{@code at_the_point}: a robot that arrives at a point is there by its true body: within the
- *       point's radius and the error bound of its position; or, kept off, within what its {@link
- *       Patience} allows.
+ *       point's radius and the error bound of its position; or, kept off, within the distance
+ *       that its {@link Patience} allows.
  *   <li>{@code truly_won}: every winner that a robot knows has arrived and has claimed the point
  *       itself.
  *   <li>{@code one_winner}: a robot knows one winner of each point, and replaces it only by a

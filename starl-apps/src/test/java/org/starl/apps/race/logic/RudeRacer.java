@@ -15,13 +15,13 @@ public final class RudeRacer extends LogicThread {
     /** Claims its point when it sets out for it. */
     CLAIMS_FROM_AFAR,
     /** Replaces the winner in each claim that it hears by the robot with the first name. */
-    TELLS_OF_ANOTHER_WINNER,
+    ANNOUNCES_ANOTHER_WINNER,
     /** Takes the claim that it hears last. */
     LAST_HEARD_COUNTS,
     /** Takes the claim that it hears first. */
     FIRST_HEARD_COUNTS,
     /** Announces nothing. */
-    TELLS_NOBODY,
+    ANNOUNCES_NOTHING,
     /** Stands still. */
     DOES_NOT_DRIVE
   }
@@ -74,7 +74,7 @@ public final class RudeRacer extends LogicThread {
     gvh.trace.action(RaceTrace.SOURCE, RaceTrace.ARRIVE, point, next.name(), 0, 0, next.radiusMm());
     Claim claim = new Claim(point, gvh.id.name(), gvh.plat.clock.nowNs(), 0);
     record(claim);
-    if (bug != Bug.TELLS_NOBODY) {
+    if (bug != Bug.ANNOUNCES_NOTHING) {
       broadcast.BCast(claim, 5_000);
     }
   }
@@ -83,7 +83,7 @@ public final class RudeRacer extends LogicThread {
     Claim mine = best.get(claim.point());
     switch (bug) {
       case LAST_HEARD_COUNTS -> record(claim);
-      case TELLS_OF_ANOTHER_WINNER ->
+      case ANNOUNCES_ANOTHER_WINNER ->
           record(new Claim(claim.point(), gvh.id.participants().asList().get(0), claim.atNs(), 0));
       case FIRST_HEARD_COUNTS -> {
         if (mine == null) {
