@@ -12,7 +12,6 @@ import java.util.TreeMap;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
-import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.lightpaint.logic.LightPaintApp;
@@ -167,9 +166,7 @@ public final class LightPaintDemo implements Demo {
   }
 
   private static double mm(Request request, Parameter parameter, double least, double most) {
-    return ParameterParser.parse(
-        request,
-        parameter,
+    return request.parse(parameter,
         text -> {
           double mm = Quantities.distanceMm(text);
           if (mm < least || mm > most) {

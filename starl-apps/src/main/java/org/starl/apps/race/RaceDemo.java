@@ -9,7 +9,6 @@ import java.util.TreeMap;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
-import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.race.logic.Drive;
@@ -147,7 +146,7 @@ public final class RaceDemo implements Demo {
       return RacePoints.read(file);
     }
     long count =
-        ParameterParser.parse(request, DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
+        request.parse(DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
     return RacePoints.drawn((int) count, settings, new Rng(request.seed()).fork(name()));
   }
 }
