@@ -32,6 +32,7 @@ import org.starl.sim.world.Body;
 import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
+import org.starl.spec.Monitors;
 import org.starl.spec.SpecReport;
 import org.starl.trace.TraceEvent.Fault;
 
@@ -41,7 +42,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final SimulationPlan plan;
   private final Rng behaviourRng;
   private final Kernel kernel;
-  private final RunObservers watchers;
+  private final RunObservers observers;
   private final World world;
   private final SimNetwork network;
   private final Participants deployment;
@@ -57,23 +58,27 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   // The number of running apps and planned restarts, for which the run waits.
   private int running;
   private int restartsDue;
-  private int brought;
+  private int joined;
 
   Engine(SimulationPlan plan) {
     this.plan = plan;
     behaviourRng = new Rng(plan.header().behaviourSeed());
     kernel = new Kernel(plan.carriers());
-    watchers = new RunObservers(plan);
+    observers =
+        new RunObservers(
+            Monitors.of(plan.monitors()),
+            plan.observers(),
+            !plan.monitors().isEmpty() || !plan.observers().isEmpty());
     SimSettings settings = plan.settings();
-    world = new World(kernel, kernel::timer, watchers, settings.worldLimits(), plan.obstacles());
-    network = new SimNetwork(kernel, watchers, behaviourRng.fork("network"));
+    world = new World(kernel, kernel::timer, observers, settings.worldLimits(), plan.obstacles());
+    network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
     network.base(settings.messageDelay(), settings.messageLoss());
     deployment = plan.deployment();
     knownObstacles = plan.obstacles().known();
   }
 
   SimResult run() {
-    watchers.started(plan.header());
+    observers.started(plan.header());
     try {
       plan.robots().forEach(this::join);
       FaultRun faultRun = plan.faults().install(this, behaviourRng.fork("faults"));
@@ -81,12 +86,12 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       if (director != null) {
         director.direct(this);
       }
-      StepListener bystander = plan.bystander();
-      if (bystander == null) {
+      StepListener listener = plan.stepListener();
+      if (listener == null) {
         kernel.run(plan.endNs(), this::isOver);
       } else {
-        runBeside(
-            bystander, new EngineController(this, faultRun, behaviourRng.fork("interventions")));
+        runStepwise(
+            listener, new EngineController(this, faultRun, behaviourRng.fork("interventions")));
       }
     } catch (BadInput e) {
       throw e;
@@ -96,7 +101,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       // An exception of the world, a director or an observer, not of a robot.
       throw failed("at " + kernel.nowNs() + " ns: " + e, e);
     }
-    SpecReport spec = watchers.endSpecifications(kernel.nowNs());
+    SpecReport spec = observers.endSpecifications(kernel.nowNs());
     SimResult result =
         new SimResult(
             plan.header().scenarioSeed(),
@@ -108,18 +113,18 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             network.statistics(),
             world.collisions(),
             spec);
-    watchers.finished(result);
+    observers.finished(result);
     return result;
   }
 
-  private void runBeside(StepListener bystander, EngineController hands) {
-    bystander.onStep(hands);
-    if (!hands.isStopped()) {
+  private void runStepwise(StepListener listener, EngineController controller) {
+    listener.onStep(controller);
+    if (!controller.isStopped()) {
       kernel.run(
           plan.endNs(),
           () -> {
-            bystander.onStep(hands);
-            return hands.isStopped() || isOver();
+            listener.onStep(controller);
+            return controller.isStopped() || isOver();
           });
     }
   }
@@ -136,7 +141,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             + plan.header().scenarioSeed()
             + ": "
             + what
-            + watchers.firstViolation(),
+            + observers.firstViolation(),
         cause);
   }
 
@@ -185,8 +190,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     SimStable stable =
         stables.computeIfAbsent(
             spec.id(), id -> new SimStable(kernel, plan.settings().stableDelayNs()));
-    SimRobot robot = new SimRobot(spec, this, stable, brought);
-    brought++;
+    SimRobot robot = new SimRobot(spec, this, stable, joined);
+    joined++;
     robots.put(spec.id(), robot);
     running++;
     if (spec.onFloor() && !putOnFloor(spec.id())) {
@@ -236,13 +241,13 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
         });
   }
 
-  private void crash(SimRobot robot, boolean isDueBack) {
+  private void crash(SimRobot robot, boolean willRestart) {
     RobotId id = robot.spec().id();
     if (robot.isDown()) {
       throw new IllegalStateException(id + " has already crashed");
     }
     recordFault(id, Fault.CRASH, "");
-    end(robot, isDueBack);
+    end(robot, willRestart);
   }
 
   @Override
@@ -259,18 +264,18 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     robot.start();
   }
 
-  private void end(SimRobot robot, boolean isDueBack) {
+  private void end(SimRobot robot, boolean willRestart) {
     network.detach(robot.spec().id());
     if (!robot.isFinished()) {
       running--;
     }
-    robot.end(isDueBack);
+    robot.end(willRestart);
   }
 
   @Override
   public void recordFault(RobotId robot, String name, String detail) {
-    if (watchers.isOn()) {
-      watchers.record(new Fault(nowNs(), robot, name, detail));
+    if (observers.isOn()) {
+      observers.record(new Fault(nowNs(), robot, name, detail));
     }
   }
 
@@ -354,8 +359,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
 
   /** The robot's own clock if faults may change its time; otherwise null. */
   @Nullable RobotClock clockOf(RobotId id) {
-    boolean mayGoWrong = plan.faults().changesTime() || plan.bystander() != null;
-    return mayGoWrong ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
+    boolean mayChange = plan.faults().changesTime() || plan.stepListener() != null;
+    return mayChange ? clocks.computeIfAbsent(id, any -> new RobotClock(kernel)) : null;
   }
 
   @Override
@@ -399,8 +404,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     return plan.settings();
   }
 
-  RunObservers watchers() {
-    return watchers;
+  RunObservers observers() {
+    return observers;
   }
 
   Participants deployment() {

@@ -75,8 +75,8 @@ final class EngineController implements RunController {
       throw new IllegalStateException("the run was stopped");
     }
     done++;
-    if (engine.watchers().isOn()) {
-      engine.watchers().record(new Intervention(nowNs(), robot, steps(), name, detail));
+    if (engine.observers().isOn()) {
+      engine.observers().record(new Intervention(nowNs(), robot, steps(), name, detail));
     }
   }
 }

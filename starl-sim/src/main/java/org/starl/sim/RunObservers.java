@@ -9,17 +9,20 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceHeader;
 import org.starl.trace.TraceSink;
 
-/** The monitors of a run, then its observers, in the order given. */
-final class RunObservers implements TraceSink {
+/** The monitors of a run or a trace, then its observers, in the order given. */
+public final class RunObservers implements TraceSink {
 
   private final Monitors monitors;
   private final List<SimObserver> observers;
   private final boolean isOn;
 
-  RunObservers(SimulationPlan plan) {
-    monitors = Monitors.of(plan.monitors());
-    observers = plan.observers();
-    isOn = !plan.monitors().isEmpty() || !observers.isEmpty();
+  /**
+   * @param isOn whether events are needed
+   */
+  public RunObservers(Monitors monitors, List<SimObserver> observers, boolean isOn) {
+    this.monitors = monitors;
+    this.observers = List.copyOf(observers);
+    this.isOn = isOn;
   }
 
   @Override
@@ -33,22 +36,22 @@ final class RunObservers implements TraceSink {
     for (int i = 0; i < observers.size(); i++) {
       observers.get(i).observed(event);
     }
-    tellViolations();
+    reportViolations();
   }
 
-  private void tellViolations() {
+  private void reportViolations() {
     for (SpecReport.Violation violation : monitors.newViolations()) {
       observers.forEach(observer -> observer.violated(violation));
     }
   }
 
-  void started(TraceHeader header) {
+  public void started(TraceHeader header) {
     observers.forEach(observer -> observer.started(header));
   }
 
-  SpecReport endSpecifications(long endNs) {
+  public SpecReport endSpecifications(long endNs) {
     monitors.finish(endNs);
-    tellViolations();
+    reportViolations();
     return monitors.report();
   }
 
@@ -58,7 +61,7 @@ final class RunObservers implements TraceSink {
     return violations.isEmpty() ? "" : "; before that, " + violations.get(0);
   }
 
-  void finished(SimResult result) {
+  public void finished(SimResult result) {
     observers.forEach(observer -> observer.finished(result));
   }
 

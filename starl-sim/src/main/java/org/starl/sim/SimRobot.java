@@ -41,7 +41,7 @@ final class SimRobot implements TraceSink {
   private final RobotRunner runner;
   private final Engine engine;
   private boolean finished;
-  private boolean dueBack;
+  private boolean willRestart;
   private @Nullable Body body;
 
   /**
@@ -89,12 +89,12 @@ final class SimRobot implements TraceSink {
             positioning,
             chassis,
             stable,
-            name -> kept(rng.fork(name)),
+            name -> prefetched(rng.fork(name)),
             new SimBackground(kernel, strand, settings.computeTimeNs()),
-            engine.watchers().logOf(spec.id()),
+            engine.observers().logOf(spec.id()),
             // Without log observers all robots share one sink, which stays in the processor's
             // cache.
-            engine.watchers().isOn() ? this : engine.watchers(),
+            engine.observers().isOn() ? this : engine.observers(),
             engine.knownObstacles(),
             engine.motionParameters(index),
             engine.key());
@@ -111,7 +111,7 @@ final class SimRobot implements TraceSink {
     return app;
   }
 
-  private Rng kept(Rng rng) {
+  private Rng prefetched(Rng rng) {
     strand.prefetch(rng);
     return rng;
   }
@@ -159,10 +159,10 @@ final class SimRobot implements TraceSink {
    * Ends the program: it runs no more code, and its unwinding has no effect. Its body stays in
    * place, at rest.
    *
-   * @param isDueBack whether a restart is planned
+   * @param newWillRestart whether a restart is planned
    */
-  void end(boolean isDueBack) {
-    dueBack = isDueBack;
+  void end(boolean newWillRestart) {
+    willRestart = newWillRestart;
     chassis.halt();
     positioning.unmount();
     stable.halt();
@@ -176,7 +176,7 @@ final class SimRobot implements TraceSink {
 
   /** Whether the run waits for the app to end; false after a permanent crash. */
   boolean isAwaited() {
-    return !finished && (dueBack || !isDown());
+    return !finished && (willRestart || !isDown());
   }
 
   /** Creates the next incarnation of this ended robot, not yet started. */
@@ -245,14 +245,14 @@ final class SimRobot implements TraceSink {
 
   @Override
   public boolean isOn() {
-    return engine.watchers().isOn();
+    return engine.observers().isOn();
   }
 
   @Override
   public void record(TraceEvent event) {
     if (!isDown()) {
       // A robot with a wrong clock stamps its events wrongly; the trace is in true time.
-      engine.watchers().record(clock == null ? event : event.at(engine.nowNs()));
+      engine.observers().record(clock == null ? event : event.at(engine.nowNs()));
     }
   }
 

@@ -161,8 +161,8 @@ public final class Simulation {
     }
 
     /** Sets the step listener, which may pause the run and intervene. */
-    public Builder stepListener(StepListener newBystander) {
-      stepListener = newBystander;
+    public Builder stepListener(StepListener newListener) {
+      stepListener = newListener;
       return this;
     }
 

@@ -24,7 +24,7 @@ import org.starl.trace.TraceHeader;
  * @param key seals datagrams; may be null
  * @param robots initial robots
  * @param director may be null
- * @param bystander the step listener; may be null
+ * @param stepListener may be null
  * @param faults of the settings, then those drawn by chaos
  * @param endNs latest end of the run, in ns of virtual time
  * @param monitors suppliers of the specifications to check
@@ -38,7 +38,7 @@ public record SimulationPlan(
     @Nullable DeploymentKey key,
     List<RobotSpec> robots,
     @Nullable Director director,
-    @Nullable StepListener bystander,
+    @Nullable StepListener stepListener,
     FaultPlan faults,
     long endNs,
     List<Supplier<? extends Monitor>> monitors,

@@ -9,5 +9,5 @@ package org.starl.sim;
 public interface StepListener {
 
   /** Simulated time does not advance until this method returns. */
-  void onStep(RunController hands);
+  void onStep(RunController controller);
 }

@@ -31,8 +31,8 @@ final class Eavesdropper implements NetworkTap {
 
   /** One of the latest datagrams; empty before the first one. */
   byte[] recorded() {
-    int there = Math.min(recorded, RECORDINGS);
-    return there == 0 ? NOTHING : recordings[rng.nextInt(there)].clone();
+    int available = Math.min(recorded, RECORDINGS);
+    return available == 0 ? NOTHING : recordings[rng.nextInt(available)].clone();
   }
 
   /** One of the latest datagrams with some bytes changed. */

@@ -88,13 +88,14 @@ final class Intruder {
     return null;
   }
 
-  private void step(Body mine) {
+  private void step(Body intruder) {
     if (hasLeft) {
       return;
     }
     Body victim = run.body(target);
-    mine.drive(victim == null ? WheelCommand.STOP : towards(mine.pose(), victim.pose().at()));
-    run.at(run.nowNs() + STEP_NS, () -> step(mine));
+    intruder.drive(
+        victim == null ? WheelCommand.STOP : towards(intruder.pose(), victim.pose().at()));
+    run.at(run.nowNs() + STEP_NS, () -> step(intruder));
   }
 
   private WheelCommand towards(Pose from, Point to) {

@@ -26,7 +26,7 @@ import org.starl.sim.fault.FaultPlan;
 record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, Scenario scenario) {
 
   /** The maximum number of bad runs in the failure message. */
-  private static final int MOST_TOLD = 5;
+  private static final int MOST_REPORTED = 5;
 
   /** Configures the builder of one seed, and declares the checks. */
   @FunctionalInterface
@@ -126,16 +126,16 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
   private String report(List<Bad> bad, int runs) {
     List<String> lines = new ArrayList<>();
     lines.add(name + ": " + bad.size() + " of " + runs + " runs went wrong");
-    for (Bad each : bad.subList(0, Math.min(bad.size(), MOST_TOLD))) {
+    for (Bad each : bad.subList(0, Math.min(bad.size(), MOST_REPORTED))) {
       lines.add("  seed " + each.run().seed + ": " + each.what());
     }
-    if (bad.size() > MOST_TOLD) {
-      lines.add("  and " + (bad.size() - MOST_TOLD) + " more");
+    if (bad.size() > MOST_REPORTED) {
+      lines.add("  and " + (bad.size() - MOST_REPORTED) + " more");
     }
     Run first = bad.get(0).run();
-    FaultPlan whatHappened = first.simulation.faults();
-    if (!whatHappened.isEmpty()) {
-      lines.add("faults of seed " + first.seed + ": " + whatHappened);
+    FaultPlan allFaults = first.simulation.faults();
+    if (!allFaults.isEmpty()) {
+      lines.add("faults of seed " + first.seed + ": " + allFaults);
     }
     lines.add(replay(first.seed));
     return String.join("\n", lines);

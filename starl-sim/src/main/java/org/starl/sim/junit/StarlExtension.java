@@ -48,8 +48,8 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     if (type == long.class) {
       return 0L;
     }
-    RunChecks nobody = assertion -> {};
-    return type == RunChecks.class ? nobody : Simulation.builder();
+    RunChecks ignored = assertion -> {};
+    return type == RunChecks.class ? ignored : Simulation.builder();
   }
 
   @Override
@@ -60,13 +60,13 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
       throws InterruptedException {
     invocation.skip();
     Method method = test.getExecutable();
-    StarlTest wanted = AnnotationSupport.findAnnotation(method, StarlTest.class).orElseThrow();
+    StarlTest annotation = AnnotationSupport.findAnnotation(method, StarlTest.class).orElseThrow();
     SeededRuns runs =
         new SeededRuns(
             context.getRequiredTestClass().getName() + "#" + method.getName(),
-            faults(wanted),
-            wanted.chaos(),
-            atMostNs(wanted),
+            faults(annotation),
+            annotation.chaos(),
+            atMostNs(annotation),
             (seed, simulation, afterwards) ->
                 ReflectionSupport.invokeMethod(
                     method,
@@ -75,11 +75,11 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     Optional<Long> alone = context.getConfigurationParameter(SEED).flatMap(StarlExtension::seed);
     if (alone.isPresent()) {
       runs.run(alone.get(), alone.get());
-    } else if (wanted.seeds() < 1) {
+    } else if (annotation.seeds() < 1) {
       throw new ExtensionConfigurationException(
-          "seeds = " + wanted.seeds() + ": expected at least 1");
+          "seeds = " + annotation.seeds() + ": expected at least 1");
     } else {
-      runs.run(wanted.firstSeed(), wanted.firstSeed() + wanted.seeds() - 1);
+      runs.run(annotation.firstSeed(), annotation.firstSeed() + annotation.seeds() - 1);
     }
   }
 
@@ -103,9 +103,9 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     return arguments.toArray();
   }
 
-  private static FaultPlan faults(StarlTest wanted) {
+  private static FaultPlan faults(StarlTest annotation) {
     FaultPlan faults = FaultPlan.NONE;
-    for (String fault : wanted.faults()) {
+    for (String fault : annotation.faults()) {
       try {
         faults = faults.plus(FaultPlan.parse(fault));
       } catch (BadInput wrong) {
@@ -115,9 +115,9 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     return faults;
   }
 
-  private static long atMostNs(StarlTest wanted) {
+  private static long atMostNs(StarlTest annotation) {
     try {
-      return Quantities.durationNs(wanted.atMost());
+      return Quantities.durationNs(annotation.atMost());
     } catch (BadInput wrong) {
       throw new ExtensionConfigurationException("atMost = " + wrong.getMessage(), wrong);
     }

@@ -68,7 +68,7 @@ public final class GridMaps {
     }
     for (int number = HEADER_LINES + 1 + height; number <= lines.length; number++) {
       if (!line(number).isEmpty()) {
-        throw broken(number, "no more than the " + height + " rows that line 2 tells of");
+        throw broken(number, "only the " + height + " rows of line 2");
       }
     }
     return new GridMap(width, height, blocked);
@@ -93,7 +93,7 @@ public final class GridMaps {
   private void row(int number, int width, int row, BitSet blocked) {
     String cells = line(number);
     if (cells.length() != width) {
-      throw broken(number, width + " cells, as line 3 says, not " + cells.length());
+      throw broken(number, width + " cells as in line 3, not " + cells.length());
     }
     for (int column = 0; column < width; column++) {
       char cell = cells.charAt(column);

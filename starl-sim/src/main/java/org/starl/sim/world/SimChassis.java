@@ -13,7 +13,7 @@ import org.starl.random.Rng;
  */
 public final class SimChassis implements Chassis {
 
-  private final Runnable tell;
+  private final Runnable reportBump;
   private final Rng rng;
   private final double speedError;
   private WheelCommand command = WheelCommand.STOP;
@@ -36,13 +36,13 @@ public final class SimChassis implements Chassis {
     this.rng = rng;
     this.speedError = speedError;
     Runnable toReceiver = () -> receiver.run();
-    tell = () -> strand.post(toReceiver);
+    reportBump = () -> strand.post(toReceiver);
   }
 
   /** Puts the body on the floor: it follows the last command. */
   public void mount(Body newBody) {
     body = newBody;
-    newBody.onBump(tell);
+    newBody.onBump(reportBump);
     apply();
   }
 

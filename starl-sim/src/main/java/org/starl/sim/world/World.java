@@ -64,7 +64,7 @@ public final class World {
 
   /** Whether a disc at this pose would overlap neither a body nor a wall. */
   public boolean isFree(Pose pose, double radiusMm) {
-    return whatIsAt(pose, radiusMm).isEmpty();
+    return obstacleAt(pose, radiusMm).isEmpty();
   }
 
   /** The number of contacts so far. */
@@ -82,10 +82,10 @@ public final class World {
     if (!(radiusMm > 0)) {
       throw new IllegalArgumentException(id + " with radius " + radiusMm + " mm: expected above 0");
     }
-    String inTheWay = whatIsAt(pose, radiusMm);
-    if (limits.collisions() && !inTheWay.isEmpty()) {
+    String obstacle = obstacleAt(pose, radiusMm);
+    if (limits.collisions() && !obstacle.isEmpty()) {
       throw new IllegalArgumentException(
-          id + " with radius " + radiusMm + " mm at " + pose + " would overlap " + inTheWay);
+          id + " with radius " + radiusMm + " mm at " + pose + " would overlap " + obstacle);
     }
     greatestRadiusMm = Math.max(greatestRadiusMm, radiusMm);
     Body body = new Body(this, id, pose, radiusMm, nowNs());
@@ -198,7 +198,7 @@ public final class World {
     }
   }
 
-  private String whatIsAt(Pose pose, double radiusMm) {
+  private String obstacleAt(Pose pose, double radiusMm) {
     long nowNs = nowNs();
     if (walls.isInside(pose.at(), nowNs)) {
       return "a solid obstacle";

@@ -62,10 +62,10 @@ class GridMapsTest {
           height 3    | height 9999 | small.map:2: 'height 9999': expected 'height N' with N from 1 to 2048
           width 4     | height 4    | small.map:3: 'height 4': expected 'width N' with N from 1 to 2048
           map         | maps        | small.map:4: 'maps': expected 'map'
-          .TG.        | .TG         | small.map:6: '.TG': expected 4 cells, as line 3 says, not 3
+          .TG.        | .TG         | small.map:6: '.TG': expected 4 cells as in line 3, not 3
           .TG.        | .T?.        | small.map:6: '.T?.': expected cells . G (free) or @ O T S W (blocked), not '?' in column 3
-          height 3    | height 4    | small.map:8: '': expected 4 cells, as line 3 says, not 0
-          height 3    | height 2    | small.map:7: '..OW': expected no more than the 2 rows that line 2 tells of
+          height 3    | height 4    | small.map:8: '': expected 4 cells as in line 3, not 0
+          height 3    | height 2    | small.map:7: '..OW': expected only the 2 rows of line 2
           """)
   void theErrorNamesTheBadLine(String good, String bad, String message) {
     assertThatThrownBy(() -> GridMaps.parse("small.map", SMALL.replace(good, bad)))

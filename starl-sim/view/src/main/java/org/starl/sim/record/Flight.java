@@ -7,11 +7,10 @@ import org.starl.id.RobotId;
  *
  * @param channel primitive and instance, as in the trace
  * @param text the message as text
- * @param sentNs time of sending
  * @param share share of the way that is done, 0 to 1
  */
 public record Flight(
-    RobotId from, RobotId to, String channel, String text, long sentNs, double share, State state) {
+    RobotId from, RobotId to, String channel, String text, double share, State state) {
 
   /** State of a datagram; delivered and dropped ones are shown for a moment. */
   public enum State {

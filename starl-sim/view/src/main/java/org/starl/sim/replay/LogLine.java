@@ -1,12 +1,10 @@
 package org.starl.sim.replay;
 
 import org.starl.id.RobotId;
-import org.starl.platform.LogSink.Level;
 
 /**
  * A log line of a robot's program. Only live runs have them; traces do not contain log lines.
  *
  * @param index number of events before it
  */
-public record LogLine(
-    long timeNs, int index, RobotId robot, Level level, String tag, String line) {}
+public record LogLine(long timeNs, int index, RobotId robot, String tag, String line) {}

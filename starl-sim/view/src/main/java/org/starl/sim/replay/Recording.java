@@ -108,7 +108,7 @@ public final class Recording implements SimObserver {
 
   @Override
   public void logged(long timeNs, RobotId robot, Level level, String tag, String line) {
-    logs.add(new LogLine(timeNs, events.size(), robot, level, tag, line));
+    logs.add(new LogLine(timeNs, events.size(), robot, tag, line));
   }
 
   @Override

@@ -8,6 +8,7 @@ import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
+import org.starl.sim.RunObservers;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.net.NetStatistics;
@@ -27,8 +28,7 @@ public final class TracePlayer {
 
   private final String file;
   private final TraceReader reader;
-  private final Monitors monitors;
-  private final List<SimObserver> observers;
+  private final RunObservers observers;
   private final Set<RobotId> onFloor = new TreeSet<>();
   private long events;
   private long timeNs;
@@ -41,8 +41,7 @@ public final class TracePlayer {
       String file, TraceReader reader, List<Monitor> monitors, List<SimObserver> observers) {
     this.file = file;
     this.reader = reader;
-    this.monitors = new Monitors(monitors);
-    this.observers = List.copyOf(observers);
+    this.observers = new RunObservers(new Monitors(monitors), observers, true);
   }
 
   /**
@@ -61,15 +60,11 @@ public final class TracePlayer {
   }
 
   private SimResult show() throws IOException {
-    observers.forEach(observer -> observer.started(reader.header()));
+    observers.started(reader.header());
     for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
       check(event);
       count(event);
-      monitors.observe(event);
-      for (int i = 0; i < observers.size(); i++) {
-        observers.get(i).observed(event);
-      }
-      tellViolations();
+      observers.record(event);
     }
     @Nullable TraceEnd end = reader.end();
     if (end == null) {
@@ -79,10 +74,8 @@ public final class TracePlayer {
     if (end.timeNs() < timeNs) {
       throw bad("an end that is not before the last event");
     }
-    monitors.finish(end.timeNs());
-    tellViolations();
-    SimResult result = result(end.timeNs());
-    observers.forEach(observer -> observer.finished(result));
+    SimResult result = result(end.timeNs(), observers.endSpecifications(end.timeNs()));
+    observers.finished(result);
     return result;
   }
 
@@ -124,13 +117,7 @@ public final class TracePlayer {
     }
   }
 
-  private void tellViolations() {
-    for (SpecReport.Violation violation : monitors.newViolations()) {
-      observers.forEach(observer -> observer.violated(violation));
-    }
-  }
-
-  private SimResult result(long endNs) {
+  private SimResult result(long endNs, SpecReport spec) {
     return new SimResult(
         reader.header().scenarioSeed(),
         reader.header().behaviourSeed(),
@@ -140,6 +127,6 @@ public final class TracePlayer {
         List.of(),
         new NetStatistics(sent, sentBytes, delivered, dropped),
         Collisions.NONE,
-        monitors.report());
+        spec);
   }
 }

@@ -29,7 +29,7 @@ import org.starl.time.Time;
 final class Content {
 
   private static final int SIDE_PX = 380;
-  private static final long TOLD_NS = 8 * Time.NS_PER_S;
+  private static final long SHOWN_NS = 8 * Time.NS_PER_S;
 
   private final Session session;
   private final Runnable close;
@@ -43,8 +43,8 @@ final class Content {
   private final SwitchView switches;
   private final InspectorView inspector;
   private final Interventions interventions;
-  private final JLabel told = new JLabel(" ");
-  private long toldForNs;
+  private final JLabel message = new JLabel(" ");
+  private long shownForNs;
 
   /**
    * @param close closes the window
@@ -53,7 +53,7 @@ final class Content {
     this.session = session;
     this.close = close;
     commands = new Commands(session, this);
-    interventions = new Interventions(session, panel, this::tell);
+    interventions = new Interventions(session, panel, this::report);
     floor = new FloorView(session);
     floor.listen(interventions);
     timeline = new TimelineView(session);
@@ -116,9 +116,9 @@ final class Content {
     JPanel below = new JPanel(new BorderLayout());
     below.add(timeline.surface(), BorderLayout.NORTH);
     below.add(transport.panel(), BorderLayout.CENTER);
-    told.setBorder(BorderFactory.createEmptyBorder(0, 16, 6, 16));
-    told.setFont(told.getFont().deriveFont(Font.PLAIN));
-    below.add(told, BorderLayout.SOUTH);
+    message.setBorder(BorderFactory.createEmptyBorder(0, 16, 6, 16));
+    message.setFont(message.getFont().deriveFont(Font.PLAIN));
+    below.add(message, BorderLayout.SOUTH);
     return below;
   }
 
@@ -149,9 +149,9 @@ final class Content {
    */
   void tick(long realNs, long elapsedNs) {
     session.tick(realNs, elapsedNs);
-    toldForNs += elapsedNs;
-    if (toldForNs > TOLD_NS) {
-      told.setText(" ");
+    shownForNs += elapsedNs;
+    if (shownForNs > SHOWN_NS) {
+      message.setText(" ");
     }
     read();
   }
@@ -166,9 +166,9 @@ final class Content {
     inspector.read();
   }
 
-  private void tell(String line) {
-    told.setText(line);
-    toldForNs = 0;
+  private void report(String line) {
+    message.setText(line);
+    shownForNs = 0;
   }
 
   void askPoint() {
@@ -219,9 +219,9 @@ final class Content {
     page.dispose();
     try {
       boolean isWritten = ImageIO.write(image, "png", file);
-      tell(isWritten ? "Saved " + file : file + ": the picture cannot be saved as PNG");
+      report(isWritten ? "Saved " + file : file + ": the picture cannot be saved as PNG");
     } catch (IOException e) {
-      tell(file + ": " + e.getMessage());
+      report(file + ": " + e.getMessage());
     }
   }
 }

@@ -23,16 +23,16 @@ final class Interventions {
 
   private final Session session;
   private final Component owner;
-  private final Consumer<String> told;
+  private final Consumer<String> outcomes;
 
   /**
    * @param owner parent of dialogs
-   * @param told receives the outcome, in one line
+   * @param outcomes receives the outcome, in one line
    */
-  Interventions(Session session, Component owner, Consumer<String> told) {
+  Interventions(Session session, Component owner, Consumer<String> outcomes) {
     this.session = session;
     this.owner = owner;
-    this.told = told;
+    this.outcomes = outcomes;
   }
 
   /** A fault and its title in a menu. */
@@ -101,9 +101,9 @@ final class Interventions {
     return Character.toLowerCase(title.charAt(0)) + title.substring(1);
   }
 
-  private JMenuItem item(String title, Runnable does) {
+  private JMenuItem item(String title, Runnable action) {
     JMenuItem item = new JMenuItem(title);
-    item.addActionListener(chosen -> does.run());
+    item.addActionListener(event -> action.run());
     item.setEnabled(session.live() != null);
     return item;
   }
@@ -136,7 +136,7 @@ final class Interventions {
       try {
         send(robot, new Point(Double.parseDouble(xy[0]), Double.parseDouble(xy[1])));
       } catch (NumberFormatException | ArrayIndexOutOfBoundsException e) {
-        told.accept("'" + text + "': expected two numbers, such as 1500, 700");
+        outcomes.accept("'" + text + "': expected two numbers, such as 1500, 700");
       }
     }
   }
@@ -162,14 +162,14 @@ final class Interventions {
       return null;
     }
     if (session.selected() == null) {
-      told.accept("Select a robot first: click it or press Tab");
+      outcomes.accept("Select a robot first: click it or press Tab");
     }
     return session.selected();
   }
 
   private boolean isLive() {
     if (session.live() == null) {
-      told.accept("The run has ended: faults and points need a live run");
+      outcomes.accept("The run has ended: faults and points need a live run");
       return false;
     }
     return true;
@@ -179,9 +179,9 @@ final class Interventions {
     LiveRun live = session.live();
     if (live != null) {
       try {
-        tell(live.fault(fault), fault);
+        report(live.fault(fault), fault);
       } catch (BadInput e) {
-        told.accept(e.getMessage());
+        outcomes.accept(e.getMessage());
       }
     }
   }
@@ -191,18 +191,18 @@ final class Interventions {
     if (live != null) {
       int x = (int) Math.round(place.xMm());
       int y = (int) Math.round(place.yMm());
-      tell(live.point(robot, x, y), "point " + x + ", " + y + " sent to " + robot);
+      report(live.point(robot, x, y), "point " + x + ", " + y + " sent to " + robot);
     }
   }
 
-  private void tell(CompletableFuture<Long> done, String what) {
+  private void report(CompletableFuture<Long> done, String what) {
     var unused =
         done.whenComplete((atNs, error) -> {
           String line =
               error == null
                   ? "At " + Inspection.seconds(atNs) + ": " + what
                   : String.valueOf(error.getMessage());
-          SwingUtilities.invokeLater(() -> told.accept(line));
+          SwingUtilities.invokeLater(() -> outcomes.accept(line));
         });
   }
 }

@@ -141,14 +141,14 @@ final class RobotList {
       boolean isGone = session.scene().pose(robot).isEmpty();
       state.setText(isDown ? "crashed" : isGone ? "not on the floor" : "");
       state.setForeground(isDown ? theme.alarm() : faint);
-      List<String> told =
+      List<String> description =
           session.playback().layer().describe(robot, session.scene()).lines().toList();
       for (int i = 0; i < rows.length; i++) {
         rows[i].setVisible(i < lines);
-        rows[i].setText(i < told.size() ? told.get(i) : " ");
+        rows[i].setText(i < description.size() ? description.get(i) : " ");
         rows[i].setForeground(i == 0 ? ink : faint);
       }
-      panel.setToolTipText(told.isEmpty() ? null : String.join("; ", told));
+      panel.setToolTipText(description.isEmpty() ? null : String.join("; ", description));
       return panel;
     }
   }

@@ -61,7 +61,7 @@ final class SwitchView {
     channels.setAlignmentX(0);
     channels.setMaximumSize(channels.getPreferredSize());
     channels.setToolTipText("Show only messages of one channel: a primitive and its instance");
-    channels.addActionListener(chosen -> {
+    channels.addActionListener(event -> {
       Object channel = channels.getSelectedItem();
       if (!isReading && channel != null) {
         session.traffic().only(channel.equals(ALL) ? "" : channel.toString());
@@ -110,8 +110,8 @@ final class SwitchView {
       DefaultComboBoxModel<String> model = new DefaultComboBoxModel<>();
       model.addElement(ALL);
       session.traffic().channels().forEach(model::addElement);
-      String chosen = session.traffic().channel();
-      model.setSelectedItem(chosen.isEmpty() ? ALL : chosen);
+      String channel = session.traffic().channel();
+      model.setSelectedItem(channel.isEmpty() ? ALL : channel);
       channels.setModel(model);
       channels.setMaximumSize(channels.getPreferredSize());
       isReading = false;

@@ -150,8 +150,7 @@ final class Traffic {
   }
 
   private static Flight flight(Sent sent, RobotId to, double share, Flight.State state) {
-    return new Flight(
-        sent.robot(), to, sent.channel(), sent.message(), sent.timeNs(), share, state);
+    return new Flight(sent.robot(), to, sent.channel(), sent.message(), share, state);
   }
 
   /** Adds messages whose delivery or loss is not recorded yet. */

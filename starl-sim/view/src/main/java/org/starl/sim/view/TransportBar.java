@@ -93,7 +93,7 @@ final class TransportBar {
     speed.setMaximumRowCount(Playback.SPEEDS.size());
     speed.setToolTipText("Simulated seconds per real second (\u2191 \u2193)");
     speed.setMaximumSize(speed.getPreferredSize());
-    speed.addActionListener(chosen -> {
+    speed.addActionListener(event -> {
       int index = speed.getSelectedIndex();
       if (!isReading && index >= 0 && index < Playback.SPEEDS.size()) {
         session.playback().setSpeed(Playback.SPEEDS.get(index));

@@ -69,15 +69,15 @@ final class ViewState {
 
   /** Selects the next or previous robot on the floor; the first or last if none is selected. */
   void selectNeighbour(Scene scene, boolean isNext) {
-    List<RobotId> there = new ArrayList<>();
-    scene.forEachBody((robot, number, pose, radiusMm) -> there.add(robot));
-    if (there.isEmpty()) {
+    List<RobotId> robots = new ArrayList<>();
+    scene.forEachBody((robot, number, pose, radiusMm) -> robots.add(robot));
+    if (robots.isEmpty()) {
       select(null);
       return;
     }
-    int at = selected == null ? -1 : there.indexOf(selected);
-    int next = isNext ? at + 1 : (at < 0 ? there.size() : at) - 1;
-    select(there.get(Math.floorMod(next, there.size())));
+    int at = selected == null ? -1 : robots.indexOf(selected);
+    int next = isNext ? at + 1 : (at < 0 ? robots.size() : at) - 1;
+    select(robots.get(Math.floorMod(next, robots.size())));
   }
 
   /** The robot closest to a pixel, if that is on its body or within 6 pixels of it; else null. */
