@@ -8,16 +8,16 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 
 /**
- * An app with its scenarios, as the command line knows it. Three methods are enough: a name, a
- * summary, and the plan of a run.
+ * An app with its scenarios, for the command line. Three methods are enough: name, summary and
+ * plan.
  *
  * <p>An app of your own becomes part of the command line by a file on the class path, {@code
- * META-INF/services/org.starl.apps.Demo}, that holds the name of the class that implements this; it
+ * META-INF/services/org.starl.apps.Demo}, that contains the name of the implementing class, which
  * needs a public constructor without parameters.
  */
 public interface Demo {
 
-  /** What it shows. */
+  /** The kind of a demo. */
   enum Kind {
     APP,
     /** A workload of one primitive. */
@@ -28,23 +28,23 @@ public interface Demo {
     return Kind.APP;
   }
 
-  /** As in {@code starl run NAME}. */
+  /** The name in {@code starl run NAME}. */
   String name();
 
-  /** One line. */
+  /** A description in one line. */
   String summary();
 
-  /** The app's scenarios, for {@code --set scenario=NAME}; empty if it has but one. */
+  /** The app's scenarios, for {@code --set scenario=NAME}; empty if there is only one. */
   default List<Scenario> scenarios() {
     return List.of();
   }
 
-  /** What {@code --set} may change besides the simulator's settings. */
+  /** Parameters that {@code --set} may change besides the simulator's settings. */
   default List<Parameter> parameters() {
     return List.of();
   }
 
-  /** Each parameter's default value, by its key; a map of the caller's own. */
+  /** Each parameter's default value by its key; the caller may change the map. */
   default SortedMap<String, String> defaults() {
     SortedMap<String, String> defaults = new TreeMap<>();
     parameters().forEach(parameter -> defaults.put(parameter.key(), parameter.defaultValue()));
@@ -52,19 +52,19 @@ public interface Demo {
   }
 
   /**
-   * What it can be run on of a folder with the input files of the original StarL and with grid maps:
-   * {@code starl bench apps} makes a table of it.
+   * The input files of this app in a folder with the original StarL's files and grid maps, for the
+   * table of {@code starl bench apps}.
    */
   default List<Input> inputs(Path data) {
     return List.of();
   }
 
-  /** What chaos draws from: the faults under which the app's specifications hold. */
+  /** The faults under which the app's specifications hold; chaos draws from them. */
   default Envelope envelope() {
     return Envelope.LOGICAL;
   }
 
-  /** The simulator's settings where the user says nothing else. */
+  /** The simulator's default settings for this app. */
   default SimSettings.Builder defaultSettings(Request request) {
     return SimSettings.builder();
   }

@@ -19,19 +19,17 @@ public record Demos(List<Demo> all) {
   }
 
   /**
-   * Those that the class path holds besides: {@code META-INF/services/org.starl.apps.Demo} names
-   * them.
+   * The apps that files {@code META-INF/services/org.starl.apps.Demo} on the class path name.
    *
-   * @throws BadInput if one cannot be made, or is called as one of {@code known} is
+   * @throws BadInput if an app cannot be created, or has the name of one of {@code known}
    */
   public static Demos installed(Demos known) {
     List<Demo> found = new ArrayList<>();
     try {
       for (Demo demo : ServiceLoader.load(Demo.class)) {
         if (known.plus(found).byName(demo.name()).isPresent()) {
-          String where = demo.getClass().getName();
-          throw new BadInput(
-              where + ": its name " + BadInput.quote(demo.name()) + " is taken; expected another");
+          String problem = ": its name " + BadInput.quote(demo.name()) + " is taken";
+          throw new BadInput(demo.getClass().getName() + problem + "; expected another");
         }
         found.add(demo);
       }
@@ -41,7 +39,7 @@ public record Demos(List<Demo> all) {
     return new Demos(found);
   }
 
-  /** These, then {@code others}. */
+  /** These apps, then {@code others}. */
   public Demos plus(List<Demo> others) {
     List<Demo> both = new ArrayList<>(all);
     both.addAll(others);

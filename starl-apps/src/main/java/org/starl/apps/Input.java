@@ -6,12 +6,12 @@ import java.util.SortedMap;
 import java.util.TreeMap;
 
 /**
- * Files that an app can be run on.
+ * Input files of an app.
  *
  * @param name of the file or folder, as in {@code four.wpt}
- * @param path of it: a run needs it to be there
- * @param parameters that make a run of it, over the app's defaults
- * @param original how the original StarL fared on it, in a few words; empty if nobody knows
+ * @param path of the file or folder; a run needs it
+ * @param parameters of a run with these files, over the app's defaults
+ * @param original the original StarL's results on these files, in a few words; empty if unknown
  */
 public record Input(String name, Path path, SortedMap<String, String> parameters, String original) {
 

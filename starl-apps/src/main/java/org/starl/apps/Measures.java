@@ -7,13 +7,13 @@ import java.util.TreeMap;
 import org.starl.sim.check.Percentile;
 
 /**
- * One run of an app in numbers that add up over a campaign.
+ * Figures of one run of an app, for the sums of a campaign.
  *
- * @param came how many robots had something to do
- * @param completed how many of them did it
- * @param waitsNs how long each of them waited for it, in ns
- * @param figures of the run as a whole, by name, each finite
- * @param counts of what adds up over runs, by name
+ * @param came number of tasks
+ * @param completed number of completed tasks
+ * @param waitsNs time until each of them was completed, in ns
+ * @param figures of the whole run, by name, each finite
+ * @param counts by name; a campaign adds them up
  */
 public record Measures(
     int came,
@@ -33,7 +33,7 @@ public record Measures(
     this(came, completed, waitsNs, figures, new TreeMap<>());
   }
 
-  /** Without figures of its own. */
+  /** Without figures and counts. */
   public Measures(int came, int completed, List<Long> waitsNs) {
     this(came, completed, waitsNs, new TreeMap<>());
   }

@@ -3,14 +3,14 @@ package org.starl.apps;
 import org.starl.input.Form;
 
 /**
- * Something of an app's scenario that {@code --set key=value} may change.
+ * A parameter of an app, for {@code --set key=value}.
  *
- * @param what one line, with the values that it takes
- * @param form which values it takes, for editors of scenario files; besides the default
+ * @param what its meaning and its values, in one line
+ * @param form its values besides the default, for editors of scenario files
  */
 public record Parameter(String key, String defaultValue, String what, Form form) {
 
-  /** One that takes any text, as far as an editor is to know. */
+  /** A parameter for which an editor accepts any text. */
   public Parameter(String key, String defaultValue, String what) {
     this(key, defaultValue, what, Form.TEXT);
   }

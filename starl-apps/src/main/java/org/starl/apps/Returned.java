@@ -8,7 +8,7 @@ import java.util.stream.Collectors;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
 
-/** The story of an app that has none of its own: what {@code callStarL} returned on each robot. */
+/** The story of an app without its own: the results of {@code callStarL} on each robot. */
 final class Returned implements Story {
 
   private final SortedMap<RobotId, String> ends = new TreeMap<>();

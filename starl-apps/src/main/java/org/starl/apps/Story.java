@@ -5,10 +5,10 @@ import java.util.Locale;
 import org.starl.sim.SimObserver;
 import org.starl.time.Time;
 
-/** Observes a run and tells it in a few lines afterwards. */
+/** Observes a run and describes it in a few lines. */
 public interface Story extends SimObserver {
 
-  /** Who did what and when, for people. */
+  /** The actions of the robots and their times, for users. */
   List<String> lines();
 
   /** A time in a story: {@code 12.3 s}. */
@@ -16,15 +16,15 @@ public interface Story extends SimObserver {
     return String.format(Locale.ROOT, "%.1f s", Time.seconds(ns));
   }
 
-  /** The run in numbers. */
+  /** The figures of the run. */
   Measures measures();
 
-  /** What the run has many of, for charts: the waits unless an app says more. */
+  /** Values for charts; the waits unless overridden. */
   default List<Sample> samples() {
     return List.of(Sample.howLong("wait", measures().waitsNs()));
   }
 
-  /** Files that the run has to give, beside its picture; known before the run. */
+  /** Files that the run produces besides its picture; known before the run. */
   default List<Product> products() {
     return List.of();
   }

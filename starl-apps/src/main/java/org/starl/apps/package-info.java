@@ -1,7 +1,7 @@
 /**
- * The apps that come with StarL, one package each: {@code logic} (what runs on robots; core and
- * primitives only), {@code view} (how it is drawn), and beside them its scenarios and
- * specifications. Here: what the command line needs to know of an app.
+ * The apps of StarL, one package each: {@code logic} is the program of the robots (core and
+ * primitives only), {@code view} draws it, and beside them are its scenarios and specifications.
+ * This package has the types by which the command line runs an app.
  *
  * <p>May import: all other modules.
  */

@@ -11,8 +11,8 @@ import java.util.regex.Pattern;
 import org.starl.id.ProcessId;
 
 /**
- * Names the constants of one theory: a PVS identifier for each thing, unique, and as close to the
- * thing's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of
+ * Names the constants of one theory: a PVS identifier for each value, unique, and as close to the
+ * value's own name as possible. {@code bot-1} is {@code bot_1}; the id {@code bot1#4294967298}, of
  * the first start of bot1 and its second one, is {@code bot1_1_2}.
  */
 final class Identifiers {
@@ -33,7 +33,7 @@ final class Identifiers {
   /**
    * Names in the theories' own text: states, steps and their lemmas, bound variables, the library.
    */
-  private static final Pattern OURS =
+  private static final Pattern OWN_NAMES =
       Pattern.compile(
           "[sa]_\\d+|(reached|step|result)_\\d+(_\\d+)?|begins|run_.*|[xi]|[A-Z]\\w*_decls|emptyset"
               + "|up|bottom|bool|nat|start|enabled|trans|states|actions|reachable");
@@ -41,23 +41,23 @@ final class Identifiers {
   private final Set<String> taken = new TreeSet<>();
   private final Map<Object, String> names = new LinkedHashMap<>();
 
-  /** The name of {@code thing}; always the same. */
-  String of(Object thing) {
-    return names.computeIfAbsent(thing, this::fresh);
+  /** The name of {@code value}; always the same. */
+  String of(Object value) {
+    return names.computeIfAbsent(value, this::fresh);
   }
 
-  /** Reserves {@code name}: no thing gets it. */
-  void take(String name) {
+  /** Reserves {@code name}: {@link #of} never returns it. */
+  void reserve(String name) {
     taken.add(name);
   }
 
-  /** The things in the order of their naming, and their names. */
+  /** The named values, in the order of their naming, and their names. */
   Map<Object, String> all() {
     return Collections.unmodifiableMap(names);
   }
 
-  private String fresh(Object thing) {
-    String plain = plain(thing instanceof ProcessId id ? text(id) : thing.toString());
+  private String fresh(Object value) {
+    String plain = plain(value instanceof ProcessId id ? text(id) : value.toString());
     String name = free(plain);
     for (int i = 2; taken.contains(name); i++) {
       name = free(plain + "_" + i);
@@ -66,10 +66,10 @@ final class Identifiers {
     return name;
   }
 
-  /** Names of {@link #OURS} never begin with {@code n_}. */
+  /** Names of {@link #OWN_NAMES} never begin with {@code n_}. */
   private static String free(String name) {
     boolean isReserved =
-        KEYWORDS.contains(name.toLowerCase(Locale.ROOT)) || OURS.matcher(name).matches();
+        KEYWORDS.contains(name.toLowerCase(Locale.ROOT)) || OWN_NAMES.matcher(name).matches();
     return isReserved ? "n_" + name : name;
   }
 

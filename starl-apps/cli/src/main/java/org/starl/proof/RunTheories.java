@@ -20,7 +20,6 @@ import org.starl.primitives.registration.RegistrationAutomaton;
 import org.starl.primitives.registration.RegistrationConformance;
 import org.starl.proof.Expressions.Formal;
 import org.starl.sim.SimObserver;
-import org.starl.spec.Monitor;
 import org.starl.spec.Monitors;
 import org.starl.spec.automaton.Action;
 import org.starl.spec.automaton.Automaton;
@@ -37,7 +36,7 @@ public final class RunTheories implements SimObserver, Closeable {
   private final OutputStream out;
   private final Map<String, RunTheory> theories = new TreeMap<>();
   private final Monitors monitors;
-  private String about = "A run";
+  private String run = "A run";
   private long endNs;
 
   public RunTheories(OutputStream out) {
@@ -46,13 +45,13 @@ public final class RunTheories implements SimObserver, Closeable {
     Formal ids = new Formal("PIDS", ProcessId.class);
     Formal zones = new Formal("Zones", String.class);
     Formal values = new Formal("Values", String.class);
-    List<Monitor> maps =
-        List.of(
-            new MutexConformance(steps(new MutexAutomaton(), robots, zones)),
-            new RegistrationConformance(steps(new RegistrationAutomaton(), ids)),
-            new AgreementConformance(steps(new AgreementAutomaton(), robots, values)),
-            new ElectionConformance(steps(new ElectionAutomaton(), ids)));
-    monitors = new Monitors(maps);
+    monitors =
+        new Monitors(
+            List.of(
+                new MutexConformance(steps(new MutexAutomaton(), robots, zones)),
+                new RegistrationConformance(steps(new RegistrationAutomaton(), ids)),
+                new AgreementConformance(steps(new AgreementAutomaton(), robots, values)),
+                new ElectionConformance(steps(new ElectionAutomaton(), ids))));
   }
 
   private <S extends Record, A extends Action> AutomatonListener<S, A> steps(
@@ -78,7 +77,7 @@ public final class RunTheories implements SimObserver, Closeable {
 
   @Override
   public void started(TraceHeader header) {
-    about = header.scenario() + ", seed " + header.scenarioSeed();
+    run = header.scenario() + ", seed " + header.scenarioSeed();
   }
 
   @Override
@@ -102,7 +101,7 @@ public final class RunTheories implements SimObserver, Closeable {
     }
     StringBuilder text = new StringBuilder();
     for (RunTheory theory : theories.values()) {
-      text.append(text.length() == 0 ? "" : "\n").append(theory.text(about));
+      text.append(text.length() == 0 ? "" : "\n").append(theory.text(run));
     }
     out.write(text.toString().getBytes(StandardCharsets.UTF_8));
     out.close();

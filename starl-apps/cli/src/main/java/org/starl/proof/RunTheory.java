@@ -48,12 +48,12 @@ final class RunTheory {
     for (var component : first.getClass().getRecordComponents()) {
       fields.add(component.getName());
     }
-    formals.forEach(formal -> identifiers.take(formal.type()));
-    fields.forEach(identifiers::take);
+    formals.forEach(formal -> identifiers.reserve(formal.type()));
+    fields.forEach(identifiers::reserve);
   }
 
   void stepped(TraceEvent event, Action action, Record after) {
-    identifiers.take(action.name());
+    identifiers.reserve(action.name());
     steps.add(new Step(event, action, after, new ArrayList<>()));
   }
 
@@ -107,9 +107,9 @@ final class RunTheory {
     }
     identifiers
         .all()
-        .forEach((thing, name) -> {
-          if (!thing.toString().equals(name)) {
-            line("  % " + name + " is " + thing);
+        .forEach((value, name) -> {
+          if (!value.toString().equals(name)) {
+            line("  % " + name + " is " + value);
           }
         });
     String actuals = formals.stream().map(Formal::type).collect(Collectors.joining(", "));

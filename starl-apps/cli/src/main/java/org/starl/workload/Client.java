@@ -10,18 +10,18 @@ import org.starl.random.Rng;
 import org.starl.time.Time;
 
 /**
- * A robot that uses a primitive in rounds. In each round it asks until it is served; a request that
- * fails is repeated. A restarted robot does all its rounds again.
+ * A robot that uses a primitive in rounds. In each round it repeats a request until the request
+ * succeeds. A restarted robot does all its rounds again.
  */
 abstract class Client extends LogicThread {
 
   /** {@code source} of the clients' events. */
   static final String SOURCE = "workload";
 
-  /** Action with the round's number: asks. */
+  /** Action with the round's number: the robot makes a request. */
   static final String ASK = "ask";
 
-  /** Action with the round's number: was served. */
+  /** Action with the round's number: the request succeeded. */
   static final String SERVED = "served";
 
   /** Action with the round's number: the request failed. */
@@ -34,7 +34,7 @@ abstract class Client extends LogicThread {
   private final long thinkMs;
 
   /**
-   * @param thinkMs maximum time that a robot waits before it asks
+   * @param thinkMs maximum time that a robot waits before a request
    */
   Client(GlobalVarHolder gvh, Setup setup, long thinkMs) {
     super(gvh);
@@ -72,14 +72,14 @@ abstract class Client extends LogicThread {
   protected void prepare() {}
 
   /**
-   * Asks, and waits for the answer.
+   * Makes a request and waits until it has succeeded or failed.
    *
    * @param round from 0
-   * @return whether it was served; otherwise the request has failed
+   * @return whether it succeeded
    */
   protected abstract boolean obtain(int round);
 
-  /** Uses what it was served with, and gives it back. */
+  /** After a successful request: uses the primitive's result, then releases it. */
   protected void use() {}
 
   /** After the last round. */

@@ -15,7 +15,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
 
-/** How often each {@link Client} was served, how long it waited, and the faults. */
+/** Counts each {@link Client}'s successful and failed requests, its waits, and the faults. */
 final class RoundsStory implements Story {
 
   private final SortedMap<RobotId, Results> robots = new TreeMap<>();

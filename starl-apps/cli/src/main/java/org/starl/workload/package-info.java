@@ -8,10 +8,10 @@
  * that a primitive reports ({@code failed}) is no violation: the request is repeated.
  *
  * <p>{@link org.starl.workload.Client} is the program of all these robots, {@link
- * org.starl.workload.Setup} what all these runs have in common.
+ * org.starl.workload.Setup} adds them to a run and has its time bounds.
  *
- * <p>May import: all other modules; of this one {@code org.starl.apps}, the command line's
- * view of an app.
+ * <p>May import: all other modules; of this one {@code org.starl.apps}, the types
+ * of an app.
  */
 @NullMarked
 package org.starl.workload;

@@ -35,7 +35,7 @@ class IdentifiersTest {
 
   @Test
   void noTwoThingsShareAName() {
-    identifiers.take("PIDS");
+    identifiers.reserve("PIDS");
     List<Object> things =
         List.of("a-b", "a.b", "a_b", new RobotId("a_b"), "a_b_2", "PIDS", new RobotId("PIDS"));
     assertThat(things.stream().map(identifiers::of).toList())

@@ -1,6 +1,7 @@
 package org.starl.apps.hello;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
@@ -10,7 +11,7 @@ import org.starl.id.RobotId;
 import org.starl.motion.MotionFlag;
 import org.starl.sim.SimResult;
 
-/** How the motion of each robot ended. */
+/** The result of each robot's motion. */
 final class HelloStory implements Story {
 
   private final SortedMap<RobotId, String> ends = new TreeMap<>();
@@ -30,12 +31,7 @@ final class HelloStory implements Story {
 
   @Override
   public Measures measures() {
-    int done = 0;
-    for (String end : ends.values()) {
-      if (end.equals(MotionFlag.DONE.name())) {
-        done++;
-      }
-    }
+    int done = Collections.frequency(ends.values(), MotionFlag.DONE.name());
     return new Measures(ends.size(), done, List.of());
   }
 }

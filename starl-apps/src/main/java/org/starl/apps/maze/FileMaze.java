@@ -6,8 +6,8 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.starl.apps.maze.logic.CollisionMode;
-import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -90,7 +90,7 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
 
   private List<Pose> drawStarts(int robots, Rng rng) {
     List<Pose> starts = new ArrayList<>();
-    double roomMm = bodyMm + Errand.MARGIN_MM + SPARE_MM;
+    double roomMm = bodyMm + MazeTask.MARGIN_MM + SPARE_MM;
     double apartMm = bodyMm + roomMm;
     for (int i = 0; i < TRIES && starts.size() < robots; i++) {
       double x = floor.xMinMm() + rng.nextDouble() * (floor.xMaxMm() - floor.xMinMm());
@@ -124,11 +124,11 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
   /** Whether every goal that can be reached can be reached past the other robots' places. */
   private boolean isFreeOfBlocking(Layout layout) {
     return IntStream.range(0, layout.robots().size())
-        .mapToObj(i -> layout.errand(i, bodyMm, CollisionMode.STOP))
-        .allMatch(errand ->
-            errand.goals().stream()
+        .mapToObj(i -> layout.task(i, bodyMm, CollisionMode.STOP))
+        .allMatch(task ->
+            task.goals().stream()
                 .allMatch(goal ->
-                    !errand.hasWay(goal, obstacles, List.of(), bodyMm)
-                        || errand.hasWay(goal, obstacles, errand.others(), bodyMm)));
+                    !task.hasWay(goal, obstacles, List.of(), bodyMm)
+                        || task.hasWay(goal, obstacles, task.others(), bodyMm)));
   }
 }

@@ -4,8 +4,8 @@ import java.util.ArrayList;
 import java.util.List;
 import org.starl.apps.maze.logic.Blocks;
 import org.starl.apps.maze.logic.CollisionMode;
-import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -28,7 +28,7 @@ record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
   record Robot(Pose start, List<Goal> goals) {}
 
   /** The task of robot {@code index}. */
-  Errand errand(int index, double bodyMm, CollisionMode mode) {
+  MazeTask task(int index, double bodyMm, CollisionMode mode) {
     Robot robot = robots.get(index);
     List<Capsule> others = new ArrayList<>();
     for (int i = 0; i < robots.size(); i++) {
@@ -39,7 +39,7 @@ record Layout(Rectangle floor, Obstacles obstacles, List<Robot> robots) {
         }
       }
     }
-    return new Errand(robot.start().at(), robot.goals(), others, floor, Blocks.of(floor), mode);
+    return new MazeTask(robot.start().at(), robot.goals(), others, floor, Blocks.of(floor), mode);
   }
 
   private static Capsule disc(Point center, double radiusMm) {

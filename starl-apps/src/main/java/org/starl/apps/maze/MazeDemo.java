@@ -16,8 +16,8 @@ import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
 import org.starl.apps.maze.logic.CollisionMode;
-import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.MazeApp;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.apps.maze.spec.MazeSpec;
 import org.starl.apps.maze.view.MazeLayer;
 import org.starl.geometry.Obstacles;
@@ -155,22 +155,22 @@ public final class MazeDemo implements Demo {
     Obstacles obstacles = layout.obstacles();
     double bodyMm = settings.robotRadiusMm();
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(obstacles);
-    SortedMap<RobotId, Errand> errands = new TreeMap<>();
+    SortedMap<RobotId, MazeTask> tasks = new TreeMap<>();
     int goals = 0;
     for (int i = 0; i < robots; i++) {
       RobotId id = new RobotId(settings.robotName() + i);
       Pose start = layout.robots().get(i).start();
-      Errand errand = layout.errand(i, bodyMm, mode);
-      errands.put(id, errand);
-      goals += errand.goals().size();
-      simulation.robot(new RobotSpec(id, start, true, gvh -> new MazeApp(gvh, errand)));
+      MazeTask task = layout.task(i, bodyMm, mode);
+      tasks.put(id, task);
+      goals += task.goals().size();
+      simulation.robot(new RobotSpec(id, start, true, gvh -> new MazeApp(gvh, task)));
     }
     MazeStory story = new MazeStory(goals);
     simulation
         .observer(story)
-        .monitor(() -> new MazeSpec(obstacles, errands, bodyMm, robots * TURN_NS))
+        .monitor(() -> new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS))
         .monitor(() -> new MutexSpec(MazeApp.FLOOR));
-    return new Plan(simulation, story, new MazeLayer(errands), obstacles);
+    return new Plan(simulation, story, new MazeLayer(tasks), obstacles);
   }
 
   private static String scenario(Request request) {
@@ -223,7 +223,7 @@ public final class MazeDemo implements Demo {
 
   private static double cellMm(Request request, double bodyMm) {
     double cellMm = request.parse(CELL, Quantities::distanceMm);
-    double leastMm = Math.max(LEAST_CELL_MM, 2 * (bodyMm + Errand.MARGIN_MM)) + CELL_SPARE_MM;
+    double leastMm = Math.max(LEAST_CELL_MM, 2 * (bodyMm + MazeTask.MARGIN_MM)) + CELL_SPARE_MM;
     if (cellMm < leastMm || cellMm > MOST_CELL_MM) {
       String least = Math.round(leastMm) + "mm (room for a body and its margin)";
       throw bad(CELL, request.parameter(CELL.key()), least + " to 10m");

@@ -11,7 +11,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.apps.maze.logic.Answer;
 import org.starl.apps.maze.logic.CollisionMode;
-import org.starl.apps.maze.logic.Errand;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.apps.maze.spec.MazeSpec;
 import org.starl.geometry.ItemPosition;
@@ -48,12 +48,12 @@ class FaultyRobotsTest {
   }
 
   private static final class FaultyRobot extends LogicThread {
-    private final Errand errand;
+    private final MazeTask task;
     private final Bug bug;
 
-    FaultyRobot(GlobalVarHolder gvh, Errand errand, Bug bug) {
+    FaultyRobot(GlobalVarHolder gvh, MazeTask task, Bug bug) {
       super(gvh);
-      this.errand = errand;
+      this.task = task;
       this.bug = bug;
       gvh.plat.moat.onContact(contact -> {
         if (bug == Bug.MARKS_A_GUESS) {
@@ -76,8 +76,8 @@ class FaultyRobotsTest {
     @Override
     public List<Object> callStarL() {
       await(gvh.gps::hasFix);
-      var goal = errand.goals().get(0);
-      Point to = bug == Bug.REQUESTS_NO_BLOCKS ? errand.others().get(0).axis().from() : goal.at();
+      var goal = task.goals().get(0);
+      Point to = bug == Bug.REQUESTS_NO_BLOCKS ? task.others().get(0).axis().from() : goal.at();
       gvh.plat.moat.doMove(new ItemPosition(goal.name(), to.xMm(), to.yMm()));
       await(() -> !gvh.plat.moat.inMotion());
       boolean isThere = !gvh.plat.moat.failed();
@@ -94,7 +94,7 @@ class FaultyRobotsTest {
     }
 
     private void answer(Answer answer) {
-      String name = errand.goals().get(0).name();
+      String name = task.goals().get(0).name();
       gvh.trace.action(MazeTrace.SOURCE, MazeTrace.ANSWER, name, answer, gvh.gps.errorMm() + 75);
     }
   }
@@ -103,20 +103,20 @@ class FaultyRobotsTest {
     Layout walled = DrawnMaze.draw(4, 0.5, new Rng(seed).fork("maze"));
     Obstacles obstacles = bug == Bug.REQUESTS_NO_BLOCKS ? Obstacles.NONE : walled.obstacles();
     Layout layout = new Layout(walled.floor(), obstacles, walled.robots());
-    SortedMap<RobotId, Errand> errands = new TreeMap<>();
+    SortedMap<RobotId, MazeTask> tasks = new TreeMap<>();
     SimSettings settings = SimSettings.builder().set("duration", "400s").build();
     Simulation.Builder simulation =
         Simulation.builder().seed(seed).settings(settings).obstacles(layout.obstacles());
     for (int i = 0; i < layout.robots().size(); i++) {
       RobotId id = new RobotId("bot" + i);
-      Errand errand = layout.errand(i, BODY_MM, CollisionMode.STOP);
-      errands.put(id, errand);
+      MazeTask task = layout.task(i, BODY_MM, CollisionMode.STOP);
+      tasks.put(id, task);
       simulation.robot(
           new RobotSpec(
-              id, layout.robots().get(i).start(), true, gvh -> new FaultyRobot(gvh, errand, bug)));
+              id, layout.robots().get(i).start(), true, gvh -> new FaultyRobot(gvh, task, bug)));
     }
     return simulation
-        .monitor(() -> new MazeSpec(layout.obstacles(), errands, BODY_MM, BOUND_NS))
+        .monitor(() -> new MazeSpec(layout.obstacles(), tasks, BODY_MM, BOUND_NS))
         .build()
         .run();
   }

@@ -9,7 +9,7 @@ import net.jqwik.api.ForAll;
 import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.maze.logic.CollisionMode;
-import org.starl.apps.maze.logic.Errand;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.geometry.Point;
 import org.starl.primitives.paths.Capsule;
 import org.starl.random.Rng;
@@ -18,9 +18,9 @@ import org.starl.random.Rng;
 class PlacesTest {
 
   private static boolean hasWay(Layout layout, int i, boolean pastTheOthers) {
-    Errand errand = layout.errand(i, 165, CollisionMode.STOP);
-    List<Capsule> others = pastTheOthers ? errand.others() : List.of();
-    return errand.hasWay(errand.goals().get(0), layout.obstacles(), others, 165);
+    MazeTask task = layout.task(i, 165, CollisionMode.STOP);
+    List<Capsule> others = pastTheOthers ? task.others() : List.of();
+    return task.hasWay(task.goals().get(0), layout.obstacles(), others, 165);
   }
 
   /** The first maze that this seed draws has no room for four. */

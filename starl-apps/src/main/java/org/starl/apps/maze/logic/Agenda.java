@@ -7,8 +7,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Point;
 
 /**
- * One robot's goals in turn, the answers so far, and whether it is on its way back to its resting place:
- * its start, or the last goal that it reached. Pure.
+ * One robot's goals in turn, the answers so far, and whether the robot drives back to its resting
+ * place: its start, or the last goal that it reached. Pure.
  */
 final class Agenda {
 
@@ -21,9 +21,9 @@ final class Agenda {
   private boolean needsAll;
   private boolean isCutOff;
 
-  Agenda(Errand errand) {
-    goals = new ArrayDeque<>(errand.goals());
-    rest = errand.start();
+  Agenda(MazeTask task) {
+    goals = new ArrayDeque<>(task.goals());
+    rest = task.start();
   }
 
   /** Whether all goals are answered. */
@@ -36,22 +36,22 @@ final class Agenda {
     return goals.element();
   }
 
-  /** Whether it is on its way back, not to its goal. */
+  /** Whether the robot drives back, not to its goal. */
   boolean goesBack() {
     return goesBack;
   }
 
-  /** Where it is going. */
+  /** The destination. */
   Point to() {
     return goesBack ? rest : goal().at();
   }
 
-  /** It has arrived when it is nearer than this. */
+  /** The robot has arrived when it is nearer than this. */
   double toleranceMm() {
     return goesBack ? BACK_MM : goal().toleranceMm();
   }
 
-  /** Whether it has to hold all blocks of the floor for this goal. */
+  /** Whether the robot has to hold all blocks of the floor for this goal. */
   boolean needsAll() {
     return needsAll;
   }
@@ -68,7 +68,7 @@ final class Agenda {
     goesBack = true;
   }
 
-  /** It has arrived where it was going; returns the answer that is due, null for none. */
+  /** Records the arrival at the destination; returns the answer to give, null for none. */
   @Nullable Answer arrived() {
     Answer whenBack = isCutOff ? Answer.NO_WAY : null;
     Answer answer = goesBack ? whenBack : Answer.REACHED;

@@ -77,7 +77,7 @@ public record Blocks(Map<String, Rectangle> byName) {
     return blocks;
   }
 
-  /** Where a new way may not lead if all within {@code reachMm} of it is to be in {@code held}. */
+  /** The areas to avoid if a new way and {@code reachMm} around it are to be in {@code held}. */
   List<Polygon> forbidden(Collection<String> held, double reachMm) {
     List<Polygon> forbidden = new ArrayList<>();
     byName.forEach((name, block) -> {

@@ -1,10 +1,9 @@
 package org.starl.apps.maze.logic;
 
 import org.starl.body.CollisionPolicy;
-import org.starl.body.MotionParameters;
 import org.starl.body.RobotType;
 
-/** What a robot does after a bump: the three modes of the paper's section 5.1. */
+/** A robot's reaction to a bump: the three modes of the paper's section 5.1. */
 public enum CollisionMode {
   /** Stops at the contact; the app turns round and drives back on its trail. */
   STOP(CollisionPolicy.STOP_ON_COLLISION, 0, 5_000),
@@ -38,8 +37,11 @@ public enum CollisionMode {
     return this == DISCOVER ? BACK : this;
   }
 
-  MotionParameters applyTo(MotionParameters p) {
-    RobotType type = this == DISCOVER ? RobotType.DISCOVERY : RobotType.GOAL;
-    return p.toBuilder().collisionPolicy(policy).robotType(type).build();
+  CollisionPolicy policy() {
+    return policy;
+  }
+
+  RobotType robotType() {
+    return this == DISCOVER ? RobotType.DISCOVERY : RobotType.GOAL;
   }
 }

@@ -8,8 +8,8 @@ import org.starl.geometry.Point;
 import org.starl.motion.Contact;
 
 /**
- * What one robot knows of the maze: its map, and the marks that contacts have proven. After a bump the
- * collision mode takes its course, which may give more contacts. Then the robot learns from all of
+ * One robot's knowledge of the maze: its map, and the marks that contacts have proven. After a bump
+ * the collision mode moves the robot, which may give more contacts. Then the robot learns from all of
  * them. Strand only.
  */
 final class Knowledge {
@@ -19,7 +19,7 @@ final class Knowledge {
   private static final long LONGEST_FEEL_MS = 5_000;
 
   private final GlobalVarHolder gvh;
-  private final Errand errand;
+  private final MazeTask task;
   private final Ride ride;
   private final MazeTrace trace;
   private final double bodyMm;
@@ -27,18 +27,18 @@ final class Knowledge {
   private final List<Mark> marks = new ArrayList<>();
   private long feltMs;
 
-  Knowledge(GlobalVarHolder gvh, Errand errand, Ride ride, MazeTrace trace) {
+  Knowledge(GlobalVarHolder gvh, MazeTask task, Ride ride, MazeTrace trace) {
     this.gvh = gvh;
-    this.errand = errand;
+    this.task = task;
     this.ride = ride;
     this.trace = trace;
     bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     map = gvh.gps.knownObstacles().all();
   }
 
-  /** A search for a way from here to {@code goal}, by what is known now. */
+  /** A search for a way from here to {@code goal}, with the present knowledge. */
   Search searchTo(Point goal) {
-    return new Search(errand, map, marks, gvh.gps.pose().at(), goal, bodyMm);
+    return new Search(task, map, marks, gvh.gps.pose().at(), goal, bodyMm);
   }
 
   /** Whether no mark excludes a body at {@code at} that is wider by the margin. */
@@ -50,7 +50,7 @@ final class Knowledge {
     return gvh.gps.errorMm() <= CERTAIN_MM;
   }
 
-  /** The robot has bumped; {@link #hasLearned} is to be called from now on. */
+  /** To be called after a bump, before {@link #hasLearned}. */
   void bumped() {
     feltMs = 0;
   }
@@ -58,7 +58,7 @@ final class Knowledge {
   /** Whether the robot has learned all from the bump; call it once a period until then. */
   boolean hasLearned(long periodMs) {
     feltMs += periodMs;
-    if (gvh.plat.moat.inMotion() && feltMs < errand.mode().feelMs()) {
+    if (gvh.plat.moat.inMotion() && feltMs < task.mode().feelMs()) {
       return false;
     }
     ride.stop();
@@ -70,7 +70,7 @@ final class Knowledge {
   }
 
   private void learn(Contact contact) {
-    if (!errand.mayBeOther(contact, bodyMm)) {
+    if (!task.mayBeOther(contact, bodyMm)) {
       List<Mark> proven = Mark.of(contact, bodyMm);
       marks.addAll(proven);
       trace.marks(proven);

@@ -10,8 +10,8 @@ import org.starl.geometry.Polygon;
 import org.starl.motion.Contact;
 
 /**
- * What a contact proves. The body's centre was at {@code at}, and something touches the body somewhere
- * between two directions. Where exactly is unknown. A body of radius r does not fit around a centre
+ * A place that a contact has proven to be blocked. The body's centre was at {@code at}, and an
+ * obstacle touches the body between two directions; the exact point is unknown. A body of radius r does not fit around a centre
  * that is nearer than r to the touched point. So it does not fit around a centre that is nearer than r
  * to <em>all</em> points of the arc. The mark is the intersection of the discs around them: a lens that
  * begins just before the contact and covers the obstacle.
@@ -83,7 +83,7 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
   }
 
   /**
-   * Where the centre of a body cannot be.
+   * The area that the centre of a body cannot enter.
    *
    * @param part the body is wider by this part of the margin: 1 for all of it, 0 for the robot's body
    * @return null if the contact excludes nothing for such a body
@@ -114,7 +114,7 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
 
   /** Radius of the discs: the body's, less all errors of the touched point. */
   private double radiusMm(double part) {
-    return bodyMm + part * Errand.MARGIN_MM - TOUCH_MM - errorMm - ROUNDING_MM;
+    return bodyMm + part * MazeTask.MARGIN_MM - TOUCH_MM - errorMm - ROUNDING_MM;
   }
 
   /** Points of the arc, one of which is near the touched point. */

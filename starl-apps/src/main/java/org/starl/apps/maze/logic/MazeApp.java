@@ -44,7 +44,7 @@ public final class MazeApp extends LogicThread {
   private static final long RETRY_MS = 1_000;
   private static final MutexTimes DAY = MutexTimes.DEFAULT.withDeadlineMs(24L * 3600 * 1000);
 
-  private final Errand errand;
+  private final MazeTask task;
   private final double bodyMm;
   private final MutexPrim mutex;
   private final Ride ride;
@@ -55,17 +55,17 @@ public final class MazeApp extends LogicThread {
 
   private Path path;
 
-  public MazeApp(GlobalVarHolder gvh, Errand errand) {
+  public MazeApp(GlobalVarHolder gvh, MazeTask task) {
     super(gvh);
-    this.errand = errand;
+    this.task = task;
     bodyMm = gvh.plat.moat.parameters().robotRadiusMm();
     mutex = new M_Mutex(gvh, FLOOR, M_Mutex.closedGroup(gvh, gvh.id.participants()), DAY);
     ride = new Ride(gvh);
     location = gvh.variable(MazeTrace.SOURCE, MazeTrace.LOCATION, Location.START);
     trace = new MazeTrace(gvh);
-    known = new Knowledge(gvh, errand, ride, trace);
-    agenda = new Agenda(errand);
-    path = new Path(List.of(errand.start(), errand.start()));
+    known = new Knowledge(gvh, task, ride, trace);
+    agenda = new Agenda(task);
+    path = new Path(List.of(task.start(), task.start()));
   }
 
   @Override
@@ -75,7 +75,7 @@ public final class MazeApp extends LogicThread {
         case START -> location.set(known.isPositionCertain() ? Location.CHOOSE : Location.START);
         case CHOOSE -> choose();
         case ASK -> {
-          mutex.do_mutex(agenda.needsAll() ? errand.blocks().all() : blocksFor(path));
+          mutex.do_mutex(agenda.needsAll() ? task.blocks().all() : blocksFor(path));
           location.set(Location.ASK_WAIT);
         }
         case ASK_WAIT -> {
@@ -118,7 +118,7 @@ public final class MazeApp extends LogicThread {
 
   private void drive(Path way) {
     trace.way(way);
-    CollisionMode mode = agenda.goesBack() ? errand.mode().goingBack() : errand.mode();
+    CollisionMode mode = agenda.goesBack() ? task.mode().goingBack() : task.mode();
     ride.along(way, agenda.toleranceMm(), mode);
     location.set(Location.DRIVE);
   }
@@ -152,8 +152,8 @@ public final class MazeApp extends LogicThread {
     Search search = known.searchTo(agenda.to());
     boolean isBack = agenda.goesBack();
     // The way back starts where the body already stands, which may be near the edge of its blocks.
-    double reachMm = isBack ? bodyMm : bodyMm + errand.mode().wanderMm();
-    List<Polygon> forbidden = errand.blocks().forbidden(mutex.held(), reachMm);
+    double reachMm = isBack ? bodyMm : bodyMm + task.mode().wanderMm();
+    List<Polygon> forbidden = task.blocks().forbidden(mutex.held(), reachMm);
     switch (found(() -> isBack ? search.back(forbidden) : search.onward(forbidden))) {
       case Search.Outcome.Way way -> {
         if (!ride.mayTry(way)) {
@@ -176,7 +176,7 @@ public final class MazeApp extends LogicThread {
   }
 
   private SortedSet<String> blocksFor(Path way) {
-    return errand.blocks().toRequest(way, bodyMm + errand.mode().wanderMm());
+    return task.blocks().toRequest(way, bodyMm + task.mode().wanderMm());
   }
 
   private void answer(Answer answer) {
@@ -186,7 +186,7 @@ public final class MazeApp extends LogicThread {
 
   /** Gives up all goals and stays where it is, with the blocks that it stands in. */
   private void giveUp() {
-    SortedSet<String> spare = errand.blocks().spare(mutex.held(), gvh.gps.pose().at(), bodyMm);
+    SortedSet<String> spare = task.blocks().spare(mutex.held(), gvh.gps.pose().at(), bodyMm);
     if (!spare.isEmpty()) {
       mutex.release(spare);
     }

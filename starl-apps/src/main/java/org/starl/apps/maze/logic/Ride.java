@@ -19,7 +19,7 @@ final class Ride {
   enum State {
     UNDER_WAY,
     ARRIVED,
-    /** Has touched something; the collision mode takes its course. */
+    /** Has touched something; the collision mode moves the robot. */
     BUMPED,
     /** Stopped without a contact: no fix, or stuck wheels. */
     HELD_UP
@@ -48,15 +48,6 @@ final class Ride {
     gvh.plat.moat.onContact(contacts::add);
   }
 
-  /** Motion parameters of a robot in a maze with the body of {@code body}. */
-  static MotionParameters motion(MotionParameters body, CollisionMode mode) {
-    return mode.applyTo(body).toBuilder()
-        .goalRadiusMm(PASS_MM)
-        .smallTurnAngleRad(STRAIGHT_RAD)
-        .enableArcing(false)
-        .build();
-  }
-
   /**
    * Starts to drive.
    *
@@ -66,7 +57,14 @@ final class Ride {
     contacts.clear();
     ahead = cut(path);
     toleranceMm = lastMm;
-    gvh.plat.moat.setParameters(motion(gvh.plat.moat.parameters(), mode));
+    gvh.plat.moat.setParameters(
+        gvh.plat.moat.parameters().toBuilder()
+            .collisionPolicy(mode.policy())
+            .robotType(mode.robotType())
+            .goalRadiusMm(PASS_MM)
+            .smallTurnAngleRad(STRAIGHT_RAD)
+            .enableArcing(false)
+            .build());
     toNext();
   }
 

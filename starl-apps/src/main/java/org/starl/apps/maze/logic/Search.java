@@ -11,15 +11,15 @@ import org.starl.primitives.paths.Plan;
 import org.starl.primitives.paths.PlanTask;
 
 /**
- * Searches a way by what a robot knows. Immutable, so it can run off the strand.
+ * Searches a way, with a robot's knowledge. Immutable, so it can run off the strand.
  *
  * @param map the obstacles that are known beforehand
- * @param marks what contacts have proven
- * @param from where the robot is
+ * @param marks proven by contacts
+ * @param from the robot's position
  * @param bodyMm radius of its body
  */
 record Search(
-    Errand errand, Obstacles map, List<Mark> marks, Point from, Point goal, double bodyMm) {
+    MazeTask task, Obstacles map, List<Mark> marks, Point from, Point goal, double bodyMm) {
 
   private static final LocalPlanner PLANNER = new LocalPlanner();
 
@@ -27,11 +27,13 @@ record Search(
   // lead.
   private static final int SLACK_MM = 150;
 
-  // What the planner may round away of a margin.
+  // The planner may round this much of a margin away.
   private static final double PLANNER_MM = 6;
 
-  // Parts of the margin to try, in turn, for a robot that is where a wider body does not fit.
-  private static final List<Double> NARROWER = List.of(0.5, 0.0);
+  // Parts of the margin; less than all for a robot that is where a wider body does not fit.
+  private static final List<Double> PARTS = List.of(1.0, 0.5, 0.0);
+  private static final List<Double> WIDE = PARTS.subList(0, 1);
+  private static final List<Double> NARROWER = PARTS.subList(1, 3);
 
   Search {
     marks = List.copyOf(marks);
@@ -52,7 +54,7 @@ record Search(
 
   /** A way, or the proof that there is none. */
   Outcome anywhere() {
-    Outcome wide = search(List.of(), List.of(1.0));
+    Outcome wide = search(List.of(), WIDE);
     if (wide instanceof Outcome.Way) {
       return wide;
     }
@@ -62,20 +64,20 @@ record Search(
 
   /** A way outside of {@code forbidden}; if there is none, a way anywhere, or the proof. */
   Outcome onward(List<Polygon> forbidden) {
-    Outcome inside = search(forbidden, List.of(1.0));
+    Outcome inside = search(forbidden, WIDE);
     return inside instanceof Outcome.Way ? inside : anywhere();
   }
 
   /** A way outside of {@code forbidden}, through narrow gaps if necessary. */
   Outcome back(List<Polygon> forbidden) {
-    Outcome wide = search(forbidden, List.of(1.0));
-    return wide instanceof Outcome.Way ? wide : search(forbidden, NARROWER);
+    return search(forbidden, PARTS);
   }
 
   /** The first way that is found for one of these parts of the margin, tried in turn. */
   private Outcome search(List<Polygon> forbidden, List<Double> parts) {
     for (double part : parts) {
-      if (PLANNER.planFromNear(task(from, part, forbidden), SLACK_MM) instanceof Plan.Found found) {
+      if (PLANNER.planFromNear(planTask(from, part, forbidden), SLACK_MM)
+          instanceof Plan.Found found) {
         List<Point> points = new ArrayList<>(found.path().points());
         points.add(0, from);
         return new Outcome.Way(new Path(points), part < 1);
@@ -86,22 +88,21 @@ record Search(
 
   /** Whether there is no way from the start, with as much of the margin as fits around the start. */
   private boolean isCutOff() {
-    Plan plan = PLANNER.plan(task(errand.start(), 1, List.of()));
-    for (int i = 0; i < NARROWER.size() && isStartBlocked(plan); i++) {
-      plan = PLANNER.plan(task(errand.start(), NARROWER.get(i), List.of()));
+    for (double part : PARTS) {
+      Plan plan = PLANNER.plan(planTask(task.start(), part, List.of()));
+      boolean isStartBlocked = plan instanceof Plan.Blocked at && at.end() == Plan.End.START;
+      if (!isStartBlocked) {
+        return !(plan instanceof Plan.Found);
+      }
     }
-    return !(plan instanceof Plan.Found) && !isStartBlocked(plan);
+    return false;
   }
 
-  private static boolean isStartBlocked(Plan plan) {
-    return plan instanceof Plan.Blocked blocked && blocked.end() == Plan.End.START;
-  }
-
-  private PlanTask task(Point start, double part, List<Polygon> forbidden) {
+  private PlanTask planTask(Point start, double part, List<Polygon> forbidden) {
     List<Polygon> keepOut = new ArrayList<>(Mark.places(marks, part));
     keepOut.addAll(forbidden);
-    double clearanceMm = Math.max(0, part * Errand.MARGIN_MM - PLANNER_MM);
+    double clearanceMm = Math.max(0, part * MazeTask.MARGIN_MM - PLANNER_MM);
     return new PlanTask(
-        start, goal, errand.floor(), map, errand.others(), keepOut, bodyMm, clearanceMm);
+        start, goal, task.floor(), map, task.others(), keepOut, bodyMm, clearanceMm);
   }
 }

@@ -4,7 +4,7 @@
  * way.
  *
  * <p><b>The contract.</b> R is the body's radius, m the margin ({@link
- * org.starl.apps.maze.logic.Errand#MARGIN_MM}).
+ * org.starl.apps.maze.logic.MazeTask#MARGIN_MM}).
  *
  * <ul>
  *   <li><b>Marks are sound.</b> A {@link org.starl.apps.maze.logic.Mark} is what a contact proves: no

@@ -7,8 +7,8 @@ import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.apps.maze.logic.Answer;
-import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
@@ -55,7 +55,7 @@ public final class MazeSpec implements Monitor {
   private static final double GRAIN_MM = 20;
 
   private final Obstacles obstacles;
-  private final SortedMap<RobotId, Errand> errands;
+  private final SortedMap<RobotId, MazeTask> tasks;
   private final double bodyMm;
   private final Within<GoalOf> answers;
   private final FaultState faults = new FaultState();
@@ -67,13 +67,13 @@ public final class MazeSpec implements Monitor {
 
   /**
    * @param obstacles the true ones, hidden ones included
-   * @param errands of all robots
+   * @param tasks of all robots
    * @param boundNs from a robot's start to its last answer
    */
   public MazeSpec(
-      Obstacles obstacles, SortedMap<RobotId, Errand> errands, double bodyMm, long boundNs) {
+      Obstacles obstacles, SortedMap<RobotId, MazeTask> tasks, double bodyMm, long boundNs) {
     this.obstacles = obstacles;
-    this.errands = errands;
+    this.tasks = tasks;
     this.bodyMm = bodyMm;
     answers = new Within<>(boundNs);
   }
@@ -138,8 +138,8 @@ public final class MazeSpec implements Monitor {
 
   /** The goals of a robot; none for an unknown robot. */
   private List<Goal> goals(RobotId robot) {
-    Errand errand = errands.get(robot);
-    return errand == null ? List.of() : errand.goals();
+    MazeTask task = tasks.get(robot);
+    return task == null ? List.of() : task.goals();
   }
 
   private void checkAnswer(Action action, Report report) {
@@ -165,8 +165,8 @@ public final class MazeSpec implements Monitor {
       }
       case NO_WAY -> {
         report.checked(NO_WAY);
-        Errand errand = Objects.requireNonNull(errands.get(robot));
-        if (errand.hasWay(goal, obstacles, List.of(), bodyMm)) {
+        MazeTask task = Objects.requireNonNull(tasks.get(robot));
+        if (task.hasWay(goal, obstacles, List.of(), bodyMm)) {
           violated(NO_WAY, action, "there is a way to " + name, report);
         }
       }
@@ -185,7 +185,7 @@ public final class MazeSpec implements Monitor {
       }
     }
     points.stream()
-        .filter(at -> mark.contains(at) && obstacles.distanceMm(at) > bodyMm + Errand.MARGIN_MM)
+        .filter(at -> mark.contains(at) && obstacles.distanceMm(at) > bodyMm + MazeTask.MARGIN_MM)
         .findFirst()
         .ifPresent(
             at -> violated(BELIEF, action, "has marked " + text(at) + ", but fits there", report));

@@ -1,5 +1,5 @@
 /**
- * What the robots of a maze owe, judged by the true bodies and the true obstacles: {@link
+ * The specification of a maze, checked against true bodies and true obstacles: {@link
  * org.starl.apps.maze.spec.MazeSpec}.
  *
  * <p>May import: core, primitives, {@code logic} beside it.

@@ -14,8 +14,8 @@ import java.util.SortedMap;
 import java.util.StringJoiner;
 import java.util.TreeMap;
 import org.starl.apps.maze.logic.Answer;
-import org.starl.apps.maze.logic.Errand;
 import org.starl.apps.maze.logic.Goal;
+import org.starl.apps.maze.logic.MazeTask;
 import org.starl.apps.maze.logic.MazeTrace;
 import org.starl.geometry.Point;
 import org.starl.geometry.Polygon;
@@ -40,17 +40,17 @@ public final class MazeLayer implements Layer {
   private static final int MARK_ALPHA = 60;
   private static final double GOAL_PX = 9;
 
-  private final SortedMap<RobotId, Errand> errands;
+  private final SortedMap<RobotId, MazeTask> tasks;
   private final Map<RobotId, List<Polygon>> marks = new TreeMap<>();
   private final Map<String, Answer> answers = new TreeMap<>();
 
-  public MazeLayer(SortedMap<RobotId, Errand> errands) {
-    this.errands = new TreeMap<>(errands);
+  public MazeLayer(SortedMap<RobotId, MazeTask> tasks) {
+    this.tasks = new TreeMap<>(tasks);
   }
 
   @Override
   public MazeLayer copy() {
-    MazeLayer copy = new MazeLayer(errands);
+    MazeLayer copy = new MazeLayer(tasks);
     marks.forEach((robot, polygons) -> copy.marks.put(robot, new ArrayList<>(polygons)));
     copy.answers.putAll(answers);
     return copy;
@@ -69,11 +69,11 @@ public final class MazeLayer implements Layer {
 
   @Override
   public List<Point> corners() {
-    return errands.isEmpty() ? List.of() : floor().vertices();
+    return tasks.isEmpty() ? List.of() : floor().vertices();
   }
 
   private Polygon floor() {
-    return errands.get(errands.firstKey()).floor().outline();
+    return tasks.get(tasks.firstKey()).floor().outline();
   }
 
   @Override
@@ -83,7 +83,7 @@ public final class MazeLayer implements Layer {
 
   @Override
   public void paintFloor(Graphics2D floor, Scene scene, Look look) {
-    if (!errands.isEmpty()) {
+    if (!tasks.isEmpty()) {
       floor.setColor(look.theme().floor());
       floor.fill(line(floor().vertices()));
     }
@@ -108,10 +108,10 @@ public final class MazeLayer implements Layer {
   @Override
   public void paintOver(Graphics2D floor, Scene scene, Look look) {
     for (RobotId robot : look.shows(GOALS) ? scene.robots() : List.<RobotId>of()) {
-      Errand errand = errands.get(robot);
-      if (errand != null) {
+      MazeTask task = tasks.get(robot);
+      if (task != null) {
         Color colour = look.robot(scene, robot);
-        errand.goals().forEach(goal -> paintGoal(floor, robot, goal, colour, look));
+        task.goals().forEach(goal -> paintGoal(floor, robot, goal, colour, look));
       }
     }
   }
@@ -173,13 +173,13 @@ public final class MazeLayer implements Layer {
 
   @Override
   public String describe(RobotId robot, Scene scene) {
-    Errand errand = errands.get(robot);
-    if (errand == null) {
+    MazeTask task = tasks.get(robot);
+    if (task == null) {
       return "";
     }
     StringJoiner answered = new StringJoiner(", ", "\n", "");
     answered.setEmptyValue("");
-    for (Goal goal : errand.goals()) {
+    for (Goal goal : task.goals()) {
       Answer answer = answers.get(robot + " " + goal.name());
       if (answer != null) {
         answered.add(

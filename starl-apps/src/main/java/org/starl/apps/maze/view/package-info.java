@@ -1,5 +1,5 @@
 /**
- * What a maze adds to a picture.
+ * The drawing of a maze.
  *
  * <p>May import: core, {@code org.starl.sim.record}, {@code logic} beside it, {@code java.awt}.
  */

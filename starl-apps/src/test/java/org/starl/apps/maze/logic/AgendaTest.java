@@ -21,14 +21,14 @@ class AgendaTest {
   private static final Goal FIRST = new Goal("first", new Point(2_000, 500), 50);
   private static final Goal SECOND = new Goal("second", new Point(4_000, 500), 60);
 
-  private static Errand errand(List<Capsule> others) {
+  private static MazeTask task(List<Capsule> others) {
     Blocks blocks = Blocks.of(FLOOR);
-    return new Errand(START, List.of(FIRST, SECOND), others, FLOOR, blocks, CollisionMode.STOP);
+    return new MazeTask(START, List.of(FIRST, SECOND), others, FLOOR, blocks, CollisionMode.STOP);
   }
 
   private static final Point AT = new Point(3_000, 3_000);
 
-  private final Agenda agenda = new Agenda(errand(List.of()));
+  private final Agenda agenda = new Agenda(task(List.of()));
 
   @Test
   void aReachedGoalIsTheNextRestingPlace() {
@@ -71,9 +71,9 @@ class AgendaTest {
   @Test
   void aContactNearAnotherRobotsPlaceMayBeWithThatRobot() {
     Capsule other = new Capsule(new Segment(AT, AT), 165);
-    Errand errand = errand(List.of(other));
-    assertThat(errand.mayBeOther(contact(3_000 - 165 - 165 - 10 - 39, 10), 165)).isTrue();
-    assertThat(errand.mayBeOther(contact(3_000 - 165 - 165 - 10 - 41, 10), 165)).isFalse();
+    MazeTask task = task(List.of(other));
+    assertThat(task.mayBeOther(contact(3_000 - 165 - 165 - 10 - 39, 10), 165)).isTrue();
+    assertThat(task.mayBeOther(contact(3_000 - 165 - 165 - 10 - 41, 10), 165)).isFalse();
   }
 
   private static Contact contact(double xMm, double errorMm) {

@@ -11,15 +11,15 @@ import org.starl.primitives.paths.Plan;
 import org.starl.primitives.paths.PlanTask;
 
 /**
- * One robot's task, and what all robots know of the floor beforehand, apart from obstacles.
+ * One robot's task, and its knowledge of the floor at the start, apart from obstacles.
  *
- * @param start where it stands at first
- * @param goals in the order in which it drives to them
+ * @param start its position at the start of the run
+ * @param goals in order
  * @param others discs in which the other robots stand while they hold no block: their starts and
  *     goals
  * @param floor all bodies stay in it
  */
-public record Errand(
+public record MazeTask(
     Point start,
     List<Goal> goals,
     List<Capsule> others,
@@ -38,8 +38,8 @@ public record Errand(
    * {@code others}.
    */
   public boolean hasWay(Goal goal, Obstacles obstacles, List<Capsule> others, double bodyMm) {
-    PlanTask task = new PlanTask(start, goal.at(), floor, obstacles, others, bodyMm, MARGIN_MM);
-    return new LocalPlanner().plan(task) instanceof Plan.Found;
+    PlanTask way = new PlanTask(start, goal.at(), floor, obstacles, others, bodyMm, MARGIN_MM);
+    return new LocalPlanner().plan(way) instanceof Plan.Found;
   }
 
   /**
