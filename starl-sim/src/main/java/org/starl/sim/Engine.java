@@ -180,6 +180,11 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   @Override
+  public Rng scenarioRng(String name) {
+    return new Rng(plan.header().scenarioSeed()).fork(name);
+  }
+
+  @Override
   public void join(RobotSpec spec) {
     if (spec.id().equals(Fault.WORLD)) {
       throw new BadInput("no robot can have the name " + Fault.WORLD);

@@ -3,6 +3,7 @@ package org.starl.sim;
 import java.util.List;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.random.Rng;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Unsynced;
 
@@ -19,6 +20,9 @@ public interface SimControl {
    * time.
    */
   void at(long atNs, Runnable action);
+
+  /** A generator for {@code name}, forked from the scenario's seed. */
+  Rng scenarioRng(String name);
 
   /** Adds a robot during the run and starts its program. */
   void join(RobotSpec robot);

@@ -8,6 +8,7 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.robot.realtime.RealStrand;
+import org.starl.random.Rng;
 import org.starl.sim.Director;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimControl;
@@ -105,6 +106,11 @@ final class OneRobotControl implements SimControl {
   @Override
   public void at(long atNs, Runnable action) {
     strand.timer(action).set(atNs);
+  }
+
+  @Override
+  public Rng scenarioRng(String name) {
+    return new Rng(plan.header().scenarioSeed()).fork(name);
   }
 
   @Override
