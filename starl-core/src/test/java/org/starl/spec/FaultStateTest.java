@@ -26,7 +26,7 @@ class FaultStateTest {
   void aCrashedRobotIsDownUntilItRestarts() {
     assertThat(sees(A, Fault.CRASH, "")).isTrue();
     assertThat(faults.isUp(A)).isFalse();
-    assertThat(faults.isFaultFree()).as("a crash is counted by who is up").isTrue();
+    assertThat(faults.isFaultFree()).as("a crash only changes which robots are up").isTrue();
     assertThat(sees(A, Fault.RESTART, "lost")).isTrue();
     assertThat(faults.isUp(A)).isTrue();
   }

@@ -11,7 +11,7 @@ import org.starl.sim.kernel.Prefetchable;
  */
 final class DeliveryPool {
 
-  private static final RobotId NOBODY = new RobotId("nobody");
+  private static final RobotId NO_SENDER = new RobotId("nobody");
 
   private @Nullable Delivery freeDeliveries;
   private @Nullable Packet freePackets;
@@ -52,7 +52,7 @@ final class DeliveryPool {
 
   /** A delivery of one copy. */
   private final class Delivery implements Prefetchable {
-    private RobotId from = NOBODY;
+    private RobotId from = NO_SENDER;
     private @Nullable SimRadio to;
     private Packet packet;
     // Cached from the packet.
@@ -92,7 +92,7 @@ final class DeliveryPool {
       radio.receive(from, data, length);
       packet.release();
       // A pooled delivery must not keep a robot that left in memory.
-      from = NOBODY;
+      from = NO_SENDER;
       to = null;
       nextFree = freeDeliveries;
       freeDeliveries = this;

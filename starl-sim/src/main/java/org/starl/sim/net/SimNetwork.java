@@ -20,7 +20,7 @@ public final class SimNetwork {
   private static final long LOST = -1;
 
   /** The sender of injected datagrams, in the trace. */
-  private static final RobotId NOBODY = new RobotId("nobody");
+  private static final RobotId NO_SENDER = new RobotId("nobody");
 
   private final Kernel kernel;
   private final TraceSink trace;
@@ -118,7 +118,7 @@ public final class SimNetwork {
     SimRadio radio = stations.radio(stations.slot(to));
     if (radio != null) {
       Packet packet = pool.packet(datagram, datagram.length);
-      kernel.schedule(kernel.nowNs(), radio.strand(), pool.delivery(NOBODY, radio, packet));
+      kernel.schedule(kernel.nowNs(), radio.strand(), pool.delivery(NO_SENDER, radio, packet));
       packet.release();
     }
   }

@@ -22,12 +22,12 @@ final class PercentileTest {
     "3, 33.4, 1",
     "1000, 100, 999"
   })
-  void itIsTheNearestRank(int count, double percent, int index) {
+  void aPercentileIsTheNearestRank(int count, double percent, int index) {
     assertThat(Percentile.index(count, percent)).isEqualTo(index);
   }
 
   @Test
-  void itNeedsASampleAndAPercentage() {
+  void aPercentileNeedsASampleAndAPercentage() {
     assertThatThrownBy(() -> Percentile.index(0, 50))
         .isInstanceOf(IllegalArgumentException.class)
         .hasMessage("percentile 50.0 of 0 samples");

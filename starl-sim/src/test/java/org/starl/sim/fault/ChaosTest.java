@@ -91,9 +91,9 @@ class ChaosTest {
         for (int from = 0; from < 3; from++) {
           for (int to = 0; to < 3; to++) {
             int sent = run.of(TraceEvent.Sent.class, from, 8 * S, 9 * S).size();
-            boolean isSomebodyElse = from != to && sent > 0;
+            boolean isOther = from != to && sent > 0;
             int heard = run.count(from, to, 8 * S, 9 * S + ProbeRun.MS * 20);
-            assertThat(heard).as(what).isGreaterThanOrEqualTo(isSomebodyElse ? sent : 0);
+            assertThat(heard).as(what).isGreaterThanOrEqualTo(isOther ? sent : 0);
           }
         }
       }

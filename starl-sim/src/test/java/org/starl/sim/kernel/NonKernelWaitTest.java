@@ -190,7 +190,7 @@ class NonKernelWaitTest {
   private static void waitFor(CountDownLatch latch) {
     try {
       if (!latch.await(60, TimeUnit.SECONDS)) {
-        throw new IllegalStateException("nobody came");
+        throw new IllegalStateException("no other thread came");
       }
     } catch (InterruptedException e) {
       throw new IllegalStateException("interrupted", e);

@@ -42,15 +42,11 @@ final class BodyPainter {
 
   /** Marks a robot whose program has crashed. */
   void paintCross(Graphics2D page, double xPx, double yPx, double radiusPx, Theme theme) {
-    double arm = 0.9 * radiusPx;
     page.setColor(theme.alarm());
     page.setStroke(
         new BasicStroke(
             (float) Math.max(1.5, 0.14 * radiusPx), BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-    line.setLine(xPx - arm, yPx - arm, xPx + arm, yPx + arm);
-    page.draw(line);
-    line.setLine(xPx - arm, yPx + arm, xPx + arm, yPx - arm);
-    page.draw(line);
+    Painter.cross(page, xPx, yPx, 0.9 * radiusPx);
   }
 
   /** Marks the selected robot. */

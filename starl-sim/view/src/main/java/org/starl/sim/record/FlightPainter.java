@@ -6,7 +6,6 @@ import java.awt.Font;
 import java.awt.Graphics2D;
 import java.awt.RenderingHints;
 import java.awt.geom.Ellipse2D;
-import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
@@ -91,8 +90,7 @@ final class FlightPainter {
     if (isDropped) {
       page.setColor(theme.alarm());
       page.setStroke(new BasicStroke(2.2f, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
-      page.draw(new Line2D.Double(x - dotPx, y - dotPx, x + dotPx, y + dotPx));
-      page.draw(new Line2D.Double(x - dotPx, y + dotPx, x + dotPx, y - dotPx));
+      Painter.cross(page, x, y, dotPx);
     } else {
       page.setColor(theme.paper());
       page.fill(dot(x, y, dotPx + 1));

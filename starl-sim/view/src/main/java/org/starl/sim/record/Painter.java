@@ -7,6 +7,7 @@ import java.awt.RenderingHints;
 import java.awt.geom.AffineTransform;
 import java.awt.geom.Ellipse2D;
 import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
 import org.starl.geometry.Point;
@@ -93,6 +94,23 @@ public final class Painter {
     page.setRenderingHint(
         RenderingHints.KEY_TEXT_ANTIALIASING, RenderingHints.VALUE_TEXT_ANTIALIAS_ON);
     page.setRenderingHint(RenderingHints.KEY_STROKE_CONTROL, RenderingHints.VALUE_STROKE_PURE);
+  }
+
+  /** A closed polygon; x and y alternate. */
+  public static Path2D polygon(double... xy) {
+    Path2D path = new Path2D.Double();
+    path.moveTo(xy[0], xy[1]);
+    for (int i = 2; i < xy.length; i += 2) {
+      path.lineTo(xy[i], xy[i + 1]);
+    }
+    path.closePath();
+    return path;
+  }
+
+  /** Draws a diagonal cross. */
+  public static void cross(Graphics2D page, double x, double y, double arm) {
+    page.draw(new Line2D.Double(x - arm, y - arm, x + arm, y + arm));
+    page.draw(new Line2D.Double(x - arm, y + arm, x + arm, y - arm));
   }
 
   /** Paints the bodies; returns the number of visible ones. */

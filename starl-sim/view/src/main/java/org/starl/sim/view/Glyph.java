@@ -70,12 +70,7 @@ enum Glyph implements Icon {
 
   /** Points to the right. */
   private static Path2D triangle(double left, double top, double right, double bottom) {
-    Path2D path = new Path2D.Double();
-    path.moveTo(left, top);
-    path.lineTo(right, (top + bottom) / 2);
-    path.lineTo(left, bottom);
-    path.closePath();
-    return path;
+    return Painter.polygon(left, top, right, (top + bottom) / 2, left, bottom);
   }
 
   private static void step(Graphics2D page) {

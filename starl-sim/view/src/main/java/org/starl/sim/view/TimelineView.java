@@ -14,6 +14,7 @@ import java.util.List;
 import java.util.Locale;
 import javax.swing.UIManager;
 import org.jspecify.annotations.Nullable;
+import org.starl.sim.record.Painter;
 import org.starl.sim.record.Theme;
 import org.starl.sim.replay.Mark;
 import org.starl.time.Time;
@@ -142,28 +143,17 @@ final class TimelineView {
     switch (kind) {
       case VIOLATION -> {
         page.draw(new Line2D.Double(x, TRACK_PX - 12, x, TRACK_PX + 6));
-        Path2D flag = new Path2D.Double();
-        flag.moveTo(x, TRACK_PX - 17);
-        flag.lineTo(x + 10, TRACK_PX - 12.5);
-        flag.lineTo(x, TRACK_PX - 8);
-        flag.closePath();
+        Path2D flag = Painter.polygon(x, TRACK_PX - 17, x + 10, TRACK_PX - 12.5, x, TRACK_PX - 8);
         page.fill(flag);
         page.draw(flag);
       }
-      case CRASH -> {
-        page.draw(new Line2D.Double(x - 3.5, TRACK_PX - 15.5, x + 3.5, TRACK_PX - 8.5));
-        page.draw(new Line2D.Double(x - 3.5, TRACK_PX - 8.5, x + 3.5, TRACK_PX - 15.5));
-      }
+      case CRASH -> Painter.cross(page, x, TRACK_PX - 12, 3.5);
       case RESTART -> page.draw(new Ellipse2D.Double(x - 3.5, TRACK_PX - 15.5, 7, 7));
       case FAULT -> page.draw(new Line2D.Double(x, TRACK_PX - 14, x, TRACK_PX - 9));
       case INTERVENTION -> {
-        Path2D diamond = new Path2D.Double();
         // On the track: the mark of an injected fault is above.
-        diamond.moveTo(x, TRACK_PX - 6.5);
-        diamond.lineTo(x + 6.5, TRACK_PX);
-        diamond.lineTo(x, TRACK_PX + 6.5);
-        diamond.lineTo(x - 6.5, TRACK_PX);
-        diamond.closePath();
+        int y = TRACK_PX;
+        Path2D diamond = Painter.polygon(x, y - 6.5, x + 6.5, y, x, y + 6.5, x - 6.5, y);
         page.fill(diamond);
         page.setColor(UIManager.getColor("Panel.background"));
         page.setStroke(new BasicStroke(1.5f));
