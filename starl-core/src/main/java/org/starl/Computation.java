@@ -1,5 +1,6 @@
 package org.starl;
 
+import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Background;
@@ -18,8 +19,8 @@ public final class Computation<T> {
   static <T> Computation<T> start(Background background, Supplier<T> task) {
     Computation<T> computation = new Computation<>();
     // Written off the strand; the port orders that write before the callback on the strand.
-    Box<T> box = new Box<>();
-    background.submit(() -> box.value = task.get(), () -> computation.complete(box));
+    AtomicReference<@Nullable T> box = new AtomicReference<>();
+    background.submit(() -> box.set(task.get()), () -> computation.complete(box.get()));
     return computation;
   }
 
@@ -29,7 +30,7 @@ public final class Computation<T> {
   }
 
   /**
-   * What the task returned.
+   * The task's result.
    *
    * @throws IllegalStateException if the result is not available yet
    */
@@ -53,15 +54,11 @@ public final class Computation<T> {
     whenDone = listener;
   }
 
-  private void complete(Box<T> box) {
-    if (box.value == null) {
+  private void complete(@Nullable T computed) {
+    if (computed == null) {
       throw new IllegalStateException("the task returned null: expected a result");
     }
-    result = box.value;
+    result = computed;
     whenDone.run();
-  }
-
-  private static final class Box<T> {
-    private @Nullable T value;
   }
 }

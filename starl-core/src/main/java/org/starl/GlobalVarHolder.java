@@ -38,15 +38,7 @@ public final class GlobalVarHolder {
     id = new Identity(platform.id(), platform.deployment(), boot);
     comms = new Comms(platform, boot);
     gps = new Gps(platform, variables);
-    plat =
-        new Plat(
-            new MotionController(platform, gps, log, trace, variables),
-            platform.clock(),
-            platform.timers(),
-            platform.strand(),
-            platform.stable(),
-            platform.entropy(),
-            platform.background());
+    plat = new Plat(new MotionController(platform, gps, log, trace, variables), platform);
   }
 
   /** Adds a variable to the gvh. The returned cell is the only way to write it. */

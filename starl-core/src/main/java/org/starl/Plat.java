@@ -5,6 +5,7 @@ import org.starl.motion.MotionController;
 import org.starl.platform.Background;
 import org.starl.platform.Clock;
 import org.starl.platform.Entropy;
+import org.starl.platform.Platform;
 import org.starl.platform.StableStorage;
 import org.starl.platform.Strand;
 import org.starl.platform.Timers;
@@ -22,21 +23,14 @@ public final class Plat {
   public final Entropy entropy;
   private final Background background;
 
-  Plat(
-      MotionController moat,
-      Clock clock,
-      Timers timers,
-      Strand strand,
-      StableStorage stable,
-      Entropy entropy,
-      Background background) {
+  Plat(MotionController moat, Platform platform) {
     this.moat = moat;
-    this.clock = clock;
-    this.timers = timers;
-    this.strand = strand;
-    this.stable = stable;
-    this.entropy = entropy;
-    this.background = background;
+    this.clock = platform.clock();
+    this.timers = platform.timers();
+    this.strand = platform.strand();
+    this.stable = platform.stable();
+    this.entropy = platform.entropy();
+    this.background = platform.background();
   }
 
   /**

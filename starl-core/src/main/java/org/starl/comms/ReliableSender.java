@@ -2,20 +2,19 @@ package org.starl.comms;
 
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
-import org.starl.platform.Timer;
 import org.starl.platform.Timers;
+import org.starl.platform.WakeTimer;
 
 /** Runs an {@link OutboundQueue} on the robot's clock and one timer. */
 final class ReliableSender {
 
   private final Clock clock;
-  private final Timer timer;
+  private final WakeTimer timer;
   private final OutboundQueue<RetainedMessage> queue;
-  private long timerNs = Long.MAX_VALUE;
 
   ReliableSender(Clock clock, Timers timers, OutboundQueue.Output<RetainedMessage> output) {
     this.clock = clock;
-    this.timer = timers.timer(this::advance);
+    this.timer = new WakeTimer(timers, this::advance);
     this.queue = new OutboundQueue<>(output);
   }
 
@@ -48,20 +47,11 @@ final class ReliableSender {
   }
 
   private void advance() {
-    timerNs = Long.MAX_VALUE;
     queue.advance(clock.nowNs());
     setTimer();
   }
 
   private void setTimer() {
-    long dueNs = queue.nextDueNs();
-    if (dueNs != timerNs) {
-      timerNs = dueNs;
-      if (dueNs == Long.MAX_VALUE) {
-        timer.cancel();
-      } else {
-        timer.set(dueNs);
-      }
-    }
+    timer.set(queue.nextDueNs());
   }
 }

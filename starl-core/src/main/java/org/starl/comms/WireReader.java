@@ -4,7 +4,10 @@ import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.CodingErrorAction;
 import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.List;
+import java.util.function.Function;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
@@ -77,6 +80,28 @@ public final class WireReader {
     return value;
   }
 
+  /**
+   * Reads a number of at least {@code least}.
+   *
+   * @param what the number, for the error
+   */
+  public long i64(long least, String what) {
+    long value = i64();
+    if (value < least) {
+      throw new WireFormatException(what + " " + value);
+    }
+    return value;
+  }
+
+  /** Reads {@code count} items. */
+  public <T> List<T> list(int count, Function<WireReader, T> item) {
+    List<T> items = new ArrayList<>();
+    for (int i = 0; i < count; i++) {
+      items.add(item.apply(this));
+    }
+    return items;
+  }
+
   /** Reads the eight bytes at {@code at}, big-endian. */
   static long getI64(byte[] bytes, int at) {
     long value = 0;
@@ -135,11 +160,7 @@ public final class WireReader {
 
   public ProcessId process() {
     RobotId robot = robot();
-    long inc = i64();
-    if (inc <= 0) {
-      throw new WireFormatException("incarnation " + inc);
-    }
-    return new ProcessId(robot, inc);
+    return new ProcessId(robot, i64(1, "incarnation"));
   }
 
   static boolean isAscii(byte[] bytes, int from, int length) {

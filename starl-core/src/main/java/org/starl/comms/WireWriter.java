@@ -5,6 +5,7 @@ import java.nio.CharBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.function.Consumer;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 
@@ -30,6 +31,13 @@ public final class WireWriter {
   WireWriter() {
     this.buffer = new byte[FIRST_SIZE];
     this.grows = true;
+  }
+
+  /** The bytes that {@code writer} writes. */
+  public static byte[] toBytes(Consumer<WireWriter> writer) {
+    WireWriter out = new WireWriter();
+    writer.accept(out);
+    return Arrays.copyOf(out.buffer, out.length);
   }
 
   /** Continues at {@code position}. */

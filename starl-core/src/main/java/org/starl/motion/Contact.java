@@ -3,8 +3,8 @@ package org.starl.motion;
 import org.starl.body.Bumps;
 
 /**
- * What the robot knew at a contact: its location, and which bump sensors were closed. A closed
- * sensor shows that something was touched, not exactly where.
+ * A contact as the robot knows it: its location, and the closed bump sensors. A closed sensor shows
+ * that the body touches an object, not exactly where.
  *
  * @param at the robot's location with error bounds
  * @param bumps not {@code NONE}

@@ -23,10 +23,6 @@ final class PoseEstimate {
 
   /** The estimate from one fix alone. */
   PoseEstimate(Fix fix) {
-    set(fix);
-  }
-
-  private void set(Fix fix) {
     atNs = fix.timeNs();
     xMm = fix.pose().xMm();
     yMm = fix.pose().yMm();

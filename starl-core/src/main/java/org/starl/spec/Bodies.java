@@ -21,33 +21,14 @@ public final class Bodies {
 
   private final SortedMap<RobotId, Body> onFloor = new TreeMap<>();
 
-  private static final class Body {
-    private final double radiusMm;
-    private long sinceNs;
-    private Pose from;
-    private double linearMmPerS;
-    private double angularRadPerS;
-
-    Body(double radiusMm, long sinceNs, Pose from) {
-      this.radiusMm = radiusMm;
-      this.sinceNs = sinceNs;
-      this.from = from;
-    }
-
-    Body copy() {
-      Body copy = new Body(radiusMm, sinceNs, from);
-      copy.linearMmPerS = linearMmPerS;
-      copy.angularRadPerS = angularRadPerS;
-      return copy;
-    }
-  }
+  private record Body(
+      double radiusMm, long sinceNs, Pose from, double linearMmPerS, double angularRadPerS) {}
 
   /** An independent copy of the current state. */
   public Bodies copy() {
     Bodies copy = new Bodies();
     // Copying a sorted map takes linear time.
     copy.onFloor.putAll(onFloor);
-    copy.onFloor.replaceAll((robot, body) -> body.copy());
     return copy;
   }
 
@@ -55,18 +36,19 @@ public final class Bodies {
   public void observe(TraceEvent event) {
     switch (event) {
       case Joined joined ->
-          onFloor.put(joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose()));
-      case Moved moved -> {
-        Body body = body(moved.robot());
-        body.sinceNs = moved.timeNs();
-        body.from = moved.pose();
-        body.linearMmPerS = moved.linearMmPerS();
-        body.angularRadPerS = moved.angularRadPerS();
-      }
+          onFloor.put(
+              joined.robot(), new Body(joined.radiusMm(), joined.timeNs(), joined.pose(), 0, 0));
+      case Moved moved ->
+          onFloor.put(
+              moved.robot(),
+              new Body(
+                  radiusMm(moved.robot()),
+                  moved.timeNs(),
+                  moved.pose(),
+                  moved.linearMmPerS(),
+                  moved.angularRadPerS()));
       case Left left -> onFloor.remove(left.robot());
-      default -> {
-        // Does not concern bodies.
-      }
+      default -> {}
     }
   }
 

@@ -88,9 +88,9 @@ public final class Monitors {
     if (found.size() == told) {
       return List.of();
     }
-    List<Violation> news = List.copyOf(found.subList(told, found.size()));
+    List<Violation> latest = List.copyOf(found.subList(told, found.size()));
     told = found.size();
-    return news;
+    return latest;
   }
 
   /** The results so far. */

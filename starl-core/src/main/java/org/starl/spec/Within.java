@@ -20,7 +20,7 @@ import java.util.function.Predicate;
  *
  * @param <K> compared by {@code equals}
  */
-public final class Within<K> {
+public class Within<K> {
 
   private final long boundNs;
   // All bounds are equal and times never decrease, so this is the order of the deadlines.

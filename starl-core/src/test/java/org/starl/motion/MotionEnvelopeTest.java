@@ -34,7 +34,7 @@ class MotionEnvelopeTest {
 
   private static final double RADIUS_MM = 165;
 
-  /** One drive drawn by seed: how bad the world is, and what the robot is told of that. */
+  /** One drive drawn by seed: the errors of the world, and the bounds that the robot is given. */
   private static final class Drive {
     final Rng rng;
     final MotionParameters.Builder told = MotionParameters.builder();
@@ -136,7 +136,7 @@ class MotionEnvelopeTest {
       assertThat(world.run().failure()).isNotEmpty();
       assertThat(world.command).isEqualTo(WheelCommand.STOP);
     }
-    // The wheels may do something yet, or drive on through the target.
+    // Late commands may still take effect, or the robot may drive on through the target.
     world.idle(1_000);
     assertThat(world.nearestToAvoidMm).isGreaterThan(RADIUS_MM);
     assertThat(world.worstErrorPastBoundMm).isLessThan(1e-6);
@@ -160,7 +160,7 @@ class MotionEnvelopeTest {
     return Arguments.of(Named.of(what, how));
   }
 
-  /** What a robot is told too little of leads it into the region, on some drive. */
+  /** A robot with too small a bound enters the region, on some drive. */
   @ParameterizedTest
   @MethodSource("understatements")
   void eachAllowanceIsNeeded(Consumer<Drive> understate) {

@@ -15,8 +15,8 @@ import org.starl.geometry.Region;
 import org.starl.random.Rng;
 
 /**
- * One body, its wheels, its fixes and its motion, without any port: what the motion's promises are
- * tested in. The true error of a fix is uniform in the disc that its bound states, or on its border.
+ * One body, its wheels, its fixes and its motion, without any port: the simulation in which the
+ * contract of motion is tested. The true error of a fix is uniform in the disc that its bound states, or on its border.
  */
 final class MotionWorld {
 
@@ -26,19 +26,19 @@ final class MotionWorld {
   final MotionParameters parameters;
   final PositionFilter filter = new PositionFilter();
 
-  /** What is set before or during a run. */
+  /** Settings, before or during a run. */
   double noiseMm;
 
   double noiseRad;
 
-  /** What a fix states as its bound, in parts of what is true: below 1 it lies. */
+  /** A fix states this part of its true error bound: below 1 the bound is wrong. */
   double honesty = 1;
 
   long fixPeriodMs = 75;
   long fixDelayMs;
   boolean fixesCome = true;
 
-  /** How often a fix does not come, and how often it is far off. */
+  /** The probabilities that a fix does not come, and that it is far off. */
   double dropouts;
 
   double jumps;
@@ -46,7 +46,7 @@ final class MotionWorld {
   /** The body does this part of what is commanded: 0 for stuck wheels. */
   double mobility = 1;
 
-  /** What else is wrong with its wheels; set before the first motion. */
+  /** Other faults of the wheels; set before the first motion. */
   double heldUp;
 
   double speedError;
@@ -60,7 +60,7 @@ final class MotionWorld {
 
   boolean bumpSensorsWork = true;
 
-  /** What is true. */
+  /** The true pose. */
   Pose truth;
 
   long nowNs;
@@ -176,7 +176,7 @@ final class MotionWorld {
     Pose then = past.ceilingEntry(nowNs - agoNs).getValue();
     double angle = 2 * StrictMath.PI * rng.nextDouble();
     double radius = noiseMm * (rng.nextBoolean(0.2) ? 1 : StrictMath.sqrt(rng.nextDouble()));
-    // What nothing contradicts would have to be believed: the very first fix tells the truth.
+    // No other fix can contradict the first one, so it is correct.
     radius += filter.hasFix() && rng.nextBoolean(jumps) ? 1500 + 3000 * rng.nextDouble() : 0;
     Pose measured =
         new Pose(
@@ -206,7 +206,7 @@ final class MotionWorld {
       filter.commanded(command, bumps.any(), nowNs);
       step();
     } else if (blocked) {
-      // Whoever is known to touch something may slide along it.
+      // A body with a closed bump sensor may slide along the object.
       double yMm = bumpSensorsWork ? free.yMm() : truth.yMm();
       truth = new Pose(truth.xMm(), yMm, free.headingRad());
     } else {

@@ -1,8 +1,6 @@
 package org.starl.primitives.agreement;
 
-import java.util.Arrays;
 import java.util.Collections;
-import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
@@ -23,8 +21,6 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
   static final AcceptorRecord NEW = new AcceptorRecord(null, new TreeMap<>());
 
   private static final int FORMAT = 1;
-  private static final int FIXED_BYTES = 32;
-  private static final int SLOT_BYTES = 128;
 
   AcceptorRecord {
     slots = Collections.unmodifiableSortedMap(new TreeMap<>(slots));
@@ -34,21 +30,20 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
   record Slot(Ballot promised, @Nullable Vote vote) {}
 
   byte[] toBytes() {
-    byte[] buffer = new byte[sizeBound()];
-    WireWriter out = new WireWriter(buffer);
-    out.u8(FORMAT);
-    out.bool(decided != null);
-    if (decided != null) {
-      out.i64(decided.number());
-      out.bytes(decided.value().bytes());
-    }
-    out.u16(slots.size());
-    for (Map.Entry<Long, Slot> slot : slots.entrySet()) {
-      out.i64(slot.getKey());
-      SynodCodec.ballot(out, slot.getValue().promised());
-      SynodCodec.vote(out, slot.getValue().vote());
-    }
-    return Arrays.copyOf(buffer, out.length());
+    return WireWriter.toBytes(out -> {
+      out.u8(FORMAT);
+      out.bool(decided != null);
+      if (decided != null) {
+        out.i64(decided.number());
+        out.bytes(decided.value().bytes());
+      }
+      out.u16(slots.size());
+      slots.forEach((number, slot) -> {
+        out.i64(number);
+        SynodCodec.ballot(out, slot.promised());
+        SynodCodec.vote(out, slot.vote());
+      });
+    });
   }
 
   /** Throws {@link WireFormatException} on bytes that {@link #toBytes} cannot have written. */
@@ -59,11 +54,11 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
       throw new WireFormatException("acceptor record of format " + format);
     }
     Decided decided =
-        in.bool() ? new Decided(SynodCodec.number(in, 1), SynodCodec.value(in)) : null;
+        in.bool() ? new Decided(in.i64(1, SynodCodec.DECREE), SynodCodec.value(in)) : null;
     SortedMap<Long, Slot> slots = new TreeMap<>();
     int count = in.u16();
     for (int i = 0; i < count; i++) {
-      long number = SynodCodec.number(in, 1);
+      long number = in.i64(1, SynodCodec.DECREE);
       if (!slots.isEmpty() && slots.lastKey() >= number) {
         throw new WireFormatException("decree " + number + " out of order");
       }
@@ -75,13 +70,5 @@ record AcceptorRecord(@Nullable Decided decided, SortedMap<Long, Slot> slots) {
       throw new WireFormatException(in.remaining() + " bytes after the record");
     }
     return new AcceptorRecord(decided, slots);
-  }
-
-  private int sizeBound() {
-    int bytes = FIXED_BYTES + (decided == null ? 0 : decided.value().length());
-    for (Slot slot : slots.values()) {
-      bytes += SLOT_BYTES + (slot.vote() == null ? 0 : slot.vote().value().length());
-    }
-    return bytes;
   }
 }

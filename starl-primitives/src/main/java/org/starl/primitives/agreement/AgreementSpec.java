@@ -91,9 +91,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
           progress.start(new ProcessKey(action.source(), action.robot()), action.timeNs());
         }
       }
-      default -> {
-        // Not an action of this specification.
-      }
+      default -> {}
     }
   }
 

@@ -7,6 +7,8 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.BiConsumer;
+import java.util.function.ObjLongConsumer;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -38,7 +40,8 @@ final class Proposer {
   private final Participants acceptors;
   private final SynodTiming timing;
   private final Rng rng;
-  private final Out out;
+  private final BiConsumer<RobotId, SynodMessage> send;
+  private final ObjLongConsumer<Value> chosen;
 
   private Phase phase = Phase.IDLE;
   private long number;
@@ -59,24 +62,23 @@ final class Proposer {
 
   /**
    * @param id used by no other proposer, ever
+   * @param send sends, best effort
+   * @param chosen a majority has accepted the value in one ballot: it is decided for this number
    */
-  Proposer(ProcessId id, Participants acceptors, SynodTiming timing, Rng rng, Out out) {
+  Proposer(
+      ProcessId id,
+      Participants acceptors,
+      SynodTiming timing,
+      Rng rng,
+      BiConsumer<RobotId, SynodMessage> send,
+      ObjLongConsumer<Value> chosen) {
     this.id = id;
     this.acceptors = acceptors;
     this.timing = timing;
     this.rng = rng;
-    this.out = out;
+    this.send = send;
+    this.chosen = chosen;
     this.ballot = new Ballot(1, id);
-  }
-
-  /** The effects of a proposer. */
-  interface Out {
-
-    /** Sends, best effort. */
-    void send(RobotId to, SynodMessage message);
-
-    /** A majority has accepted {@code value} in one ballot: it is decided. */
-    void chosen(long number, Value value);
   }
 
   /** Begins to work for a number, and stops working for the one before. */
@@ -146,7 +148,7 @@ final class Proposer {
     votes.add(from);
     if (isMajority(votes.size())) {
       stop();
-      out.chosen(number, value);
+      chosen.accept(value, number);
     }
   }
 
@@ -191,7 +193,7 @@ final class Proposer {
         preparing ? new Prepare(number, ballot, wish) : new Accept(number, ballot, value);
     for (RobotId acceptor : acceptors) {
       if (!answered.contains(acceptor) && !refusals.contains(acceptor)) {
-        out.send(acceptor, question);
+        send.accept(acceptor, question);
       }
     }
   }

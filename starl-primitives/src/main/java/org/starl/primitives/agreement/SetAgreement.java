@@ -8,13 +8,12 @@ import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
-import org.starl.primitives.StarLPrimitive;
 
 /**
  * Agreement on one value, once. A robot that constructs it serves as an acceptor, if it is
  * one; {@link #propose} makes it work for a decision. Strand only.
  */
-public final class SetAgreement implements StarLPrimitive {
+public final class SetAgreement extends SynodPrimitive {
 
   /** The default time after which a proposal is given up, in ms. */
   public static final long DEFAULT_DEADLINE_MS = 30_000;
@@ -29,14 +28,11 @@ public final class SetAgreement implements StarLPrimitive {
   private static final String PRIMITIVE = "agreement";
   private static final long ONLY_NUMBER = 1;
 
-  private final GlobalVarHolder gvh;
-  private final String source;
   private final Participants acceptors;
   private final long deadlineMs;
   private final GvhCell<Decision> decided;
   private final GvhCell<Boolean> failed;
   private final Protocol protocol;
-  private final SynodWire wire;
 
   /** With all robots of the deployment as acceptors. */
   public SetAgreement(GlobalVarHolder gvh, String instance) {
@@ -52,16 +48,15 @@ public final class SetAgreement implements StarLPrimitive {
       Participants acceptors,
       SynodTiming timing,
       long deadlineMs) {
-    this.gvh = gvh;
+    super(
+        gvh,
+        PRIMITIVE + "/" + instance,
+        new Channel<>(PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish())));
     this.acceptors = acceptors;
     this.deadlineMs = deadlineMs;
-    Channel<SynodMessage> channel =
-        new Channel<>(PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish()));
-    source = channel.name();
     decided = gvh.variable(source, DECIDED, Decision.NONE_YET);
     failed = gvh.variable(source, FAILED, false);
     gvh.trace.action(source, ACCEPTORS, acceptors.asList().toArray());
-    wire = new SynodWire(gvh, channel);
     protocol = new Protocol(timing);
     wire.start(protocol, this::show);
   }
@@ -91,16 +86,6 @@ public final class SetAgreement implements StarLPrimitive {
   /** Whether the latest proposal was given up at its deadline. */
   public GvhVariable<Boolean> failed() {
     return failed;
-  }
-
-  @Override
-  public String source() {
-    return source;
-  }
-
-  @Override
-  public void close() {
-    wire.close();
   }
 
   /** Whether {@code source} is an agreement, as in {@code agreement/colour}. */

@@ -55,7 +55,7 @@ public final class Synod {
     this.link = link;
     this.listener = listener;
     this.acceptors = acceptors;
-    this.proposer = new Proposer(proposerId, acceptors, timing, rng, new ProposerOut());
+    this.proposer = new Proposer(proposerId, acceptors, timing, rng, link::send, this::chosen);
     this.acceptor = acceptors.contains(self) ? new Acceptor(restored(link.record()), link) : null;
     this.latest = acceptor == null ? null : acceptor.decided();
   }
@@ -185,16 +185,8 @@ public final class Synod {
     }
   }
 
-  private final class ProposerOut implements Proposer.Out {
-    @Override
-    public void send(RobotId to, SynodMessage message) {
-      link.send(to, message);
-    }
-
-    @Override
-    public void chosen(long number, Value value) {
-      listener.chosen(number, value);
-      learn(number, value);
-    }
+  private void chosen(Value value, long number) {
+    listener.chosen(number, value);
+    learn(number, value);
   }
 }

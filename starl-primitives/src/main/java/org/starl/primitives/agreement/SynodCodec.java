@@ -1,13 +1,10 @@
 package org.starl.primitives.agreement;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
-import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodMessage.Accept;
 import org.starl.primitives.agreement.SynodMessage.Accepted;
 import org.starl.primitives.agreement.SynodMessage.Decided;
@@ -27,6 +24,9 @@ public final class SynodCodec implements Codec<SynodMessage> {
   private static final int ACCEPTED = 5;
   private static final int DECIDED = 6;
   private static final int QUERY = 7;
+
+  /** Names the number of a decree in errors. */
+  static final String DECREE = "decree number";
 
   private final Format format;
 
@@ -99,10 +99,10 @@ public final class SynodCodec implements Codec<SynodMessage> {
   @Override
   public SynodMessage read(WireReader in) {
     int kind = in.u8();
-    long number = number(in, kind == QUERY ? 0 : 1);
+    long number = in.i64(kind == QUERY ? 0 : 1, DECREE);
     return switch (kind) {
       case PREPARE -> new Prepare(number, ballot(in), wish(in));
-      case PROMISE -> new Promise(number, ballot(in), vote(in), wishes(in));
+      case PROMISE -> new Promise(number, ballot(in), vote(in), in.list(in.u8(), this::wish));
       case NACK -> new Nack(number, ballot(in), ballot(in));
       case ACCEPT -> new Accept(number, ballot(in), checkedValue(in));
       case ACCEPTED -> new Accepted(number, ballot(in));
@@ -133,15 +133,6 @@ public final class SynodCodec implements Codec<SynodMessage> {
     return wish;
   }
 
-  private List<Value> wishes(WireReader in) {
-    int count = in.u8();
-    List<Value> wishes = new ArrayList<>(count);
-    for (int i = 0; i < count; i++) {
-      wishes.add(wish(in));
-    }
-    return wishes;
-  }
-
   static void vote(WireWriter out, @Nullable Vote vote) {
     out.bool(vote != null);
     if (vote != null) {
@@ -155,18 +146,8 @@ public final class SynodCodec implements Codec<SynodMessage> {
     out.process(ballot.proposer());
   }
 
-  static long number(WireReader in, long least) {
-    long number = in.i64();
-    if (number < least) {
-      throw new WireFormatException("decree number " + number);
-    }
-    return number;
-  }
-
   static Ballot ballot(WireReader in) {
-    long round = number(in, 1);
-    ProcessId proposer = in.process();
-    return new Ballot(round, proposer);
+    return new Ballot(in.i64(1, "round"), in.process());
   }
 
   static Value value(WireReader in) {

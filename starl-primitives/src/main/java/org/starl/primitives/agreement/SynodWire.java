@@ -11,7 +11,7 @@ import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.platform.Timer;
+import org.starl.platform.WakeTimer;
 
 /**
  * Connects a {@link SynodProtocol} to its robot: channels, stable storage, one timer. Strand only.
@@ -20,11 +20,10 @@ public final class SynodWire implements SynodLink {
 
   private final GlobalVarHolder gvh;
   private final String stableKey;
-  private final Timer timer;
+  private final WakeTimer timer;
   private final Endpoint<SynodMessage> endpoint;
   private final List<Endpoint<?>> endpoints = new ArrayList<>();
   private @Nullable Started started;
-  private long setForNs = Long.MAX_VALUE;
   private boolean closed;
 
   /**
@@ -34,7 +33,7 @@ public final class SynodWire implements SynodLink {
   public SynodWire(GlobalVarHolder gvh, Channel<SynodMessage> channel) {
     this.gvh = gvh;
     this.stableKey = "synod/" + channel.name(); // names may have dots, but no slash
-    this.timer = gvh.plat.timers.timer(this::expired);
+    this.timer = new WakeTimer(gvh.plat.timers, this::expired);
     this.endpoint =
         gvh.comms.open(
             channel, (from, m) -> input(nowNs -> started().protocol().received(from, m, nowNs)));
@@ -111,7 +110,7 @@ public final class SynodWire implements SynodLink {
   /** Stops sending and receiving. The acceptor's record remains. */
   public void close() {
     closed = true;
-    timer.cancel();
+    timer.set(WakeTimer.NEVER);
     endpoints.forEach(Endpoint::close);
   }
 
@@ -122,7 +121,6 @@ public final class SynodWire implements SynodLink {
   }
 
   private void expired() {
-    setForNs = Long.MAX_VALUE;
     input(nowNs -> started().protocol().timer(nowNs));
   }
 
@@ -136,15 +134,8 @@ public final class SynodWire implements SynodLink {
 
   private void settle() {
     started().settled().run();
-    long wakeAtNs = started().protocol().wakeAtNs();
-    if (closed || wakeAtNs == setForNs) {
-      return;
-    }
-    setForNs = wakeAtNs;
-    if (wakeAtNs == Long.MAX_VALUE) {
-      timer.cancel();
-    } else {
-      timer.set(wakeAtNs);
+    if (!closed) {
+      timer.set(started().protocol().wakeAtNs());
     }
   }
 }

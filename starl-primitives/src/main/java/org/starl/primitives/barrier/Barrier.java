@@ -13,7 +13,7 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
-import org.starl.primitives.agreement.SynodWire;
+import org.starl.primitives.agreement.SynodPrimitive;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
 
@@ -21,12 +21,9 @@ import org.starl.primitives.membership.View;
  * The barrier of one robot: {@link BarrierProtocol} on its gvh. A robot that constructs it votes, if it
  * is a member, and answers the others. Strand only.
  */
-public final class Barrier implements BarrierPrim {
+public final class Barrier extends SynodPrimitive implements BarrierPrim {
 
-  private final GlobalVarHolder gvh;
-  private final String source;
   private final Endpoint<BarrierMessage> endpoint;
-  private final SynodWire wire;
   private final BarrierProtocol protocol;
   private final GvhCell<BarrierOutcome> outcome;
 
@@ -69,14 +66,20 @@ public final class Barrier implements BarrierPrim {
 
   private Barrier(
       GlobalVarHolder gvh, String instance, ProcessId me, View group, BarrierSettings settings) {
-    this.gvh = gvh;
-    SortedSet<ProcessId> first = new TreeSet<>(group.ids());
-    BarrierCodec codec = new BarrierCodec(first);
-    Channel<BarrierMessage> channel = new Channel<>(BarrierTrace.PRIMITIVE, instance, codec);
-    source = channel.name();
-    gvh.requireFirstInstance(source);
+    this(gvh, instance, me, new TreeSet<>(group.ids()), settings);
+  }
+
+  private Barrier(
+      GlobalVarHolder gvh,
+      String instance,
+      ProcessId me,
+      SortedSet<ProcessId> first,
+      BarrierSettings settings) {
+    super(
+        gvh,
+        firstInstance(gvh, BarrierTrace.PRIMITIVE + "/" + instance),
+        new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(new BarrierCodec(first))));
     outcome = gvh.variable(source, BarrierTrace.OUTCOME, BarrierOutcome.NONE_YET);
-    wire = new SynodWire(gvh, new Channel<>(BarrierTrace.SYNOD, instance, new SynodCodec(codec)));
     protocol =
         new BarrierProtocol(
             me,
@@ -89,8 +92,17 @@ public final class Barrier implements BarrierPrim {
     List<Object> ids = new ArrayList<>(first);
     ids.add(0, me);
     gvh.trace.action(source, BarrierTrace.BARRIER, ids.toArray());
-    endpoint = wire.open(channel, BarrierMessage::from, protocol::received);
+    endpoint =
+        wire.open(
+            new Channel<>(BarrierTrace.PRIMITIVE, instance, new BarrierCodec(first)),
+            BarrierMessage::from,
+            protocol::received);
     wire.start(protocol, this::show);
+  }
+
+  private static String firstInstance(GlobalVarHolder gvh, String source) {
+    gvh.requireFirstInstance(source);
+    return source;
   }
 
   private static View registered(Membership membership) {
@@ -114,16 +126,6 @@ public final class Barrier implements BarrierPrim {
   @Override
   public long generation() {
     return protocol.generation();
-  }
-
-  @Override
-  public String source() {
-    return source;
-  }
-
-  @Override
-  public void close() {
-    wire.close();
   }
 
   private void send(RobotId to, BarrierMessage message) {

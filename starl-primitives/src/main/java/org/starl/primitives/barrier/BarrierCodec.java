@@ -61,10 +61,10 @@ final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
   public BarrierMessage read(WireReader in) {
     int kind = in.u8();
     ProcessId from = in.process();
-    long generation = generation(in);
+    long generation = in.i64(1, "generation");
     return switch (kind) {
       case ARRIVAL -> new Arrival(from, generation);
-      case HERE -> new Here(from, generation, in.bool(), generation(in));
+      case HERE -> new Here(from, generation, in.bool(), in.i64(1, "generation"));
       default -> throw new WireFormatException("barrier message of kind " + kind);
     };
   }
@@ -97,7 +97,7 @@ final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
     int count = in.u16();
     SortedSet<ProcessId> excluded = new TreeSet<>();
     for (int i = 0; i < count; i++) {
-      long generation = generation(in);
+      long generation = in.i64(1, "generation");
       SortedSet<ProcessId> ids = new TreeSet<>();
       int absent = in.u16();
       for (int j = 0; j < absent; j++) {
@@ -121,13 +121,5 @@ final class BarrierCodec implements Codec<BarrierMessage>, SynodCodec.Format {
       throw new WireFormatException("member " + place + " of " + first.size());
     }
     return first.get(place);
-  }
-
-  private static long generation(WireReader in) {
-    long generation = in.i64();
-    if (generation < 1) {
-      throw new WireFormatException("generation " + generation);
-    }
-    return generation;
   }
 }

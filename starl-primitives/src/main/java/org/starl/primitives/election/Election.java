@@ -9,19 +9,16 @@ import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
-import org.starl.primitives.agreement.SynodWire;
+import org.starl.primitives.agreement.SynodPrimitive;
 
 /**
  * The election of one robot: {@link ElectionProtocol} on its gvh. A robot that constructs it votes, if
  * it is a participant, and learns the leader; {@link #do_election} makes it a candidate. Strand only.
  */
-public final class Election implements ElectionPrim {
+public final class Election extends SynodPrimitive implements ElectionPrim {
 
-  private final GlobalVarHolder gvh;
-  private final String source;
   private final ProcessId me;
   private final Endpoint<ElectionMessage> endpoint;
-  private final SynodWire wire;
   private final ElectionProtocol protocol;
   private final GvhCell<Leader> leader;
   private final GvhCell<Boolean> failed;
@@ -43,14 +40,13 @@ public final class Election implements ElectionPrim {
 
   public Election(
       GlobalVarHolder gvh, String xid, Participants participants, ElectionSettings settings) {
-    this.gvh = gvh;
-    ElectionCodec codec = new ElectionCodec();
-    Channel<ElectionMessage> channel = new Channel<>(ElectionTrace.PRIMITIVE, xid, codec);
-    source = channel.name();
+    super(
+        gvh,
+        ElectionTrace.PRIMITIVE + "/" + xid,
+        new Channel<>(ElectionTrace.SYNOD, xid, new SynodCodec(new ElectionCodec())));
     leader = gvh.variable(source, ElectionTrace.LEADER, Leader.NONE);
     failed = gvh.variable(source, ElectionTrace.FAILED, false);
     me = gvh.id.freshProcess();
-    wire = new SynodWire(gvh, new Channel<>(ElectionTrace.SYNOD, xid, new SynodCodec(codec)));
     protocol =
         new ElectionProtocol(
             me,
@@ -61,7 +57,11 @@ public final class Election implements ElectionPrim {
             new Port(),
             gvh.plat.clock.nowNs());
     gvh.trace.action(source, ElectionTrace.ELECTION, participants.size(), me);
-    endpoint = wire.open(channel, ElectionMessage::from, protocol::received);
+    endpoint =
+        wire.open(
+            new Channel<>(ElectionTrace.PRIMITIVE, xid, new ElectionCodec()),
+            ElectionMessage::from,
+            protocol::received);
     wire.start(protocol, this::show);
   }
 
@@ -89,16 +89,6 @@ public final class Election implements ElectionPrim {
   /** Whether this robot knows that it is the leader. */
   public boolean isLeader() {
     return leader.get() instanceof Leader.Name name && name.id().equals(me);
-  }
-
-  @Override
-  public String source() {
-    return source;
-  }
-
-  @Override
-  public void close() {
-    wire.close();
   }
 
   private void show() {

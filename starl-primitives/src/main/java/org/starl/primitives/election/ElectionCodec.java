@@ -34,10 +34,7 @@ final class ElectionCodec implements Codec<ElectionMessage>, SynodCodec.Format {
   public ElectionMessage read(WireReader in) {
     int kind = in.u8();
     ProcessId from = in.process();
-    long term = in.i64();
-    if (term < 1) {
-      throw new WireFormatException("election term " + term);
-    }
+    long term = in.i64(1, "election term");
     return switch (kind) {
       case CANDIDACY -> new Candidacy(from, term, in.i64());
       case ELECTED -> new Elected(from, term, in.process());

@@ -70,9 +70,7 @@ public final class ElectionConformance extends Conformance<ElectionConformance.R
         long term = Long.parseLong(args.get(0));
         step(run, action, i, new ElectionAction.candidate(i, term), report);
       }
-      default -> {
-        // No action of the theory.
-      }
+      default -> {}
     }
   }
 

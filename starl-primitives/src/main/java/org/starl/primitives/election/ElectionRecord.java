@@ -14,7 +14,7 @@ import org.starl.trace.TraceEvent.Variable;
 /** One election, as {@link ElectionSpec} sees it in the trace. */
 final class ElectionRecord {
 
-  /** What a robot is and knows. */
+  /** The part and the knowledge of a robot. */
   enum Standing {
     /** It has not called {@code do_election}, or is down. */
     NO_CANDIDATE,

@@ -81,9 +81,7 @@ public final class ElectionSpec extends InstanceSpec<ElectionRecord> {
       case ElectionTrace.DO_ELECTION -> ballots.called(action.robot());
       case ElectionTrace.CANDIDATE ->
           ballots.stood(Long.parseLong(args.get(0)), ProcessId.parse(args.get(1)));
-      default -> {
-        // Not an action of this specification.
-      }
+      default -> {}
     }
   }
 

@@ -3,8 +3,6 @@ package org.starl.primitives.geocast;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Codec;
 import org.starl.geometry.Everywhere;
-import org.starl.gvh.GvhVariable;
-import org.starl.primitives.StarLPrimitive;
 
 /**
  * Messages to all other robots (paper, section 4.2: {@code BCast}): a geocast to the whole network.
@@ -12,9 +10,7 @@ import org.starl.primitives.StarLPrimitive;
  *
  * @param <T> the messages
  */
-public final class Broadcast<T> implements StarLPrimitive {
-
-  private final GeocastWire<T> wire;
+public final class Broadcast<T> extends GeocastWire<T> {
 
   /**
    * @param xid the instance: robots with equal ones receive each other's broadcasts, and no {@link
@@ -32,7 +28,7 @@ public final class Broadcast<T> implements StarLPrimitive {
       Codec<T> codec,
       GeocastHandler<T> handler,
       GeocastSettings settings) {
-    wire = new GeocastWire<>(gvh, GeocastTrace.BROADCAST, xid, codec, handler, settings);
+    super(gvh, GeocastTrace.BROADCAST, xid, codec, handler, settings);
   }
 
   /**
@@ -42,21 +38,6 @@ public final class Broadcast<T> implements StarLPrimitive {
    * @throws IllegalArgumentException if a copy does not fit a datagram
    */
   public GeocastReceipt BCast(T message, long dMs) {
-    return wire.start(GeocastTrace.B_CAST, message, new Everywhere(), dMs);
-  }
-
-  /** Whether this robot has started a broadcast, and all its broadcasts are complete. */
-  public GvhVariable<Boolean> Gcastflag() {
-    return wire.gcastflag();
-  }
-
-  @Override
-  public String source() {
-    return wire.source();
-  }
-
-  @Override
-  public void close() {
-    wire.close();
+    return start(GeocastTrace.B_CAST, message, new Everywhere(), dMs);
   }
 }

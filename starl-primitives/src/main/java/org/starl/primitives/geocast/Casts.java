@@ -82,9 +82,7 @@ final class Casts {
         active.values().forEach(cast -> cast.left(left.robot()));
         bodies.observe(left);
       }
-      default -> {
-        // Not used here.
-      }
+      default -> {}
     }
   }
 
@@ -103,9 +101,7 @@ final class Casts {
           follow(cast, action.robot(), action.timeNs(), listener);
         }
       }
-      default -> {
-        // Not used here.
-      }
+      default -> {}
     }
   }
 

@@ -4,8 +4,6 @@ import org.starl.GlobalVarHolder;
 import org.starl.comms.Codec;
 import org.starl.geometry.Circle;
 import org.starl.geometry.Region;
-import org.starl.gvh.GvhVariable;
-import org.starl.primitives.StarLPrimitive;
 
 /**
  * Messages to all other robots in an area (paper, section 4.2). The package's documentation is the
@@ -13,10 +11,9 @@ import org.starl.primitives.StarLPrimitive;
  *
  * @param <T> the messages
  */
-public final class Geocast<T> implements StarLPrimitive {
+public final class Geocast<T> extends GeocastWire<T> {
 
   private final GlobalVarHolder gvh;
-  private final GeocastWire<T> wire;
 
   /**
    * @param xid the instance: robots with equal ones receive each other's geocasts
@@ -33,8 +30,8 @@ public final class Geocast<T> implements StarLPrimitive {
       Codec<T> codec,
       GeocastHandler<T> handler,
       GeocastSettings settings) {
+    super(gvh, GeocastTrace.GEOCAST, xid, codec, handler, settings);
     this.gvh = gvh;
-    wire = new GeocastWire<>(gvh, GeocastTrace.GEOCAST, xid, codec, handler, settings);
   }
 
   /**
@@ -45,7 +42,7 @@ public final class Geocast<T> implements StarLPrimitive {
    * @throws IllegalArgumentException if a copy does not fit a datagram
    */
   public GeocastReceipt do_geocast(T message, Region area, long dMs) {
-    return wire.start(GeocastTrace.DO_GEOCAST, message, area, dMs);
+    return start(GeocastTrace.DO_GEOCAST, message, area, dMs);
   }
 
   /**
@@ -55,20 +52,5 @@ public final class Geocast<T> implements StarLPrimitive {
    */
   public Region neighbourhood(double radiusMm) {
     return new Circle(gvh.gps.pose().at(), radiusMm);
-  }
-
-  /** Whether this robot has started a geocast, and all its geocasts are complete. */
-  public GvhVariable<Boolean> Gcastflag() {
-    return wire.gcastflag();
-  }
-
-  @Override
-  public String source() {
-    return wire.source();
-  }
-
-  @Override
-  public void close() {
-    wire.close();
   }
 }

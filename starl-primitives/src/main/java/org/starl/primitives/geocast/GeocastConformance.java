@@ -100,9 +100,7 @@ public final class GeocastConformance extends Conformance<Replay<States, Geocast
         }
         step(action, new GeocastAction.deliver(action.args().get(0), i), replay, report);
       }
-      default -> {
-        // No action of the theory.
-      }
+      default -> {}
     }
   }
 

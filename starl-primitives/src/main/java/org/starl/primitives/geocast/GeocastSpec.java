@@ -77,9 +77,7 @@ public final class GeocastSpec extends LemmaMonitor {
       case Sent sent when GeocastTrace.isGeocast(sent.channel()) -> sent(sent);
       case Delivered delivered when GeocastTrace.isGeocast(delivered.channel()) ->
           reached(delivered);
-      default -> {
-        // Not checked here.
-      }
+      default -> {}
     }
   }
 
@@ -104,9 +102,7 @@ public final class GeocastSpec extends LemmaMonitor {
           cast.excuse(action.robot());
         }
       }
-      default -> {
-        // Not checked here.
-      }
+      default -> {}
     }
   }
 

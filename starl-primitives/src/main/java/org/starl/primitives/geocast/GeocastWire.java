@@ -15,21 +15,21 @@ import org.starl.gvh.GvhVariable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.motion.Location;
-import org.starl.platform.Timer;
+import org.starl.platform.WakeTimer;
+import org.starl.primitives.StarLPrimitive;
 
 /**
  * Connects a {@link GeocastProtocol} to its robot: channel, timer, position, trace. Strand only.
  */
-final class GeocastWire<T> {
+abstract class GeocastWire<T> implements StarLPrimitive {
 
   private final GlobalVarHolder gvh;
   private final String source;
   private final GeocastHandler<T> handler;
   private final GeocastProtocol<T> protocol;
   private final Endpoint<GeocastMessage<T>> endpoint;
-  private final Timer timer;
+  private final WakeTimer timer;
   private final GvhCell<Boolean> gcastflag;
-  private long setForNs = Long.MAX_VALUE;
   private boolean closed;
 
   GeocastWire(
@@ -46,7 +46,7 @@ final class GeocastWire<T> {
     source = channel.name();
     protocol = new GeocastProtocol<>(me, gvh.id.participants(), settings, new Port());
     gcastflag = gvh.variable(source, GeocastTrace.GCASTFLAG, false);
-    timer = gvh.plat.timers.timer(this::expired);
+    timer = new WakeTimer(gvh.plat.timers, this::expired);
     endpoint = gvh.comms.open(channel, this::received);
     gvh.trace.action(source, GeocastTrace.OPEN, me);
   }
@@ -54,7 +54,7 @@ final class GeocastWire<T> {
   /**
    * @param action the action's name in the trace
    */
-  GeocastReceipt start(String action, T message, Region area, long dMs) {
+  final GeocastReceipt start(String action, T message, Region area, long dMs) {
     if (closed) {
       throw new IllegalStateException(source + " is closed");
     }
@@ -70,17 +70,20 @@ final class GeocastWire<T> {
     return receipt;
   }
 
-  GvhVariable<Boolean> gcastflag() {
+  /** Whether this robot has sent a message in this instance, and the sending of all is complete. */
+  public final GvhVariable<Boolean> Gcastflag() {
     return gcastflag;
   }
 
-  String source() {
+  @Override
+  public final String source() {
     return source;
   }
 
-  void close() {
+  @Override
+  public final void close() {
     closed = true;
-    timer.cancel();
+    timer.set(WakeTimer.NEVER);
     endpoint.close();
   }
 
@@ -90,22 +93,14 @@ final class GeocastWire<T> {
   }
 
   private void expired() {
-    setForNs = Long.MAX_VALUE;
     protocol.timer(gvh.plat.clock.nowNs());
     settled();
   }
 
   private void settled() {
     gcastflag.set(protocol.isComplete());
-    long wakeAtNs = protocol.wakeAtNs();
-    if (closed || wakeAtNs == setForNs) {
-      return;
-    }
-    setForNs = wakeAtNs;
-    if (wakeAtNs == Long.MAX_VALUE) {
-      timer.cancel();
-    } else {
-      timer.set(wakeAtNs);
+    if (!closed) {
+      timer.set(protocol.wakeAtNs());
     }
   }
 

@@ -1,7 +1,5 @@
 package org.starl.primitives.geocast;
 
-import java.util.ArrayList;
-import java.util.List;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
@@ -80,28 +78,10 @@ public final class RegionCodec implements Codec<Region> {
       case EVERYWHERE -> new Everywhere();
       case CIRCLE -> new Circle(point(in), in.f64());
       case RECTANGLE -> new Rectangle(in.f64(), in.f64(), in.f64(), in.f64());
-      case POLYGON -> new Polygon(points(in));
-      case UNION -> new Union(parts(in));
+      case POLYGON -> new Polygon(in.list(in.u16(), RegionCodec::point));
+      case UNION -> new Union(in.list(in.u16(), RegionCodec::readAny));
       default -> throw new WireFormatException("region of kind " + tag);
     };
-  }
-
-  private static List<Point> points(WireReader in) {
-    int n = in.u16();
-    List<Point> points = new ArrayList<>();
-    for (int i = 0; i < n; i++) {
-      points.add(point(in));
-    }
-    return points;
-  }
-
-  private static List<Region> parts(WireReader in) {
-    int n = in.u16();
-    List<Region> parts = new ArrayList<>();
-    for (int i = 0; i < n; i++) {
-      parts.add(readAny(in));
-    }
-    return parts;
   }
 
   private static void point(Point point, WireWriter out) {

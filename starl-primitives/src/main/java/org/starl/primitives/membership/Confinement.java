@@ -81,15 +81,6 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
     return new Confinement(who, sections, fencers);
   }
 
-  /** How many bytes {@link #write} takes. */
-  public int bytes() {
-    int bytes = bytes(who) + Sections.bytes(sections) + 1;
-    for (ProcessId fencer : fencers) {
-      bytes += bytes(fencer);
-    }
-    return bytes;
-  }
-
   /** As arguments of a trace's action: who, sections, fencers. */
   public List<String> args() {
     List<String> names = new ArrayList<>();
@@ -111,9 +102,5 @@ public record Confinement(ProcessId who, SortedSet<String> sections, SortedSet<P
       Arrays.stream(args.get(2).split(" ", -1)).map(ProcessId::parse).forEach(fencers::add);
     }
     return new Confinement(ProcessId.parse(args.get(0)), Sections.parse(args.get(1)), fencers);
-  }
-
-  private static int bytes(ProcessId id) {
-    return 1 + id.robot().name().length() + Long.BYTES;
   }
 }

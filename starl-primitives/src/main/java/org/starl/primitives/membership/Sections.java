@@ -100,15 +100,6 @@ public final class Sections {
     return Collections.unmodifiableSortedSet(names);
   }
 
-  /** How many bytes {@link #write} takes. */
-  public static int bytes(SortedSet<String> names) {
-    int bytes = 1;
-    for (String name : names) {
-      bytes += 1 + name.length();
-    }
-    return bytes;
-  }
-
   private static boolean isValid(String name) {
     return !name.isEmpty()
         && name.length() <= MAX_LENGTH

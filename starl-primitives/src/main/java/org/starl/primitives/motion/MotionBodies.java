@@ -115,9 +115,7 @@ final class MotionBodies {
       }
       case Fault fault when fault.name().equals(Fault.CRASH) ->
           end(fault.robot(), fault.timeNs(), path);
-      default -> {
-        // Not used here.
-      }
+      default -> {}
     }
   }
 
@@ -140,9 +138,7 @@ final class MotionBodies {
           motion.saidErrorMm = Double.parseDouble(args.get(2));
         }
       }
-      default -> {
-        // Not used here.
-      }
+      default -> {}
     }
   }
 

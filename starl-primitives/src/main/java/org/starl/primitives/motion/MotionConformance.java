@@ -112,9 +112,7 @@ public final class MotionConformance extends Conformance<Replay<States, MotionCo
       }
       case MotionTrace.MOTION_STOP ->
           replay().step(action, new MotionControlAction.motion_stop(i), report);
-      default -> {
-        // No action of the theory.
-      }
+      default -> {}
     }
   }
 

@@ -87,9 +87,7 @@ public final class MotionSpec extends LemmaMonitor {
       case Variable variable when MotionTrace.isFlag(variable) -> flagged(variable, report);
       case Joined joined -> startOf(joined.robot(), joined.timeNs());
       case Fault fault -> failing(fault);
-      default -> {
-        // Not checked here.
-      }
+      default -> {}
     }
   }
 
@@ -108,9 +106,7 @@ public final class MotionSpec extends LemmaMonitor {
           failed(motion, action.args().get(0), action.timeNs(), report);
         }
       }
-      default -> {
-        // Not checked here.
-      }
+      default -> {}
     }
   }
 
@@ -230,9 +226,7 @@ public final class MotionSpec extends LemmaMonitor {
           bodies.motions().values().forEach(motion -> extendDeadline(motion, fault.timeNs()));
         }
       }
-      default -> {
-        // Not checked here.
-      }
+      default -> {}
     }
   }
 

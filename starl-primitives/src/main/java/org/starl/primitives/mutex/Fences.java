@@ -34,30 +34,6 @@ final class Fences {
 
   private static final long MAX_PAUSE_NS = 16 * ROUND_NS;
 
-  /** The participant that owns these fences. */
-  interface Owner {
-
-    ProcessId me();
-
-    View view();
-
-    /** The participants whose answers a request needs now. */
-    SortedSet<ProcessId> known();
-
-    /** Whether {@code suspect}, admitted by that view, needs this participant's consent. */
-    boolean hasSayOver(ProcessId suspect, long admittedBy);
-
-    /** The part of {@code suspect}'s newest request that it may still hold with this consent. */
-    SortedSet<String> open(ProcessId suspect);
-
-    /** Grants nothing to {@code suspect} from now on. */
-    void fenced(ProcessId suspect);
-
-    void send(MutexMessage message);
-
-    void propose(Confinement confinement);
-  }
-
   /** One suspect that is still in the view. */
   private static final class Case {
     final long admittedBy;
@@ -72,13 +48,15 @@ final class Fences {
     }
   }
 
-  private final Owner owner;
+  private final MutexProtocol owner;
+  private final MutexEffects effects;
   private final Rng rng;
   private final Set<ProcessId> fenced = new TreeSet<>();
   private final Map<ProcessId, Case> cases = new TreeMap<>();
 
-  Fences(Owner owner, Rng rng) {
+  Fences(MutexProtocol owner, MutexEffects effects, Rng rng) {
     this.owner = owner;
+    this.effects = effects;
     this.rng = rng;
   }
 
@@ -104,7 +82,7 @@ final class Fences {
   void asked(FenceQ question, long nowNs) {
     ProcessId suspect = question.suspect();
     if (fence(suspect, question.admittedBy())) {
-      owner.send(new Fence(owner.me(), question.from(), suspect, owner.open(suspect)));
+      effects.send(new Fence(owner.me(), question.from(), suspect, owner.open(suspect)));
       // At random and later than the asking one, so that not all propose at once.
       long firstNs = nowNs + 3 * ROUND_NS + rng.nextLong(0, 2 * ROUND_NS);
       if (!isRemoved(suspect, question.admittedBy())) {
@@ -134,7 +112,7 @@ final class Fences {
     }
   }
 
-  /** Reacts to a new view, or to news about a ghost. */
+  /** Reacts to a new view, or to a message about a ghost. */
   void look() {
     cases.entrySet().removeIf(entry -> isRemoved(entry.getKey(), entry.getValue().admittedBy));
     owner.view().ghosts().forEach(this::shrink);
@@ -172,7 +150,7 @@ final class Fences {
     fence(suspect, open.admittedBy);
     for (ProcessId other : owner.known()) {
       if (!other.equals(suspect)) {
-        owner.send(new FenceQ(owner.me(), other, suspect, open.admittedBy));
+        effects.send(new FenceQ(owner.me(), other, suspect, open.admittedBy));
       }
     }
     if (owner.known().equals(Set.of(suspect))) {
@@ -199,14 +177,14 @@ final class Fences {
     answers.values().stream()
         .reduce(Sections::common)
         .ifPresent(bound ->
-            owner.propose(new Confinement(suspect, bound, new TreeSet<>(answers.keySet()))));
+            effects.propose(new Confinement(suspect, bound, new TreeSet<>(answers.keySet()))));
   }
 
   /** Proposes a smaller bound for a ghost, if this participant knows one. */
   private void shrink(ProcessId suspect, View.Ghost ghost) {
     SortedSet<String> open = owner.open(suspect);
     if (!open.containsAll(ghost.sections()) && fence(suspect, ghost.admittedBy())) {
-      owner.propose(new Confinement(suspect, open, new TreeSet<>(Set.of(owner.me()))));
+      effects.propose(new Confinement(suspect, open, new TreeSet<>(Set.of(owner.me()))));
     }
   }
 

@@ -20,7 +20,7 @@ import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.platform.Timer;
+import org.starl.platform.WakeTimer;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
@@ -45,7 +45,7 @@ public final class M_Mutex implements MutexPrim {
   private final Rng rng;
   private final String source;
   private final Endpoint<MutexMessage> endpoint;
-  private final Timer timer;
+  private final WakeTimer timer;
   private final GvhCell<Boolean> crit;
   private final GvhCell<Boolean> failed;
   private final GvhCell<MutexFailure> failure;
@@ -56,7 +56,6 @@ public final class M_Mutex implements MutexPrim {
   private final Map<ProcessId, Set<ProcessId>> retired = new TreeMap<>();
   // Calls to the membership, which may call back: they run after the protocol's step.
   private final Queue<Runnable> membershipCalls = new ArrayDeque<>();
-  private long scheduledNs = Long.MAX_VALUE;
   private boolean closed;
 
   /** Creates a mutex among all robots of the deployment; see the constructor with a list. */
@@ -95,7 +94,7 @@ public final class M_Mutex implements MutexPrim {
     crit = gvh.variable(source, "crit", false);
     failed = gvh.variable(source, "failed", false);
     failure = gvh.variable(source, "failure", MutexFailure.NONE);
-    timer = gvh.plat.timers.timer(this::timerExpired);
+    timer = new WakeTimer(gvh.plat.timers, this::timerExpired);
     rng = gvh.plat.entropy.fork(source);
     membership.join(this::leave);
     current = participant(membership.me());
@@ -212,7 +211,7 @@ public final class M_Mutex implements MutexPrim {
     if (!closed) {
       withdraw();
       closed = true;
-      timer.cancel();
+      timer.set(WakeTimer.NEVER);
       endpoint.close();
     }
   }
@@ -295,7 +294,6 @@ public final class M_Mutex implements MutexPrim {
   }
 
   private void timerExpired() {
-    scheduledNs = Long.MAX_VALUE;
     current.timer(gvh.plat.clock.nowNs());
     settle();
   }
@@ -305,20 +303,7 @@ public final class M_Mutex implements MutexPrim {
     while (!membershipCalls.isEmpty()) {
       membershipCalls.remove().run();
     }
-    schedule();
-  }
-
-  private void schedule() {
-    long atNs = current.nextTimerNs();
-    if (atNs == scheduledNs) {
-      return; // the common case
-    }
-    scheduledNs = atNs;
-    if (atNs == Long.MAX_VALUE) {
-      timer.cancel();
-    } else {
-      timer.set(atNs);
-    }
+    timer.set(current.nextTimerNs());
   }
 
   private void requireOpen() {

@@ -71,7 +71,7 @@ final class MutexCodec implements Codec<MutexMessage> {
       case REQ -> {
         long num = num(in);
         long admittedBy = admittedBy(in);
-        long ts = positive(in.i64(), "logical time");
+        long ts = in.i64(1, "logical time");
         if (ts > MAX_TS) {
           throw new WireFormatException("logical time " + ts);
         }
@@ -106,17 +106,10 @@ final class MutexCodec implements Codec<MutexMessage> {
   }
 
   private static long num(WireReader in) {
-    return positive(in.i64(), "request number");
+    return in.i64(1, "request number");
   }
 
   private static long admittedBy(WireReader in) {
-    return positive(in.i64(), "view number");
-  }
-
-  private static long positive(long value, String what) {
-    if (value <= 0) {
-      throw new WireFormatException(what + " " + value);
-    }
-    return value;
+    return in.i64(1, "view number");
   }
 }

@@ -58,9 +58,7 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
       case Fault fault when fault.name().equals(Fault.RESTART) -> restart(fault, report);
       case TraceEvent.Left left -> gone.add(left.robot());
       case TraceEvent.Joined joined when gone.remove(joined.robot()) -> restart(joined, report);
-      default -> {
-        // No action of the theory.
-      }
+      default -> {}
     }
   }
 
@@ -100,9 +98,7 @@ public final class MutexConformance extends Conformance<Replay<States, MutexActi
       }
       case MutexEvent.StandsIn e ->
           replay.step(event, new MutexAction.stands_in(i, e.sections()), report);
-      default -> {
-        // Not of access.
-      }
+      default -> {}
     }
   }
 }

@@ -71,8 +71,8 @@ final class MutexProgress {
     expire(undisturbed, NON_INTERFERENCE, nowNs, report);
   }
 
-  private static void expire(Within<Request> debts, String lemma, long nowNs, Report report) {
-    debts.expire(
+  private static void expire(Within<Request> deadlines, String lemma, long nowNs, Report report) {
+    deadlines.expire(
         nowNs,
         (request, sinceNs, deadlineNs) -> {
           report.checked(lemma);
@@ -80,7 +80,10 @@ final class MutexProgress {
               lemma,
               deadlineNs,
               List.of(request.who.robot()),
-              request + " has no access " + debts.boundNs() / NS_PER_MS + " ms after it was due");
+              request
+                  + " has no access "
+                  + deadlines.boundNs() / NS_PER_MS
+                  + " ms after it was due");
         });
   }
 

@@ -6,7 +6,6 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.comms.LamportClock;
 import org.starl.id.ProcessId;
-import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexMessage.Fence;
@@ -31,7 +30,7 @@ import org.starl.random.Rng;
  * younger has a view that lists the elder, and asks it; the elder learns of the younger by its
  * request, and asks back.
  */
-class MutexProtocol implements Fences.Owner {
+class MutexProtocol {
 
   /** The phase of the latest request. */
   enum Phase {
@@ -72,12 +71,11 @@ class MutexProtocol implements Fences.Owner {
     this.clock = self.clock();
     this.canConfine = self.canConfine();
     this.effects = effects;
-    this.fences = new Fences(this, self.rng());
+    this.fences = new Fences(this, effects, self.rng());
     this.timers = new RequestTimers(self.times());
   }
 
-  @Override
-  public ProcessId me() {
+  ProcessId me() {
     return me;
   }
 
@@ -85,8 +83,7 @@ class MutexProtocol implements Fences.Owner {
     return phase;
   }
 
-  @Override
-  public View view() {
+  View view() {
     return view;
   }
 
@@ -125,14 +122,12 @@ class MutexProtocol implements Fences.Owner {
    * The part of {@code peer}'s newest request that this process granted and that {@code peer} may
    * still hold.
    */
-  @Override
-  public SortedSet<String> open(ProcessId peer) {
+  SortedSet<String> open(ProcessId peer) {
     return peers.open(peer);
   }
 
   /** The participants whose answers a request needs now. */
-  @Override
-  public SortedSet<ProcessId> known() {
+  SortedSet<ProcessId> known() {
     TreeSet<ProcessId> all = new TreeSet<>(view.admitted().keySet());
     all.addAll(heard.keySet());
     all.remove(me);
@@ -348,8 +343,7 @@ class MutexProtocol implements Fences.Owner {
    * Whether {@code suspect} needs my consent to enter: every view that lists it also lists me, or
    * it has sent me a request.
    */
-  @Override
-  public boolean hasSayOver(ProcessId suspect, long itsAdmittedBy) {
+  boolean hasSayOver(ProcessId suspect, long itsAdmittedBy) {
     return mayRequest() && (admittedBy <= itsAdmittedBy || peers.hasAsked(suspect));
   }
 
@@ -478,21 +472,9 @@ class MutexProtocol implements Fences.Owner {
     return me + " " + phase + " " + want + " in view " + view.number();
   }
 
-  // ------------------------------------------------------ what its fences do
-
-  @Override
-  public final void fenced(ProcessId suspect) {
+  /** Grants nothing to {@code suspect} from now on. */
+  final void fenced(ProcessId suspect) {
     peers.dropPending(suspect);
     effects.fenced(suspect, peers.open(suspect));
-  }
-
-  @Override
-  public final void send(MutexMessage message) {
-    effects.send(message);
-  }
-
-  @Override
-  public final void propose(Confinement confinement) {
-    effects.propose(confinement);
   }
 }

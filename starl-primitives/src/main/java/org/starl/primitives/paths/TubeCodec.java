@@ -1,7 +1,6 @@
 package org.starl.primitives.paths;
 
 import java.util.ArrayList;
-import java.util.Arrays;
 import java.util.List;
 import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
@@ -15,7 +14,6 @@ final class TubeCodec implements Codec<TubeMessage> {
   private static final int ASK = 1;
   private static final int VOTE = 2;
   private static final int REFUSE = 3;
-  private static final int MAX_BYTES = 1024;
 
   @Override
   public void write(TubeMessage message, WireWriter out) {
@@ -42,29 +40,25 @@ final class TubeCodec implements Codec<TubeMessage> {
     int kind = in.u8();
     return switch (kind) {
       case ASK -> new TubeMessage.Ask(holding(in));
-      case VOTE -> new TubeMessage.Vote(version(in));
-      case REFUSE -> new TubeMessage.Refuse(version(in), in.robot(), holding(in));
+      case VOTE -> new TubeMessage.Vote(in.i64(0, "version"));
+      case REFUSE -> new TubeMessage.Refuse(in.i64(0, "version"), in.robot(), holding(in));
       default -> throw new WireFormatException("tube message of kind " + kind);
     };
   }
 
   /** Encodes a holding and a flag for stable storage. */
   static byte[] toBytes(Holding holding, boolean flag) {
-    byte[] buffer = new byte[MAX_BYTES];
-    WireWriter out = new WireWriter(buffer);
-    out.bool(flag);
-    holding(holding, out);
-    return Arrays.copyOf(buffer, out.length());
+    return WireWriter.toBytes(out -> {
+      out.bool(flag);
+      holding(holding, out);
+    });
   }
 
-  static boolean flag(byte[] stored) {
-    return new WireReader(stored).bool();
-  }
-
-  static Holding holding(byte[] stored) {
+  /** Decodes what {@link #toBytes} encoded. */
+  static TubeVoter.Note note(byte[] stored) {
     WireReader in = new WireReader(stored);
-    in.bool();
-    return holding(in);
+    boolean voted = in.bool();
+    return new TubeVoter.Note(holding(in), voted);
   }
 
   private static void holding(Holding holding, WireWriter out) {
@@ -74,7 +68,7 @@ final class TubeCodec implements Codec<TubeMessage> {
   }
 
   private static Holding holding(WireReader in) {
-    return new Holding(version(in), tubes(in, Holding.MAX_TUBES), tubes(in, 1));
+    return new Holding(in.i64(0, "version"), tubes(in, Holding.MAX_TUBES), tubes(in, 1));
   }
 
   private static void tubes(List<Tube> tubes, WireWriter out) {
@@ -117,13 +111,5 @@ final class TubeCodec implements Codec<TubeMessage> {
       throw new WireFormatException("coordinate " + mm);
     }
     return mm;
-  }
-
-  private static long version(WireReader in) {
-    long version = in.i64();
-    if (version < 0) {
-      throw new WireFormatException("version " + version);
-    }
-    return version;
   }
 }

@@ -17,8 +17,8 @@ final class TubeStore {
 
   /** The held tubes and, before the first grant, the disc at the robot's place; null if none. */
   @Nullable Holding own() {
-    byte[] stored = stable.get(prefix + "own");
-    return stored == null ? null : TubeCodec.holding(stored);
+    TubeVoter.Note stored = read(prefix + "own");
+    return stored == null ? null : stored.holding();
   }
 
   void putOwn(Holding holding, Runnable flushed) {
@@ -26,10 +26,12 @@ final class TubeStore {
   }
 
   TubeVoter.@Nullable Note note(RobotId about) {
-    byte[] stored = stable.get(key(about));
-    return stored == null
-        ? null
-        : new TubeVoter.Note(TubeCodec.holding(stored), TubeCodec.flag(stored));
+    return read(key(about));
+  }
+
+  private TubeVoter.@Nullable Note read(String key) {
+    byte[] stored = stable.get(key);
+    return stored == null ? null : TubeCodec.note(stored);
   }
 
   void putNote(RobotId about, TubeVoter.Note note, Runnable flushed) {

@@ -5,6 +5,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.Value;
 import org.starl.primitives.membership.Confinement;
@@ -49,7 +50,7 @@ record Change(@Nullable ProcessId join, List<ProcessId> leave, List<Confinement>
       List<Confinement> fitting = new ArrayList<>();
       int bytes = out.length() + 1;
       for (Confinement each : confine) {
-        bytes += each.bytes();
+        bytes += WireWriter.toBytes(each::write).length;
         if (bytes <= MAX_WISH_BYTES) {
           fitting.add(each);
         }
@@ -66,16 +67,7 @@ record Change(@Nullable ProcessId join, List<ProcessId> leave, List<Confinement>
 
   private static Change read(WireReader in) {
     ProcessId join = in.bool() ? in.process() : null;
-    int count = in.u8();
-    List<ProcessId> leave = new ArrayList<>(count);
-    for (int i = 0; i < count; i++) {
-      leave.add(in.process());
-    }
-    count = in.u8();
-    List<Confinement> confine = new ArrayList<>(count);
-    for (int i = 0; i < count; i++) {
-      confine.add(Confinement.read(in));
-    }
-    return new Change(join, leave, confine);
+    List<ProcessId> leave = in.list(in.u8(), WireReader::process);
+    return new Change(join, leave, in.list(in.u8(), Confinement::read));
   }
 }

@@ -13,7 +13,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodMessage;
-import org.starl.primitives.agreement.SynodWire;
+import org.starl.primitives.agreement.SynodPrimitive;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.View;
@@ -22,11 +22,8 @@ import org.starl.primitives.membership.View;
  * The registration of one robot: {@link RegPrim} for its app, {@link Membership} for the mutex. A robot
  * that constructs it serves as an acceptor, if it is one, whether it registers or not. Strand only.
  */
-public final class Registration implements RegPrim, Membership {
+public final class Registration extends SynodPrimitive implements RegPrim, Membership {
 
-  private final GlobalVarHolder gvh;
-  private final String source;
-  private final SynodWire wire;
   private final RegistrationProtocol protocol;
   private final GvhCell<RList> rList;
   private final GvhCell<Boolean> failed;
@@ -51,15 +48,14 @@ public final class Registration implements RegPrim, Membership {
 
   public Registration(
       GlobalVarHolder gvh, String xid, Participants acceptors, RegistrationSettings settings) {
-    this.gvh = gvh;
-    Channel<SynodMessage> channel =
-        new Channel<>(RegistrationTrace.PRIMITIVE, xid, new SynodCodec(new ViewFormat()));
-    source = channel.name();
+    super(
+        gvh,
+        RegistrationTrace.PRIMITIVE + "/" + xid,
+        new Channel<>(RegistrationTrace.PRIMITIVE, xid, new SynodCodec(new ViewFormat())));
     rList = gvh.variable(source, RegistrationTrace.R_LIST, RList.UNKNOWN);
     failed = gvh.variable(source, RegistrationTrace.FAILED, false);
     view = gvh.variable(source, RegistrationTrace.VIEW, View.NONE);
     gvh.trace.action(source, RegistrationTrace.ACCEPTORS, acceptors.asList().toArray());
-    wire = new SynodWire(gvh, channel);
     protocol =
         new RegistrationProtocol(
             gvh.id.name(),
@@ -167,16 +163,6 @@ public final class Registration implements RegPrim, Membership {
     wire.call(protocol::refresh);
   }
 
-  @Override
-  public String source() {
-    return source;
-  }
-
-  @Override
-  public void close() {
-    wire.close();
-  }
-
   private void show() {
     boolean changed =
         protocol.view().number() != view.get().number()
@@ -206,23 +192,8 @@ public final class Registration implements RegPrim, Membership {
     }
 
     @Override
-    public void register(ProcessId id) {
-      gvh.trace.action(source, RegistrationTrace.DO_REGISTER, id);
-    }
-
-    @Override
-    public void unregister(ProcessId id) {
-      gvh.trace.action(source, RegistrationTrace.UNREGISTER, id);
-    }
-
-    @Override
-    public void confine(Confinement confinement) {
-      gvh.trace.action(source, RegistrationTrace.CONFINE, confinement.args().toArray());
-    }
-
-    @Override
-    public void giveUp(ProcessId id) {
-      gvh.trace.action(source, RegistrationTrace.GIVE_UP, id);
+    public void trace(String action, Object... args) {
+      gvh.trace.action(source, action, args);
     }
   }
 }

@@ -73,9 +73,7 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
           run.step(action, new RegistrationAction.confine(confinement.who()), report);
         }
       }
-      default -> {
-        // No action of the theory.
-      }
+      default -> {}
     }
   }
 
@@ -85,9 +83,7 @@ public final class RegistrationConformance extends Conformance<RegistrationRun> 
     switch (variable.name()) {
       case RegistrationTrace.VIEW -> run.saw(variable, View.parse(variable.value()), report);
       case RegistrationTrace.R_LIST -> run.showed(variable, report);
-      default -> {
-        // No action of the theory.
-      }
+      default -> {}
     }
   }
 

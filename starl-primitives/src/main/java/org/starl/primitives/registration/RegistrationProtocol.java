@@ -112,7 +112,7 @@ class RegistrationProtocol extends SynodProtocol {
     nowNs = now;
     requireMayUnregister();
     if (phase != Phase.LEFT_HALFWAY) {
-      port.unregister(me);
+      port.trace(RegistrationTrace.UNREGISTER, me);
     }
     failed = false;
     if (evicted && !view.mentions(me)) {
@@ -142,7 +142,7 @@ class RegistrationProtocol extends SynodProtocol {
   void markIdle(ProcessId id, long now) {
     nowNs = now;
     if (pending.markIdle(id)) {
-      port.giveUp(id);
+      port.trace(RegistrationTrace.GIVE_UP, id);
     }
     if (id.equals(me) && phase == Phase.IN) {
       onEvicted();
@@ -290,7 +290,7 @@ class RegistrationProtocol extends SynodProtocol {
     } else if (phase == Phase.JOINING && skippedFrom > 0 && learned.number() > skippedFrom) {
       // A view that this robot never saw may have admitted it, and a later one may have removed it.
       pending.markIdle(me);
-      port.giveUp(me);
+      port.trace(RegistrationTrace.GIVE_UP, me);
       takeFreshId();
     } else if ((phase == Phase.LEAVING || phase == Phase.LEFT_HALFWAY) && !learned.mentions(me)) {
       // Perhaps after the deadline: the app need not ask again.
@@ -307,7 +307,7 @@ class RegistrationProtocol extends SynodProtocol {
     failed = true;
     if (phase == Phase.JOINING) {
       pending.markIdle(me);
-      port.giveUp(me);
+      port.trace(RegistrationTrace.GIVE_UP, me);
       me = freshProcess();
       askedIn = 0;
       settle(Phase.OUT);
@@ -342,7 +342,7 @@ class RegistrationProtocol extends SynodProtocol {
   private void takeFreshId() {
     me = freshProcess();
     askedIn = 0;
-    port.register(me);
+    port.trace(RegistrationTrace.DO_REGISTER, me);
   }
 
   private ProcessId freshProcess() {

@@ -33,16 +33,8 @@ final class RegistrationRun {
   }
 
   /** A list that a robot has shown before the lists of all lower numbers are decided. */
-  private static final class Early {
-    private final TraceEvent event;
-    private final SortedSet<ProcessId> list;
-    private final List<Consumer<Report>> waiting = new ArrayList<>();
-
-    Early(TraceEvent event, SortedSet<ProcessId> list) {
-      this.event = event;
-      this.list = list;
-    }
-  }
+  private record Early(
+      TraceEvent event, SortedSet<ProcessId> list, List<Consumer<Report>> waiting) {}
 
   private final Replay<States, RegistrationAction> replay;
   private final Map<RobotId, Program> programs = new TreeMap<>();
@@ -93,7 +85,7 @@ final class RegistrationRun {
     SortedSet<ProcessId> list =
         Collections.unmodifiableSortedSet(new TreeSet<>(view.admitted().keySet()));
     if (view.number() > replay.state().number() && !replay.hasDeviated()) {
-      early.computeIfAbsent(view.number(), number -> new Early(event, list));
+      early.computeIfAbsent(view.number(), number -> new Early(event, list, new ArrayList<>()));
       decide(report);
       if (early.size() > KEPT_VIEWS) {
         fillOne(report);

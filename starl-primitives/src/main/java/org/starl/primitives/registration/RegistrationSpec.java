@@ -81,9 +81,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
           history.mayBeConfined(action.robot(), Confinement.parse(action.args()));
       case RegistrationTrace.UNREGISTER, RegistrationTrace.GIVE_UP ->
           history.mayLeave(action.robot(), id(action));
-      default -> {
-        // Not an action of this specification.
-      }
+      default -> {}
     }
   }
 
@@ -109,9 +107,7 @@ public final class RegistrationSpec extends InstanceSpec<ViewHistory> {
           progress.stop(key);
         }
       }
-      default -> {
-        // Not a variable of this specification.
-      }
+      default -> {}
     }
   }
 

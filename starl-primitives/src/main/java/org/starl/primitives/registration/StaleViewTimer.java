@@ -13,7 +13,7 @@ import org.starl.random.Rng;
  */
 final class StaleViewTimer {
 
-  /** What is due. */
+  /** The action that is due. */
   enum Due {
     NOTHING,
     ASK,

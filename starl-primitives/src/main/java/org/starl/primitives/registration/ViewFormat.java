@@ -5,6 +5,7 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
+import org.starl.comms.WireWriter;
 import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.Value;
@@ -37,34 +38,29 @@ final class ViewFormat implements SynodCodec.Format {
     return bytes(view) <= Value.MAX_BYTES - ROOM_FOR_GHOSTS;
   }
 
-  private static long bytes(View view) {
-    long bytes = 1 + 2 * Short.BYTES;
-    for (ProcessId id : view.mentioned()) {
-      bytes += 1 + id.robot().name().length() + Long.BYTES + Long.BYTES;
-    }
-    for (View.Ghost ghost : view.ghosts().values()) {
-      bytes += Sections.bytes(ghost.sections());
-    }
-    return bytes;
+  private static int bytes(View view) {
+    return WireWriter.toBytes(out -> write(view, out)).length;
   }
 
   static Value toValue(View view) {
-    return Value.write(out -> {
-      out.u8(FORMAT);
-      out.u16(view.admitted().size());
-      view.admitted()
-          .forEach((id, by) -> {
-            out.process(id);
-            out.i64(by);
-          });
-      out.u16(view.ghosts().size());
-      view.ghosts()
-          .forEach((id, ghost) -> {
-            out.process(id);
-            out.i64(ghost.admittedBy());
-            Sections.write(ghost.sections(), out);
-          });
-    });
+    return Value.write(out -> write(view, out));
+  }
+
+  private static void write(View view, WireWriter out) {
+    out.u8(FORMAT);
+    out.u16(view.admitted().size());
+    view.admitted()
+        .forEach((id, by) -> {
+          out.process(id);
+          out.i64(by);
+        });
+    out.u16(view.ghosts().size());
+    view.ghosts()
+        .forEach((id, ghost) -> {
+          out.process(id);
+          out.i64(ghost.admittedBy());
+          Sections.write(ghost.sections(), out);
+        });
   }
 
   /** Throws {@link WireFormatException} on what {@link #toValue} cannot have written. */

@@ -40,17 +40,8 @@ class ProposerTest {
           Participants.of(A, B, C),
           SynodTiming.DEFAULT,
           new Rng(1),
-          new Proposer.Out() {
-            @Override
-            public void send(RobotId to, SynodMessage message) {
-              sent.add(new Sent(to, message));
-            }
-
-            @Override
-            public void chosen(long number, Value value) {
-              chosen = value;
-            }
-          });
+          (to, message) -> sent.add(new Sent(to, message)),
+          (value, number) -> chosen = value);
 
   @Test
   void aRefusalAndSilenceLeadToAHigherBallot() {

@@ -58,8 +58,7 @@ class TubeCodecTest {
     TubeMessage message = new TubeMessage.Refuse(Long.MAX_VALUE, longest, full);
     assertThat(bytes(message).length).isLessThan(Radio.MAX_BYTES - 150);
     byte[] stored = TubeCodec.toBytes(full, true);
-    assertThat(TubeCodec.holding(stored)).isEqualTo(full);
-    assertThat(TubeCodec.flag(stored)).isTrue();
+    assertThat(TubeCodec.note(stored)).isEqualTo(new TubeVoter.Note(full, true));
   }
 
   @Test

@@ -4,6 +4,7 @@ import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
@@ -154,7 +155,7 @@ final class TownRobot {
     Program(int itsBoot, byte @Nullable [] record) {
       this.itsBoot = itsBoot;
       this.record = record;
-      trace("view", View.NONE.toString());
+      show("view", View.NONE.toString());
       protocol =
           town.maker.make(
               name,
@@ -178,15 +179,15 @@ final class TownRobot {
     void settled() {
       if (shownView.number() != protocol.view().number()) {
         shownView = protocol.view();
-        trace("view", shownView.toString());
+        show("view", shownView.toString());
       }
       if (!shownList.equals(protocol.rList())) {
         shownList = protocol.rList();
-        trace("rList", shownList.toString());
+        show("rList", shownList.toString());
       }
       if (shownFailed != protocol.hasFailed()) {
         shownFailed = protocol.hasFailed();
-        trace("failed", String.valueOf(shownFailed));
+        show("failed", String.valueOf(shownFailed));
       }
       long wakeAtNs = protocol.wakeAtNs();
       if (wakeAtNs != timerSetForNs) {
@@ -282,32 +283,12 @@ final class TownRobot {
     }
 
     @Override
-    public void register(ProcessId id) {
-      action("do_register", id);
+    public void trace(String action, Object... args) {
+      List<String> texts = Stream.of(args).map(String::valueOf).toList();
+      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, action, texts));
     }
 
-    @Override
-    public void unregister(ProcessId id) {
-      action("unregister", id);
-    }
-
-    @Override
-    public void confine(Confinement confinement) {
-      List<String> args = confinement.args();
-      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, "confine", args));
-    }
-
-    @Override
-    public void giveUp(ProcessId id) {
-      action("give_up", id);
-    }
-
-    private void action(String verb, ProcessId id) {
-      List<String> args = List.of(id.toString());
-      town.record(new TraceEvent.Action(town.nowNs(), name, Town.SOURCE, verb, args));
-    }
-
-    private void trace(String variable, String value) {
+    private void show(String variable, String value) {
       town.record(new TraceEvent.Variable(town.nowNs(), name, Town.SOURCE, variable, value));
     }
   }

@@ -1,0 +1,33 @@
+package org.starl.primitives.agreement;
+
+import org.starl.GlobalVarHolder;
+import org.starl.comms.Channel;
+import org.starl.primitives.StarLPrimitive;
+
+/** A primitive that decides by a {@link Synod}. */
+public abstract class SynodPrimitive implements StarLPrimitive {
+
+  protected final GlobalVarHolder gvh;
+  protected final String source;
+  protected final SynodWire wire;
+
+  /**
+   * @param source the instance's name in the trace
+   * @param channel of the Synod's messages
+   */
+  protected SynodPrimitive(GlobalVarHolder gvh, String source, Channel<SynodMessage> channel) {
+    this.gvh = gvh;
+    this.source = source;
+    this.wire = new SynodWire(gvh, channel);
+  }
+
+  @Override
+  public final String source() {
+    return source;
+  }
+
+  @Override
+  public final void close() {
+    wire.close();
+  }
+}
