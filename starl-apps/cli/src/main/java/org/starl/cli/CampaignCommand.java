@@ -26,6 +26,7 @@ import org.starl.sim.check.CampaignResult;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.check.RunOutcome.Verdict;
 import org.starl.sim.kernel.CarrierKind;
+import org.starl.time.Time;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -202,7 +203,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       rows.put("  " + verdict.name().toLowerCase(Locale.ROOT), "" + result.count(verdict));
     }
     rows.put("robots finished", Long.toString(totals.completed()));
-    totals.counts().forEach((what, count) -> rows.put(what, Long.toString(count)));
+    totals.counts().forEach((name, count) -> rows.put(name, Long.toString(count)));
     for (int percent : WAITS) {
       rows.put("wait, " + name(percent), Outcome.seconds(totals.waitNs(percent)));
     }
@@ -241,9 +242,9 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
       summary.put(verdict.name().toLowerCase(Locale.ROOT), result.count(verdict));
     }
     summary.put("completed", totals.completed());
-    totals.counts().forEach((what, count) -> summary.put(what.replaceAll("[: ]+", "_"), count));
+    totals.counts().forEach((name, count) -> summary.put(name.replaceAll("[: ]+", "_"), count));
     for (int percent : WAITS) {
-      summary.put("wait_p" + percent + "_s", totals.waitNs(percent) / 1e9);
+      summary.put("wait_p" + percent + "_s", Time.seconds(totals.waitNs(percent)));
     }
     for (String figure : result.figures()) {
       summary.put(figure + "_p50", result.percentile(figure, 50));

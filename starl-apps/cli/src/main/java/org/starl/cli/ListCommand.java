@@ -44,14 +44,14 @@ final class ListCommand extends BaseCommand implements Runnable {
    * @param of the app of a scenario or parameter; else empty
    * @param defaultValue of a parameter or setting; else empty
    */
-  private record Item(String kind, String of, String name, String defaultValue, String what) {
+  private record Item(String kind, String of, String name, String defaultValue, String meaning) {
 
     String line() {
       return switch (kind) {
-        case "app", "primitive", "bench" -> kind + " " + name + ": " + what;
-        case "scenario" -> "  scenario " + name + ": " + what;
-        case "fault", "envelope" -> "  " + name + "  " + what;
-        default -> "  " + name + "=" + defaultValue + "  " + what;
+        case "app", "primitive", "bench" -> kind + " " + name + ": " + meaning;
+        case "scenario" -> "  scenario " + name + ": " + meaning;
+        case "fault", "envelope" -> "  " + name + "  " + meaning;
+        default -> "  " + name + "=" + defaultValue + "  " + meaning;
       };
     }
 
@@ -65,7 +65,7 @@ final class ListCommand extends BaseCommand implements Runnable {
       if (kind.equals("parameter") || kind.equals("setting")) {
         json.put("default", defaultValue);
       }
-      json.put("what", what);
+      json.put("what", meaning);
       return json;
     }
   }

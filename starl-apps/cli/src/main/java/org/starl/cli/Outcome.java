@@ -64,7 +64,7 @@ final class Outcome {
     json.put("completed", measures.completed());
     json.putAll(measures.figures());
     json.put("unfinished", result.unfinished().stream().map(Object::toString).toList());
-    measures.counts().forEach((what, count) -> json.put(what.replaceAll("[: ]+", "_"), count));
+    measures.counts().forEach((name, count) -> json.put(name.replaceAll("[: ]+", "_"), count));
     json.put("datagrams", result.network().sent());
     json.put("lost", result.network().lost());
     Map<String, Object> checks = new LinkedHashMap<>();

@@ -125,11 +125,11 @@ final class ProcessOptions {
     TimeRange at = fault.span().at();
     long atNs = rng.nextLong(at.leastNs(), at.mostNs());
     List<Kill> kills = new ArrayList<>();
-    for (RobotId who : effect.robots().named()) {
-      if (!robots.contains(who)) {
+    for (RobotId robot : effect.robots().named()) {
+      if (!robots.contains(robot)) {
         throw new BadInput(fault + ": expected one of " + robots);
       }
-      kills.add(new Kill(who, null, atNs));
+      kills.add(new Kill(robot, null, atNs));
     }
     return kills;
   }

@@ -64,7 +64,7 @@ final class ProcessOutcome {
     }
     return result.deaths().stream()
         .map(death -> death.robot().name())
-        .collect(Collectors.joining(" and ", "it waits for what ", " may still hold"));
+        .collect(Collectors.joining(" and ", "it waits for zones that ", " may still hold"));
   }
 
   static Map<String, Object> json(String app, LaunchResult result, Measures measures) {

@@ -3,6 +3,7 @@ package org.starl.cli;
 import java.io.PrintWriter;
 import java.util.Locale;
 import java.util.function.LongSupplier;
+import org.starl.time.Time;
 import picocli.CommandLine.Help.Ansi;
 
 /**
@@ -13,14 +14,13 @@ final class ProgressLine {
 
   private static final int BAR_WIDTH = 30;
   private static final int PLAIN_LINES = 10;
-  private static final double NS_PER_S = 1e9;
-  private static final long REDRAW_NS = 100_000_000;
+  private static final long REDRAW_NS = 100 * Time.NS_PER_MS;
 
   /** Earlier, the rate would mostly measure the warm-up of the JVM. */
-  private static final long RATE_FROM_NS = 2_000_000_000;
+  private static final long RATE_FROM_NS = 2 * Time.NS_PER_S;
 
   private final PrintWriter err;
-  private final String what;
+  private final String units;
   private final boolean isTerminal;
   private final LongSupplier wallNs;
   private final long startNs;
@@ -29,18 +29,18 @@ final class ProgressLine {
   private int drawnWidth;
 
   /**
-   * @param what the units of work, in the plural: {@code runs}
+   * @param units the units of work, in the plural: {@code runs}
    */
-  ProgressLine(PrintWriter err, String what) {
-    this(err, what, Ansi.AUTO.enabled(), System::nanoTime);
+  ProgressLine(PrintWriter err, String units) {
+    this(err, units, Ansi.AUTO.enabled(), System::nanoTime);
   }
 
   /**
    * @param wallNs the wall clock
    */
-  ProgressLine(PrintWriter err, String what, boolean isTerminal, LongSupplier wallNs) {
+  ProgressLine(PrintWriter err, String units, boolean isTerminal, LongSupplier wallNs) {
     this.err = err;
-    this.what = what;
+    this.units = units;
     this.isTerminal = isTerminal;
     this.wallNs = wallNs;
     startNs = wallNs.getAsLong();
@@ -99,12 +99,12 @@ final class ProgressLine {
   }
 
   private String text(long finished, long planned, String rest, long nowNs) {
-    String text = finished + " of " + planned + " " + what + rest;
+    String text = finished + " of " + planned + " " + units + rest;
     long elapsedNs = nowNs - startNs;
     if (finished == 0 || elapsedNs < RATE_FROM_NS) {
       return text;
     }
-    double perS = finished * NS_PER_S / elapsedNs;
+    double perS = finished / Time.seconds(elapsedNs);
     String rate = rate(perS);
     return finished == planned
         ? text + "; " + rate

@@ -143,14 +143,14 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       String app, long seed, Plan plan, Function<SimObserver, SimResult> show, String replay) {}
 
   private Source source() {
-    return TraceFile.isTrace(options.what()) ? ofTrace() : ofSimulation();
+    return TraceFile.isTrace(options.name()) ? ofTrace() : ofSimulation();
   }
 
   /** The trace must be complete, so that no file of a broken trace is written. */
   private Source ofTrace() {
-    options.requireNoneFor(options.what());
-    seed.requireNoneFor(options.what());
-    TraceFile trace = TraceFile.open(options.what(), demos());
+    options.requireNoneFor(options.name());
+    seed.requireNoneFor(options.name());
+    TraceFile trace = TraceFile.open(options.name(), demos());
     trace.requireWhole();
     return new Source(
         trace.header().scenario(),

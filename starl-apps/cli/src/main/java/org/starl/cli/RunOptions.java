@@ -21,7 +21,7 @@ final class RunOptions {
       description =
           "An app or a primitive ('starl list' names them), or a scenario file. 'starl record' also"
               + " takes a trace.")
-  private String what = "";
+  private String name = "";
 
   @Option(
       names = "--fault",
@@ -110,8 +110,8 @@ final class RunOptions {
   }
 
   /** The app, primitive or file, as the user wrote it. */
-  String what() {
-    return what;
+  String name() {
+    return name;
   }
 
   /**
@@ -134,11 +134,11 @@ final class RunOptions {
    * Options replace the file's values, {@code --set} replaces other options; {@code --fault} adds
    * to the file's faults.
    *
-   * @throws BadInput naming the option or the file's line, the value and what was expected
+   * @throws BadInput naming the option or the file's line, the value and the expected form
    */
   RunRequest request(Demos demos) {
-    boolean isFile = ScenarioFile.isScenario(what);
-    ScenarioFile file = isFile ? ScenarioFile.read(what) : ScenarioFile.ofApp(what);
+    boolean isFile = ScenarioFile.isScenario(name);
+    ScenarioFile file = isFile ? ScenarioFile.read(name) : ScenarioFile.ofApp(name);
     RunRequest.Builder request = file.request(demos);
     faults.forEach(request::fault);
     given.forEach((setting, text) -> request.set(option(setting) + ": ", setting.key(), text));

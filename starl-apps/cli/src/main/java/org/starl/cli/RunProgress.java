@@ -4,6 +4,7 @@ import java.io.PrintWriter;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 
 /**
@@ -12,8 +13,7 @@ import org.starl.trace.TraceEvent;
  */
 final class RunProgress implements SimObserver {
 
-  private static final long NS_PER_S = 1_000_000_000;
-  private static final long QUIET_NS = 2 * NS_PER_S;
+  private static final long QUIET_NS = 2 * Time.NS_PER_S;
 
   /** Reading the clock costs as much as a small event. */
   private static final int CHECK_EVERY = 512;
@@ -24,7 +24,7 @@ final class RunProgress implements SimObserver {
 
   RunProgress(ProgressLine line, long endNs) {
     this.line = line;
-    plannedS = Math.max(1, endNs / NS_PER_S);
+    plannedS = Math.max(1, endNs / Time.NS_PER_S);
   }
 
   /** The progress of the run that {@code simulation} will build. */
@@ -39,7 +39,7 @@ final class RunProgress implements SimObserver {
   public void observed(TraceEvent event) {
     events++;
     if (events % CHECK_EVERY == 0 && line.elapsedNs() >= QUIET_NS) {
-      line.show(Math.min(event.timeNs() / NS_PER_S, plannedS), plannedS);
+      line.show(Math.min(event.timeNs() / Time.NS_PER_S, plannedS), plannedS);
     }
   }
 

@@ -167,7 +167,7 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
      * Sets a setting or a parameter.
      *
      * @param where the place of the value, for errors: {@code --set: }, {@code my.yaml:3: }
-     * @throws BadInput naming {@code where}, the key, the value and what was expected
+     * @throws BadInput naming {@code where}, the key, the value and the expected form
      */
     Builder set(String where, String key, String value) {
       if (parameters.containsKey(key)) {

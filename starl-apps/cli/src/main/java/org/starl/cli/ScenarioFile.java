@@ -36,8 +36,8 @@ record ScenarioFile(
   private static final String EXPECTED =
       "expected a scenario file with lines such as 'app: intersection'";
 
-  static boolean isScenario(String what) {
-    return what.endsWith(".yaml") || what.endsWith(".yml");
+  static boolean isScenario(String name) {
+    return name.endsWith(".yaml") || name.endsWith(".yml");
   }
 
   static ScenarioFile ofApp(String app) {
@@ -52,7 +52,7 @@ record ScenarioFile(
   /**
    * The request of this file, for an app of {@code demos}.
    *
-   * @throws BadInput naming the file's line, the key, the value and what was expected
+   * @throws BadInput naming the file's line, the key, the value and the expected form
    */
   RunRequest.Builder request(Demos demos) {
     String hint = file.isEmpty() ? " (a scenario file's name ends in .yaml)" : "";

@@ -18,6 +18,7 @@ import org.starl.sim.check.Trial;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.kernel.CarrierKind;
+import org.starl.time.Time;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
@@ -65,7 +66,7 @@ final class Shrinking {
       Map<String, Object> json = new LinkedHashMap<>();
       json.put("robots", result.trial().robots());
       json.put("faults", result.trial().faults().stream().map(Object::toString).toList());
-      json.put("for_s", result.trial().endNs() / 1e9);
+      json.put("for_s", Time.seconds(result.trial().endNs()));
       json.put("runs", result.runs());
       json.put("bad", result.outcome().detail());
       json.put("replay", command());

@@ -55,7 +55,7 @@ final class SimulatedCreateCommand extends BaseCommand implements Runnable {
   @Override
   public void run() {
     PrintWriter out = out();
-    Line chosen = Objects.requireNonNull(line);
+    Line port = Objects.requireNonNull(line);
     try (CreateHost host =
         CreateHost.start(
             "create",
@@ -63,7 +63,7 @@ final class SimulatedCreateCommand extends BaseCommand implements Runnable {
             new OpenFloor(out),
             new RealClock(),
             end -> out.println("line ended: " + end.getMessage()))) {
-      out.println(model + " at " + open(host, chosen));
+      out.println(model + " at " + open(host, port));
       out.flush();
       Thread.currentThread().join();
     } catch (IOException e) {

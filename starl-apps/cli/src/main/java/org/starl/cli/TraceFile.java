@@ -44,14 +44,14 @@ final class TraceFile {
     this.request = request;
   }
 
-  /** Whether {@code what} names a trace, not an app or a scenario file. */
-  static boolean isTrace(String what) {
-    return what.endsWith(".trace") || (!ScenarioFile.isScenario(what) && isFile(what));
+  /** Whether {@code name} is that of a trace, not an app or a scenario file. */
+  static boolean isTrace(String name) {
+    return name.endsWith(".trace") || (!ScenarioFile.isScenario(name) && isFile(name));
   }
 
-  private static boolean isFile(String what) {
+  private static boolean isFile(String name) {
     try {
-      return what.contains(".") && Files.isRegularFile(Path.of(what));
+      return name.contains(".") && Files.isRegularFile(Path.of(name));
     } catch (InvalidPathException e) {
       return false;
     }

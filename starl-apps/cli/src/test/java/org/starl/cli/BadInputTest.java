@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
-/** Bad input: one line that says what, where and what was expected; exit 2; nothing else. */
+/** Bad input: one line with the place, the value and the expected form; exit 2; nothing else. */
 class BadInputTest {
 
   private static final String BAD_ARGUMENTS =
@@ -90,7 +90,7 @@ class BadInputTest {
       campaign intersection --seeds a..b | 'a..b' | expected A..B
       campaign intersection --seeds -1..4 | '-1..4' | expected A..B
       campaign intersection --seeds 0..2147483648 | expected A..B
-      campaign intersection --seeds 0..2147483647 | expected at most 10000000 seeds
+      campaign intersection --seeds 0..2147483647 | at most 10000000 seeds
       campaign intersection --seeds 1..4 --threads 0 | --threads | from 1 to 1024
       campaign intersection --seeds 1..4 --robots 13 | robots: 13 | expected 1 to 12 cars
       record intersection --png noon | --png | 'noon' | expected t=TIME

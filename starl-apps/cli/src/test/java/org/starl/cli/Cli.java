@@ -6,7 +6,7 @@ import java.util.List;
 import org.starl.apps.Demos;
 
 /**
- * What a command line printed, and how it ended.
+ * The output of a command line, and its exit status.
  *
  * @param out lines on standard output
  * @param err lines on standard error

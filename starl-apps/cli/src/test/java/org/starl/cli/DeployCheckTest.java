@@ -38,7 +38,7 @@ class DeployCheckTest {
         bot3: {chassis: {kind: create, port: /dev/ttyUSB1}}
       """;
 
-  /** What to replace in {@link #GOOD}, and parts of the message. */
+  /** The replacement in {@link #GOOD}, and parts of the message. */
   private static final String BAD =
       """
       app: intersection | app: crossroads | :1: | 'crossroads' | expected one of

@@ -30,7 +30,7 @@ import org.starl.launch.DeploymentFile;
 import org.starl.robot.file.Deployment;
 import org.starl.robot.file.DeploymentFormat;
 
-/** What an editor takes in a deployment file is what {@code deploy check} takes. */
+/** Editors and {@code deploy check} accept the same deployment files. */
 class DeploymentSchemaTest {
 
   private static final Path ROOT = Path.of("..", "..");
@@ -180,7 +180,7 @@ class DeploymentSchemaTest {
     }
     Map<String, Object> create =
         map("kind", "create", "model", "create1", "port", "/dev/ttyUSB0", "baud", "9600");
-    // Whose world has no cameras that speak JSON.
+    // Its world has no cameras that send JSON.
     if (!kind.equals("json")) {
       create.put("simulatedAt", "tcp:h:4001");
     }
@@ -195,7 +195,7 @@ class DeploymentSchemaTest {
     return map;
   }
 
-  // Whoever stands above a line is such a map.
+  // The line above an indented line is such a mapping.
   @SuppressWarnings("unchecked")
   private static Map<String, Object> at(Map<String, Object> file, List<String> path) {
     Map<String, Object> here = file;
@@ -295,7 +295,7 @@ class DeploymentSchemaTest {
     return spot.field().key().equals("app");
   }
 
-  /** Whether YAML takes for a number what the field wants as a text: only quotes make it one. */
+  /** Whether YAML reads the text of a field as a number: quotes prevent that. */
   private static boolean isUnquoted(Spot spot, String yaml) throws IOException {
     JsonNode node = YAML.readTree(yaml);
     for (String key : spot.place().path()) {
@@ -311,7 +311,7 @@ class DeploymentSchemaTest {
   void schemaAndReaderRequireTheSameFields(Spot spot) throws IOException {
     Map<String, Object> file = full(spot.place().kind());
     at(file, spot.place().path()).remove(spot.field().key());
-    // What no field knows of: the two lines below need each other.
+    // No field describes this: the two lines below need each other.
     boolean isKeyOfBroadcasts = spot.field().key().equals("key");
     boolean isWorldOfSimulated = spot.field().key().equals("world");
 

@@ -109,7 +109,7 @@ class FaultsTest {
 
   @Test
   void theReplayCommandCarriesThem() {
-    // Nobody comes anywhere on wheels that are stuck for good.
+    // No robot arrives on wheels that are stuck forever.
     Cli cli =
         Cli.run(
             "campaign",

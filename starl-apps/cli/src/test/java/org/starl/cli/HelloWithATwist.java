@@ -7,7 +7,7 @@ import org.starl.apps.hello.HelloDemo;
 import org.starl.sim.SimSettings;
 import org.starl.sim.fault.Envelope;
 
-/** Hello under another name, whose plan a test changes. */
+/** Hello under another name, with a plan that a test changes. */
 abstract class HelloWithATwist implements Demo {
   private final Demo hello = new HelloDemo();
   private final String name;
@@ -18,7 +18,7 @@ abstract class HelloWithATwist implements Demo {
     this.summary = summary;
   }
 
-  /** What is run in place of hello's own. */
+  /** The plan to run instead of hello's own. */
   abstract Plan twist(Plan plan, Request request);
 
   @Override

@@ -16,7 +16,7 @@ import org.starl.apps.Scenario;
 import org.starl.bench.Workload;
 import org.starl.sim.Setting;
 
-/** What tells a person what there is, and the commands with small jobs. */
+/** Help, {@code list}, and small commands. */
 class HelpTest {
 
   @ParameterizedTest

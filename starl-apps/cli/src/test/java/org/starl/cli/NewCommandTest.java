@@ -22,7 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What {@code starl new} writes compiles, passes its test, and keeps what its README says. */
+/** A project of {@code starl new} compiles, passes its test, and does as its README says. */
 @Tag("long")
 class NewCommandTest {
 

@@ -81,7 +81,7 @@ class ProcessesTest {
         List.of(
             "intersection", "--seed", "1", "--robots", "2", "--loss", "0.2", "--set", "debris=0");
     Plan plan = plan();
-    SimulationPlan blueprint = plan.simulation().build().plan();
+    SimulationPlan simulation = plan.simulation().build().plan();
     LaunchSettings settings =
         new LaunchSettings(
             1,
@@ -90,18 +90,18 @@ class ProcessesTest {
                 Kill.parse("bot1@app.location=MOVE_WAIT+2500ms")),
             Duration.ofSeconds(200),
             Duration.ofSeconds(3));
-    List<String> told = new ArrayList<>();
+    List<String> lines = new ArrayList<>();
     LaunchResult result;
     try (Launcher launcher =
-        new Launcher(blueprint, ProcessOptions.command(words), settings, told::add)) {
+        new Launcher(simulation, ProcessOptions.command(words), settings, lines::add)) {
       result = launcher.run();
     }
-    assertThat(result.isGood()).as("%s %s", result, told).isTrue();
+    assertThat(result.isGood()).as("%s %s", result, lines).isTrue();
     assertThat(result.deaths()).hasSize(1);
     assertThat(result.run().unfinished()).hasSize(1);
     assertThat(result.run().spec().checks("traffic_safety")).isGreaterThan(100);
     assertThat(ProcessOutcome.lines(result))
-        .anyMatch(line -> line.contains("is alive but not finished: it waits for what bot"))
+        .anyMatch(line -> line.contains("is alive but not finished: it waits for zones that bot"))
         .anyMatch(line -> line.startsWith("safe: "));
     assertThat(plan.story().lines()).anyMatch(line -> line.contains(", still waits for ["));
     assertThat(plan.story().lines()).anyMatch(line -> line.contains(", crashed at "));

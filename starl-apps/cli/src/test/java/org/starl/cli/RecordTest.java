@@ -14,7 +14,7 @@ import javax.imageio.stream.ImageInputStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** {@code starl record}: what it writes is what others read. */
+/** {@code starl record}: other programs read its files. */
 class RecordTest {
 
   @TempDir private Path folder;

@@ -27,7 +27,7 @@ class ReplayTest {
   @TempDir private Path folder;
   private Path trace;
 
-  /** Hello, in which nobody may drive. */
+  /** Hello, with a specification that no robot drives. */
   private static final class Strict extends HelloWithATwist {
     Strict() {
       super("strict", "hello that must stand still");
@@ -244,7 +244,7 @@ class ReplayTest {
   }
 
   /** Watches a run from its beginning, does something every 2 s of it, and stops it in the end. */
-  private static void meddle(TraceFile with, Path into, List<String> faults) throws Exception {
+  private static void intervene(TraceFile with, Path into, List<String> faults) throws Exception {
     Plan plan = with.plan();
     Recording recording = new Recording(plan.obstacles(), plan.layer());
     try (TraceRecorder recorder = new TraceRecorder(Files.newOutputStream(into));
@@ -272,7 +272,7 @@ class ReplayTest {
     words.addAll(List.of(run));
     words.addAll(List.of("--trace", plain.toString(), "--png", png));
     assertThat(Cli.run(words.toArray(String[]::new)).status()).isZero();
-    Path meddled = folder.resolve("meddled.trace");
+    Path changed = folder.resolve("changed.trace");
     List<String> faults =
         List.of(
             "crash(bot1,restart=3s)",
@@ -281,9 +281,9 @@ class ReplayTest {
             "partition(bot0+bot1|bot2+bot3,for=2s)",
             "block(any,for=3s)",
             "flood(bot3,5ms,for=1s)");
-    meddle(TraceFile.open(plain.toString(), Main.ALL), meddled, faults);
-    assertThat(meddled).content().contains("\"kind\":\"intervention\"", "\"name\":\"stop\"");
-    Cli replayed = Cli.run("replay", meddled.toString(), "--headless");
+    intervene(TraceFile.open(plain.toString(), Main.ALL), changed, faults);
+    assertThat(changed).content().contains("\"kind\":\"intervention\"", "\"name\":\"stop\"");
+    Cli replayed = Cli.run("replay", changed.toString(), "--headless");
     assertThat(replayed.out().get(replayed.out().size() - 1)).startsWith("equal: ");
     assertThat(replayed.status()).isZero();
   }

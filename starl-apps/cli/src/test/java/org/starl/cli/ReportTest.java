@@ -31,18 +31,18 @@ import org.w3c.dom.Element;
 /** {@code starl campaign --report}. */
 class ReportTest {
 
-  /** What would run, or break the page, if it were not escaped. */
+  /** A text that runs as a script, or breaks the page, unless it is escaped. */
   private static final String HOSTILE =
       "<script>alert(1)</script><img src=x onerror=alert(2)>\"' onload='x' &amp; ]]> --> </title>";
 
-  private static final Demos FOUL = new Demos(List.of(new Foul()));
+  private static final Demos HOSTILE_APP = new Demos(List.of(new Hostile()));
 
   @TempDir private Path folder;
 
-  /** Hello whose runs go wrong in every way, as their seeds say, and that says it foully. */
-  private static final class Foul extends HelloWithATwist {
-    Foul() {
-      super("foul<b>", HOSTILE);
+  /** Hello with runs that fail in every way, by seed, and with hostile texts. */
+  private static final class Hostile extends HelloWithATwist {
+    Hostile() {
+      super("hostile<b>", HOSTILE);
     }
 
     @Override
@@ -63,35 +63,35 @@ class ReportTest {
         }
       }
       return new Plan(
-          plan.simulation(), new FoulStory(plan.story()), plan.layer(), plan.obstacles());
+          plan.simulation(), new HostileStory(plan.story()), plan.layer(), plan.obstacles());
     }
 
-    private static void throwing(Plan plan, Throwable what) {
+    private static void throwing(Plan plan, Throwable error) {
       plan.simulation()
           .director(control ->
               control.at(
                   1_000_000_000,
                   () -> {
-                    if (what instanceof Error error) {
-                      throw error;
+                    if (error instanceof Error fatal) {
+                      throw fatal;
                     }
-                    throw (RuntimeException) what;
+                    throw (RuntimeException) error;
                   }));
     }
   }
 
-  /** The story of hello, and foul words. */
-  private static final class FoulStory implements Story {
+  /** The story of hello, and hostile texts. */
+  private static final class HostileStory implements Story {
     private final Story hello;
 
-    FoulStory(Story hello) {
+    HostileStory(Story hello) {
       this.hello = hello;
     }
 
     @Override
     public List<String> lines() {
       List<String> lines = new ArrayList<>(hello.lines());
-      lines.add("told: " + HOSTILE);
+      lines.add("reported: " + HOSTILE);
       return lines;
     }
 
@@ -116,7 +116,7 @@ class ReportTest {
 
     @Override
     public String description(String lemma) {
-      return "nobody drives " + HOSTILE;
+      return "no robot drives " + HOSTILE;
     }
 
     @Override
@@ -147,12 +147,12 @@ class ReportTest {
 
   @Test
   void hostileTextsAreShownEscaped() throws Exception {
-    Cli cli = campaign(FOUL, "foul<b>", "1..3", "--set", "why=" + HOSTILE);
+    Cli cli = campaign(HOSTILE_APP, "hostile<b>", "1..3", "--set", "why=" + HOSTILE);
     assertThat(cli.status()).isEqualTo(1);
     String text = Files.readString(file());
     Document page = Parsed.page(text);
     assertThat(Parsed.elements(page, "script")).hasSize(1);
-    assertThat(Parsed.elements(page, "title").get(0).getTextContent()).startsWith("foul<b>: ");
+    assertThat(Parsed.elements(page, "title").get(0).getTextContent()).startsWith("hostile<b>: ");
     for (Element element : Parsed.elements(page, "*")) {
       for (int i = 0; i < element.getAttributes().getLength(); i++) {
         String name = element.getAttributes().item(i).getNodeName();
@@ -169,8 +169,8 @@ class ReportTest {
     assertThat(page.getDocumentElement().getTextContent())
         .contains("why=" + HOSTILE)
         .contains("drives " + HOSTILE)
-        .contains("says: nobody drives " + HOSTILE)
-        .contains("told: " + HOSTILE)
+        .contains("says: no robot drives " + HOSTILE)
+        .contains("reported: " + HOSTILE)
         .contains("Times of " + HOSTILE)
         .contains("Sizes of " + HOSTILE)
         .contains("IllegalStateException: " + HOSTILE);
@@ -178,7 +178,7 @@ class ReportTest {
 
   @Test
   void badRunsHaveStoryPicturesAndReplay() throws Exception {
-    campaign(FOUL, "foul<b>", "1..7");
+    campaign(HOSTILE_APP, "hostile<b>", "1..7");
     Document page = Parsed.page(Files.readString(file()));
     List<Element> articles = Parsed.elements(page, "article");
     assertThat(articles)
@@ -186,7 +186,7 @@ class ReportTest {
         .containsExactly("seed1", "seed2", "seed3", "seed6", "seed7");
     for (Element article : articles) {
       String seed = article.getAttribute("id").substring("seed".length());
-      assertThat(article.getTextContent()).contains("./starl run 'foul<b>' --seed " + seed);
+      assertThat(article.getTextContent()).contains("./starl run 'hostile<b>' --seed " + seed);
       assertThat(article.getElementsByTagName("img").getLength()).isPositive();
       boolean isThrown = Integer.parseInt(seed) % 5 == 2;
       assertThat(article.getElementsByTagName("ol").getLength()).isEqualTo(isThrown ? 0 : 1);
@@ -225,9 +225,9 @@ class ReportTest {
 
   @Test
   void theSameCampaignMakesTheSamePageOnAnyNumberOfThreads() throws IOException {
-    campaign(FOUL, "foul<b>", "1..4", "--threads", "1");
+    campaign(HOSTILE_APP, "hostile<b>", "1..4", "--threads", "1");
     String one = Files.readString(file());
-    campaign(FOUL, "foul<b>", "1..4", "--threads", "3");
+    campaign(HOSTILE_APP, "hostile<b>", "1..4", "--threads", "3");
     String threads = "<span>--threads</span> <span>%d</span>";
     assertThat(Files.readString(file()).replace(threads.formatted(3), threads.formatted(1)))
         .isEqualTo(one);
@@ -250,7 +250,7 @@ class ReportTest {
 
   @Test
   void anAbortedCampaignLeavesNoFile() throws IOException {
-    assertThatThrownBy(() -> campaign(FOUL, "foul<b>", "99..99"))
+    assertThatThrownBy(() -> campaign(HOSTILE_APP, "hostile<b>", "99..99"))
         .isInstanceOf(StackOverflowError.class);
     assertThat(files()).isEmpty();
   }

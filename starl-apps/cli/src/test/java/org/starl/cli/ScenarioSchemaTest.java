@@ -27,7 +27,7 @@ import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import picocli.CommandLine;
 
-/** What an editor takes in a scenario file is what a command takes. */
+/** Editors and commands accept the same scenario files. */
 class ScenarioSchemaTest {
 
   private static final Path ROOT = Path.of("..", "..");
@@ -56,7 +56,7 @@ class ScenarioSchemaTest {
     return SCHEMA.validate(YAML.readTree(yaml));
   }
 
-  private static RunRequest chosen(Path file) {
+  private static RunRequest request(Path file) {
     RunOptions options = new RunOptions();
     new CommandLine(options).parseArgs(file.toString());
     return options.request(Main.ALL);
@@ -88,7 +88,7 @@ class ScenarioSchemaTest {
         .isEmpty();
     // An app of another module is planned there.
     if (Main.ALL.byName(ScenarioFile.read(file.toString()).app()).isPresent()) {
-      assertThat(chosen(file).plan(1).simulation().build().plan().monitors()).isNotEmpty();
+      assertThat(request(file).plan(1).simulation().build().plan().monitors()).isNotEmpty();
     }
   }
 

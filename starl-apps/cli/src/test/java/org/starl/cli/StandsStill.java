@@ -4,7 +4,7 @@ import java.util.List;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
 
-/** A specification that no run of hello meets: nobody drives. */
+/** A specification that every run of hello violates: no robot drives. */
 final class StandsStill implements Monitor {
   @Override
   public List<String> lemmas() {

@@ -45,7 +45,7 @@ final class UserProject {
     return Files.readString(root.resolve(file));
   }
 
-  /** Replaces what stands once in a file. */
+  /** Replaces a text that occurs once in a file. */
   void edit(String file, String old, String changed) throws IOException {
     String text = text(file);
     assertThat(text).containsOnlyOnce(old);
@@ -76,7 +76,7 @@ final class UserProject {
     return this;
   }
 
-  /** Runs its one test class; what its failures say. */
+  /** Runs its one test class; returns the messages of its failures. */
   List<String> test(String type) throws IOException {
     try (URLClassLoader loader = loader()) {
       var events =

@@ -16,7 +16,7 @@ import org.starl.apps.Parameter;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 
-/** Campaigns; and what is said where a specification is violated, or an app throws. */
+/** Campaigns, and the messages about violations and about apps that throw. */
 class ViolationTest {
 
   private static final Demos BROKEN = new Demos(List.of(new Broken()));
@@ -43,7 +43,7 @@ class ViolationTest {
     }
   }
 
-  /** Runs what a person would paste; no word of it has a space inside. */
+  /** Runs a command as pasted; none of its words contains a space. */
   private Cli paste(String line) {
     List<String> words = new ArrayList<>();
     for (String word : line.substring("replay: ./starl ".length()).split(" ")) {

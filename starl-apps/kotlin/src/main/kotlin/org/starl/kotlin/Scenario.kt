@@ -27,22 +27,22 @@ import org.starl.spec.Monitor
  * }.run()
  * ```
  *
- * It is a thin layer over [Simulation.Builder]: what that refuses is refused here, with the same line.
+ * It is a thin layer over [Simulation.Builder]: it refuses the same values, with the same messages.
  */
 public fun simulation(fill: ScenarioScope.() -> Unit): Simulation =
   Simulation.builder().scenario(fill).build()
 
-/** Adds what [fill] describes: for a builder that comes from elsewhere, as a `@StarlTest`'s does. */
+/** Adds the scenario of [fill] to a builder, such as that of a `@StarlTest`. */
 public fun Simulation.Builder.scenario(fill: ScenarioScope.() -> Unit): Simulation.Builder {
   ScenarioScope(this).fill()
   return this
 }
 
-/** What a scenario consists of; see [simulation]. */
+/** The parts of a scenario; see [simulation]. */
 @ScenarioDsl
 public class ScenarioScope internal constructor(private val builder: Simulation.Builder) {
 
-  /** Decides places, and all else by chance; 0 unless set. */
+  /** Seed of start places and of all other randomness; 0 by default. */
   public var seed: Long = 0
     set(value) {
       field = value
@@ -64,7 +64,7 @@ public class ScenarioScope internal constructor(private val builder: Simulation.
     builder.robot(RobotSpec(RobotId(name), start, true, app))
   }
 
-  /** An obstacle, besides those that are there. */
+  /** Adds an obstacle. */
   public fun obstacle(obstacle: Obstacle) {
     builder.obstacles(builder.obstacles().plus(obstacle))
   }
@@ -74,27 +74,27 @@ public class ScenarioScope internal constructor(private val builder: Simulation.
     settings { set(setting, value) }
   }
 
-  /** Sets one of them by text, as `--set key=value` does: `set("positionNoise", "20mm")`. */
+  /** Sets a setting by text, as `--set key=value` does: `set("positionNoise", "20mm")`. */
   public fun set(key: String, value: String) {
     settings { set(key, value) }
   }
 
-  /** How datagrams fare. */
+  /** Loss and delay of datagrams. */
   public fun network(fill: NetworkScope.() -> Unit) {
     NetworkScope(this).fill()
   }
 
-  /** What goes wrong. */
+  /** Faults of the run. */
   public fun faults(fill: FaultScope.() -> Unit) {
     FaultScope(builder, this).fill()
   }
 
-  /** A specification to watch the run: [make] gives a new one. */
+  /** Adds a specification that checks the run; [make] makes its monitor. */
   public fun monitor(make: () -> Monitor) {
     builder.monitor(make)
   }
 
-  /** Somebody who sees the run, and changes nothing. */
+  /** An observer of the run. It must not change the run. */
   public fun observer(observer: SimObserver) {
     builder.observer(observer)
   }
@@ -104,7 +104,7 @@ public class ScenarioScope internal constructor(private val builder: Simulation.
   }
 }
 
-/** How datagrams fare; see [ScenarioScope.network]. */
+/** Loss and delay of datagrams; see [ScenarioScope.network]. */
 @ScenarioDsl
 public class NetworkScope internal constructor(private val scenario: ScenarioScope) {
 
@@ -113,13 +113,13 @@ public class NetworkScope internal constructor(private val scenario: ScenarioSco
     scenario.set(Setting.MESSAGE_LOSS, probability)
   }
 
-  /** How long a datagram takes: `100ms`, `uniform(10ms,200ms)`, `normal(..)`, `exponential(..)`. */
+  /** Delay of a datagram: `100ms`, `uniform(10ms,200ms)`, `normal(..)`, `exponential(..)`. */
   public fun delay(distribution: String) {
     scenario.set(Setting.MESSAGE_DELAY.key(), distribution)
   }
 }
 
-/** What goes wrong; see [ScenarioScope.faults]. */
+/** Faults of the run; see [ScenarioScope.faults]. */
 @ScenarioDsl
 public class FaultScope
 internal constructor(private val builder: Simulation.Builder, private val scenario: ScenarioScope) {

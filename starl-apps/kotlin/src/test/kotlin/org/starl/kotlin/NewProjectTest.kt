@@ -19,7 +19,7 @@ import org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
 import org.junit.platform.testkit.engine.EngineTestKit
 import org.starl.cli.Main
 
-/** What `starl new --kotlin` writes compiles, passes its test, and keeps what its README says. */
+/** A project of `starl new --kotlin` compiles, passes its test, and does as its README says. */
 class NewProjectTest {
 
   @TempDir private lateinit var temporary: Path
@@ -96,7 +96,7 @@ class NewProjectTest {
     temporary.resolve("$NAME/src/main/resources/$services").copyTo(classes.resolve(services), true)
   }
 
-  /** What the failures of a test class say. */
+  /** The messages of the failures of a test class. */
   private fun failures(type: String): List<String> = withClasses { loader ->
     val tests =
       EngineTestKit.engine("junit-jupiter")

@@ -13,7 +13,7 @@ import org.starl.sim.fault.Envelope
 import org.starl.sim.fault.FaultPlan
 import org.starl.input.BadInput
 
-/** What the Kotlin scenario says is what the builder holds. */
+/** The Kotlin scenario sets the builder's values. */
 class ScenarioTest {
 
   @Test

@@ -1,8 +1,8 @@
 package org.starl.input;
 
 /**
- * A person's input (a file, a flag, a setting) is not what was expected. The message is one whole
- * line for that person: where, the value, and what was expected. It does not mean a bug: the stack
+ * A user's input (a file, a flag, a setting) is wrong. The message is one whole line for the user:
+ * the place, the value, and the expected form. It does not mean a bug: the stack
  * trace only shows which code refused the input.
  */
 public final class BadInput extends RuntimeException {

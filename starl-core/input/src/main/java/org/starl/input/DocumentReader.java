@@ -39,7 +39,7 @@ public final class DocumentReader {
    * The document in {@code text}.
    *
    * @param file its name, for messages
-   * @param expected what it should contain, for messages: {@code expected lines such as 'a: b'}
+   * @param expected the end of messages: {@code expected lines such as 'a: b'}
    * @throws BadInput if it is no YAML, no mapping, or has anything that is refused
    */
   public static Node.Mapping read(String file, String text, String expected) {

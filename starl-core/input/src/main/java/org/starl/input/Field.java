@@ -40,7 +40,7 @@ public record Field<T>(
     return of(key, form, meaning, text -> null);
   }
 
-  /** @param expected what the text should be, for messages */
+  /** @param expected the expected text, for messages */
   public static Field<String> text(String key, String expected, String meaning) {
     return of(key, new Form.Words(expected), meaning, text -> text);
   }

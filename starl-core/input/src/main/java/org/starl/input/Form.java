@@ -6,8 +6,8 @@ import java.util.Map;
 
 /**
  * The values that a setting, a parameter or a line of a document takes: for error messages and for
- * JSON schemas. A form repeats what the reader refuses as far as a pattern can say it; the reader
- * has the last word.
+ * JSON schemas. A form is at most as strict as the reader: the reader may refuse a value that
+ * the form allows.
  */
 public sealed interface Form {
 
@@ -74,7 +74,7 @@ public sealed interface Form {
   }
 
   /**
-   * A mapping whose field {@code by} decides which other fields it has.
+   * A mapping with one field, {@code by}, that decides which other fields it has.
    *
    * @param by takes a {@link Choice} of the kinds
    * @param kinds the other fields of each kind, in the order of the choice

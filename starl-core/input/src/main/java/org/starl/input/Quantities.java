@@ -17,7 +17,7 @@ import java.util.stream.Collectors;
  */
 public final class Quantities {
 
-  /** A number without its sign; with decimals for what {@link #numberText} writes of any double. */
+  /** A number without its sign; with as many decimals as {@link #numberText} may write. */
   static final String NUMBER = "[0-9]{1,19}(?:\\.[0-9]{1,400})?";
 
   private static final Pattern NUMBER_AND_UNIT =

@@ -7,7 +7,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Reads a whole file that a user has named. Errors end with what was expected. */
+/** Reads a whole file that a user has named. An error ends with the expected kind of file. */
 public final class TextFile {
 
   private TextFile() {}
@@ -15,7 +15,7 @@ public final class TextFile {
   /**
    * Its text in UTF-8, without a byte order mark.
    *
-   * @param expected what the file should be, for errors: {@code expected a scenario file}
+   * @param expected the end of errors: {@code expected a scenario file}
    * @throws BadInput if it is missing, a folder, unreadable or not text
    */
   public static String read(Path file, String expected) {

@@ -5,7 +5,7 @@
  * {@link org.starl.input.Field}s, the description from which the JSON schemas come too.
  *
  * <p>Contract: input that cannot be read raises {@link org.starl.input.BadInput}, whose message is
- * one line that names the file and line, the value and what was expected; nothing is guessed.
+ * one line that names the file and line, the value and the expected form; nothing is guessed.
  *
  * <p>May import: the JDK as far as Android API 26 has it, Jackson's core and YAML parser (no data
  * binding).

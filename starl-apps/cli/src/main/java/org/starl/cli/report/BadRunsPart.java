@@ -33,7 +33,7 @@ final class BadRunsPart {
 
   void write() {
     int bad = report.bad().size();
-    html.open("section").element("h2", "What did not go well");
+    html.open("section").element("h2", "Bad runs");
     if (report.illustrated().size() < bad) {
       String text =
           "%s did not go well. This section shows %s of them, with pictures: the first of each"

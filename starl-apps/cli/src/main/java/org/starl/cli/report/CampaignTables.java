@@ -118,7 +118,7 @@ final class CampaignTables {
     if (report.lemmas().isEmpty()) {
       return;
     }
-    html.open("section").element("h2", "What was checked");
+    html.open("section").element("h2", "Specifications");
     html.open("div", "class", "wide").open("table", "class", "lemmas").open("thead").open("tr");
     html.element("th", "specification", "scope", "col");
     html.element("th", "meaning", "scope", "col");
@@ -172,8 +172,8 @@ final class CampaignTables {
     SortedMap<String, Long> counts = report.totals().counts();
     if (!counts.isEmpty()) {
       html.table("", "Totals over all runs", List.of("name", "total"));
-      counts.forEach((what, count) ->
-          html.open("tr").element("th", what, "scope", "row").number(count(count)).close());
+      counts.forEach((name, count) ->
+          html.open("tr").element("th", name, "scope", "row").number(count(count)).close());
       html.endTable();
     }
     html.close();

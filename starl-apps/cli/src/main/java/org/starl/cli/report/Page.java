@@ -157,8 +157,8 @@ public final class Page {
     html.close();
   }
 
-  private void figure(String value, String what) {
-    html.open("li").element("strong", value).text(" ").element("span", what).close();
+  private void figure(String value, String meaning) {
+    html.open("li").element("strong", value).text(" ").element("span", meaning).close();
   }
 
   private void example() {

@@ -50,16 +50,16 @@ public record Report(
    * up to {@link #MAX_ILLUSTRATED}.
    */
   public static List<Run> toIllustrate(CampaignResult result) {
-    Set<Run> chosen = new LinkedHashSet<>();
+    Set<Run> runs = new LinkedHashSet<>();
     Set<String> kinds = new LinkedHashSet<>();
     List<Run> bad = bad(result);
     for (Run run : bad) {
       if (kinds.add(run.outcome().verdict() + " " + run.outcome().what())) {
-        chosen.add(run);
+        runs.add(run);
       }
     }
-    chosen.addAll(bad);
-    return chosen.stream()
+    runs.addAll(bad);
+    return runs.stream()
         .limit(MAX_ILLUSTRATED)
         .sorted(Comparator.comparingLong(Run::seed))
         .toList();

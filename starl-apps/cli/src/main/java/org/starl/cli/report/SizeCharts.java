@@ -98,8 +98,8 @@ final class SizeCharts {
     for (int percent : new int[] {50, 95}) {
       double value = values.percentile(percent);
       if (value <= shown) {
-        String what = percent == 50 ? "median " : percent + " % up to ";
-        plot.mark(value, percent, what + measured(unit, value));
+        String text = percent == 50 ? "median " : percent + " % up to ";
+        plot.mark(value, percent, text + measured(unit, value));
       }
     }
     for (int i = 0; i < 50; i++) {

@@ -34,7 +34,7 @@ public final class Totals {
   /** All other counts, by name. */
   public SortedMap<String, Long> counts() {
     SortedMap<String, Long> sums = new TreeMap<>();
-    runs.forEach(run -> run.counts().forEach((what, count) -> sums.merge(what, count, Long::sum)));
+    runs.forEach(run -> run.counts().forEach((name, count) -> sums.merge(name, count, Long::sum)));
     return sums;
   }
 

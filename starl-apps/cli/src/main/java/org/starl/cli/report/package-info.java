@@ -1,5 +1,5 @@
 /**
- * What a campaign found, as one page for a browser: self-contained, readable without its script,
+ * The results of a campaign, as one page for a browser: self-contained, readable without its script,
  * and the same byte by byte for the same campaign. All text that is not this package's own is
  * escaped.
  *

@@ -13,7 +13,7 @@ import net.jqwik.api.constraints.Size;
 import org.w3c.dom.Document;
 import org.w3c.dom.Element;
 
-/** What charts show is what the values are. */
+/** Charts show their values. */
 class ChartsTest {
 
   private static Document sizes(List<Double> values) throws Exception {

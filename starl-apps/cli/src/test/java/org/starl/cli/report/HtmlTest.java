@@ -11,7 +11,7 @@ import org.w3c.dom.Element;
 
 class HtmlTest {
 
-  /** What is not allowed in XML is taken away first; how is another test's business. */
+  /** The test removes characters that XML forbids; another test covers them. */
   @Property
   void anyTextIsParsedUnchanged(@ForAll String text) throws Exception {
     String allowed = text.replaceAll("[^\\t\\n -~\\u00A0-\\uD7FF\\uE000-\\uFDCF]", "");

@@ -7,8 +7,8 @@ import org.starl.spec.Monitor
 import org.starl.trace.TraceEvent
 
 /**
- * What the app is for, by true bodies. `one_line`: all robots learn of the same line. `in_line`: who
- * says that it is there is at most [toleranceMm] away from it.
+ * Specification of the app, by true bodies. `one_line`: all robots learn of the same line. `in_line`:
+ * a robot that reports its arrival is at most [toleranceMm] away from the line.
  */
 internal class InLine(private val toleranceMm: Double) : Monitor {
 

@@ -36,15 +36,15 @@ class LineupDemo : Demo {
   }
 
   companion object {
-    /** As many as an agreement among all of them is made for. */
+    /** The largest group that the agreement is made for. */
     private const val MOST_ROBOTS = 64
     private const val LANE_MM = 600.0
     private const val LONGEST_MM = 3000.0
 
-    /** A goal's radius, and what a position fix may be off. */
+    /** Radius of a goal plus the largest error of a position fix. */
     private const val TOLERANCE_MM = 100.0
 
-    /** Robots in lanes of their own, each somewhere along it, by [seed]; and what is to hold. */
+    /** Robots at drawn places of their own lanes, with the specifications. */
     internal fun ScenarioScope.lanes(robots: Int, settings: SimSettings, seed: Long) {
       val rng = Rng(seed).fork("lineup")
       repeat(robots) { i ->

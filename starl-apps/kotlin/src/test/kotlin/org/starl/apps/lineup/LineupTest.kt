@@ -13,7 +13,7 @@ import org.starl.sim.junit.StarlTest
 import org.starl.spec.Monitor
 import org.starl.trace.TraceEvent
 
-/** Robots line up on one line, whatever the network does and whoever starts anew. */
+/** Robots line up on one line, under any faults of the network and with restarts. */
 class LineupTest {
 
   private val reported = mutableListOf<String>()

@@ -12,7 +12,7 @@ import org.starl.trace.TraceEvent
 
 /**
  * Robots line up: each proposes the x at which it stands, all agree on one of these, and each drives
- * along its own lane to that x. A robot whose program starts anew asks what was agreed, and goes on.
+ * along its own lane to that x. After a restart, a robot asks for the agreed value and goes on.
  */
 class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
 
@@ -71,10 +71,10 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
     /** Variable: the location. */
     const val LOCATION = "location"
 
-    /** Action: where the line is, in mm, as this robot has learnt. */
+    /** Action: this robot has learnt the x of the line, in mm. */
     const val LINE = "line"
 
-    /** What a robot has learnt by this event of where the line is, in mm. */
+    /** The x of the line in mm, if a robot learns it by this event. */
     fun lineMm(event: TraceEvent): Double? =
       if (event is TraceEvent.Action && event.source() == SOURCE && event.name() == LINE) {
         event.args().first().toDouble()
@@ -82,7 +82,7 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
         null
       }
 
-    /** How robots move whose bodies are like that. */
+    /** The motion parameters for robots with this body. */
     fun motion(body: MotionParameters): MotionParameters =
       body.toBuilder().goalRadiusMm(GOAL_RADIUS_MM).build()
 

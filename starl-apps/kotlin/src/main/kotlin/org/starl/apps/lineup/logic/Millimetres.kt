@@ -1,6 +1,6 @@
 package org.starl.apps.lineup.logic
 
-/** Whole millimetres as four bytes, highest first: what robots propose. */
+/** The value that robots propose: whole millimetres as four bytes, highest first. */
 internal object Millimetres {
 
   private const val BYTES = 4

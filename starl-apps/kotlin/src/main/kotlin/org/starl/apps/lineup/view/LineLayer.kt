@@ -9,7 +9,7 @@ import org.starl.sim.record.Look
 import org.starl.sim.record.Scene
 import org.starl.trace.TraceEvent
 
-/** Draws the line as soon as somebody knows of it, and tells where in its program each robot is. */
+/** Draws the line as soon as a robot knows it, and shows the location of each program. */
 internal class LineLayer : Layer {
 
   private var lineMm: Double? = null
@@ -33,7 +33,7 @@ internal class LineLayer : Layer {
   override fun describe(robot: RobotId, scene: Scene): String =
     scene.variable(robot, LineupApp.SOURCE, LineupApp.LOCATION)
 
-  /** Most is to be seen when all have driven. */
+  /** A picture shows most when all robots have driven. */
   override fun interest(scene: Scene): Double =
     scene.robots().sumOf { robot -> scene.trail(robot).size }.toDouble()
 
