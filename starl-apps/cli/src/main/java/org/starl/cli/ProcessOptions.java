@@ -45,7 +45,7 @@ final class ProcessOptions {
 
   @Option(
       names = "--kill",
-      paramLabel = "WHO@WHEN",
+      paramLabel = "ROBOT@WHEN",
       description =
           "With --processes: kill a robot's process (kill -9) at a time (bot2@12s), or after a"
               + " variable of its trace first has a value ('bot2@app.location=MOVE_WAIT+1500ms')."
@@ -92,7 +92,7 @@ final class ProcessOptions {
     List<RobotId> robots = plan.header().robots();
     for (String kill : kills) {
       Kill parsed = Kill.parse(kill);
-      if (!robots.contains(parsed.who())) {
+      if (!robots.contains(parsed.robot())) {
         throw new BadInput("--kill: " + BadInput.quote(kill) + ": expected one of " + robots);
       }
       all.add(parsed);

@@ -80,7 +80,7 @@ final class CausalOrder {
     return ordered;
   }
 
-  /** The process whose next event comes next; null at the end. */
+  /** The process with the next event; null at the end. */
   private @Nullable Cursor next() {
     Cursor first = null;
     Cursor blocked = null;
@@ -94,8 +94,8 @@ final class CausalOrder {
         first = process;
       }
     }
-    // Two starts of a program may use the same sequence numbers, which looks like a cycle: use
-    // time.
+    // Two starts of a program may use the same sequence numbers, which looks like a cycle. Then the
+    // earliest event is next.
     return first == null ? blocked : first;
   }
 

@@ -121,7 +121,7 @@ final class ClockBounds {
       for (TraceEvent event : trace.events()) {
         Map<String, Long> sentNs =
             event instanceof Delivered delivered ? firstSentNs.get(Message.of(delivered)) : null;
-        // A robot that moved to another machine may have sent it from either: no constraint.
+        // Sent from two machines (a robot has moved): no constraint.
         if (sentNs != null && sentNs.size() == 1) {
           long deliveredNs = trace.machineNs() + event.timeNs();
           sentNs.forEach(

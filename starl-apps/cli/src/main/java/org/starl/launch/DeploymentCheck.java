@@ -61,7 +61,7 @@ public final class DeploymentCheck {
 
   /**
    * Checks whether robots can drive at all within the deployment's limits. Safety needs no check
-   * here: each command is checked when it is given, with the reaction included.
+   * here: motion control checks each command, including the reaction time.
    *
    * @param motion as the app has it
    */
@@ -82,7 +82,7 @@ public final class DeploymentCheck {
               + ", the time between two commands of a program");
     }
     MotionParameters real = RealMotion.of(motion, limits);
-    // How long a command may be in effect too long, or not yet.
+    // The longest time for which an old command is still in effect.
     double lateS = (limits.reactionMs() + motion.automatonPeriodMs()) / MS_PER_S;
     double lateMm = (1 + real.speedError()) * real.linSpeedMaxMmPerS() * lateS;
     if (deployment.positions().errorMm() + lateMm > real.maxErrorMm()) {

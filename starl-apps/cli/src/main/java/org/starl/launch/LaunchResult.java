@@ -8,12 +8,11 @@ import org.starl.sim.SimResult;
 /**
  * The result of robots that ran as processes.
  *
- * @param run as of a simulation, over the merged trace; {@code unfinished} has only robots that
- *     live
- * @param rounds how many times each robot's app came to its end
+ * @param run as of a simulation, over the merged trace; {@code unfinished} has only live robots
+ * @param rounds number of times that each robot's app has finished
  * @param deaths processes that ended before the run did, in order of time
  * @param errors bugs that ended a process, with their stack traces
- * @param longestPauseNs the longest time for which the machine kept a robot's program from running
+ * @param longestPauseNs the longest time in which a robot's program did not run
  */
 public record LaunchResult(
     SimResult run,
@@ -25,7 +24,7 @@ public record LaunchResult(
   /**
    * A process that ended early.
    *
-   * @param atNs its last sign of life, or the time of the kill
+   * @param atNs the time of its last message, or of the kill
    * @param isPlanned whether the settings asked to kill it
    * @param status exit status; 128 plus the number of the signal that ended it
    */
@@ -33,7 +32,7 @@ public record LaunchResult(
 
     private static final int SIGNALLED = 128;
 
-    /** Whether it was killed; else it ended by itself. */
+    /** Whether a signal ended it; else it ended by itself. */
     public boolean isKill() {
       return isPlanned || status > SIGNALLED;
     }
@@ -44,7 +43,7 @@ public record LaunchResult(
     return run.spec().holds() && errors.isEmpty() && deaths.stream().allMatch(Death::isKill);
   }
 
-  /** Safe, and each app came to its end, except where a robot's death explains it. */
+  /** Safe, and each app has finished, unless a robot has died. */
   public boolean isGood() {
     return isSafe() && (run.isFinished() || !deaths.isEmpty());
   }

@@ -6,15 +6,15 @@ import java.util.List;
 /**
  * Settings of a {@link Launcher}.
  *
- * @param rounds how many times each robot runs its app, from 1
+ * @param rounds number of times that each robot runs its app, from 1
  * @param kills processes to kill
  * @param limit longest time of the run
- * @param quiet after a death, the run ends when no robot has done anything new for this time: the
- *     rest wait for what the dead robot may hold
+ * @param quiet after a death, the run ends after this time without progress: the other robots then
+ *     wait for sections that the dead robot may hold
  */
 public record LaunchSettings(int rounds, List<Kill> kills, Duration limit, Duration quiet) {
 
-  /** Longer than the primitives take to suspect a dead robot and to agree on it. */
+  /** Longer than the primitives need to suspect a dead robot and to agree on that. */
   public static final Duration DEFAULT_QUIET = Duration.ofSeconds(30);
 
   public LaunchSettings {

@@ -35,13 +35,10 @@ import org.starl.trace.TraceEvent.Joined;
 import org.starl.trace.TraceEvent.Moved;
 import org.starl.trace.TraceEvent.Variable;
 
-/**
- * Runs each robot of a plan as a process of its own, once. No process outlives {@link #close}
- * or this process.
- */
+/** Runs each robot of a plan as a process, once. Every process ends with {@link #close} or the JVM. */
 public final class Launcher implements AutoCloseable {
 
-  /** Between the centres of two bodies when one appears on the floor: one radius to spare. */
+  /** Least distance of a new body from other centres, in radii: the gap is one radius. */
   static final double ROOM_IN_RADII = 3;
 
   private static final long POLL_MS = 20;
@@ -55,7 +52,7 @@ public final class Launcher implements AutoCloseable {
   private final BlockingQueue<Runnable> tasks = new LinkedBlockingQueue<>();
   private final SortedMap<RobotId, Robot> robots = new TreeMap<>();
   private final Bodies bodies = new Bodies();
-  private final List<Robot> wantPlace = new ArrayList<>();
+  private final List<Robot> waitingForPlace = new ArrayList<>();
   private final List<Death> deaths = new ArrayList<>();
   private final List<String> errors = new ArrayList<>();
   private final Map<Kill, Long> killsDue = new TreeMap<>(Comparator.comparing(Kill::toString));
@@ -64,8 +61,8 @@ public final class Launcher implements AutoCloseable {
   private boolean isRunning;
   private boolean isEnding;
 
-  // What the robots have done since the last death, and when the last of it was new.
-  private final Set<String> done = new TreeSet<>();
+  // The values and actions since the last death, and the time of the last new one.
+  private final Set<String> progress = new TreeSet<>();
   private long lastProgressNs;
 
   /**
@@ -73,7 +70,7 @@ public final class Launcher implements AutoCloseable {
    *
    * @param command starts a robot's process when the robot's name, folder and rounds are appended;
    *     the process calls {@link RobotProcess#run} with an equal plan
-   * @param console takes lines for people, as things happen
+   * @param console receives log lines
    * @throws IOException if a process cannot be started, or a folder cannot be made
    */
   public Launcher(
@@ -104,7 +101,7 @@ public final class Launcher implements AutoCloseable {
     while (!isOver()) {
       runNextTask();
       if (isRunning) {
-        wantPlace.removeIf(Robot::placeIfFree);
+        waitingForPlace.removeIf(Robot::placeIfFree);
         killWhenDue();
       } else if (RealClock.machineNs() - startNs > START_LIMIT.toNanos()) {
         throw new IllegalStateException(
@@ -139,7 +136,7 @@ public final class Launcher implements AutoCloseable {
   private boolean isOver() {
     boolean isQuiet = !deaths.isEmpty() && nowNs() - lastProgressNs > settings.quiet().toNanos();
     return !errors.isEmpty()
-        || all(robot -> robot.isGone || robot.isThrough())
+        || all(robot -> robot.isGone || robot.hasFinished())
         || (isRunning && (isQuiet || nowNs() > settings.limit().toNanos()));
   }
 
@@ -168,7 +165,7 @@ public final class Launcher implements AutoCloseable {
   private void killWhenDue() {
     long nowNs = nowNs();
     killsDue.forEach((kill, dueNs) -> {
-      Robot robot = robots.get(kill.who());
+      Robot robot = robots.get(kill.robot());
       if (robot != null && robot.killedNs < 0 && !robot.isGone && dueNs <= nowNs) {
         robot.killedNs = nowNs;
         robot.process.kill();
@@ -203,7 +200,7 @@ public final class Launcher implements AutoCloseable {
     SortedMap<RobotId, List<Object>> results = new TreeMap<>();
     List<RobotId> unfinished = new ArrayList<>();
     robots.forEach((id, robot) -> {
-      if (robot.isThrough() && robot.results != null) {
+      if (robot.hasFinished() && robot.results != null) {
         results.put(id, robot.results);
       } else if (deaths.stream().noneMatch(death -> death.robot().equals(id))) {
         unfinished.add(id);
@@ -224,13 +221,13 @@ public final class Launcher implements AutoCloseable {
         run.spec());
   }
 
-  /** Ends every process, and removes the files that they stored. */
+  /** Ends every process, and deletes their files. */
   @Override
   public void close() {
     try {
       Runtime.getRuntime().removeShutdownHook(hook);
     } catch (IllegalStateException e) {
-      console.accept("stopped"); // this process ends: the hook does the work
+      console.accept("stopped"); // the JVM ends, and its hook does the work
       return;
     }
     removeAll();
@@ -244,11 +241,11 @@ public final class Launcher implements AutoCloseable {
         Files.deleteIfExists(file);
       }
     } catch (IOException e) {
-      console.accept(folder + " is left: " + e);
+      console.accept(folder + " was not deleted: " + e);
     }
   }
 
-  /** What the parent knows of a robot. */
+  /** A robot and its process, in the parent. */
   private final class Robot implements ChildProcess.Listener {
     private final RobotSpec spec;
     private final RobotId id;
@@ -262,7 +259,7 @@ public final class Launcher implements AutoCloseable {
     private boolean isComplete;
     private long killedNs = -1;
     private long lastNs;
-    private boolean isPromisedPlace;
+    private boolean isPlaceGranted;
     private long copies;
     private long lost;
     private long earlierCopies;
@@ -280,7 +277,7 @@ public final class Launcher implements AutoCloseable {
       console.accept(id + " is process " + process.pid());
     }
 
-    boolean isThrough() {
+    boolean hasFinished() {
       return rounds == settings.rounds();
     }
 
@@ -292,13 +289,13 @@ public final class Launcher implements AutoCloseable {
     @Override
     public void traced(TraceEvent event, long seenNs) {
       if (ProcessWord.isProcessEvent(event)) {
-        told((Action) event, seenNs);
+        received((Action) event, seenNs);
         return;
       }
       lastNs = Math.max(lastNs, event.timeNs());
       add(event);
       if (event instanceof Joined) {
-        isPromisedPlace = false;
+        isPlaceGranted = false;
       }
       if (isProgress(event)) {
         lastProgressNs = nowNs();
@@ -318,14 +315,14 @@ public final class Launcher implements AutoCloseable {
     /** A value or action that is new since the last death; repeated attempts are no progress. */
     private boolean isProgress(TraceEvent event) {
       return switch (event) {
-        case Variable variable -> done.add(variable.at(0).toString());
+        case Variable variable -> progress.add(variable.at(0).toString());
         case Action action when action.source().indexOf('/') < 0 ->
-            done.add(action.at(0).toString());
+            progress.add(action.at(0).toString());
         default -> false;
       };
     }
 
-    private void told(Action action, long seenNs) {
+    private void received(Action action, long seenNs) {
       List<String> args = action.args();
       switch (ProcessWord.valueOf(action.name())) {
         case HELLO -> {
@@ -337,7 +334,7 @@ public final class Launcher implements AutoCloseable {
           port = Integer.parseInt(args.get(0));
           go();
         }
-        case WANTS_PLACE -> wantPlace.add(this);
+        case WANTS_PLACE -> waitingForPlace.add(this);
         case ALIVE -> {
           lastNs = Math.max(lastNs, action.timeNs());
           count(Long.parseLong(args.get(0)), Long.parseLong(args.get(1)));
@@ -354,12 +351,12 @@ public final class Launcher implements AutoCloseable {
         }
         case ERROR -> errors.add(id + ": " + args.get(0).strip());
         case CLOCK -> {
-          // One machine has one clock, which PORT confirms.
+          // All processes use this machine's clock; PORT has checked that.
         }
       }
     }
 
-    /** Each start of the program counts from 0. */
+    /** Each start of the program begins its counts at 0. */
     private void count(long newCopies, long newLost) {
       if (newCopies < copies) {
         earlierCopies += copies;
@@ -369,9 +366,7 @@ public final class Launcher implements AutoCloseable {
       lost = newLost;
     }
 
-    /**
-     * The child's time lies between the parent's command and the parent's reading of the answer.
-     */
+    /** The child's time must lie between the parent's command and the receipt of the answer. */
     private void checkClock(long childNs, long parentNs) {
       if (childNs < 0 || childNs > parentNs) {
         throw new IllegalStateException(
@@ -392,9 +387,9 @@ public final class Launcher implements AutoCloseable {
                   .anyMatch(other -> bodies.poseAt(other, nowNs()).distanceMm(place) < apartMm)
               || robots.values().stream()
                   .anyMatch(other ->
-                      other.isPromisedPlace && other.spec.start().distanceMm(place) < apartMm);
+                      other.isPlaceGranted && other.spec.start().distanceMm(place) < apartMm);
       if (!isTaken) {
-        isPromisedPlace = true;
+        isPlaceGranted = true;
         process.send(new ParentCommand.Place());
       }
       return !isTaken;
@@ -403,8 +398,8 @@ public final class Launcher implements AutoCloseable {
     @Override
     public void ended(boolean hasEnd, int status) {
       isGone = true;
-      isPromisedPlace = false;
-      wantPlace.remove(this);
+      isPlaceGranted = false;
+      waitingForPlace.remove(this);
       isComplete = isEnding && hasEnd;
       if (isComplete) {
         return;
@@ -412,7 +407,7 @@ public final class Launcher implements AutoCloseable {
       lastNs = Math.max(lastNs, killedNs);
       Death death = new Death(id, process.pid(), lastNs, killedNs >= 0, status);
       deaths.add(death);
-      done.clear();
+      progress.clear();
       lastProgressNs = isRunning ? nowNs() : 0;
       if (bodies.isOnFloor(id)) {
         add(new Moved(lastNs, id, bodies.poseAt(id, lastNs), 0, 0));
@@ -425,7 +420,7 @@ public final class Launcher implements AutoCloseable {
       } else if (!isRunning) {
         errors.add(id + ": its process was killed before the run began");
       } else if (isEnding && !death.isPlanned()) {
-        errors.add(id + ": its process did not end when it was told to");
+        errors.add(id + ": its process did not end on request");
       }
     }
 

@@ -16,9 +16,9 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Checks the app's specifications over the events of one robot, as they happen: only the lemmas
- * that this robot can violate alone ({@link Monitor#perRobotLemmas}). The monitors do not see where
- * its body was measured: a measurement's error must not stop a robot. Strand only.
+ * Checks the app's specifications over the events of one robot during its run: only the lemmas that
+ * one robot can violate alone ({@link Monitor#perRobotLemmas}). The monitors get no measured
+ * positions: an error of measurement must not stop a robot. Strand only.
  */
 public final class LocalSpecs implements SimObserver {
 
@@ -40,7 +40,7 @@ public final class LocalSpecs implements SimObserver {
         lemmas.addAll(monitor.perRobotLemmas());
       }
     }
-    // In real time no progress is owed.
+    // In real time progress is not required.
     show(new Fault(startNs, Fault.WORLD, Fault.BEGIN, Fault.REAL_TIME));
   }
 
@@ -62,7 +62,7 @@ public final class LocalSpecs implements SimObserver {
     }
   }
 
-  /** Passes on the violations of these lemmas. */
+  /** Reports the violations of these lemmas. */
   private final class Own implements Monitor.Report {
     private final List<String> own;
 

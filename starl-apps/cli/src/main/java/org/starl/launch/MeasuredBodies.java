@@ -17,10 +17,10 @@ import org.starl.trace.TraceEvent.Left;
 import org.starl.trace.TraceEvent.Moved;
 
 /**
- * Bodies of a deployment that are in no simulated world: the robots' traces have them as measured.
- * The true bodies are within a bound of that. Several cases are tried: a smaller body is certainly
- * inside the true one, a larger one covers it, and bodies moved to each side are for monitors that
- * look at centres.
+ * The real bodies of a deployment: the robots' traces have their measured positions, and the true
+ * positions are within a bound of these. Several cases are tried: a smaller body is certainly inside
+ * the true one, a larger one covers it, and bodies moved to each side are for monitors that use
+ * centres.
  */
 final class MeasuredBodies {
 
@@ -49,18 +49,18 @@ final class MeasuredBodies {
 
   private static final double LEAST_RADIUS_MM = 1;
 
-  private final Set<RobotId> trulyKnown = new TreeSet<>();
+  private final Set<RobotId> simulated = new TreeSet<>();
   private final Map<RobotId, Double> withinMm = new TreeMap<>();
   private final SortedMap<RobotId, Double> lostMs = new TreeMap<>();
 
-  // A program that starts again measures a body that is already on the floor.
+  // The first trace of each body: a restarted program measures a body that is on the floor already.
   private final Map<RobotId, RecordedTrace> first = new TreeMap<>();
 
   MeasuredBodies(List<RecordedTrace> traces) {
     for (RecordedTrace trace : traces) {
       for (TraceEvent event : trace.events()) {
         if (event instanceof Joined joined && trace.hasTrueBodies()) {
-          trulyKnown.add(joined.robot());
+          simulated.add(joined.robot());
         } else if (event instanceof Joined joined) {
           first.merge(joined.robot(), trace, (a, b) -> a.dateNs() <= b.dateNs() ? a : b);
         }
@@ -69,8 +69,8 @@ final class MeasuredBodies {
         MeasuredBody.lostMs(event).ifPresent(ms -> lostMs.merge(event.robot(), ms, Double::max));
       }
     }
-    withinMm.keySet().removeAll(trulyKnown);
-    lostMs.keySet().removeAll(trulyKnown);
+    withinMm.keySet().removeAll(simulated);
+    lostMs.keySet().removeAll(simulated);
   }
 
   /** For each robot with a gap in its measurements, the longest gap in ms. */
@@ -95,7 +95,7 @@ final class MeasuredBodies {
     for (TraceEvent event : trace.events()) {
       if (trace.hasTrueBodies() || !isOfBody(event)) {
         events.add(event);
-      } else if (!trulyKnown.contains(event.robot())) {
+      } else if (!simulated.contains(event.robot())) {
         TraceEvent deviated = deviated(event, deviation);
         RecordedTrace start = first.get(event.robot());
         boolean isAgain = isOnFloor || start == null || !start.name().equals(trace.name());

@@ -32,7 +32,7 @@ final class OneRobotControl implements SimControl {
     /** Asks for its start position; returns whether it stands there now. */
     boolean place();
 
-    /** Takes it off the floor. */
+    /** Removes it from the floor. */
     void lift();
 
     boolean isOnFloor();

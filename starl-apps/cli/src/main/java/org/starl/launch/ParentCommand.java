@@ -5,10 +5,10 @@ import java.util.TreeMap;
 import java.util.stream.Collectors;
 import org.starl.id.RobotId;
 
-/** What the parent tells a robot's process: one line each on its standard input. */
+/** A parent's command to a robot's process: one line on its standard input. */
 sealed interface ParentCommand {
 
-  /** Time 0 is {@code originNs} on the machine's clock: open the radio and tell its port. */
+  /** Open the radio and report its port; time 0 is {@code originNs} on the machine's clock. */
   record Begin(long originNs) implements ParentCommand {
     @Override
     public String toString() {
@@ -26,7 +26,7 @@ sealed interface ParentCommand {
     }
   }
 
-  /** There is room on the floor for the waiting body. */
+  /** Put the waiting body on the floor: there is room. */
   record Place() implements ParentCommand {
     @Override
     public String toString() {

@@ -22,14 +22,14 @@ import org.starl.trace.TraceReader;
  * The trace of one process.
  *
  * @param name its file, or the robot
- * @param robot whose it is; {@link Fault#WORLD} for the world's
- * @param machine the machine whose monotonic clock its times are on; unique if unknown
- * @param machineNs what that clock showed at the trace's time 0
+ * @param robot the traced robot; {@link Fault#WORLD} for the world
+ * @param machine the machine whose monotonic clock has these times; unique if unknown
+ * @param machineNs that clock's time at the trace's time 0
  * @param dateNs the date at the trace's time 0, in ns since 2020, by that machine
  * @param events without the process's own actions ({@link ProcessWord})
- * @param lastNs the time of the last sign of life
+ * @param lastNs the time of the last event
  * @param isComplete whether the process ended in order; else it was killed
- * @param hasTrueBodies whether its bodies are where they truly were; else where they were measured
+ * @param hasTrueBodies whether it has the true positions of bodies; else measured ones
  */
 record RecordedTrace(
     String name,
@@ -85,10 +85,10 @@ record RecordedTrace(
       if (clock == null || !isLast(reader)) {
         throw wrong;
       }
-      // The process was killed while it wrote this line: keep the lines before.
+      // The process was killed while it wrote this line: use the lines before it.
     }
     if (clock == null || clock.args().size() != 3) {
-      throw new BadInput(file + ": does not name the clock of its times" + EXPECTED);
+      throw new BadInput(file + ": does not name its clock" + EXPECTED);
     }
     String machine = clock.args().get(0);
     try {

@@ -11,9 +11,9 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
 
 /**
- * The main loop of one robot in real time. Its app runs for several rounds, each another
+ * The main loop of one robot in real time. Its app runs for several rounds. Each round is a new
  * incarnation: a new start of the program over the same stable storage. After the last round the
- * robot goes on answering messages until it is stopped.
+ * robot answers messages until it is stopped.
  */
 abstract class RobotMain implements DeployedRobot.Host {
 
@@ -34,8 +34,8 @@ abstract class RobotMain implements DeployedRobot.Host {
   final RobotId id;
 
   /**
-   * @param plans makes equal ones, one for each round: a director serves one run
-   * @param rounds how many times the app runs, from 1
+   * @param plans makes equal plans, one for each round, because a director serves one run
+   * @param rounds number of runs of the app, from 1
    */
   RobotMain(RobotId id, Supplier<SimulationPlan> plans, int rounds) {
     this.id = id;
@@ -49,7 +49,7 @@ abstract class RobotMain implements DeployedRobot.Host {
   /**
    * Ends the incarnation, if there is one. On the loop's thread.
    *
-   * @param isLifted whether its body leaves the floor, for the next round
+   * @param isLifted whether to remove its body from the floor, for the next round
    */
   abstract void bringDown(boolean isLifted) throws IOException;
 
@@ -61,7 +61,7 @@ abstract class RobotMain implements DeployedRobot.Host {
         .orElseThrow(() -> new IllegalArgumentException("there is no robot " + id));
   }
 
-  /** Runs what is posted until {@link #endLoop}. */
+  /** Runs posted tasks until {@link #endLoop}. */
   final void loop() throws IOException {
     while (!isStopped) {
       try {
@@ -81,7 +81,7 @@ abstract class RobotMain implements DeployedRobot.Host {
   /**
    * The loop ends after the current task. From any thread.
    *
-   * @param first runs before a waiting loop hears of it
+   * @param first runs before a waiting loop is woken
    */
   final void endLoop(Runnable first) {
     isStopped = true;

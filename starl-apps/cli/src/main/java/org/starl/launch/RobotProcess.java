@@ -14,19 +14,19 @@ import org.jspecify.annotations.Nullable;
 import org.starl.id.RobotId;
 import org.starl.robot.realtime.Daemons;
 import org.starl.robot.realtime.RealClock;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimulationPlan;
 
 /**
- * The process of one robot that a {@link Launcher} started: runs as its parent commands, until its
- * input ends. Its body is simulated here.
+ * The process of one robot of a {@link Launcher}, with a simulated body: obeys its parent's commands
+ * until its input ends.
  */
 public final class RobotProcess extends RobotMain {
 
   private final Path folder;
-  private final ProcessOutbox outbox;
+  private final ProcessTrace trace;
   private volatile RealClock clock = new RealClock();
 
   // The loop's thread only.
@@ -38,17 +38,17 @@ public final class RobotProcess extends RobotMain {
       Supplier<SimulationPlan> plans, RobotId self, Path folder, int rounds, OutputStream out) {
     super(self, plans, rounds);
     this.folder = folder;
-    outbox = new ProcessOutbox(self, plans.get().header(), out);
+    trace = new ProcessTrace(self, plans.get().header(), out);
   }
 
   /**
    * Runs until {@code in} ends. A bug in the robot's program ends the whole process with status 1.
    *
-   * @param plans makes equal ones, one for each round: a director serves one run
+   * @param plans makes equal plans, one for each round, because a director serves one run
    * @param folder for stable storage, this robot's alone
-   * @param rounds how many times the app runs, from 1
+   * @param rounds number of runs of the app, from 1
    * @param in the parent's commands
-   * @param out takes the trace
+   * @param out receives the trace
    * @throws IOException if radio or storage cannot be opened
    */
   public static void run(
@@ -61,10 +61,10 @@ public final class RobotProcess extends RobotMain {
       throws IOException {
     RobotProcess process = new RobotProcess(plans, self, folder, rounds, out);
     Daemons.of(self + " commands", () -> process.read(in)).start();
-    process.outbox.report(process.clock, ProcessWord.HELLO, ProcessHandle.current().pid());
+    process.trace.report(process.clock, ProcessWord.HELLO, ProcessHandle.current().pid());
     process.loop();
     process.bringDown(false);
-    process.outbox.end(process.clock.nowNs());
+    process.trace.end(process.clock.nowNs());
   }
 
   private void read(InputStream in) {
@@ -75,7 +75,7 @@ public final class RobotProcess extends RobotMain {
         post(() -> obey(command));
       }
     } catch (IOException e) {
-      outbox.report(clock, ProcessWord.LOG, "WARN", "commands", e);
+      trace.report(clock, ProcessWord.LOG, "WARN", "commands", e);
     } finally {
       endLoop(() -> {});
     }
@@ -86,7 +86,7 @@ public final class RobotProcess extends RobotMain {
       case ParentCommand.Begin begin -> {
         clock = new RealClock(begin.originNs());
         startRound();
-        outbox.report(clock, ProcessWord.PORT, port);
+        trace.report(clock, ProcessWord.PORT, port);
       }
       case ParentCommand.Go go -> {
         ports = go.ports();
@@ -114,7 +114,7 @@ public final class RobotProcess extends RobotMain {
 
   @Override
   void bringUp(SimulationPlan plan, RobotSpec spec, int number) throws IOException {
-    robot = new SimulatedRobot(plan, spec, number, clock, folder, port, outbox, this);
+    robot = new SimulatedRobot(plan, spec, number, clock, folder, port, trace, this);
     port = robot.port();
     if (number > 1) {
       start();
@@ -133,8 +133,8 @@ public final class RobotProcess extends RobotMain {
 
   @Override
   public void failed(Throwable error) {
-    outbox.report(clock, ProcessWord.ERROR, StackTraces.of(error));
-    // The strand may be stuck in the error itself: nothing can be closed in order.
+    trace.report(clock, ProcessWord.ERROR, StackTraces.of(error));
+    // The strand may be blocked by the error, so an orderly close may never end.
     Runtime.getRuntime().halt(1);
   }
 }

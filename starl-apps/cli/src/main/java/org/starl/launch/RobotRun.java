@@ -23,7 +23,7 @@ import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.StrandUse;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.UdpStatistics;
 import org.starl.sim.RobotSpec;
@@ -35,12 +35,12 @@ import org.starl.spec.SpecReport.Violation;
 public final class RobotRun extends RobotMain implements AutoCloseable {
 
   /**
-   * The robot and how it runs.
+   * The robot and its run.
    *
    * @param key null for none
-   * @param plans makes equal ones, one for each round: a director serves one run
-   * @param storage a folder, this robot's alone
-   * @param rounds how many times the app runs, from 1
+   * @param plans makes equal plans, one for each round, because a director serves one run
+   * @param storage a folder for this robot only
+   * @param rounds number of runs of the app, from 1
    */
   public record Settings(
       Deployment deployment,
@@ -58,13 +58,13 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
   private final Settings settings;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final ProcessOutbox outbox;
+  private final ProcessTrace sink;
   private final Consumer<String> console;
   private final CountDownLatch over = new CountDownLatch(1);
   private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
 
-  // stop() sets isStopped, then reads this; bringUp() sets this, then reads isStopped: one sees the
-  // other.
+  // stop() sets isStopped, then reads this; bringUp() sets this, then reads isStopped: so at least
+  // one of the two sees the change of the other.
   private volatile @Nullable DeployedRobot robot;
 
   // The loop's thread only.
@@ -73,30 +73,30 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
   /**
    * Opens nothing yet.
    *
-   * @param trace takes the robot's trace, each event as it happens
-   * @param console takes lines for people, from any thread
+   * @param trace receives the robot's trace, event by event
+   * @param console receives log lines, from any thread
    */
   public RobotRun(Settings settings, OutputStream trace, Consumer<String> console) {
     super(settings.entry().id(), settings.plans(), settings.rounds());
     this.settings = settings;
     this.console = line -> console.accept(id + ": " + line);
-    outbox = new ProcessOutbox(id, settings.plans().get().header(), trace);
+    sink = new ProcessTrace(id, settings.plans().get().header(), trace);
   }
 
   /**
    * Runs until {@link #stop}.
    *
-   * @return the bug or the violated specification that ended it; null if neither did
+   * @return the bug or the violation that ended the run; null for none
    * @throws IOException if it cannot begin; its message is one line for people
    */
   public @Nullable Throwable run() throws IOException {
-    MachineClock.tell(outbox, clock, startNs);
+    MachineClock.tell(sink, clock, startNs);
     try {
       startRound();
       loop();
     } finally {
       bringDown(false);
-      outbox.end(clock.nowNs() - startNs);
+      sink.end(clock.nowNs() - startNs);
       over.countDown();
     }
     return failure.get();
@@ -160,7 +160,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     observers.forEach(observer -> observer.started(plan.header()));
     LateTrace trace =
         new LateTrace(
-            outbox, startNs, event -> observers.forEach(observer -> observer.observed(event)));
+            sink, startNs, event -> observers.forEach(observer -> observer.observed(event)));
     DeployedRobot opened =
         DeployedRobot.open(
             settings.deployment(),
@@ -196,7 +196,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     robot = null;
     if (running != null) {
       running.close();
-      tell(running.strandUse(), running.network());
+      report(running.strandUse(), running.network());
     }
     if (world != null) {
       if (isLifted) {
@@ -207,7 +207,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     }
   }
 
-  private void tell(StrandUse use, UdpStatistics network) {
+  private void report(StrandUse use, UdpStatistics network) {
     console.accept(
         String.format(
             Locale.ROOT,
@@ -227,7 +227,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
 
   private void log(long timeNs, Level level, String tag, String line) {
     if (level.compareTo(Level.INFO) >= 0) {
-      outbox.report(() -> Math.max(0, timeNs - startNs), ProcessWord.LOG, level, tag, line);
+      sink.report(() -> Math.max(0, timeNs - startNs), ProcessWord.LOG, level, tag, line);
       console.accept(tag + ": " + line);
     }
   }

@@ -9,7 +9,7 @@ import org.starl.sim.world.Body;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
 
-/** A robot's simulated body, on the floor or not. On the strand of its world. */
+/** A robot's simulated body, on or off the floor. Only on the strand of its world. */
 class SimulatedBody {
 
   private final RobotId id;
@@ -29,7 +29,7 @@ class SimulatedBody {
     this.chassis = chassis;
   }
 
-  /** Whether the body would touch nothing there. */
+  /** Whether the body would touch no other there. */
   final boolean isFree(Pose place) {
     return !collides || world.isFree(place, radiusMm);
   }

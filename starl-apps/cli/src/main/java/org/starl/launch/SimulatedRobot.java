@@ -19,7 +19,7 @@ import org.starl.robot.DeployedRobot;
 import org.starl.robot.realtime.RealBackground;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.realtime.RealStrand;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.robot.udp.FileStable;
 import org.starl.robot.udp.LossyRadio;
@@ -34,15 +34,15 @@ import org.starl.sim.world.World;
 import org.starl.time.Time;
 
 /**
- * One incarnation of a robot's program in its process: on the strand, radio and storage of the real
- * platform, with wheels and fixes of a simulated body. The body is alone in its world: bodies of
- * other processes do not touch it.
+ * One incarnation of a robot's program in a process: strand, radio and storage of the real platform,
+ * wheels and fixes of a simulated body. The body is alone in its world: bodies of other processes
+ * cannot touch it.
  */
 final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
 
   private static final long ALIVE_EVERY_NS = 50 * Time.NS_PER_MS;
 
-  private final ProcessOutbox outbox;
+  private final ProcessTrace trace;
   private final DeployedRobot.Host host;
   private final RealStrand strand;
   private final BodyClock clock;
@@ -58,13 +58,13 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
   private final Timer alive;
 
   // Strand only.
-  private boolean isPlaceWanted;
+  private boolean isPlaceRequested;
   private boolean mayBePlaced;
 
   /**
    * Opens everything; {@link #start} runs it.
    *
-   * @param number of the incarnation, from 1: each has random numbers of its own
+   * @param number of the incarnation, from 1, for its random numbers
    * @param port to listen at on the loopback interface; 0 for any free one
    */
   SimulatedRobot(
@@ -74,10 +74,10 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
       RealClock real,
       Path folder,
       int port,
-      ProcessOutbox outbox,
+      ProcessTrace trace,
       DeployedRobot.Host host)
       throws IOException {
-    this.outbox = outbox;
+    this.trace = trace;
     this.host = host;
     SimSettings settings = plan.settings();
     RobotId id = spec.id();
@@ -100,11 +100,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     background = new RealBackground(id.name(), strand);
     World world =
         new World(
-            clock::shownNs,
-            clock.reading(strand),
-            outbox,
-            settings.worldLimits(),
-            plan.obstacles());
+            clock::shownNs, clock.reading(strand), trace, settings.worldLimits(), plan.obstacles());
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
     body = new SimulatedBody(spec, settings, world, chassis);
     long periodNs = settings.positionPeriodNs();
@@ -133,13 +129,13 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
             rng::fork,
             background,
             this::log,
-            outbox,
+            trace,
             plan.obstacles().known(),
             settings.motionParameters(plan.robots().indexOf(spec)),
             plan.key());
     runner = new RobotRunner(platform, spec.app(), this::appEnded);
     control = new OneRobotControl(plan, spec, this, strand, clock, runner);
-    alive = strand.timer(this::tellAlive);
+    alive = strand.timer(this::reportAlive);
   }
 
   private static long delayNs(SimSettings settings, Rng rng) {
@@ -163,7 +159,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
   }
 
   void start() {
-    strand.post(this::tellAlive);
+    strand.post(this::reportAlive);
     control.begin();
     runner.start();
   }
@@ -173,7 +169,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     strand.post(() -> mayBePlaced = true);
   }
 
-  /** Takes its body off the floor, and ends the program at that time. */
+  /** Removes its body from the floor, and ends the program at that time. */
   void leaveFloor() {
     CountDownLatch gone = new CountDownLatch(1);
     strand.post(() -> {
@@ -197,30 +193,30 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     stable.close();
   }
 
-  private void tellAlive() {
-    outbox.report(clock, ProcessWord.ALIVE, radio.copies(), radio.lost(), clock.longestPauseNs());
+  private void reportAlive() {
+    trace.report(clock, ProcessWord.ALIVE, radio.copies(), radio.lost(), clock.longestPauseNs());
     alive.set(clock.nowNs() + ALIVE_EVERY_NS);
   }
 
   private void appEnded() {
     List<Object> results = Objects.requireNonNull(runner.results());
-    outbox.report(clock, ProcessWord.FINISHED, results.toArray());
+    trace.report(clock, ProcessWord.FINISHED, results.toArray());
     host.finished(results);
   }
 
   private void log(long timeNs, Level level, String tag, String line) {
     if (level.compareTo(Level.INFO) >= 0) {
-      outbox.report(clock, ProcessWord.LOG, level, tag, line);
+      trace.report(clock, ProcessWord.LOG, level, tag, line);
     }
   }
 
-  // What follows reads the clock first, so that the body is where it is now.
+  // The methods below read the clock first, to move the body to its current position.
 
   @Override
   public boolean place() {
-    if (!isPlaceWanted) {
-      isPlaceWanted = true;
-      outbox.report(clock, ProcessWord.WANTS_PLACE);
+    if (!isPlaceRequested) {
+      isPlaceRequested = true;
+      trace.report(clock, ProcessWord.WANTS_PLACE);
     }
     clock.nowNs();
     if (!mayBePlaced || !body.place(0)) {

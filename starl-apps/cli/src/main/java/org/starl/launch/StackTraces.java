@@ -3,7 +3,7 @@ package org.starl.launch;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 
-/** Stack traces as text, for who asked for them. */
+/** Stack traces as text. */
 public final class StackTraces {
 
   private StackTraces() {}

@@ -26,12 +26,12 @@ import org.starl.trace.TraceEvent.Sent;
 import org.starl.trace.TraceHeader;
 
 /**
- * The traces of several processes as one trace, judged by the app's specifications. Uncertain
- * clocks allow several orders of events, and measured bodies several places. A violation in all
- * cases that are tried is certain; a violation in only some of them is possible.
+ * Merges the traces of several processes into one trace and checks the app's specifications.
+ * Uncertain clocks allow several orders of events, and measured bodies several positions. A violation
+ * in all tried cases is certain; a violation in only some of them is possible.
  *
- * <p>No progress is owed: the merged trace begins with a fault of the world that never ends,
- * because a machine that does other work as well promises no times. Safety is judged exactly.
+ * <p>Progress is not required: the merged trace begins with a fault of the world that never ends,
+ * because a machine with other work guarantees no times. Safety is checked exactly.
  */
 public final class TraceMerge {
 
@@ -45,7 +45,7 @@ public final class TraceMerge {
    * @param run of the middle order
    * @param robots that left traces
    * @param dead robots whose last trace is cut off
-   * @param orders how many were tried
+   * @param orders number of tried orders
    * @param uncertaintyNs the largest error of the clocks in the middle order
    * @param withinMm the largest distance of a body from its measured place; 0 if none was measured
    * @param lostMs for each robot with a gap in its measurements, the longest gap
@@ -119,13 +119,13 @@ public final class TraceMerge {
    * Judges the traces.
    *
    * @param plan of the same run
-   * @param observers see the middle order as they would see a simulated run
+   * @param observers see the middle order like a simulated run
    */
   public Result judge(SimulationPlan plan, List<SimObserver> observers) {
     return judge(plan, observers, run -> run);
   }
 
-  /** The same; {@code complete} adds what the traces do not tell of the run. */
+  /** The same; {@code complete} adds results that the traces do not have. */
   Result judge(
       SimulationPlan plan, List<SimObserver> observers, UnaryOperator<SimResult> complete) {
     List<long[]> clocks = bounds.candidates(traces);
@@ -212,7 +212,7 @@ public final class TraceMerge {
     return traces.stream().map(RecordedTrace::robot).collect(Collectors.toCollection(TreeSet::new));
   }
 
-  /** The same violation may have other times and words in another order of events. */
+  /** Identifies a violation: its time and words may differ between orders of events. */
   private static String key(Violation violation) {
     return violation.lemma() + " " + violation.robots();
   }

@@ -21,17 +21,14 @@ import org.starl.robot.serial.SerialLink;
 
 /**
  * A process between a robot's program and its Create. A Create has no watchdog: when the driver's
- * process is killed or frozen, it keeps its last command. The guard owns the Create's port and
- * passes bytes both ways between the port and its standard input and output. It stops the wheels
- * when its input is silent, which a driver never is, and when its input ends, for any reason. If
- * the guard itself is killed, the driver starts another one.
+ * process is killed or frozen, the Create continues its last command. The guard has the Create's port
+ * and passes bytes between the port and its standard input and output. It stops the wheels when its
+ * input ends, for any reason, and when its input is silent: a live driver never is. If the guard is
+ * killed, the driver starts another one.
  */
 public final class WheelGuard {
 
-  /**
-   * Both wheels 0 mm/s, then passive mode. Sent repeatedly: a command cut off before may swallow
-   * one.
-   */
+  /** Both wheels 0 mm/s, then passive mode. Sent repeatedly: a truncated command may swallow one. */
   private static final byte[] HALT = {(byte) 145, 0, 0, 0, 0, (byte) 128};
 
   /** The length of the stop command in {@link #HALT}. */
@@ -103,7 +100,7 @@ public final class WheelGuard {
       guard.watchdog.start();
       guard.passToCreate();
     } catch (IOException e) {
-      tellReason(String.valueOf(e.getMessage()));
+      reportReason(String.valueOf(e.getMessage()));
       status = 1;
     }
     Runtime.getRuntime().exit(status);
@@ -129,17 +126,17 @@ public final class WheelGuard {
       for (int n = from.read(buffer); n >= 0; n = from.read(buffer)) {
         out.write(buffer, 0, n);
       }
-      tellReason(link + " was closed");
+      reportReason(link + " was closed");
       Runtime.getRuntime().exit(1);
     } catch (IOException e) {
-      // The program or the Create is gone: nothing is left to pass on.
-      tellReason(link + ": " + e.getMessage());
+      // The program or the Create is gone.
+      reportReason(link + ": " + e.getMessage());
       Runtime.getRuntime().exit(1);
     }
   }
 
-  /** Tells the program why its link has ended. */
-  private static void tellReason(String line) {
+  /** Reports to the program why its link has ended. */
+  private static void reportReason(String line) {
     try (OutputStream err = new FileOutputStream(FileDescriptor.err)) {
       err.write(line.getBytes(Charset.defaultCharset()));
     } catch (IOException e) {
@@ -161,7 +158,7 @@ public final class WheelGuard {
     }
   }
 
-  /** Stops the wheels of a silent program; what it writes later is passed on again. */
+  /** Stops the wheels of a silent program; its later bytes are passed on again. */
   private void watch() {
     lock.lock();
     try {
@@ -173,7 +170,7 @@ public final class WheelGuard {
         }
       }
     } catch (InterruptedException e) {
-      // An interrupt from outside means: end.
+      // StarL never interrupts this thread: an interrupt is a request to end it.
       Thread.currentThread().interrupt();
     } catch (IOException e) {
       // The Create is gone.
@@ -185,8 +182,7 @@ public final class WheelGuard {
 
   private void halt() {
     try {
-      // A longer holder of the lock waits for a line that takes no more bytes: stopping is
-      // impossible.
+      // A thread that holds the lock longer waits for a stuck line: stopping is impossible.
       if (lock.tryLock(DRAIN_MS, TimeUnit.MILLISECONDS)) {
         try {
           haltNow();
@@ -257,9 +253,9 @@ public final class WheelGuard {
       if (count >= 0) {
         return count;
       }
-      byte[] words = process.getErrorStream().readAllBytes();
+      byte[] reason = process.getErrorStream().readAllBytes();
       String last =
-          new String(words, Charset.defaultCharset())
+          new String(reason, Charset.defaultCharset())
               .strip()
               .lines()
               .reduce("", (before, line) -> line);

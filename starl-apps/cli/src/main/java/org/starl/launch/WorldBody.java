@@ -13,8 +13,8 @@ import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
 
 /**
- * A body in the {@link WorldServer}: a simulated Create moves and feels with it, and cameras see
- * it. It belongs to the world's strand; Creates and programs use it from their own threads.
+ * A body in the {@link WorldServer}, moved by a simulated Create or a program and seen by the
+ * cameras. It belongs to the world's strand; Creates and programs use it from their own threads.
  */
 final class WorldBody extends SimulatedBody implements CreateBody {
 
@@ -64,7 +64,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
     strand.post(() -> chassis.drive(command.get()));
   }
 
-  /** What it touches now. From any thread. */
+  /** The contacts now. From any thread. */
   Bumps bumps() {
     return bumps;
   }
@@ -88,7 +88,7 @@ final class WorldBody extends SimulatedBody implements CreateBody {
     bumps = Bumps.NONE;
   }
 
-  /** As cameras see it; off the floor they do not. */
+  /** The body as cameras see it: tracked only on the floor. */
   PoseSource.Body seen() {
     if (isOnFloor()) {
       lastPose = onFloor().pose();

@@ -39,7 +39,7 @@ import org.starl.robot.realtime.RealStrand;
 import org.starl.robot.serial.PseudoTerminal;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.World;
@@ -62,7 +62,7 @@ public final class WorldServer implements AutoCloseable {
   private final Consumer<Throwable> onFailure;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final ProcessOutbox trace;
+  private final ProcessTrace trace;
   private final RealStrand strand;
   private final double apartMm;
   private final Map<RobotId, WorldBody> bodies = new TreeMap<>();
@@ -70,7 +70,7 @@ public final class WorldServer implements AutoCloseable {
   private final Timer update;
   private boolean isClosed;
 
-  // The strand only: robots whose bodies wait for their place, and where to send the answer.
+  // The strand only: robots whose bodies wait for room, with the streams for the answers.
   private final Map<RobotId, DataOutputStream> waiting = new TreeMap<>();
 
   // Written on the strand, read by the cameras' thread.
@@ -79,9 +79,9 @@ public final class WorldServer implements AutoCloseable {
   /**
    * Runs from now on.
    *
-   * @param out takes the trace of the bodies
-   * @param console takes lines for people, from any thread
-   * @param onFailure is told, from any thread, of an error that ends it early
+   * @param out receives the trace of the bodies
+   * @param console receives log lines, from any thread
+   * @param onFailure receives, from any thread, an error that ends it early
    * @throws IOException if an address or a device cannot be opened; its message is one line for
    *     people
    */
@@ -95,7 +95,7 @@ public final class WorldServer implements AutoCloseable {
     this.deployment = deployment;
     this.console = console;
     this.onFailure = onFailure;
-    trace = new ProcessOutbox(Fault.WORLD, plan.header(), out);
+    trace = new ProcessTrace(Fault.WORLD, plan.header(), out);
     MachineClock.tell(trace, clock, startNs);
     strand = new RealStrand("world", clock, onFailure);
     parts.push(strand);
@@ -162,7 +162,7 @@ public final class WorldServer implements AutoCloseable {
       try {
         part.close();
       } catch (Exception e) {
-        console.accept(part + ": " + e); // the process ends, which closes it too
+        console.accept(part + ": " + e); // the end of the process closes it too
       }
     }
     try {
@@ -172,7 +172,7 @@ public final class WorldServer implements AutoCloseable {
     }
   }
 
-  /** Gives places, and renews what the cameras see. On the strand. */
+  /** Places waiting bodies, and updates the cameras' picture. On the strand. */
   private void update() {
     waiting
         .entrySet()

@@ -124,7 +124,7 @@ class ProcessesTest {
       value = {
         "run hello --rounds 2 | --rounds needs --processes",
         "run hello --kill bot0@2s | --kill needs --processes",
-        "run hello --processes --kill bot0 | --kill: 'bot0': expected WHO@WHEN",
+        "run hello --processes --kill bot0 | --kill: 'bot0': expected ROBOT@WHEN",
         "run hello --processes --kill bot9@2s | --kill: 'bot9@2s': expected one of [bot0",
         "run hello --processes --rounds 0 | --rounds: ",
         "run hello --processes --fault stuck(bot0,at=2s) | expected crash(NAME,at=TIME)",

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.Simulation;
 import org.starl.trace.TraceEvent.Action;
@@ -30,8 +30,8 @@ class RecordedTraceTest {
   void write() throws IOException {
     file = folder.resolve("bot0.trace");
     try (OutputStream out = Files.newOutputStream(file)) {
-      ProcessOutbox outbox =
-          new ProcessOutbox(BOT0, Simulation.builder().build().plan().header(), out);
+      ProcessTrace outbox =
+          new ProcessTrace(BOT0, Simulation.builder().build().plan().header(), out);
       outbox.report(() -> 0, ProcessWord.CLOCK, "machine", 1, 2);
       for (long atNs = 1; atNs <= 3; atNs++) {
         outbox.record(new Action(atNs, BOT0, "app", "walks", List.of()));

@@ -17,7 +17,7 @@ import org.junit.jupiter.api.io.TempDir;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimSettings;
@@ -134,7 +134,7 @@ class TraceMergeTest {
       throws IOException {
     Path file = folder.resolve(name);
     try (OutputStream out = Files.newOutputStream(file)) {
-      ProcessOutbox outbox = new ProcessOutbox(robot, HEADER, out);
+      ProcessTrace outbox = new ProcessTrace(robot, HEADER, out);
       outbox.report(() -> 0, ProcessWord.CLOCK, machine, machineNs, dateNs);
       Arrays.asList(events).forEach(outbox::record);
       if (isWhole) {
@@ -350,7 +350,7 @@ class TraceMergeTest {
     Path file = folder.resolve(name + ".trace");
     try (OutputStream out = Files.newOutputStream(file)) {
       TraceHeader header = new TraceHeader("test", "section", 1, 1, settings, List.of(A, B));
-      ProcessOutbox outbox = new ProcessOutbox(A, header, out);
+      ProcessTrace outbox = new ProcessTrace(A, header, out);
       outbox.report(() -> 0, ProcessWord.CLOCK, "m", 0, 0);
       outbox.end(0);
     }
@@ -361,7 +361,7 @@ class TraceMergeTest {
   void aFileThatIsNotADeploymentTraceIsRefused() throws IOException {
     Path file = folder.resolve("other.trace");
     try (OutputStream out = Files.newOutputStream(file)) {
-      new ProcessOutbox(A, HEADER, out).end(0);
+      new ProcessTrace(A, HEADER, out).end(0);
     }
 
     assertThatThrownBy(() -> judge(SECOND, file.toString()))

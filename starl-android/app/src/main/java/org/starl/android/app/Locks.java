@@ -7,8 +7,8 @@ import android.os.Build;
 import android.os.PowerManager;
 
 /**
- * The locks that keep a phone awake while it drives a robot: processor, Wi-Fi without power saving, and
- * multicast, which Wi-Fi drivers drop otherwise. Main thread only.
+ * The locks that keep a phone awake while it drives a robot: processor, Wi-Fi without power saving,
+ * and multicast, which Wi-Fi drivers drop otherwise. Main thread only.
  */
 final class Locks {
 

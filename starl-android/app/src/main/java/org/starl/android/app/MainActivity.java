@@ -92,14 +92,14 @@ public final class MainActivity extends Activity {
 
   @Override
   protected void onActivityResult(int request, int result, @Nullable Intent data) {
-    Uri chosen = data == null ? null : data.getData();
-    if (result != RESULT_OK || chosen == null) {
+    Uri file = data == null ? null : data.getData();
+    if (result != RESULT_OK || file == null) {
       return;
     }
     if (request == SAVE_TRACES) {
-      saver.execute(() -> save(chosen));
+      saver.execute(() -> save(file));
     } else {
-      load(request == LOAD_KEY ? Item.KEY : Item.DEPLOYMENT, chosen);
+      load(request == LOAD_KEY ? Item.KEY : Item.DEPLOYMENT, file);
     }
   }
 
@@ -133,7 +133,7 @@ public final class MainActivity extends Activity {
     }
   }
 
-  /** In percent; below 0 if unknown. */
+  /** Charge of the phone's battery in percent; below 0 if unknown. */
   private int phoneBatteryPercent() {
     Intent battery = registerReceiver(null, new IntentFilter(Intent.ACTION_BATTERY_CHANGED));
     if (battery == null) {
@@ -144,8 +144,8 @@ public final class MainActivity extends Activity {
     return scale <= 0 ? -1 : 100 * level / scale;
   }
 
-  private void load(Item item, Uri chosen) {
-    try (InputStream from = getContentResolver().openInputStream(chosen)) {
+  private void load(Item item, Uri file) {
+    try (InputStream from = getContentResolver().openInputStream(file)) {
       if (from != null && store != null) {
         store.load(item, from);
         tell("loaded");
@@ -157,9 +157,9 @@ public final class MainActivity extends Activity {
   }
 
   // On the saver's thread.
-  private void save(Uri chosen) {
+  private void save(Uri file) {
     String outcome;
-    try (OutputStream to = getContentResolver().openOutputStream(chosen)) {
+    try (OutputStream to = getContentResolver().openOutputStream(file)) {
       if (to == null || store == null) {
         throw new IOException("nothing can be written there");
       }
@@ -247,7 +247,7 @@ public final class MainActivity extends Activity {
       startService(RobotService.intent(MainActivity.this, RobotService.STOP));
     }
 
-    /** By an intent, which may wait, only where the service is not bound yet; else the wheels stop at once. */
+    /** Stops the wheels at once; by an intent, which may wait, only before the service is bound. */
     void emergencyStop() {
       if (service != null) {
         service.emergencyStop();

@@ -22,7 +22,7 @@ record Mission(
     Function<GlobalVarHolder, LogicThread> app,
     @Nullable DeploymentKey key) {
 
-  /** Begins the port of a chassis that is reached over Bluetooth; the adapter's name or address follows. */
+  /** Prefix of a chassis port over Bluetooth; the adapter's name or address follows. */
   static final String BLUETOOTH = "bluetooth:";
 
   /**

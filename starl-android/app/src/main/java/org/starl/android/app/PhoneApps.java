@@ -20,9 +20,9 @@ import org.starl.input.BadInput;
 import org.starl.robot.file.Deployment;
 
 /**
- * The apps that a phone can run, by name: the same classes as in the simulator. Scenarios drawn from the
- * seed need the simulator, which a phone does not have; so a phone runs only the scenarios that are the
- * same for every seed.
+ * The apps that a phone can run, by name: the same classes as in the simulator. Scenarios drawn from
+ * the seed need the simulator, which a phone does not have; so a phone runs only the scenarios that
+ * are the same for every seed.
  */
 final class PhoneApps {
 

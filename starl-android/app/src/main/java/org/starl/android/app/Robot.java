@@ -29,8 +29,9 @@ import org.starl.robot.file.Wheels;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.trace.ProcessWord;
+import org.starl.time.Time;
 import org.starl.trace.TraceHeader;
 
 /**
@@ -39,7 +40,7 @@ import org.starl.trace.TraceHeader;
  */
 final class Robot implements DeployedRobot.Host, AutoCloseable {
 
-  private static final long LOOK_EVERY_NS = 200_000_000;
+  private static final long LOOK_EVERY_NS = 200 * Time.NS_PER_MS;
   private static final String LOCATION = "location";
 
   /**
@@ -51,11 +52,11 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   record Files(Path stable, OutputStream trace) {}
 
   private final Mission mission;
-  private final RememberingLinks links;
+  private final RecordingLinks links;
   private final Consumer<Throwable> onBug;
   private final RealClock clock = RealClock.ofDate();
   private final long startNs = clock.nowNs();
-  private final ProcessOutbox trace;
+  private final ProcessTrace trace;
   private final LogSink log;
   private final DeployedRobot deployed;
   private final Timer look;
@@ -63,7 +64,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   // Set once, while the robot is opened.
   private @Nullable CreateChassis chassis;
 
-  // The values of status(); each is written by one thread only.
+  // Parts of status(); one thread writes each.
   private volatile String appState = "starts";
   private volatile @Nullable Location location;
   private volatile @Nullable Throwable bug;
@@ -74,8 +75,8 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     this.mission = mission;
     this.onBug = onBug;
     this.log = log;
-    links = new RememberingLinks(source);
-    trace = new ProcessOutbox(mission.robot().id(), header(mission.deployment()), files.trace());
+    links = new RecordingLinks(source);
+    trace = new ProcessTrace(mission.robot().id(), header(mission.deployment()), files.trace());
     MachineClock.tell(trace, clock, startNs);
     deployed =
         DeployedRobot.open(
@@ -87,7 +88,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
                 files.stable(),
                 this::openWheels,
                 clock,
-                this::say,
+                this::logAndTrace,
                 new LateTrace(trace, startNs, event -> {})),
             this);
     look = deployed.strand().timer(this::look);
@@ -181,7 +182,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
   }
 
   // From any thread.
-  private void say(long timeNs, LogSink.Level level, String tag, String line) {
+  private void logAndTrace(long timeNs, LogSink.Level level, String tag, String line) {
     log.log(timeNs, level, tag, line);
     if (level.compareTo(LogSink.Level.INFO) >= 0) {
       trace.report(() -> Math.max(0, timeNs - startNs), ProcessWord.LOG, level, tag, line);
@@ -209,7 +210,7 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
 
   // On the strand.
   private void look() {
-    // Null while its boot number is not yet on the disk.
+    // Null until its boot number is on the disk.
     GlobalVarHolder gvh = deployed.runner().gvh();
     if (gvh != null) {
       location = gvh.gps.location();
@@ -230,12 +231,12 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
     return "";
   }
 
-  /** Links that remember why the last one could not be opened. */
-  private static final class RememberingLinks implements ByteLink.Source {
+  /** Links that record why the last one could not be opened. */
+  private static final class RecordingLinks implements ByteLink.Source {
     private final ByteLink.Source source;
     private volatile @Nullable IOException problem;
 
-    RememberingLinks(ByteLink.Source source) {
+    RecordingLinks(ByteLink.Source source) {
       this.source = source;
     }
 

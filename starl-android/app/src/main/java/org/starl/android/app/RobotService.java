@@ -56,7 +56,7 @@ public final class RobotService extends Service {
     FAILED
   }
 
-  /** Gives the service object to clients in this process. */
+  /** Gives clients in this process access to the service. */
   final class Access extends Binder {
     RobotService service() {
       return RobotService.this;
@@ -93,11 +93,12 @@ public final class RobotService extends Service {
   private String problem = "";
   private int lastStartId;
 
-  // The main thread counts, and asks the worker each time to close the robot of before.
+  // Counted by the main thread, which each time makes the worker close the earlier robot.
   private final AtomicInteger attempt = new AtomicInteger();
 
-  // The worker sets it, and asks then whether it may drive; the main thread forbids that, and looks
-  // then whether it is set: one of both stops its wheels.
+  // The worker sets this, then reads isEmergency and attempt; the main thread sets one of those,
+  // then
+  // reads this. So at least one of the two threads stops the wheels.
   private volatile @Nullable Robot robot;
   private volatile boolean isEmergency;
 
@@ -256,7 +257,7 @@ public final class RobotService extends Service {
               RobotService::log,
               bug -> robotFailed(mine, bug));
       robot = opened;
-      // In this order: an end that takes the emergency stop back has begun its attempt before.
+      // In this order: an end that clears the emergency stop has begun its attempt before that.
       if (isEmergency || attempt.get() != mine) {
         opened.emergencyStop();
       }
@@ -318,7 +319,7 @@ public final class RobotService extends Service {
     }
   }
 
-  /** Leaves the foreground and releases the locks after the robot is closed, so its wheels are stopped. */
+  /** Leaves the foreground and releases the locks after the robot is closed and its wheels stand. */
   private void leaveSoon() {
     int mine = attempt.get();
     worker.execute(() -> {
@@ -330,7 +331,7 @@ public final class RobotService extends Service {
   private void leave() {
     stopForeground(STOP_FOREGROUND_REMOVE);
     releaseLocks();
-    // Not where another command is on its way here.
+    // Has no effect if another command is on its way to this service.
     stopSelf(lastStartId);
   }
 

@@ -1,5 +1,8 @@
 package org.starl.android.app;
 
+import static org.starl.time.Time.NS_PER_MS;
+
+import java.io.IOException;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -12,8 +15,6 @@ import org.starl.robot.file.Deployment;
 
 /** The activity's text about a robot and its phone, line by line. */
 final class StatusText {
-
-  private static final long NS_PER_MS = 1_000_000;
 
   private StatusText() {}
 
@@ -74,14 +75,11 @@ final class StatusText {
   private static String wheels(RobotStatus status) {
     CreateStatus wheels = status.wheels();
     if (wheels.holds().contains(CreateHold.NO_LINK)) {
-      return "no link" + (status.linkProblem() == null ? "" : after(cause(status)));
+      IOException problem = status.linkProblem();
+      return "no link" + (problem == null ? "" : ": " + problem.getMessage());
     }
     String holds = wheels.holds().isEmpty() ? "may drive" : "held by " + wheels.holds();
     return holds + (wheels.linksLost() == 0 ? "" : "; link lost " + wheels.linksLost() + " times");
-  }
-
-  private static String cause(RobotStatus status) {
-    return status.linkProblem() == null ? "" : String.valueOf(status.linkProblem().getMessage());
   }
 
   private static String battery(CreateSensors sensors) {

@@ -50,7 +50,7 @@ import org.starl.robot.optitrack.PoseSource;
 import org.starl.robot.realtime.RealClock;
 import org.starl.robot.trace.LateTrace;
 import org.starl.robot.trace.MachineClock;
-import org.starl.robot.trace.ProcessOutbox;
+import org.starl.robot.trace.ProcessTrace;
 import org.starl.robot.udp.KeyFile;
 import org.starl.sim.SimulationPlan;
 import org.starl.spec.SpecReport;
@@ -88,7 +88,7 @@ public final class TwoPhonesTest {
   private final List<ServiceController<RobotService>> phones = new ArrayList<>();
   private NatNetServer cameras;
   private Path worldsTrace;
-  private ProcessOutbox world;
+  private ProcessTrace world;
 
   private static Plan figure7() {
     IntersectionDemo demo = new IntersectionDemo();
@@ -125,7 +125,7 @@ public final class TwoPhonesTest {
             new HashSet<>(
                 NAMES.stream().map(name -> adapter.getRemoteDevice(adapterOf(name))).toList()));
     worldsTrace = folder.getRoot().toPath().resolve("world.trace");
-    world = new ProcessOutbox(Fault.WORLD, header(), Files.newOutputStream(worldsTrace));
+    world = new ProcessTrace(Fault.WORLD, header(), Files.newOutputStream(worldsTrace));
     MachineClock.tell(world, clock, startNs);
     LateTrace truth = new LateTrace(world, startNs, event -> {});
     for (int i = 0; i < NAMES.size(); i++) {

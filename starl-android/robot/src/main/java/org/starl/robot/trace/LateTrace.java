@@ -10,7 +10,7 @@ import org.starl.trace.TraceSink;
  * @param startNs the clock's value at the trace's time 0
  * @param observer takes each event, with the clock's time, on the thread that makes the event
  */
-public record LateTrace(ProcessOutbox trace, long startNs, Consumer<TraceEvent> observer)
+public record LateTrace(ProcessTrace trace, long startNs, Consumer<TraceEvent> observer)
     implements TraceSink {
 
   @Override

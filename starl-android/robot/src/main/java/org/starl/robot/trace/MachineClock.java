@@ -19,7 +19,7 @@ public final class MachineClock {
   private MachineClock() {}
 
   /** Records the machine's time at the trace's time 0, when {@code clock} shows {@code startNs}. */
-  public static void tell(ProcessOutbox trace, RealClock clock, long startNs) {
+  public static void tell(ProcessTrace trace, RealClock clock, long startNs) {
     long machineNs = clock.originNs() + startNs;
     trace.report(() -> 0, ProcessWord.CLOCK, machine(), machineNs, startNs);
   }

@@ -17,13 +17,13 @@ import org.starl.trace.TraceWriter;
  * #record} returns. It ignores a parent that is gone: the child notices that at the end of its input.
  * From any thread.
  */
-public final class ProcessOutbox implements TraceSink {
+public final class ProcessTrace implements TraceSink {
 
   private final RobotId self;
   private final TraceWriter writer;
 
   /** @param out takes the trace */
-  public ProcessOutbox(RobotId self, TraceHeader header, OutputStream out) {
+  public ProcessTrace(RobotId self, TraceHeader header, OutputStream out) {
     this.self = self;
     writer = new TraceWriter(out, header);
   }
