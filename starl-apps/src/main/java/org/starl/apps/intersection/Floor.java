@@ -2,6 +2,7 @@ package org.starl.apps.intersection;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.starl.apps.intersection.logic.Crossing;
 import org.starl.apps.intersection.logic.Zone;
 import org.starl.geometry.Obstacle;
@@ -51,11 +52,9 @@ final class Floor {
     for (int i = 0; i < pieces; i++) {
       Point at = Crossing.centre(Zone.values()[rng.nextInt(Zone.values().length)]);
       List<Point> corners =
-          List.of(
-              at.plus(new Point(-DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),
-              at.plus(new Point(DEBRIS_HALF_MM, -DEBRIS_HALF_MM)),
-              at.plus(new Point(DEBRIS_HALF_MM, DEBRIS_HALF_MM)),
-              at.plus(new Point(-DEBRIS_HALF_MM, DEBRIS_HALF_MM)));
+          Stream.of(new Point(-1, -1), new Point(1, -1), new Point(1, 1), new Point(-1, 1))
+              .map(corner -> at.plus(corner.times(DEBRIS_HALF_MM)))
+              .toList();
       long lifetimeMs = rng.nextLong(MIN_DEBRIS_MS, MAX_DEBRIS_MS);
       all = all.plus(new Obstacle(corners, true, true, lifetimeMs));
     }
