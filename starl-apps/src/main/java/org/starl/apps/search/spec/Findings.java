@@ -9,12 +9,12 @@ import org.starl.apps.search.logic.SearchTrace;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
-import org.starl.spec.Monitor;
+import org.starl.spec.InstanceMonitor;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /** {@code found}, {@code nothing} and {@code gave_up}: what robots announce is true. */
-final class Findings implements Monitor {
+final class Findings extends InstanceMonitor<Findings> {
 
   private static final String FOUND = "found";
   private static final String NOTHING = "nothing";
@@ -29,46 +29,44 @@ final class Findings implements Monitor {
   private final Reach reach;
 
   Findings(House house, List<ItemPosition> things) {
+    super(SearchTrace.SOURCE::equals);
     this.house = house;
     this.things = List.copyOf(things);
     view = new TrueView(house);
     reach = new Reach(house);
+    lemma(
+        FOUND,
+        "A robot that announces a thing has it in range and sight, and tells its true place.");
+    lemma(
+        NOTHING,
+        "\"Nothing there\" is announced only when every place of every room was truly seen.");
+    lemma(
+        GAVE_UP,
+        "A room is given up only if robots that are down bar some of it, or no robot can enter.");
   }
 
   @Override
-  public List<String> lemmas() {
-    return List.of(FOUND, NOTHING, GAVE_UP);
-  }
-
-  @Override
-  public String description(String lemma) {
-    return switch (lemma) {
-      case FOUND ->
-          "A robot that announces a thing has it in range and sight, and tells its true place.";
-      case NOTHING ->
-          "\"Nothing there\" is announced only when every place of every room was truly seen.";
-      case GAVE_UP ->
-          "A room is given up only if robots that are down bar some of it, or no robot can enter.";
-      default -> "";
-    };
+  protected Findings begin(String source) {
+    return this;
   }
 
   @Override
   public void observe(TraceEvent event, Report report) {
     view.observe(event);
     reach.observe(event);
-    if (event instanceof Action action) {
-      if (SearchTrace.is(action, SearchTrace.FOUND)) {
-        checkFound(action, report);
-      } else if (SearchTrace.is(action, SearchTrace.ANSWER)) {
-        String answer = action.args().get(0);
-        if (answer.equals(Answer.NOTHING)) {
-          checkNothing(action, report);
-        } else if (answer.startsWith(Answer.GAVE_UP)) {
-          String rooms = answer.substring(Answer.GAVE_UP.length());
-          checkGaveUp(action, List.of(rooms.split(" ", -1)), report);
-        }
-      }
+    super.observe(event, report);
+  }
+
+  @Override
+  protected void acted(Action action, Report report) {
+    String first = action.args().isEmpty() ? "" : action.args().get(0);
+    if (action.name().equals(SearchTrace.FOUND)) {
+      checkFound(action, report);
+    } else if (action.name().equals(SearchTrace.ANSWER) && first.equals(Answer.NOTHING)) {
+      checkNothing(action, report);
+    } else if (action.name().equals(SearchTrace.ANSWER) && first.startsWith(Answer.GAVE_UP)) {
+      String rooms = first.substring(Answer.GAVE_UP.length());
+      checkGaveUp(action, List.of(rooms.split(" ", -1)), report);
     }
   }
 

@@ -1,5 +1,7 @@
 package org.starl.apps.search.spec;
 
+import static org.starl.time.Time.NS_PER_S;
+
 import java.util.BitSet;
 import java.util.List;
 import java.util.SortedMap;
@@ -21,7 +23,7 @@ import org.starl.trace.TraceEvent.Variable;
  */
 final class Reach {
 
-  private static final long JUST_BACK_NS = 30_000_000_000L;
+  private static final long JUST_BACK_NS = 30 * NS_PER_S;
 
   /** Planners need some room beside a tube, and robots stop beside their goals. */
   private static final double MARGIN_MM = 100;
@@ -30,7 +32,7 @@ final class Reach {
   private static final String HELD = "held";
 
   private final House house;
-  private final FaultState circumstances = new FaultState();
+  private final FaultState faults = new FaultState();
   private final SortedMap<RobotId, List<Tube>> held = new TreeMap<>();
   private final SortedMap<RobotId, List<Tube>> heldWhenDown = new TreeMap<>();
   private final SortedMap<RobotId, Long> backNs = new TreeMap<>();
@@ -40,7 +42,7 @@ final class Reach {
   }
 
   void observe(TraceEvent event) {
-    circumstances.observe(event);
+    faults.observe(event);
     if (event instanceof Variable variable
         && variable.source().startsWith(TUBES)
         && variable.name().equals(HELD)) {
@@ -53,7 +55,7 @@ final class Reach {
   }
 
   boolean isUp(RobotId robot) {
-    return circumstances.isUp(robot);
+    return faults.isUp(robot);
   }
 
   /**

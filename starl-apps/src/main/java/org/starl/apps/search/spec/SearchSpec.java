@@ -1,5 +1,7 @@
 package org.starl.apps.search.spec;
 
+import static org.starl.time.Time.NS_PER_S;
+
 import java.util.List;
 import java.util.function.Supplier;
 import org.starl.apps.search.logic.House;
@@ -8,8 +10,6 @@ import org.starl.spec.Monitor;
 
 /** The monitors of a search itself. */
 public final class SearchSpec {
-
-  private static final long NS_PER_S = 1_000_000_000;
 
   /** Twice the silence and the leader's period: the leader may change meanwhile. */
   private static final long ASSIGNED_NS = 20 * NS_PER_S;
@@ -25,10 +25,7 @@ public final class SearchSpec {
    * @param things the things to find
    */
   public static List<Supplier<? extends Monitor>> of(House house, List<ItemPosition> things) {
-    return List.of(
-        () -> new Findings(house, things),
-        () -> new Ends(toldNs(house)),
-        () -> new Assigned(ASSIGNED_NS));
+    return List.of(() -> new Findings(house, things), () -> new Ends(toldNs(house), ASSIGNED_NS));
   }
 
   /**

@@ -1,5 +1,7 @@
 package org.starl.apps.search.spec;
 
+import static org.starl.time.Time.NS_PER_MS;
+
 import java.util.BitSet;
 import java.util.Set;
 import java.util.SortedMap;
@@ -20,12 +22,12 @@ import org.starl.trace.TraceEvent;
  */
 public final class TrueView {
 
-  private static final long STEP_NS = 50_000_000;
+  private static final long STEP_NS = 50 * NS_PER_MS;
   private static final double STEP_MM = 5;
 
   private final House house;
   private final Bodies bodies;
-  private final FaultState circumstances;
+  private final FaultState faults;
   private final SortedMap<RobotId, Point> lookedFrom = new TreeMap<>();
   private final BitSet unseen = new BitSet();
   private long nextNs;
@@ -35,15 +37,15 @@ public final class TrueView {
     house.rooms().forEach(room -> unseen.or(room.cells()));
   }
 
-  private TrueView(House house, Bodies bodies, FaultState circumstances) {
+  private TrueView(House house, Bodies bodies, FaultState faults) {
     this.house = house;
     this.bodies = bodies;
-    this.circumstances = circumstances;
+    this.faults = faults;
   }
 
   /** The state at this moment; the copy and this one change apart from now on. */
   public TrueView copy() {
-    TrueView copy = new TrueView(house, bodies.copy(), circumstances.copy());
+    TrueView copy = new TrueView(house, bodies.copy(), faults.copy());
     copy.lookedFrom.putAll(lookedFrom);
     copy.unseen.or(unseen);
     copy.nextNs = nextNs;
@@ -55,7 +57,7 @@ public final class TrueView {
     for (; nextNs <= event.timeNs(); nextNs += STEP_NS) {
       look(nextNs);
     }
-    circumstances.observe(event);
+    faults.observe(event);
     bodies.observe(event);
   }
 
@@ -85,7 +87,7 @@ public final class TrueView {
     for (RobotId robot : bodies.robots()) {
       Point at = at(robot, timeNs);
       Point before = lookedFrom.get(robot);
-      if (circumstances.isUp(robot) && (before == null || before.distanceMm(at) >= STEP_MM)) {
+      if (faults.isUp(robot) && (before == null || before.distanceMm(at) >= STEP_MM)) {
         lookedFrom.put(robot, at);
         Grid grid = house.grid();
         Sight near = house.sight().near(at, house.rangeMm());
