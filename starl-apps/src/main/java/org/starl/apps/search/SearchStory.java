@@ -3,6 +3,7 @@ package org.starl.apps.search;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.SortedSet;
 import java.util.TreeMap;
@@ -14,6 +15,7 @@ import org.starl.apps.search.logic.Answer;
 import org.starl.apps.search.logic.SearchTrace;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Fault;
@@ -21,8 +23,6 @@ import org.starl.trace.TraceEvent.Variable;
 
 /** Which robots led, which robot searched which room, and how the search ended. */
 final class SearchStory implements Story {
-
-  private static final double NS_PER_S = 1e9;
 
   private final List<String> lines = new ArrayList<>();
   private final SortedMap<RobotId, Long> endedNs = new TreeMap<>();
@@ -40,10 +40,7 @@ final class SearchStory implements Story {
         leaders.remove(robot);
         tell(fault, "crashes");
       }
-      case Fault fault when fault.name().equals(Fault.RESTART) -> {
-        leaders.remove(robot);
-        tell(fault, "restarts");
-      }
+      case Fault fault when fault.name().equals(Fault.RESTART) -> tell(fault, "restarts");
       case Variable duty when SearchTrace.is(duty, SearchTrace.DUTY) -> {
         if (duty.value().isEmpty()) {
           leaders.remove(robot);
@@ -75,7 +72,7 @@ final class SearchStory implements Story {
   }
 
   private void tell(TraceEvent event, String what) {
-    double seconds = event.timeNs() / NS_PER_S;
+    double seconds = Time.seconds(event.timeNs());
     lines.add(String.format(Locale.ROOT, "%6.1f s  %s %s", seconds, event.robot(), what));
   }
 
@@ -91,18 +88,19 @@ final class SearchStory implements Story {
 
   @Override
   public Measures measures() {
-    SortedMap<String, Double> figures = new TreeMap<>();
-    figures.put("rooms_searched", (double) sweptNs.size());
     SortedMap<String, Long> counts = new TreeMap<>();
     for (String answer : answers) {
-      String kind =
-          answer.startsWith(Answer.FOUND)
-              ? "found"
-              : answer.equals(Answer.NOTHING) ? Answer.NOTHING : "gave up";
+      boolean isFound = answer.startsWith(Answer.FOUND);
+      String kind = isFound ? "found" : answer.equals(Answer.NOTHING) ? answer : "gave up";
       counts.merge("answer: " + kind, 1L, Long::sum);
     }
     List<Long> ends = List.copyOf(endedNs.values());
-    return new Measures(joined.size(), ends.size(), ends, figures, counts);
+    return new Measures(
+        joined.size(),
+        ends.size(),
+        ends,
+        new TreeMap<>(Map.of("rooms_searched", (double) sweptNs.size())),
+        counts);
   }
 
   @Override

@@ -19,20 +19,21 @@ final class RunLengths {
   static List<Integer> of(BitSet part, Room room) {
     List<Integer> runs = new ArrayList<>();
     int length = 0;
-    boolean isIn = false;
-    BitSet cells = room.cells();
-    for (int cell = cells.nextSetBit(0); cell >= 0; cell = cells.nextSetBit(cell + 1)) {
+    for (int cell : room.cells().stream().toArray()) {
+      boolean isIn = runs.size() % 2 == 1;
       if (part.get(cell) != isIn) {
-        runs.add(Math.min(LONGEST, length));
+        runs.add(length);
         length = 0;
-        isIn = !isIn;
       }
       length++;
+      if (runs.size() == MAX || length == LONGEST) {
+        break;
+      }
     }
-    if (isIn) {
-      runs.add(Math.min(LONGEST, length));
+    if (runs.size() % 2 == 1) {
+      runs.add(length);
     }
-    return List.copyOf(runs.subList(0, Math.min(MAX, runs.size())));
+    return List.copyOf(runs);
   }
 
   /** The part that a list names; of any list of numbers, cells of the room. */
