@@ -12,7 +12,6 @@ import java.util.regex.Pattern;
 import org.starl.apps.Demo;
 import org.starl.apps.Input;
 import org.starl.apps.Parameter;
-import org.starl.apps.ParameterParser;
 import org.starl.apps.Plan;
 import org.starl.apps.Request;
 import org.starl.apps.Scenario;
@@ -187,8 +186,7 @@ public final class SearchDemo implements Demo {
       throw new BadInput("robots: " + robots + ": expected 1 to " + MAX_ROBOTS);
     }
     int rooms =
-        ParameterParser.parse(
-            request, ROOMS, text -> (int) Quantities.whole(text, 1, GeneratedHouse.MAX_ROOMS));
+        request.parse(ROOMS, text -> (int) Quantities.whole(text, 1, GeneratedHouse.MAX_ROOMS));
     Rng rng = new Rng(request.seed()).fork(name());
     HousePlan plan = GeneratedHouse.of(rooms, robots, rng.fork("house"));
     MotionParameters body = settings.motionParameters(0);

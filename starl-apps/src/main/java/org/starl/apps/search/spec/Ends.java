@@ -124,13 +124,13 @@ final class Ends extends InstanceSpec<Ends.Search> {
     List<String> duty = latestDuty();
     for (RobotId robot : search().robots) {
       boolean hasRoom = duty.stream().anyMatch(entry -> entry.startsWith(robot + "="));
-      if (hasRoom && !circumstances.isUp(robot)) {
+      if (hasRoom && !faults.isUp(robot)) {
         assigned.start(key(robot), nowNs);
       } else {
         assigned.stop(key(robot));
       }
     }
-    boolean isFaultFree = circumstances.isFaultFree();
+    boolean isFaultFree = faults.isFaultFree();
     boolean isMajorityUp = hasMajorityUp(search().robots);
     assigned.assumeEach(robot -> isFaultFree, nowNs);
     ends.assumeEach(robot -> isFaultFree && isMajorityUp, nowNs);
@@ -140,7 +140,7 @@ final class Ends extends InstanceSpec<Ends.Search> {
   private List<String> latestDuty() {
     return search().duties.entrySet().stream()
         .max(Comparator.comparingLong(told -> Long.parseLong(told.getValue().get(0))))
-        .filter(told -> circumstances.isUp(told.getKey()) && search().answers.isEmpty())
+        .filter(told -> faults.isUp(told.getKey()) && search().answers.isEmpty())
         .map(Map.Entry::getValue)
         .orElse(List.of());
   }
