@@ -13,6 +13,18 @@ final class MotionLimits {
     check(value >= 0 && Double.isFinite(value), name, value, "at least 0");
   }
 
+  static void positive(String name, long value) {
+    check(value > 0, name, (double) value, "above 0");
+  }
+
+  static void notNegative(String name, long value) {
+    check(value >= 0, name, (double) value, "at least 0");
+  }
+
+  static void ordered(String names, long smaller, long larger) {
+    ordered(names, (double) smaller, (double) larger);
+  }
+
   static void below(String name, double value, double limit) {
     check(value < limit, name, value, "below " + limit);
   }

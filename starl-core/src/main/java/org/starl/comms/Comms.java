@@ -170,15 +170,15 @@ public final class Comms {
 
   private void transmit(Outgoing<RetainedMessage> outgoing) {
     RetainedMessage retained = outgoing.content;
-    byte[] datagram = retained.datagram();
+    byte[] datagram = retained.datagram;
     DatagramWriter.setClock(datagram, lamportClock.now());
     if (trace.isOn()) {
       log.sent(
           outgoing.to,
-          retained.endpoint().channel,
-          retained.number(),
+          retained.endpoint.channel,
+          retained.number,
           datagram.length,
-          retained.message());
+          retained.message);
     }
     emit(outgoing.to, datagram, datagram.length);
   }

@@ -42,7 +42,7 @@ final class ReliableSender {
 
   /** Gives up all pending messages of {@code endpoint}. */
   void fail(OpenEndpoint<?> endpoint) {
-    queue.fail(message -> message.endpoint() == endpoint, clock.nowNs());
+    queue.fail(message -> message.endpoint == endpoint, clock.nowNs());
     setTimer();
   }
 

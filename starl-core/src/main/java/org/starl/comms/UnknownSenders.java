@@ -20,7 +20,7 @@ final class UnknownSenders {
   @Nullable RobotId find(byte[] bytes, int from, int length) {
     int slot = ByteNames.hash(bytes, from, length) & (SLOTS - 1);
     Sender sender = slots[slot];
-    if (sender == null || !ByteNames.equal(sender.letters(), bytes, from, length)) {
+    if (sender == null || !ByteNames.equal(sender.letters, bytes, from, length)) {
       String name = new String(bytes, from, length, StandardCharsets.ISO_8859_1);
       if (!RobotId.isValid(name)) {
         return null;
@@ -28,8 +28,16 @@ final class UnknownSenders {
       sender = new Sender(Arrays.copyOfRange(bytes, from, from + length), new RobotId(name));
       slots[slot] = sender;
     }
-    return sender.id();
+    return sender.id;
   }
 
-  private record Sender(byte[] letters, RobotId id) {}
+  private static final class Sender {
+    private final byte[] letters;
+    private final RobotId id;
+
+    Sender(byte[] letters, RobotId id) {
+      this.letters = letters;
+      this.id = id;
+    }
+  }
 }

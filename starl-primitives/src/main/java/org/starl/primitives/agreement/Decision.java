@@ -5,12 +5,15 @@ public sealed interface Decision {
 
   Decision NONE_YET = new NoneYet();
 
-  default boolean isDecided() {
-    return this instanceof Decided;
-  }
+  boolean isDecided();
 
   /** The value agreed on; the same on every robot, for ever. */
   record Decided(Value value) implements Decision {
+    @Override
+    public boolean isDecided() {
+      return true;
+    }
+
     @Override
     public String toString() {
       return value.toString();
@@ -19,6 +22,11 @@ public sealed interface Decision {
 
   /** This robot knows of no decision. */
   record NoneYet() implements Decision {
+    @Override
+    public boolean isDecided() {
+      return false;
+    }
+
     @Override
     public String toString() {
       return "null";

@@ -49,12 +49,15 @@ public sealed interface BarrierOutcome {
   }
 
   /** Whether the latest wait is over. */
-  default boolean isTold() {
-    return !(this instanceof NoneYet);
-  }
+  boolean isTold();
 
   /** No outcome yet. */
   record NoneYet() implements BarrierOutcome {
+    @Override
+    public boolean isTold() {
+      return false;
+    }
+
     @Override
     public String toString() {
       return "null";
@@ -63,6 +66,11 @@ public sealed interface BarrierOutcome {
 
   /** All members of the generation arrived. */
   record Passed(long generation) implements BarrierOutcome {
+    @Override
+    public boolean isTold() {
+      return true;
+    }
+
     /** {@code 3:passed}. */
     @Override
     public String toString() {
@@ -77,6 +85,11 @@ public sealed interface BarrierOutcome {
    *     arrived too late to count
    */
   record Failed(long generation, SortedSet<ProcessId> missing) implements BarrierOutcome {
+    @Override
+    public boolean isTold() {
+      return true;
+    }
+
     public Failed {
       missing = Collections.unmodifiableSortedSet(new TreeSet<>(missing));
     }
@@ -95,6 +108,11 @@ public sealed interface BarrierOutcome {
    * @param generation the one that excluded it; 0 if it was never a member
    */
   record Excluded(long generation) implements BarrierOutcome {
+    @Override
+    public boolean isTold() {
+      return true;
+    }
+
     /** {@code 3:excluded}. */
     @Override
     public String toString() {
@@ -107,6 +125,11 @@ public sealed interface BarrierOutcome {
    * arrive again means to go on waiting for the same generation.
    */
   record Unknown(long generation) implements BarrierOutcome {
+    @Override
+    public boolean isTold() {
+      return true;
+    }
+
     /** {@code 3:unknown}. */
     @Override
     public String toString() {

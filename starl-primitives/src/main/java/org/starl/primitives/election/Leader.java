@@ -32,9 +32,7 @@ public sealed interface Leader {
   }
 
   /** Whether a leader is known. */
-  default boolean isElected() {
-    return this instanceof Name;
-  }
+  boolean isElected();
 
   /**
    * The elected leader.
@@ -43,6 +41,11 @@ public sealed interface Leader {
    * @param term from 1; equal terms of one instance mean equal leaders, always
    */
   record Name(ProcessId id, long term) implements Leader {
+    @Override
+    public boolean isElected() {
+      return true;
+    }
+
     /** {@code 3:bot1#4294967297}: term, then id. */
     @Override
     public String toString() {
@@ -53,6 +56,11 @@ public sealed interface Leader {
   /** No leader yet. */
   record None() implements Leader {
     @Override
+    public boolean isElected() {
+      return false;
+    }
+
+    @Override
     public String toString() {
       return "null";
     }
@@ -60,6 +68,11 @@ public sealed interface Leader {
 
   /** No leader by the deadline. If the election is decided later, the name replaces this. */
   record Fail() implements Leader {
+    @Override
+    public boolean isElected() {
+      return false;
+    }
+
     @Override
     public String toString() {
       return "fail";

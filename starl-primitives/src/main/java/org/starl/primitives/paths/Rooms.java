@@ -18,7 +18,17 @@ final class Rooms {
 
   static final int NONE = -1;
 
-  private record Room(Coordinate[] ring, Envelope box, double area) {}
+  private static final class Room {
+    private final Coordinate[] ring;
+    private final Envelope box;
+    private final double area;
+
+    Room(Coordinate[] ring, double area) {
+      this.ring = ring;
+      this.box = CoordinateArrays.envelope(ring);
+      this.area = area;
+    }
+  }
 
   private final List<Room> rooms = new ArrayList<>();
 
@@ -29,7 +39,7 @@ final class Rooms {
     for (Coordinate[] ring : rings) {
       double area = Area.ofRingSigned(ring);
       if (area > 0) {
-        rooms.add(new Room(ring, CoordinateArrays.envelope(ring), area));
+        rooms.add(new Room(ring, area));
       }
     }
   }
@@ -40,10 +50,10 @@ final class Rooms {
     int best = NONE;
     for (int i = 0; i < rooms.size(); i++) {
       Room room = rooms.get(i);
-      boolean isLess = best == NONE || room.area() < rooms.get(best).area();
+      boolean isLess = best == NONE || room.area < rooms.get(best).area;
       if (isLess
-          && room.box().contains(point)
-          && RayCrossingCounter.locatePointInRing(point, room.ring()) != Location.EXTERIOR) {
+          && room.box.contains(point)
+          && RayCrossingCounter.locatePointInRing(point, room.ring) != Location.EXTERIOR) {
         best = i;
       }
     }
@@ -51,6 +61,6 @@ final class Rooms {
   }
 
   Envelope box(int room) {
-    return rooms.get(room).box();
+    return rooms.get(room).box;
   }
 }

@@ -12,9 +12,7 @@ public sealed interface RList {
   RList UNKNOWN = new Unknown();
 
   /** Whether there is a list: the paper's "rList is not null". */
-  default boolean isAgreed() {
-    return this instanceof Agreed;
-  }
+  boolean isAgreed();
 
   /**
    * A list that contains this robot.
@@ -22,6 +20,11 @@ public sealed interface RList {
    * @param ts the number of the view; equal numbers mean equal lists
    */
   record Agreed(Participants list, long ts) implements RList {
+    @Override
+    public boolean isAgreed() {
+      return true;
+    }
+
     /** {@code 3:[bot0, bot2]}: time stamp, then list. */
     @Override
     public String toString() {
@@ -31,6 +34,11 @@ public sealed interface RList {
 
   /** No list, or a newer one may be coming. */
   record Unknown() implements RList {
+    @Override
+    public boolean isAgreed() {
+      return false;
+    }
+
     @Override
     public String toString() {
       return "null";
