@@ -1,6 +1,5 @@
 package org.starl;
 
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.platform.Background;
@@ -19,8 +18,8 @@ public final class Computation<T> {
   static <T> Computation<T> start(Background background, Supplier<T> task) {
     Computation<T> computation = new Computation<>();
     // Written off the strand; the port orders that write before the callback on the strand.
-    AtomicReference<@Nullable T> box = new AtomicReference<>();
-    background.submit(() -> box.set(task.get()), () -> computation.complete(box.get()));
+    Box<T> box = new Box<>();
+    background.submit(() -> box.value = task.get(), () -> computation.complete(box));
     return computation;
   }
 
@@ -54,11 +53,15 @@ public final class Computation<T> {
     whenDone = listener;
   }
 
-  private void complete(@Nullable T computed) {
-    if (computed == null) {
+  private void complete(Box<T> box) {
+    if (box.value == null) {
       throw new IllegalStateException("the task returned null: expected a result");
     }
-    result = computed;
+    result = box.value;
     whenDone.run();
+  }
+
+  private static final class Box<T> {
+    private @Nullable T value;
   }
 }
