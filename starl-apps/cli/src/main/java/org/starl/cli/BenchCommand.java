@@ -107,12 +107,14 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
   }
 
   private void showSpeed() {
-    String unknown = "no workload is called %s: expected b1, b2, mutex, view or apps";
     Workload workload =
         Workload.all().stream()
             .filter(one -> one.name().equals(name))
             .findFirst()
-            .orElseThrow(() -> new BadInput(unknown.formatted(BadInput.quote(name))));
+            .orElseThrow(() ->
+                new BadInput(
+                    "no workload is called %s: expected b1, b2, mutex, view or apps"
+                        .formatted(BadInput.quote(name))));
     Carriers.select(null, err());
     int planned = OptionValues.whole("--runs", runs, 1, 1000);
     int count = robots(256, 1, 10_000_000);

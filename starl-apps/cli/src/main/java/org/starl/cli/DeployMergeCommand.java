@@ -102,10 +102,16 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
                   + " by this distance")
               .formatted(Math.round(result.withinMm())));
     }
-    String gap = "%s was not measured for up to %s ms: a collision in such a gap is not seen";
-    result.lostMs().forEach((robot, ms) -> lines.add(gap.formatted(robot, Math.round(ms))));
-    String dead = "%s's trace is incomplete: its process was killed";
-    result.dead().forEach(robot -> lines.add(dead.formatted(robot)));
+    result
+        .lostMs()
+        .forEach((robot, ms) ->
+            lines.add(
+                "%s was not measured for up to %s ms: a collision in such a gap is not seen"
+                    .formatted(robot, Math.round(ms))));
+    result
+        .dead()
+        .forEach(robot ->
+            lines.add("%s's trace is incomplete: its process was killed".formatted(robot)));
     add(lines, "VIOLATED: ", result.violations());
     add(lines, "possible, within the errors of clocks and measurements: ", result.possible());
     if (result.violations().isEmpty() && result.possible().isEmpty()) {

@@ -61,8 +61,9 @@ final class DeployOptions {
             Files.newOutputStream(path, StandardOpenOption.CREATE_NEW, StandardOpenOption.WRITE));
       }
     }
-    String text = "%s has %s traces of %s already; expected an empty --folder";
-    throw new IOException(text.formatted(folder, MAX_STARTS, name));
+    throw new IOException(
+        "%s has %s traces of %s already; expected an empty --folder"
+            .formatted(folder, MAX_STARTS, name));
   }
 
   /** The run of one robot, with a new trace. The run closes the trace when it ends. */

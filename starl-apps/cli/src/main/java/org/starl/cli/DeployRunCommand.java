@@ -39,8 +39,9 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
     DeployedApp app = DeployedApp.of(deployment, demos());
     app.plan();
     if (options.rounds() > 1 && !deployment.simulated().contains(entry)) {
-      String text = "--rounds: %s: expected 1: no simulated world puts %s back";
-      throw new BadInput(text.formatted(options.rounds(), robot));
+      throw new BadInput(
+          "--rounds: %s: expected 1: no simulated world puts %s back"
+              .formatted(options.rounds(), robot));
     }
     if (!(entry.wheels() instanceof Create create)) {
       String text = ": this robot is simulated; run it with 'starl deploy world'";

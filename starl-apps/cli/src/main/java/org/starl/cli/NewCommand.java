@@ -82,10 +82,11 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
 
   private void check(List<String> apps) {
     if (name.length() > LONGEST_NAME || !NAME.matcher(name).matches()) {
-      String text =
-          ": expected a name of a-z and 0-9, with single dashes between, at most %s long, such as"
-              + " my-robots";
-      throw new BadInput(BadInput.quote(name) + text.formatted(LONGEST_NAME));
+      throw new BadInput(
+          BadInput.quote(name)
+              + (": expected a name of a-z and 0-9, with single dashes between, at most %s long, such as"
+                      + " my-robots")
+                  .formatted(LONGEST_NAME));
     }
     if (RESERVED.contains(ProjectTemplate.packageName(name))) {
       throw new BadInput(

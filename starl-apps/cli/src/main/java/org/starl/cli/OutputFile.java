@@ -62,8 +62,11 @@ final class OutputFile implements Closeable {
     try {
       return Files.newOutputStream(part, StandardOpenOption.CREATE_NEW);
     } catch (FileAlreadyExistsException e) {
-      String text = "another output writes this file already (%s); expected a file of its own";
-      throw bad(option, name, text.formatted(part));
+      throw bad(
+          option,
+          name,
+          "another output writes this file already (%s); expected a file of its own"
+              .formatted(part));
     }
   }
 

@@ -62,8 +62,9 @@ final class TraceFile {
     try (TraceReader reader = reader(name)) {
       TraceHeader header = reader.header();
       if (!header.starl().equals(Version.STARL)) {
-        String text = "%s: was written by StarL %s; expected this version, %s";
-        throw new BadInput(text.formatted(name, BadInput.quote(header.starl()), Version.STARL));
+        throw new BadInput(
+            "%s: was written by StarL %s; expected this version, %s"
+                .formatted(name, BadInput.quote(header.starl()), Version.STARL));
       }
       return new TraceFile(name, header, request(name, header, demos));
     } catch (IOException e) {

@@ -81,13 +81,13 @@ public final class Quantities {
     if (ns == 0) {
       return "0ms";
     }
-    for (String unit : new String[] {"s", "ms", "us"}) {
-      long nsPerUnit = NS_PER_UNIT.get(unit).longValueExact();
-      if (ns % nsPerUnit == 0) {
-        return ns / nsPerUnit + unit;
-      }
+    if (ns % 1_000_000_000 == 0) {
+      return ns / 1_000_000_000 + "s";
     }
-    return ns + "ns";
+    if (ns % 1_000_000 == 0) {
+      return ns / 1_000_000 + "ms";
+    }
+    return ns % 1_000 == 0 ? ns / 1_000 + "us" : ns + "ns";
   }
 
   /** A distance of at least 0, in mm: {@code 165}, {@code 20mm}, {@code 2.5cm}, {@code 3m}. */

@@ -35,11 +35,13 @@ final class BadRunsPart {
     int bad = report.bad().size();
     html.open("section").element("h2", "Bad runs");
     if (report.illustrated().size() < bad) {
-      String text =
-          "%s did not go well. This section shows %s of them, with pictures: the first of each"
-              + " kind, then by seed. The table of runs has all of them.";
       html.element(
-          "p", text.formatted(count(bad, "run"), report.illustrated().size()), "class", "note");
+          "p",
+          ("%s did not go well. This section shows %s of them, with pictures: the first of each"
+                  + " kind, then by seed. The table of runs has all of them.")
+              .formatted(count(bad, "run"), report.illustrated().size()),
+          "class",
+          "note");
     }
     shrunk();
     for (IllustratedRun illustrated : report.illustrated()) {

@@ -194,9 +194,12 @@ final class CampaignTables {
     html.open("p").text("To repeat one run: ");
     html.command(report.description().replay().apply(all.get(0).seed())).close();
     if (shown.size() < all.size()) {
-      String text = "The table has %s of %s. Runs that did not go well have precedence.";
       html.element(
-          "p", text.formatted(count(shown.size()), count(all.size(), "run")), "class", "note");
+          "p",
+          "The table has %s of %s. Runs that did not go well have precedence."
+              .formatted(count(shown.size()), count(all.size(), "run")),
+          "class",
+          "note");
     }
     html.open("div", "class", "wide runs");
     html.open("table", "id", "runs").open("thead").open("tr");

@@ -61,14 +61,14 @@ public final class Page {
 
   /** The policy lets the browser use only the page's own style, script and images. */
   private void head(String style, String script) {
-    String policy = "default-src 'none'; img-src data:; style-src '%s'; script-src '%s'";
     html.open("head").empty("meta", "charset", "utf-8");
     html.empty(
         "meta",
         "http-equiv",
         "Content-Security-Policy",
         "content",
-        policy.formatted(hash(style), hash(script)));
+        "default-src 'none'; img-src data:; style-src '%s'; script-src '%s'"
+            .formatted(hash(style), hash(script)));
     html.empty("meta", "name", "viewport", "content", "width=device-width, initial-scale=1");
     html.empty("meta", "name", "color-scheme", "content", "light dark");
     html.element("title", report.description().app() + ": " + verdict());

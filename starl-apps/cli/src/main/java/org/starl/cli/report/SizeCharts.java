@@ -132,10 +132,10 @@ final class SizeCharts {
 
   private String leftOut() {
     int left = values.count() - values.upTo(shown);
-    String text = " Left out: %s of %s, above %s.";
     return left == 0
         ? ""
-        : text.formatted(count(left), count(values.count()), measured(unit, shown));
+        : " Left out: %s of %s, above %s."
+            .formatted(count(left), count(values.count()), measured(unit, shown));
   }
 
   private void table() {

@@ -83,16 +83,17 @@ final class TimeChart {
     if (runs.size() == 1) {
       return "One run." + leftOut();
     }
-    String note = "Line: the median of %s. Band: the middle 80 %% of the runs.";
-    return note.formatted(count(runs.size(), "run")) + leftOut();
+    return "Line: the median of %s. Band: the middle 80 %% of the runs."
+            .formatted(count(runs.size(), "run"))
+        + leftOut();
   }
 
   private String leftOut() {
     int left = all.count() - all.upTo(shown);
-    String text = " Beyond the chart: %s of %s, up to %s.";
     return left == 0
         ? ""
-        : text.formatted(count(left), count(all.count()), measured("s", all.maximum()));
+        : " Beyond the chart: %s of %s, up to %s."
+            .formatted(count(left), count(all.count()), measured("s", all.maximum()));
   }
 
   private String tip(double atS, int[] counts) {
