@@ -84,8 +84,8 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
     if (name.length() > LONGEST_NAME || !NAME.matcher(name).matches()) {
       throw new BadInput(
           BadInput.quote(name)
-              + (": expected a name of a-z and 0-9, with single dashes between, at most %s long, such as"
-                      + " my-robots")
+              + (": expected a name of a-z and 0-9, with single dashes between, at most %s long, such"
+                      + " as my-robots")
                   .formatted(LONGEST_NAME));
     }
     if (RESERVED.contains(ProjectTemplate.packageName(name))) {

@@ -54,7 +54,7 @@ public class ScenarioScope internal constructor(private val builder: Simulation.
     builder.name(name)
   }
 
-  /** [count] robots `bot0`, `bot1`, ... at free places drawn by seed, each with an [app] of its own. */
+  /** [count] robots `bot0`, `bot1`, ... at free places drawn by seed, each with its own [app]. */
   public fun robots(count: Int, app: (GlobalVarHolder) -> LogicThread) {
     builder.robots(count, app)
   }

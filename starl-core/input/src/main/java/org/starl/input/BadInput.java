@@ -17,7 +17,7 @@ public final class BadInput extends RuntimeException {
   }
 
   /**
-   * An error in line {@code line} of {@code file}, such as {@code my.yaml:3: port: '0': expected 1}.
+   * An error in line {@code line} of {@code file}, such as {@code my.yaml:3: app: ...}.
    *
    * @param text may contain parts of the file: it is cut where long, and stays on one line
    */

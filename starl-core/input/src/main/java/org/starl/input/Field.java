@@ -6,8 +6,8 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One line of a document: its key, its values and their meaning. Both the reader of the document and
- * its JSON schema are made from these.
+ * One line of a document: its key, its values and their meaning. The reader of the document and
+ * its JSON schema both use it.
  *
  * @param <T> the type of its value; {@link Void} for a mapping
  * @param key the text before the colon

@@ -89,8 +89,8 @@ public sealed interface Form {
   record Parameters(String expected) implements Form {}
 
   /**
-   * The text after "expected" in a message about {@code form}. Static, because a default method would
-   * let the constants above initialize this type and its records in either order.
+   * The text after "expected" in a message about {@code form}. Static, because a default method
+   * would let the constants above initialize this type and its records in either order.
    */
   static String expected(Form form) {
     return switch (form) {

@@ -6,7 +6,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/** A part of a document: one text, a list or a mapping, with the line on which it begins, from 1. */
+/** A part of a document: one text, a list or a mapping, with its first line, from 1. */
 public sealed interface Node {
 
   int line();

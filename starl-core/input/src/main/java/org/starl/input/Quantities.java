@@ -11,8 +11,8 @@ import java.util.regex.Pattern;
 import java.util.stream.Collectors;
 
 /**
- * Reads and writes quantities with units: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader throws
- * {@link BadInput} with the text and the expected form; the caller adds the place of the text, with
+ * Reads and writes quantities with units: {@code 100ms}, {@code 3m}, {@code 0.05}. Every reader
+ * throws {@link BadInput} with the text and the expected form; the caller adds the place of the text, with
  * {@link #in}.
  */
 public final class Quantities {

@@ -29,7 +29,10 @@ public enum Quantity {
     this.mostWithoutUnit = mostWithoutUnit;
   }
 
-  /** The greatest number without a unit; 0 if only 0 needs no unit, below 0 if every number needs one. */
+  /**
+   * The greatest number without a unit; 0 if only 0 needs no unit, below 0 if every number needs
+   * one.
+   */
   public double mostWithoutUnit() {
     return mostWithoutUnit;
   }

@@ -55,8 +55,8 @@ final class CampaignTables {
     html.open("section").element("h2", "Messages");
     html.element(
         "p",
-        ("%s datagrams were sent in %s (%s a run, %s each). Each recipient of a datagram has its own"
-                + " copy: %s copies arrived, %s (%s) were lost.")
+        ("%s datagrams were sent in %s (%s a run, %s each). Each recipient of a datagram has its"
+                + " own copy: %s copies arrived, %s (%s) were lost.")
             .formatted(
                 count(sent),
                 count(runs, "run"),

@@ -7,8 +7,8 @@ import org.starl.spec.Monitor
 import org.starl.trace.TraceEvent
 
 /**
- * Specification of the app, by true bodies. `one_line`: all robots learn of the same line. `in_line`:
- * a robot that reports its arrival is at most [toleranceMm] away from the line.
+ * Specification of the app, by true bodies. `one_line`: all robots learn of the same line.
+ * `in_line`: a robot that reports its arrival is at most [toleranceMm] away from the line.
  */
 internal class InLine(private val toleranceMm: Double) : Monitor {
 
