@@ -190,7 +190,7 @@ class DeployCheckTest {
     assertThat(Files.readAllBytes(key)).isEqualTo(before);
 
     Files.setPosixFilePermissions(key, PosixFilePermissions.fromString("rw-r-----"));
-    assertRefused(check(GOOD), ":3: key:", "rw-r-----", "its owner alone");
+    assertRefused(check(GOOD), ":3: key:", "rw-r-----", "only its owner");
   }
 
   @Test

@@ -366,7 +366,7 @@ class TraceMergeTest {
 
     assertThatThrownBy(() -> judge(SECOND, file.toString()))
         .isInstanceOf(BadInput.class)
-        .hasMessageContaining("does not name the clock");
+        .hasMessageContaining("does not name its clock");
     assertThatThrownBy(() -> judge(SECOND, folder.resolve("none.trace").toString()))
         .isInstanceOf(BadInput.class)
         .hasMessageContaining("no such file");
