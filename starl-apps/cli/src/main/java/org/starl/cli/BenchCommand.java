@@ -189,8 +189,13 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
         "| robots | free: ms to enter (theory) | free: messages an entry (theory)"
             + " | busy: ms to enter, median | most (bound) | busy: messages an entry |");
     out.println("|---|---|---|---|---|---|");
-    String format = "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |";
-    rows.forEach(row -> out.println(String.format(Locale.ROOT, format, row.values().toArray())));
+    for (Map<String, Object> row : rows) {
+      out.println(
+          String.format(
+              Locale.ROOT,
+              "| %d | %.0f (%.0f) | %.1f (%.0f) | %.0f | %.0f (%.0f) | %.1f |",
+              row.values().toArray()));
+    }
   }
 
   private static String line(Measurement run) {

@@ -131,7 +131,7 @@ final class Places {
   private BitSet occupied(@Nullable Pair except) {
     BitSet occupied = (BitSet) boxes.clone();
     for (Pair pair : pairs) {
-      if (pair != except) {
+      if (!pair.equals(except)) {
         occupied.set(pair.start());
         occupied.set(pair.goal());
       }

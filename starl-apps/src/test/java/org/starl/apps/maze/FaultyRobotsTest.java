@@ -129,7 +129,7 @@ class FaultyRobotsTest {
     "REQUESTS_NO_BLOCKS, Apart",
     "HOLDS_FOR_EVER, Answered",
   })
-  void aFaultyRobotIsSeen(Bug bug, String lemma) {
+  void aPlantedBugViolatesItsLemma(Bug bug, String lemma) {
     long seed = 0;
     SimResult result;
     do {

@@ -73,7 +73,7 @@ public final class MazeLayer implements Layer {
   }
 
   private Polygon floor() {
-    return tasks.get(tasks.firstKey()).floor().outline();
+    return tasks.firstEntry().getValue().floor().outline();
   }
 
   @Override
