@@ -24,7 +24,8 @@ import org.starl.time.Time;
  * virtual threads that is all of it; robots on platform threads are not included: use wall time for
  * them.
  *
- * @param setUpS wall time from the plan until all robots have started; not part of the other figures
+ * @param setUpS wall time from the plan until all robots have started; not part of the other
+ *     figures
  * @param coldness 0 for the first run in its JVM
  * @param bytesPerRobot of heap, measured in the middle of a separate run after the timed ones
  */

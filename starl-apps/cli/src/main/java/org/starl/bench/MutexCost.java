@@ -21,15 +21,15 @@ import org.starl.time.Time;
 
 /**
  * {@code starl bench mutex}: the cost of an entry into a section in a group of N robots, in virtual
- * time and messages, compared with theory. Every message takes delta, none is lost; every robot enters
- * the same section once and releases it after d1.
+ * time and messages, compared with theory. Every message takes delta, none is lost; every robot
+ * enters the same section once and releases it after d1.
  *
  * <ul>
  *   <li><b>Free</b>: one robot after the other, so that the section is free. Theory: 2 delta, N - 1
  *       requests, as many answers, and as many releases.
  *   <li><b>Busy</b>: all at the same time. Theory: the last one enters after at most (N - 1)(d1 + 2
- *       delta) + 2 delta. A robot that waits longer than the first resend period repeats its request,
- *       which is acknowledged: these are the messages beyond 3 (N - 1).
+ *       delta) + 2 delta. A robot that waits longer than the first resend period repeats its
+ *       request, which is acknowledged: these are the messages beyond 3 (N - 1).
  * </ul>
  */
 public final class MutexCost {

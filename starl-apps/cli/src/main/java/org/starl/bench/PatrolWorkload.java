@@ -16,9 +16,9 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
 /**
- * B2, PATROL: the whole stack. N robots on a square grid 2 m apart drive back and forth, 600 mm to either
- * side, with the default motion parameters, positioning every 75 ms and collisions; each sends an
- * acknowledged message to the next one every tenth of its 100 ms rounds. 30 s.
+ * B2, PATROL: the whole stack. N robots on a square grid 2 m apart drive back and forth, 600 mm to
+ * either side, with the default motion parameters, positioning every 75 ms and collisions; each
+ * sends an acknowledged message to the next one every tenth of its 100 ms rounds. 30 s.
  */
 public final class PatrolWorkload implements Workload {
 

@@ -23,7 +23,9 @@ final class BarrierClient extends Client {
   private static final long THINK_MS = 500;
   private static final long DEADLINE_MS = 10_000;
 
-  /** Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second. */
+  /**
+   * Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second.
+   */
   private static final long TOLD_NS = (2 * DEADLINE_MS + DEADLINE_MS / 4 + 1_000) * Time.NS_PER_MS;
 
   private final Registration reg;

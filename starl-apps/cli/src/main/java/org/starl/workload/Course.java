@@ -1,8 +1,8 @@
 package org.starl.workload;
 
 /**
- * When rounds begin. All but the last three are spread over the time in which faults may happen; the
- * last three begin after it.
+ * When rounds begin. All but the last three are spread over the time in which faults may happen;
+ * the last three begin after it.
  *
  * @param rounds of each robot, above 0
  * @param busyMs faults are over by then

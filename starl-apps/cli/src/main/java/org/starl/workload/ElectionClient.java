@@ -26,7 +26,9 @@ final class ElectionClient extends Client {
   private static final long DEADLINE_MS = 10_000;
   private static final long THINK_MS = 1_000;
 
-  /** Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second. */
+  /**
+   * Upper bound of the deadline by a clock that is slow by a tenth and was set back by a second.
+   */
   private static final long TOLD_NS = (DEADLINE_MS + DEADLINE_MS / 5 + 1_000) * Time.NS_PER_MS;
 
   // Created at the start: each votes even before this robot takes part.

@@ -20,8 +20,8 @@ import org.starl.random.Rng;
 import org.starl.time.Time;
 
 /**
- * Robots drive to places all over a floor with walls, each in a tube that it has claimed. A robot that
- * finds no path or gets no tube tries elsewhere.
+ * Robots drive to places all over a floor with walls, each in a tube that it has claimed. A robot
+ * that finds no path or gets no tube tries elsewhere.
  */
 final class PathsClient extends Client {
 

@@ -16,7 +16,9 @@ import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
-/** Reports each answer: when, and after how many marks from contacts. All robots start at time 0. */
+/**
+ * Reports each answer: when, and after how many marks from contacts. All robots start at time 0.
+ */
 final class MazeStory implements Story {
 
   private static final String CONTACTS = "contacts";

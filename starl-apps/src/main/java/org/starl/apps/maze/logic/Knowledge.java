@@ -9,8 +9,8 @@ import org.starl.motion.Contact;
 
 /**
  * One robot's knowledge of the maze: its map, and the marks that contacts have proven. After a bump
- * the collision mode moves the robot, which may give more contacts. Then the robot learns from all of
- * them. Strand only.
+ * the collision mode moves the robot, which may give more contacts. Then the robot learns from all
+ * of them. Strand only.
  */
 final class Knowledge {
 

@@ -11,10 +11,11 @@ import org.starl.motion.Contact;
 
 /**
  * A place that a contact has proven to be blocked. The body's centre was at {@code at}, and an
- * obstacle touches the body between two directions; the exact point is unknown. A body of radius r does not fit around a centre
- * that is nearer than r to the touched point. So it does not fit around a centre that is nearer than r
- * to <em>all</em> points of the arc. The mark is the intersection of the discs around them: a lens that
- * begins just before the contact and covers the obstacle.
+ * obstacle touches the body between two directions; the exact point is unknown. A body of radius r
+ * does not fit around a centre that is nearer than r to the touched point. So it does not fit
+ * around a centre that is nearer than r to <em>all</em> points of the arc. The mark is the
+ * intersection of the discs around them: a lens that begins just before the contact and covers the
+ * obstacle.
  *
  * @param at the centre, by the robot's own position
  * @param errorMm the true centre was within this distance
@@ -85,7 +86,8 @@ public record Mark(Point at, double errorMm, double fromRad, double sweepRad, do
   /**
    * The area that the centre of a body cannot enter.
    *
-   * @param part the body is wider by this part of the margin: 1 for all of it, 0 for the robot's body
+   * @param part the body is wider by this part of the margin: 1 for all of it, 0 for the robot's
+   *     body
    * @return null if the contact excludes nothing for such a body
    */
   public @Nullable Polygon place(double part) {

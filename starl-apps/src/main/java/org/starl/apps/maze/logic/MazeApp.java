@@ -14,9 +14,9 @@ import org.starl.primitives.mutex.MutexTimes;
 import org.starl.primitives.paths.Path;
 
 /**
- * One robot in the maze (paper, section 5.4). It drives to its goals in turn. For each goal it answers,
- * at the goal or back at its resting place, whether it has reached it. The package documentation says
- * why the answers are true. The code between two sleeps is one atomic action.
+ * One robot in the maze (paper, section 5.4). It drives to its goals in turn. For each goal it
+ * answers, at the goal or back at its resting place, whether it has reached it. The package
+ * documentation says why the answers are true. The code between two sleeps is one atomic action.
  */
 public final class MazeApp extends LogicThread {
 

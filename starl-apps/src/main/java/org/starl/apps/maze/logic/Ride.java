@@ -12,7 +12,9 @@ import org.starl.motion.Contact;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.paths.Path;
 
-/** Drives along a path, point by point, and records contacts and the robot's own trail. Strand only. */
+/**
+ * Drives along a path, point by point, and records contacts and the robot's own trail. Strand only.
+ */
 final class Ride {
 
   /** State of the latest ride. */
@@ -103,8 +105,8 @@ final class Ride {
   }
 
   /**
-   * Starts to drive back to the latest point of its trail that {@code isAllowed}, and forgets the trail
-   * from there on.
+   * Starts to drive back to the latest point of its trail that {@code isAllowed}, and forgets the
+   * trail from there on.
    *
    * @return false if there is no such point
    */

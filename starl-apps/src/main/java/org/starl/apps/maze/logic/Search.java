@@ -86,7 +86,9 @@ record Search(
     return new Outcome.Lost();
   }
 
-  /** Whether there is no way from the start, with as much of the margin as fits around the start. */
+  /**
+   * Whether there is no way from the start, with as much of the margin as fits around the start.
+   */
   private boolean isCutOff() {
     for (double part : PARTS) {
       Plan plan = PLANNER.plan(planTask(task.start(), part, List.of()));

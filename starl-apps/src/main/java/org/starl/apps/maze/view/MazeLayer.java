@@ -29,8 +29,8 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
 /**
- * Draws the goals, crossed out if there is no way, the marks that contacts have proven, and each robot's
- * intended way dotted.
+ * Draws the goals, crossed out if there is no way, the marks that contacts have proven, and each
+ * robot's intended way dotted.
  */
 public final class MazeLayer implements Layer {
 
