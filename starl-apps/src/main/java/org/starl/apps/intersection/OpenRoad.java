@@ -1,6 +1,5 @@
 package org.starl.apps.intersection;
 
-import java.util.ArrayDeque;
 import java.util.Deque;
 import java.util.List;
 import java.util.function.BiFunction;
@@ -47,7 +46,7 @@ final class OpenRoad extends Traffic {
     this.robots = robots;
     this.story = story;
     for (Zone zone : Zone.values()) {
-      queues.put(Crossing.placeName(zone, 0), new ArrayDeque<>());
+      queue(Crossing.placeName(zone, 0));
     }
   }
 
@@ -66,7 +65,7 @@ final class OpenRoad extends Traffic {
     arrivals
         .until(control.nowNs())
         .forEach(car -> {
-          Deque<Car> queue = queues.get(car.arm());
+          Deque<Car> queue = queue(car.arm());
           queue.add(car);
           story.arrived(car, queue.size());
         });

@@ -104,23 +104,34 @@ final class OpenRoadStory implements Story {
     long[] waits = waitsNs.stream().mapToLong(Long::longValue).sorted().toArray();
     List<String> lines = new ArrayList<>();
     lines.add(
-        format(
+        String.format(
+            Locale.ROOT,
             "%d cars arrived in %s (%.1f/min), %d entered the road, %d turned away",
-            arrived, Story.seconds(untilNs), perMinute(arrived, untilNs), entered, turnedAway));
+            arrived,
+            Story.seconds(untilNs),
+            perMinute(arrived, untilNs),
+            entered,
+            turnedAway));
     lines.add(
-        format(
+        String.format(
+            Locale.ROOT,
             "%d crossed (%.1f/min), the last one left at %s",
-            crossed(), perMinute(crossed(), lastLeftNs()), Story.seconds(lastLeftNs())));
+            crossed(),
+            perMinute(crossed(), lastLeftNs()),
+            Story.seconds(lastLeftNs())));
     lines.add(
-        format(
+        String.format(
+            Locale.ROOT,
             "time from arrival to the grant of its zones: median %s, 95 %% up to %s, longest %s",
             Story.seconds(Measures.waitNs(waits, 50)),
             Story.seconds(Measures.waitNs(waits, 95)),
             Story.seconds(Measures.waitNs(waits, 100))));
     lines.add(
-        format(
+        String.format(
+            Locale.ROOT,
             "longest queue of an arm: %d cars; beyond the edge: %d",
-            longestQueue, longestBeyondEdge));
+            longestQueue,
+            longestBeyondEdge));
     if (towed > 0) {
       lines.add(towed + " dead cars were towed");
     }
@@ -128,10 +139,6 @@ final class OpenRoadStory implements Story {
       lines.add("cars were stopped on their way " + IntersectionStory.times(stopped));
     }
     return lines;
-  }
-
-  private static String format(String form, Object... values) {
-    return String.format(Locale.ROOT, form, values);
   }
 
   @Override

@@ -61,8 +61,12 @@ class Traffic implements Director, SimObserver {
     this.radiusMm = radiusMm;
     this.cars = new ArrayList<>(cars);
     exits = Arrays.stream(Zone.values()).map(Crossing::exitRegion).toList();
-    cars.stream().map(Car::arm).sorted().forEach(arm -> queues.put(arm, new ArrayDeque<>()));
-    cars.forEach(car -> queues.get(car.arm()).add(car));
+    cars.stream().map(Car::arm).sorted().forEach(this::queue);
+    cars.forEach(car -> queue(car.arm()).add(car));
+  }
+
+  protected final Deque<Car> queue(String arm) {
+    return queues.computeIfAbsent(arm, any -> new ArrayDeque<>());
   }
 
   @Override

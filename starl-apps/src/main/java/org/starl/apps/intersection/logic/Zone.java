@@ -8,17 +8,21 @@ import org.starl.geometry.Point;
  * D B B1 fix this ring. Zone A lies in the north-west, x points east and y north.
  */
 public enum Zone {
-  A(new Point(-1, +1), new Point(-1, 0)),
-  C(new Point(-1, -1), new Point(0, -1)),
-  D(new Point(+1, -1), new Point(+1, 0)),
-  B(new Point(+1, +1), new Point(0, +1));
+  A(-1, +1, -1, 0),
+  C(-1, -1, 0, -1),
+  D(+1, -1, +1, 0),
+  B(+1, +1, 0, +1);
 
-  private final Point corner;
-  private final Point outward;
+  private final int east;
+  private final int north;
+  private final int outwardEast;
+  private final int outwardNorth;
 
-  Zone(Point corner, Point outward) {
-    this.corner = corner;
-    this.outward = outward;
+  Zone(int east, int north, int outwardEast, int outwardNorth) {
+    this.east = east;
+    this.north = north;
+    this.outwardEast = outwardEast;
+    this.outwardNorth = outwardNorth;
   }
 
   /** The next zone of the ring. */
@@ -28,16 +32,16 @@ public enum Zone {
 
   /** Unit vector along the way out of the ring at this zone: A1 leads west, C1 south. */
   Point outward() {
-    return outward;
+    return new Point(outwardEast, outwardNorth);
   }
 
   /** Unit vector from this zone to its arrival zone: A0 lies in the north, C0 in the west. */
   Point arrivalSide() {
-    return corner.minus(outward);
+    return new Point(east - outwardEast, north - outwardNorth);
   }
 
   /** From the middle of the intersection to the middle of this zone, in zone widths. */
   Point fromMiddle() {
-    return corner.times(0.5);
+    return new Point(east, north).times(0.5);
   }
 }

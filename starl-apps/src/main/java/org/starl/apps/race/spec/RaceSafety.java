@@ -86,10 +86,15 @@ public final class RaceSafety extends LemmaMonitor {
     int tries = inVain.getOrDefault(robot, 0);
     double allowedMm = Math.max(point.radiusMm(), Patience.allowedMm(point, bodyMm, tries));
     if (truthMm > Math.min(saidMm, allowedMm) + errorMm + ROUNDING_MM) {
-      String form =
-          "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm";
       String detail =
-          String.format(Locale.ROOT, form, point.name(), truthMm, saidMm, allowedMm, errorMm);
+          String.format(
+              Locale.ROOT,
+              "arrives at %s and is %.1f mm off; %.1f mm said, %.1f mm allowed, error %.1f mm",
+              point.name(),
+              truthMm,
+              saidMm,
+              allowedMm,
+              errorMm);
       report.violated(AT_THE_POINT, action.timeNs(), List.of(robot), detail);
     }
   }
