@@ -76,7 +76,8 @@ public final class LightPaintDemo implements Demo {
 
   @Override
   public String summary() {
-    return "robots paint a drawing with their lights, in tubes that never meet (paper, section 5.4)";
+    return "robots paint a drawing with their lights, in tubes that never meet"
+        + " (paper, section 5.4)";
   }
 
   @Override

@@ -83,7 +83,8 @@ final class LightPaintStory implements Story {
         painting.strokes().stream().mapToDouble(stroke -> stroke.path().lengthMm()).sum();
     lines.add(
         text(
-            "painted %.2f m of a drawing of %.2f m in %d strokes; the last light went off at %.1f s",
+            "painted %.2f m of a drawing of %.2f m in %d strokes;"
+                + " the last light went off at %.1f s",
             paintedMm / 1e3,
             drawingMm / 1e3,
             painting.strokes().size(),

@@ -15,8 +15,8 @@ import org.starl.sim.world.WaypointFiles;
 
 /**
  * Reads drawings of the original StarL: waypoint files in which {@code 7-A_5} and {@code 7-B_5} are
- * the ends of line 7, five units wide. Positions are in mm; the angle column is the colour, 24 bits,
- * red first.
+ * the ends of line 7, five units wide. Positions are in mm; the angle column is the colour, 24
+ * bits, red first.
  */
 final class WptDrawing {
 

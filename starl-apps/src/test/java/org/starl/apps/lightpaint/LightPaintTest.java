@@ -175,7 +175,9 @@ class LightPaintTest {
     assertThat(painted).isBetween(10, 20);
   }
 
-  /** A painter that gave way is at home before its storage has flushed that it gives its tube back. */
+  /**
+   * A painter that gave way is at home before its storage has flushed that it gives its tube back.
+   */
   @Test
   void paintersComeBackAlsoWithSlowStorage(@TempDir Path folder) throws IOException {
     for (long seed = 1; seed <= 3; seed++) {

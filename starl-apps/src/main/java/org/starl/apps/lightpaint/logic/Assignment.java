@@ -17,9 +17,9 @@ import org.starl.primitives.geocast.Broadcast;
 import org.starl.time.Time;
 
 /**
- * Which painter paints which stroke. A {@link SetAgreement} for each stroke assigns it to one painter
- * for ever: so it is painted once. In addition, painters broadcast {@link Hint}s, so that they rarely
- * drive to the same stroke. Strand only.
+ * Which painter paints which stroke. A {@link SetAgreement} for each stroke assigns it to one
+ * painter for ever: so it is painted once. In addition, painters broadcast {@link Hint}s, so that
+ * they rarely drive to the same stroke. Strand only.
  */
 final class Assignment {
 
@@ -93,7 +93,9 @@ final class Assignment {
     return (int) strokes.stream().filter(stroke -> painter(stroke) == null).count();
   }
 
-  /** The nearest unassigned stroke that no other painter works near to; null if there is none now. */
+  /**
+   * The nearest unassigned stroke that no other painter works near to; null if there is none now.
+   */
   @Nullable Stroke nearestFree(Point here) {
     return strokes.stream()
         .filter(stroke -> painter(stroke) == null)
@@ -114,7 +116,9 @@ final class Assignment {
         : isOfAnother(stroke);
   }
 
-  /** Whether a robot with a smaller name was assigned a stroke that is too near to {@code stroke}. */
+  /**
+   * Whether a robot with a smaller name was assigned a stroke that is too near to {@code stroke}.
+   */
   boolean mustWait(Stroke stroke) {
     return rivals(stroke).anyMatch(rival -> rival.hint().paints() && isBeforeThis(rival));
   }

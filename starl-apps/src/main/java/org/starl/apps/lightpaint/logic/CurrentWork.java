@@ -98,7 +98,9 @@ final class CurrentWork {
     put(new byte[0]);
   }
 
-  /** Writes the note if the painter, which is painting, has come 10 mm farther than the note says. */
+  /**
+   * Writes the note if the painter, which is painting, has come 10 mm farther than the note says.
+   */
   void noteProgress() {
     if (doneMm >= notedMm + NOTE_EVERY_MM) {
       note(true);

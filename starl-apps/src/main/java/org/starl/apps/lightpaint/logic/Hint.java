@@ -6,8 +6,8 @@ import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
 
 /**
- * What a painter works on, broadcast so that others choose other strokes. Correctness does not depend
- * on hints: they may be lost, late or wrong.
+ * What a painter works on, broadcast so that others choose other strokes. Correctness does not
+ * depend on hints: they may be lost, late or wrong.
  *
  * @param stroke its number, or {@link CurrentWork#NONE}
  * @param paints whether the stroke has been assigned to the sender

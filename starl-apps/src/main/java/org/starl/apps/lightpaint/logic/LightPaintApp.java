@@ -13,9 +13,9 @@ import org.starl.primitives.paths.TubeFailure;
 import org.starl.primitives.paths.TubeFlag;
 
 /**
- * One painter (paper, section 5.4). It drives to the nearest free stroke, asks for it at an end of it,
- * claims a tube along it, and paints it with its light on. A painter that finds no stroke or no path,
- * or gets no tube, gives way: it waits at its home beside the drawing.
+ * One painter (paper, section 5.4). It drives to the nearest free stroke, asks for it at an end of
+ * it, claims a tube along it, and paints it with its light on. A painter that finds no stroke or no
+ * path, or gets no tube, gives way: it waits at its home beside the drawing.
  *
  * <p>A stroke is assigned to one painter for ever. Before it asks for a stroke, a painter writes a
  * note on stable storage, and later how far it has painted: after a restart it continues where it

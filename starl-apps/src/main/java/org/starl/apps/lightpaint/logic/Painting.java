@@ -10,8 +10,8 @@ import org.starl.primitives.paths.DistributedPathPlanning;
 import org.starl.primitives.paths.TubeSettings;
 
 /**
- * What all painters know from the start. The floor is the drawing's bounding box and a margin around
- * it, in which every painter has a home. The homes are evenly spread.
+ * What all painters know from the start. The floor is the drawing's bounding box and a margin
+ * around it, in which every painter has a home. The homes are evenly spread.
  *
  * @param strokes the drawing, each stroke at the index that is its number
  * @param floor all bodies stay inside

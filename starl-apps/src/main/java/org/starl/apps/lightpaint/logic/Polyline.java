@@ -87,7 +87,10 @@ public record Polyline(List<Point> points) {
     return new Polyline(simplified(part, 0));
   }
 
-  /** The place between {@code fromMm} and {@code toMm} nearest to {@code point}; the first of several. */
+  /**
+   * The place between {@code fromMm} and {@code toMm} nearest to {@code point}; the first of
+   * several.
+   */
   public double nearestMm(Point point, double fromMm, double toMm) {
     double best = Double.POSITIVE_INFINITY;
     double bestMm = fromMm;
@@ -134,9 +137,9 @@ public record Polyline(List<Point> points) {
   }
 
   /**
-   * The points without those that the line does not need to stay within {@code toleranceMm} of all of
-   * them, none twice in a row (Douglas, Peucker, "Algorithms for the reduction of the number of points
-   * required to represent a digitized line or its caricature", Cartographica 10(2), 1973).
+   * The points without those that the line does not need to stay within {@code toleranceMm} of all
+   * of them, none twice in a row (Douglas, Peucker, "Algorithms for the reduction of the number of
+   * points required to represent a digitized line or its caricature", Cartographica 10(2), 1973).
    *
    * @param points at least one
    */

@@ -8,13 +8,16 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Segment;
 
 /**
- * Cuts a drawing into strokes. Where lines run along each other, the line drawn last keeps the place,
- * as in a picture; lines that cross, or meet at a corner, keep theirs. Lines of one ink that meet end
- * to end become one chain. A chain is cut so that each stroke's tube is short and its ends are apart.
+ * Cuts a drawing into strokes. Where lines run along each other, the line drawn last keeps the
+ * place, as in a picture; lines that cross, or meet at a corner, keep theirs. Lines of one ink that
+ * meet end to end become one chain. A chain is cut so that each stroke's tube is short and its ends
+ * are apart.
  */
 public final class Strokes {
 
-  /** Two lines that meet at 15 degrees or more, or cross at 30, share less than this many widths. */
+  /**
+   * Two lines that meet at 15 degrees or more, or cross at 30, share less than this many widths.
+   */
   private static final double MIN_SHARED_WIDTHS = 4;
 
   /** Legs are sampled at least this densely. */

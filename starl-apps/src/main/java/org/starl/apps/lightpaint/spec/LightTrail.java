@@ -17,8 +17,8 @@ import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
- * What was painted: the true positions of bodies while their lights were on. A light goes out when the
- * program crashes that switched it on.
+ * What was painted: the true positions of bodies while their lights were on. A light goes out when
+ * the program crashes that switched it on.
  */
 public final class LightTrail {
 

@@ -186,7 +186,9 @@ public final class PaintSpec implements Monitor {
     return trail.passes().stream().filter(pass -> pass.stroke() == stroke).toList();
   }
 
-  /** The longest part, in mm, that {@code pass} painted although it, or another pass, had already. */
+  /**
+   * The longest part, in mm, that {@code pass} painted although it, or another pass, had already.
+   */
   private double twiceMm(Pass pass) {
     double twiceMm = pass.backMm();
     for (Pass other : passes(pass.stroke())) {

@@ -111,7 +111,7 @@ public final class PaintedDrawing {
   private static void draw(Graphics2D page, Mark mark) {
     float widthMm = (float) mark.ink().widthMm();
     page.setColor(new Color(mark.ink().rgb()));
-    page.setStroke(new BasicStroke(widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_MITER));
+    page.setStroke(new BasicStroke(widthMm, BasicStroke.CAP_ROUND, BasicStroke.JOIN_ROUND));
     page.draw(LightPaintLayer.line(mark.points()));
   }
 }

@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 
 /**
- * Checks that an SVG file can be read, and names file and line if not. A browser draws a broken path
- * up to the error, and so does JSVG; a robot must not.
+ * Checks that an SVG file can be read, and names file and line if not. A browser draws a broken
+ * path up to the error, and so does JSVG; a robot must not.
  */
 final class SvgCheck {
 

@@ -28,8 +28,8 @@ import org.starl.input.BadInput;
 
 /**
  * Reads SVG drawings with JSVG: all that a browser would draw with a stroke becomes lines, in the
- * order of the file, with groups, transforms, styles and view boxes applied. Fills, images, opacity,
- * dashes, clips and masks are ignored: a line is painted whole or not at all.
+ * order of the file, with groups, transforms, styles and view boxes applied. Fills, images,
+ * opacity, dashes, clips and masks are ignored: a line is painted whole or not at all.
  */
 public final class SvgDrawing {
 
