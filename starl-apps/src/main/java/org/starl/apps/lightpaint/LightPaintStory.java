@@ -82,7 +82,8 @@ final class LightPaintStory implements Story {
     double drawingMm =
         painting.strokes().stream().mapToDouble(stroke -> stroke.path().lengthMm()).sum();
     lines.add(
-        text(
+        String.format(
+            Locale.ROOT,
             "painted %.2f m of a drawing of %.2f m in %d strokes;"
                 + " the last light went off at %.1f s",
             paintedMm / 1e3,
@@ -100,21 +101,20 @@ final class LightPaintStory implements Story {
             .distinct()
             .count();
     double metres = trail.paintedMm(robot) / 1e3;
-    return text("painted %d stroke%s, %.2f m", strokes, strokes == 1 ? "" : "s", metres)
+    return String.format(
+            Locale.ROOT, "painted %d stroke%s, %.2f m", strokes, strokes == 1 ? "" : "s", metres)
         + times(", gave way", painter.retreats)
         + times(", crashed", painter.crashes)
         + (painter.endNs < 0
             ? ", has not ended"
-            : text(", ended at %.1f s", Time.seconds(painter.endNs)))
-        + (painter.left > 0 ? text(" and gave up with %d strokes left", painter.left) : "");
+            : String.format(Locale.ROOT, ", ended at %.1f s", Time.seconds(painter.endNs)))
+        + (painter.left > 0
+            ? String.format(Locale.ROOT, " and gave up with %d strokes left", painter.left)
+            : "");
   }
 
   private static String times(String event, int count) {
     return count == 0 ? "" : event + (count == 1 ? " once" : " " + count + " times");
-  }
-
-  private static String text(String format, Object... values) {
-    return String.format(Locale.ROOT, format, values);
   }
 
   @Override

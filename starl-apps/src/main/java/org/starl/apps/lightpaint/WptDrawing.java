@@ -49,8 +49,8 @@ final class WptDrawing {
     for (Waypoint a : ends.values()) {
       boolean isA = a.name().contains("A");
       String other = isA ? a.name().replace('A', 'B') : a.name().replace('B', 'A');
+      check(ends.containsKey(other), a, "has no " + other);
       Waypoint b = ends.getOrDefault(other, a);
-      check(b != a, a, "has no " + other);
       if (isA) {
         Ink ink = ink(a, b, mmPerUnit);
         Point from = Polyline.rounded(new Point(a.xMm(), a.yMm()));

@@ -9,6 +9,7 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
+import java.util.Formatter;
 import java.util.List;
 import java.util.Locale;
 import javax.imageio.ImageIO;
@@ -56,32 +57,26 @@ public final class PaintedDrawing {
 
   /** One unit is 1 mm; the drawing is pale, below what was painted. {@code out} stays open. */
   public void writeSvg(OutputStream out) throws IOException {
-    StringBuilder svg = new StringBuilder();
-    append(
-        svg,
+    Formatter svg = new Formatter(Locale.ROOT);
+    svg.format(
         "<svg xmlns='http://www.w3.org/2000/svg' width='%1$.0f' height='%2$.0f'"
             + " viewBox='0 0 %1$.0f %2$.0f'>%n<g id='drawing' fill='none' stroke-opacity='0.25'>%n",
-        widthMm,
-        heightMm);
+        widthMm, heightMm);
     drawing.forEach(mark -> append(svg, mark));
-    append(svg, "</g>%n<g id='painted' fill='none' stroke-linecap='round'>%n");
+    svg.format("</g>%n<g id='painted' fill='none' stroke-linecap='round'>%n");
     painted.forEach(mark -> append(svg, mark));
-    append(svg, "</g>%n</svg>%n");
+    svg.format("</g>%n</svg>%n");
     out.write(svg.toString().getBytes(StandardCharsets.UTF_8));
   }
 
-  private void append(StringBuilder svg, Mark mark) {
+  private void append(Formatter svg, Mark mark) {
     Ink ink = mark.ink();
-    append(svg, "<polyline stroke='%s' stroke-width='%.1f'", ink.colour(), ink.widthMm());
-    svg.append(" points='");
+    svg.format("<polyline stroke='%s' stroke-width='%.1f'", ink.colour(), ink.widthMm());
+    svg.format(" points='");
     for (Point point : mark.points()) {
-      append(svg, "%.1f,%.1f ", point.xMm() - frame.xMinMm(), frame.yMaxMm() - point.yMm());
+      svg.format("%.1f,%.1f ", point.xMm() - frame.xMinMm(), frame.yMaxMm() - point.yMm());
     }
-    append(svg, "'><title>%s</title></polyline>%n", mark.title());
-  }
-
-  private static void append(StringBuilder svg, String format, Object... values) {
-    svg.append(String.format(Locale.ROOT, format, values));
+    svg.format("'><title>%s</title></polyline>%n", mark.title());
   }
 
   /** The drawing on the left, what was painted on the right. {@code out} stays open. */

@@ -113,11 +113,11 @@ final class SvgCheck {
         if (!COMMANDS.containsKey(command)) {
           throw bad(what, text, at, "a command: M L H V C S Q T A or Z");
         }
-        arguments = COMMANDS.get(command);
+        arguments = COMMANDS.getOrDefault(command, "");
         at++;
       }
-      for (char argument : arguments.toCharArray()) {
-        boolean isFlag = argument == 'f';
+      for (int i = 0; i < arguments.length(); i++) {
+        boolean isFlag = arguments.charAt(i) == 'f';
         int next = end(isFlag ? NEXT_FLAG : NEXT_NUMBER, text, at);
         if (next < 0) {
           String number = isPath ? "a number" : "numbers in pairs, such as 0,0 10,5";
