@@ -1,14 +1,13 @@
 package org.starl.launch;
 
 import java.util.List;
-import org.starl.GlobalVarHolder;
 import org.starl.RobotRunner;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
-import org.starl.robot.realtime.RealStrand;
 import org.starl.random.Rng;
+import org.starl.robot.realtime.RealStrand;
 import org.starl.sim.Director;
 import org.starl.sim.RobotSpec;
 import org.starl.sim.SimControl;

@@ -167,7 +167,8 @@ public final class LightPaintDemo implements Demo {
   }
 
   private static double mm(Request request, Parameter parameter, double least, double most) {
-    return request.parse(parameter,
+    return request.parse(
+        parameter,
         text -> {
           double mm = Quantities.distanceMm(text);
           if (mm < least || mm > most) {

@@ -145,8 +145,7 @@ public final class RaceDemo implements Demo {
     if (!file.isEmpty()) {
       return RacePoints.read(file);
     }
-    long count =
-        request.parse(DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
+    long count = request.parse(DRAWN, text -> Quantities.whole(text, 1, MAX_DRAWN));
     return RacePoints.drawn((int) count, settings, new Rng(request.seed()).fork(name()));
   }
 }
