@@ -186,12 +186,12 @@ class FaultGrammarTest {
     Arbitrary<String> to = robots().map(robots -> "to=" + robots);
     Arbitrary<String> lose = Arbitraries.of("unsynced", "some", "nothing").map("lose="::concat);
     return Arbitraries.oneOf(
-        text("crash", robots(), lose),
-        text("loss", p, from, to),
-        text("burst", positive, positive, p, from, to),
-        text("delay", latencies(), from, to),
-        text("duplicate", p, t, from, to),
-        text("reorder", p, t, from, to),
+        text("crash", List.of(robots(), lose)),
+        text("loss", List.of(p, from, to)),
+        text("burst", List.of(positive, positive, p, from, to)),
+        text("delay", List.of(latencies(), from, to)),
+        text("duplicate", List.of(p, t, from, to)),
+        text("reorder", List.of(p, t, from, to)),
         robots()
             .list()
             .ofMinSize(1)
@@ -202,28 +202,26 @@ class FaultGrammarTest {
             .as((x, y, r) -> "partition(area=circle(" + String.join(",", x, y, r) + "))"),
         Combinators.combine(mm, mm)
             .as((x, y) -> "partition(area=rect(-" + x + ",-" + y + "," + x + "," + y + "))"),
-        text("range", mm),
+        text("range", List.of(mm)),
         Arbitraries.just("sight"),
         robots().map(robots -> "stuck(" + robots + ")"),
-        text("slow", robots(), p),
-        text("noise", robots(), mm, rad),
-        text("dropout", robots()),
-        text("jump", robots(), mm),
-        text("compute", robots(), t),
-        text("drift", robots(), ppm),
-        text("skew", robots(), signed),
-        text("disk", robots(), t),
-        text("ram", robots(), speed),
-        text("block", robots()),
-        text("forge", robots(), positive),
-        text("replay", robots(), positive),
-        text("flood", robots(), positive));
+        text("slow", List.of(robots(), p)),
+        text("noise", List.of(robots(), mm, rad)),
+        text("dropout", List.of(robots())),
+        text("jump", List.of(robots(), mm)),
+        text("compute", List.of(robots(), t)),
+        text("drift", List.of(robots(), ppm)),
+        text("skew", List.of(robots(), signed)),
+        text("disk", List.of(robots(), t)),
+        text("ram", List.of(robots(), speed)),
+        text("block", List.of(robots())),
+        text("forge", List.of(robots(), positive)),
+        text("replay", List.of(robots(), positive)),
+        text("flood", List.of(robots(), positive)));
   }
 
-  @SafeVarargs
-  private static Arbitrary<String> text(String name, Arbitrary<String>... arguments) {
-    return Combinators.combine(List.of(arguments))
-        .as(values -> name + "(" + String.join(",", values) + ")");
+  private static Arbitrary<String> text(String name, List<Arbitrary<String>> arguments) {
+    return Combinators.combine(arguments).as(values -> name + "(" + String.join(",", values) + ")");
   }
 
   private static Arbitrary<String> latencies() {
