@@ -93,7 +93,8 @@ final class Assigner {
     tasks.keySet().retainAll(up.keySet());
     up.forEach((robot, report) ->
         tasks.computeIfPresent(robot, (same, task) -> isOver(task, report, known) ? null : task));
-    Set<Integer> busy = up.values().stream().map(Report::room).collect(Collectors.toSet());
+    Set<Integer> busy =
+        up.values().stream().map(Report::room).collect(Collectors.toCollection(TreeSet::new));
     busy.remove(Report.NO_ROOM);
     tasks.values().forEach(task -> busy.add(task.room()));
     List<Report> idle =
