@@ -53,9 +53,9 @@ public final class Grid {
   }
 
   public Point centre(int cell) {
+    int row = cell / columns;
     return new Point(
-        bounds.xMinMm() + (cell % columns + 0.5) * cellMm,
-        bounds.yMinMm() + (cell / columns + 0.5) * cellMm);
+        bounds.xMinMm() + (cell % columns + 0.5) * cellMm, bounds.yMinMm() + (row + 0.5) * cellMm);
   }
 
   /** The cells whose centres are within {@code rangeMm} of a point, in order. */
