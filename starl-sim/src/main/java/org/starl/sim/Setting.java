@@ -236,7 +236,7 @@ public final class Setting<T> {
 
   /** @throws BadInput if the value is out of range */
   T checked(T value) {
-    if (!type.isValid().test(value)) {
+    if (!type.validity().test(value)) {
       throw new BadInput(key + "=" + type.writer().apply(value) + ": expected " + type.expected());
     }
     return value;

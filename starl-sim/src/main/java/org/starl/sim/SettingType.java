@@ -14,14 +14,14 @@ import org.starl.input.Quantity;
  *
  * @param reader throws {@link BadInput} if a text is not a value
  * @param writer writes a text that the reader reads back
- * @param isValid whether a value is in range
+ * @param validity whether a value is in range
  * @param expected the text after "expected" for a value out of range
  */
 record SettingType<T>(
     Class<T> values,
     Function<String, T> reader,
     Function<T, String> writer,
-    Predicate<T> isValid,
+    Predicate<T> validity,
     String expected,
     Form form) {
 

@@ -24,6 +24,7 @@ import org.starl.trace.TraceEvent.Variable;
 final class Ends extends InstanceSpec<Ends.Search> {
 
   private static final String AGREED = "agreed";
+  private static final String ENDED = "ended";
   private static final String ASSIGNED = "assigned";
 
   private final Deadlines ends;
@@ -34,7 +35,7 @@ final class Ends extends InstanceSpec<Ends.Search> {
     lemma(AGREED, "All robots that end have one answer.");
     ends =
         progress(
-            "ended",
+            ENDED,
             "Every robot that is up ends with an answer, within the bound.",
             endedWithinNs,
             sinceNs -> "has searched since " + sinceNs + " ns, no end");
