@@ -23,11 +23,11 @@ import org.starl.trace.TraceEvent.Variable;
 /** Whole searches in which a robot crashes: the others go on, and so does it after a restart. */
 class SearchCrashTest {
 
-  /** It crashes between two stops of its sweep: all that it bars can be seen from beside it. */
+  /** It crashes between two legs of its sweep: all that it bars can be seen from beside it. */
   @Test
   void othersSearchTheRoomInFullAroundARobotThatCrashedInIt() {
     Map<String, String> files = Map.of("files", Searches.originals().toString(), "object", "none");
-    Plan plan = Searches.plan(1, 0, files, Map.of());
+    Plan plan = Searches.plan(8, 0, files, Map.of());
     plan.simulation().fault("crash(bot1,at=35s)");
     assertThat(Searches.answer(plan)).isEqualTo("nothing there");
     assertThat(plan.story().lines()).anyMatch(line -> line.endsWith("has searched room E in full"));
@@ -36,7 +36,7 @@ class SearchCrashTest {
   /** It crashes inside by the door: a way leads past it, but not to all that it has not seen. */
   @Test
   void theOthersTryARoomBarredByACrashedRobotAndGiveItUpInTime() {
-    Plan plan = Searches.plan(2, 3, Map.of("rooms", "1", "object", "none"), Map.of());
+    Plan plan = Searches.plan(3, 3, Map.of("rooms", "1", "object", "none"), Map.of());
     plan.simulation().fault("crash(bot0,at=35s)");
     assertThat(Searches.answer(plan)).isEqualTo("gave up, could not search A");
     List<String> lines = plan.story().lines();

@@ -53,7 +53,7 @@ class SearchTest {
           .as("%s", room)
           .isBetween(squareMetres[room.index()] * 0.9, squareMetres[room.index()] * 1.1);
       assertThat(room.isEnterable()).isTrue();
-      Sweep sweep = Sweep.of(scene.house(), room.cells(), room.places(), room.door());
+      Sweep sweep = Sweep.of(scene.house(), room, room.door());
       assertThat(sweep.hidden().isEmpty()).as("%s is seen everywhere", room).isTrue();
     }
     assertThat(scene.house().roomAt(scene.things().get(0).at())).isEqualTo(6);
@@ -66,7 +66,7 @@ class SearchTest {
       House house = House.of(plan, 600, Drive.clearanceMm(MotionParameters.DEFAULT, plan.bounds()));
       assertThat(house.rooms()).hasSize((int) (3 * seed)).allMatch(Room::isEnterable);
       Room room = house.room(house.rooms().size() - 1);
-      assertThat(Sweep.of(house, room.cells(), room.places(), room.door()).hidden().isEmpty())
+      assertThat(Sweep.of(house, room, room.door()).hidden().isEmpty())
           .as("%s of seed %d", room, seed)
           .isTrue();
     }
@@ -98,7 +98,7 @@ class SearchTest {
     // In sight of both robots in front: each announces it before it has heard of the other.
     Plan plan =
         Searches.plan(
-            1, 4, Map.of("rooms", "2", "object", "3500,1300"), Map.of("messageDelay", "400ms"));
+            1, 4, Map.of("rooms", "2", "object", "8500,1600"), Map.of("messageDelay", "400ms"));
     SortedSet<RobotId> finders = new TreeSet<>();
     plan.simulation()
         .observer(
@@ -110,7 +110,7 @@ class SearchTest {
                 }
               }
             });
-    assertThat(Searches.answer(plan)).startsWith("found object at 3500,1300 by bot");
+    assertThat(Searches.answer(plan)).startsWith("found object at 8500,1600 by bot");
     assertThat(finders).hasSizeGreaterThan(1);
   }
 

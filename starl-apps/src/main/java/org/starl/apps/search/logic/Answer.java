@@ -1,7 +1,6 @@
 package org.starl.apps.search.logic;
 
 import java.util.List;
-import java.util.stream.Collectors;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 
@@ -21,13 +20,18 @@ public final class Answer {
 
   /** A thing was seen, by the finder's sensor at {@code at}. */
   static String found(String thing, Point at, RobotId finder) {
-    return FOUND + thing + " at " + SearchTrace.text(at) + " by " + finder;
+    return FOUND
+        + thing
+        + " at "
+        + Math.round(at.xMm())
+        + ","
+        + Math.round(at.yMm())
+        + " by "
+        + finder;
   }
 
   /** Nothing was found. */
-  static String nothing(List<Room> left) {
-    return left.isEmpty()
-        ? NOTHING
-        : GAVE_UP + left.stream().map(Room::name).collect(Collectors.joining(" "));
+  static String nothing(List<String> roomsLeft) {
+    return roomsLeft.isEmpty() ? NOTHING : GAVE_UP + String.join(" ", roomsLeft);
   }
 }

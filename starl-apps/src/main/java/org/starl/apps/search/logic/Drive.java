@@ -1,7 +1,5 @@
 package org.starl.apps.search.logic;
 
-import static org.starl.time.Time.NS_PER_MS;
-
 import java.util.BitSet;
 import org.starl.GlobalVarHolder;
 import org.starl.body.MotionParameters;
@@ -14,6 +12,8 @@ import org.starl.primitives.paths.FewerCorners;
 import org.starl.primitives.paths.LocalPlanner;
 import org.starl.primitives.paths.StraightFirst;
 import org.starl.primitives.paths.Tube;
+import org.starl.primitives.paths.TubeFailure;
+import org.starl.primitives.paths.TubeFlag;
 import org.starl.primitives.paths.TubeSettings;
 
 /**
@@ -21,7 +21,11 @@ import org.starl.primitives.paths.TubeSettings;
  */
 public final class Drive {
 
+  private static final long NS_PER_MS = 1_000_000;
   private static final double GOAL_RADIUS_MM = 10;
+
+  /** A motion that fails, by a bump say, is begun again so often. */
+  private static final int RESTARTS = 3;
 
   /** Places are cells: a way between two tubes need not lead over their centres. */
   private static final double ROUGH_MM = House.CELL_MM / 2.0;
@@ -40,6 +44,8 @@ public final class Drive {
   private Point target = new Point(0, 0);
   private long patienceNs;
   private long waitingSinceNs;
+  private int restarts;
+  private boolean isBlocked;
 
   /** The state of a drive. */
   enum State {
@@ -101,8 +107,9 @@ public final class Drive {
     stop();
     target = place;
     patienceNs = patienceMs * NS_PER_MS;
-    waitingSinceNs = gvh.plat.clock.nowNs();
-    paths.goTo(new ItemPosition("place", place.xMm(), place.yMm()));
+    restarts = 0;
+    isBlocked = false;
+    begin();
   }
 
   void stop() {
@@ -115,35 +122,48 @@ public final class Drive {
   }
 
   /**
-   * The places of the house to which a way leads now past what others hold, as far as is known; the
-   * caller may change the set.
+   * The places of the house to which no way leads now past what others hold, as far as is known.
    */
-  BitSet reachable(House house) {
+  BitSet barred(House house) {
     BitSet open = house.places();
     for (Capsule capsule : paths.taken()) {
       house.bar(capsule.axis(), capsule.radiusMm() + paths.radiusMm() - ROUGH_MM, open);
     }
-    return house.reachable(gvh.gps.pose().at(), open);
+    BitSet barred = house.places();
+    barred.andNot(house.reachable(gvh.gps.pose().at(), open));
+    return barred;
   }
 
   /** Checks the state of the drive; to be called every period. */
   State check() {
-    long nowNs = gvh.plat.clock.nowNs();
-    switch (paths.tubeflag().get()) {
+    if (isBlocked) {
+      return State.BLOCKED;
+    }
+    TubeFlag flag = paths.tubeflag().get();
+    switch (flag) {
       case DONE -> {
         return State.ARRIVED;
       }
-      case MOVING -> waitingSinceNs = nowNs;
       case PLANNING, CLAIMING -> {
-        if (nowNs - waitingSinceNs > patienceNs) {
+        if (gvh.plat.clock.nowNs() - waitingSinceNs > patienceNs) {
           stop();
-          return State.BLOCKED;
+          isBlocked = true;
         }
       }
+      case MOVING -> waitingSinceNs = gvh.plat.clock.nowNs();
       case FAIL, IDLE -> {
-        return State.BLOCKED;
+        isBlocked = paths.failure().get() != TubeFailure.MOTION || restarts == RESTARTS;
+        if (!isBlocked) {
+          restarts++;
+          begin();
+        }
       }
     }
-    return State.UNDER_WAY;
+    return isBlocked ? State.BLOCKED : State.UNDER_WAY;
+  }
+
+  private void begin() {
+    waitingSinceNs = gvh.plat.clock.nowNs();
+    paths.goTo(new ItemPosition("place", target.xMm(), target.yMm()));
   }
 }

@@ -24,9 +24,9 @@ public final class Grid {
     this.cellMm = cellMm;
     double across = StrictMath.ceil((bounds.xMaxMm() - bounds.xMinMm()) / cellMm);
     double up = StrictMath.ceil((bounds.yMaxMm() - bounds.yMinMm()) / cellMm);
-    if (across * up > MAX_CELLS) {
+    if (cellMm <= 0 || across * up > MAX_CELLS) {
       throw new IllegalArgumentException(
-          "cells of " + cellMm + " mm on " + bounds + ": expected at most " + MAX_CELLS);
+          "cells of " + cellMm + " mm on " + bounds + ": expected above 0, and at most 4 million");
     }
     columns = (int) Math.max(1, across);
     rows = (int) Math.max(1, up);
@@ -40,8 +40,16 @@ public final class Grid {
     return columns;
   }
 
+  int rows() {
+    return rows;
+  }
+
   int count() {
     return columns * rows;
+  }
+
+  int cell(int column, int row) {
+    return row * columns + column;
   }
 
   /** The cell in which a point lies; -1 off the floor. */
@@ -49,19 +57,27 @@ public final class Grid {
     int column = column(point.xMm());
     int row = row(point.yMm());
     boolean isOnFloor = column >= 0 && column < columns && row >= 0 && row < rows;
-    return isOnFloor ? row * columns + column : -1;
+    return isOnFloor ? cell(column, row) : -1;
   }
 
   public Point centre(int cell) {
     int row = cell / columns;
-    return new Point(
-        bounds.xMinMm() + (cell % columns + 0.5) * cellMm, bounds.yMinMm() + (row + 0.5) * cellMm);
+    return new Point(centreX(cell), bounds.yMinMm() + (row + 0.5) * cellMm);
+  }
+
+  private double centreX(int cell) {
+    return bounds.xMinMm() + (cell % columns + 0.5) * cellMm;
   }
 
   /** The cells whose centres are within {@code rangeMm} of a point, in order. */
   public IntStream within(Point middle, double rangeMm) {
     return in(Rectangle.around(middle, 2 * rangeMm, 2 * rangeMm))
-        .filter(cell -> centre(cell).distanceMm(middle) <= rangeMm);
+        .filter(cell -> {
+          Point centre = centre(cell);
+          double dx = centre.xMm() - middle.xMm();
+          double dy = centre.yMm() - middle.yMm();
+          return dx * dx + dy * dy <= rangeMm * rangeMm;
+        });
   }
 
   /** The cells that have a point in common with a rectangle, in order. */
@@ -72,7 +88,7 @@ public final class Grid {
     int toRow = Math.min(rows - 1, row(box.yMaxMm()));
     return IntStream.rangeClosed(fromRow, toRow)
         .flatMap(
-            row -> IntStream.rangeClosed(row * columns + fromColumn, row * columns + toColumn));
+            row -> IntStream.rangeClosed(fromColumn, toColumn).map(column -> cell(column, row)));
   }
 
   /** Whether one may go from a cell to its neighbour. */
@@ -87,9 +103,12 @@ public final class Grid {
   int[] steps(BitSet from, Step step) {
     int[] steps = new int[count()];
     Arrays.fill(steps, -1);
-    int[] queue = Arrays.copyOf(from.stream().toArray(), count());
-    int tail = from.cardinality();
-    from.stream().forEach(cell -> steps[cell] = 0);
+    int[] queue = new int[count()];
+    int tail = 0;
+    for (int cell = from.nextSetBit(0); cell >= 0; cell = from.nextSetBit(cell + 1)) {
+      steps[cell] = 0;
+      queue[tail++] = cell;
+    }
     for (int head = 0; head < tail; head++) {
       int cell = queue[head];
       int column = cell % columns;
@@ -113,7 +132,9 @@ public final class Grid {
   BitSet reached(BitSet from, Step step) {
     int[] steps = steps(from, step);
     BitSet reached = new BitSet();
-    IntStream.range(0, steps.length).filter(cell -> steps[cell] >= 0).forEach(reached::set);
+    for (int cell = 0; cell < steps.length; cell++) {
+      reached.set(cell, steps[cell] >= 0);
+    }
     return reached;
   }
 

@@ -93,14 +93,14 @@ public final class House {
 
   /**
    * Those of some cells that a sensor within {@code errorMm} of {@code at}, along each axis, sees
-   * whole, wherever it is.
+   * whole.
    */
   BitSet view(Point at, double errorMm, BitSet among) {
     Sight near = sight.near(at, rangeMm);
-    List<Point> from = Sight.square(at, errorMm);
     BitSet view = new BitSet();
     grid.within(at, rangeMm)
-        .filter(cell -> among.get(cell) && isInView(near, from, errorMm, grid.centre(cell)))
+        .filter(among::get)
+        .filter(cell -> near.seesAll(at, errorMm, grid.centre(cell), CELL_MM / 2.0, rangeMm))
         .forEach(view::set);
     return view;
   }
@@ -116,16 +116,8 @@ public final class House {
     Sight near = sight.near(centre, rangeMm);
     return grid.within(centre, rangeMm)
         .filter(among::get)
-        .mapToObj(place -> Sight.square(grid.centre(place), SLACK_MM))
-        .anyMatch(from -> isInView(near, from, SLACK_MM, centre));
-  }
-
-  /** Whether a cell is whole in sight and range of a square of points. */
-  private boolean isInView(Sight near, List<Point> from, double halfMm, Point cell) {
-    double reachMm = halfMm + CELL_MM / 2.0;
-    Point way = from.get(0).minus(cell);
-    Point farthest = new Point(Math.abs(way.xMm()) + reachMm, Math.abs(way.yMm()) + reachMm);
-    return farthest.dot(farthest) <= rangeMm * rangeMm && near.seesAll(from, cell, CELL_MM / 2.0);
+        .anyMatch(
+            place -> near.seesAll(grid.centre(place), SLACK_MM, centre, CELL_MM / 2.0, rangeMm));
   }
 
   /**

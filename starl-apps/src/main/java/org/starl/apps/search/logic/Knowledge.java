@@ -2,7 +2,6 @@ package org.starl.apps.search.logic;
 
 import java.util.BitSet;
 import java.util.Collections;
-import java.util.Comparator;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.SortedSet;
@@ -21,6 +20,7 @@ final class Knowledge {
   private final SortedMap<RobotId, Report> latest = new TreeMap<>();
   private final SortedMap<Integer, BitSet> seen = new TreeMap<>();
   private final SortedSet<Integer> swept = new TreeSet<>();
+  private Optional<Report.Duty> duty = Optional.empty();
   private Optional<String> answer = Optional.empty();
 
   Knowledge(House house) {
@@ -31,13 +31,18 @@ final class Knowledge {
   void hear(Report report) {
     swept.addAll(report.swept());
     report.answer().ifPresent(this::conclude);
-    Report before = latest.get(report.robot());
+    Report before = latest.get(report.from().robot());
     if (before != null && !report.isNewerThan(before)) {
       return;
     }
-    latest.put(report.robot(), report);
+    latest.put(report.from().robot(), report);
     if (!report.isIdle() && (before == null || !before.seen().equals(report.seen()))) {
       saw(report.room(), RunLengths.cells(report.seen(), house.room(report.room())));
+    }
+    // One leader's last assignments count; of two leaders, those of the later term.
+    long term = report.duty().map(Report.Duty::term).orElse(-1L);
+    if (term >= 0 && (duty.isEmpty() || term >= duty.get().term())) {
+      duty = report.duty();
     }
   }
 
@@ -65,12 +70,9 @@ final class Knowledge {
     return Collections.unmodifiableSortedMap(latest);
   }
 
-  /** The assignments of the leader of the latest term. */
-  Report.Duty duty() {
-    return latest.values().stream()
-        .map(Report::duty)
-        .max(Comparator.comparingLong(Report.Duty::term))
-        .orElse(Report.Duty.NONE);
+  /** The assignments of the latest leader. */
+  Optional<Report.Duty> duty() {
+    return duty;
   }
 
   /** The first answer that this robot has heard or found. */

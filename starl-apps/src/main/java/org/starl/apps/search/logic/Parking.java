@@ -1,15 +1,18 @@
 package org.starl.apps.search.logic;
 
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.function.Predicate;
+import java.util.stream.Collectors;
 import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
 
 /**
- * Drives a robot without a room out of the way of the others: deep into the nearest room that was
- * searched, else to a start. A robot that stands at a start stays there. Strand only.
+ * Brings a robot without work to a place where it is in nobody's way: deep inside the nearest room
+ * that was searched, or, if it finds none, back to a start. A robot that stands at a start stays
+ * there. Strand only.
  */
 final class Parking {
 
@@ -31,7 +34,7 @@ final class Parking {
     this.isSwept = isSwept;
   }
 
-  /** The robot has no room from now on. */
+  /** The robot has no work from now on. */
   void begin() {
     places.clear();
     isUnderWay = false;
@@ -59,12 +62,24 @@ final class Parking {
         .anyMatch(start -> gvh.gps.pose().distanceMm(start) < SAME_MM);
   }
 
+  /**
+   * Rooms that were searched, the nearest first; then starts, the one farthest from all rooms
+   * first.
+   */
   private void addPlaces() {
-    int[] distances = house.distancesMm(gvh.gps.pose().at());
+    Point here = gvh.gps.pose().at();
+    int[] distances = house.distancesMm(here);
+    int hereRoom = house.roomAt(here);
     house.rooms().stream()
         .filter(room -> room.isEnterable() && isSwept.test(room))
-        .sorted(Comparator.comparingInt(room -> distances[room.index()]))
+        .sorted(
+            Comparator.comparingInt(room -> hereRoom == room.index() ? 0 : distances[room.index()]))
         .forEach(room -> places.add(room.rest()));
-    places.addAll(house.plan().starts());
+    places.addAll(
+        house.plan().starts().stream()
+            .sorted(
+                Comparator.comparingInt(
+                    start -> -Arrays.stream(house.distancesMm(start)).min().orElse(0)))
+            .collect(Collectors.toList()));
   }
 }

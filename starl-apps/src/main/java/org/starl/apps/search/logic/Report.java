@@ -27,7 +27,7 @@ import org.starl.id.RobotId;
  * @param seen which cells of that room it knows to have been seen, as {@link RunLengths}
  * @param swept rooms that were searched in full, by any robot
  * @param tries how often this incarnation has failed to search each room
- * @param duty the rooms that this robot assigns, if it leads
+ * @param duty what the others have to do, if this robot leads
  * @param answer the answer, if the robot has one
  */
 record Report(
@@ -38,7 +38,7 @@ record Report(
     List<Integer> seen,
     SortedSet<Integer> swept,
     List<Integer> tries,
-    Duty duty,
+    Optional<Duty> duty,
     Optional<String> answer) {
 
   static final int NO_ROOM = -1;
@@ -56,25 +56,17 @@ record Report(
   /**
    * A leader's assignments.
    *
-   * @param term in which it leads, above 0; those of a later term count
+   * @param term in which it leads; those of a later term count
    * @param tasks the task of each robot
    */
-  record Duty(long term, SortedMap<RobotId, Task> tasks) {
-
-    /** The duty of a robot that does not lead. */
-    static final Duty NONE = new Duty(0, new TreeMap<>());
-  }
+  record Duty(long term, SortedMap<RobotId, Task> tasks) {}
 
   /**
    * One room for one robot.
    *
-   * @param tries how often the robot had failed to search the room before: it takes a task once
+   * @param number from 1 in each term, never twice: a robot takes a task once
    */
-  record Task(int room, int tries) {}
-
-  RobotId robot() {
-    return from.robot();
-  }
+  record Task(int room, int number) {}
 
   boolean isIdle() {
     return room == NO_ROOM;
@@ -86,10 +78,10 @@ record Report(
   }
 
   /**
-   * The bytes of a report, in the order of its components. A position begins with a bool; a list
-   * with its length (u8). Numbers: number and term i64; x and y i32; run lengths u16; a room u8, 255
-   * for none; for each room of the house a bool for {@code swept} and a u8 for {@code tries}; the
-   * answer is bytes in UTF-8, none if it is empty.
+   * The bytes of a report, in the order of its components. An optional one begins with a bool; a
+   * list with its length (u8). Numbers: number and term i64; x, y and a task's number i32; run
+   * lengths u16; a room u8, 255 for none; for each room of the house {@code swept} has a bool and
+   * {@code tries} a u8; the answer is bytes in UTF-8.
    *
    * @param rooms how many the house has
    */
@@ -117,16 +109,20 @@ record Report(
       report.seen.forEach(out::u16);
       for (int room = 0; room < rooms; room++) {
         out.bool(report.swept.contains(room));
-        out.u8(report.tries.get(room));
       }
-      out.i64(report.duty.term);
-      out.u8(report.duty.tasks.size());
-      report.duty.tasks.forEach((robot, task) -> {
-        out.robot(robot);
-        out.u8(task.room);
-        out.u8(task.tries);
+      report.tries.forEach(out::u8);
+      out.bool(report.duty.isPresent());
+      report.duty.ifPresent(duty -> {
+        out.i64(duty.term);
+        out.u8(duty.tasks.size());
+        duty.tasks.forEach((robot, task) -> {
+          out.robot(robot);
+          out.u8(task.room);
+          out.i32(task.number);
+        });
       });
-      out.bytes(report.answer.orElse("").getBytes(StandardCharsets.UTF_8));
+      out.bool(report.answer.isPresent());
+      report.answer.ifPresent(answer -> out.bytes(answer.getBytes(StandardCharsets.UTF_8)));
     }
 
     @Override
@@ -142,22 +138,30 @@ record Report(
         seen.add(in.u16());
       }
       SortedSet<Integer> swept = new TreeSet<>();
-      List<Integer> tries = new ArrayList<>();
       for (int i = 0; i < rooms; i++) {
         if (in.bool()) {
           swept.add(i);
         }
+      }
+      List<Integer> tries = new ArrayList<>();
+      for (int i = 0; i < rooms; i++) {
         tries.add(in.u8());
       }
+      Optional<Duty> duty = in.bool() ? Optional.of(duty(in)) : Optional.empty();
+      Optional<String> answer =
+          in.bool()
+              ? Optional.of(new String(in.bytes(), StandardCharsets.UTF_8))
+              : Optional.empty();
+      return new Report(from, number, at, room, seen, swept, tries, duty, answer);
+    }
+
+    private Duty duty(WireReader in) {
       long term = in.i64();
       SortedMap<RobotId, Task> tasks = new TreeMap<>();
       for (int left = in.u8(); left > 0; left--) {
-        tasks.put(in.robot(), new Task(known(in.u8()), in.u8()));
+        tasks.put(in.robot(), new Task(known(in.u8()), in.i32()));
       }
-      Optional<String> answer =
-          Optional.of(new String(in.bytes(), StandardCharsets.UTF_8))
-              .filter(text -> !text.isEmpty());
-      return new Report(from, number, at, room, seen, swept, tries, new Duty(term, tasks), answer);
+      return new Duty(term, tasks);
     }
 
     private int known(int room) {

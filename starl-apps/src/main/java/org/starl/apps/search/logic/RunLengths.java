@@ -19,21 +19,20 @@ final class RunLengths {
   static List<Integer> of(BitSet part, Room room) {
     List<Integer> runs = new ArrayList<>();
     int length = 0;
-    for (int cell : room.cells().stream().toArray()) {
-      boolean isIn = runs.size() % 2 == 1;
+    boolean isIn = false;
+    BitSet cells = room.cells();
+    for (int cell = cells.nextSetBit(0); cell >= 0; cell = cells.nextSetBit(cell + 1)) {
       if (part.get(cell) != isIn) {
-        runs.add(length);
+        runs.add(Math.min(LONGEST, length));
         length = 0;
+        isIn = !isIn;
       }
       length++;
-      if (runs.size() == MAX || length == LONGEST) {
-        break;
-      }
     }
-    if (runs.size() % 2 == 1) {
-      runs.add(length);
+    if (isIn) {
+      runs.add(Math.min(LONGEST, length));
     }
-    return List.copyOf(runs);
+    return List.copyOf(runs.subList(0, Math.min(MAX, runs.size())));
   }
 
   /** The part that a list names; of any list of numbers, cells of the room. */

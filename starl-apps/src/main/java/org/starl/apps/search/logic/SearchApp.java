@@ -1,7 +1,5 @@
 package org.starl.apps.search.logic;
 
-import static org.starl.time.Time.NS_PER_S;
-
 import java.util.List;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
@@ -32,7 +30,7 @@ public final class SearchApp extends LogicThread {
   }
 
   private static final long PERIOD_MS = 100;
-  private static final long PARK_AFTER_NS = 3 * NS_PER_S;
+  private static final long PARK_AFTER_NS = 3_000_000_000L;
 
   private final House house;
   private final Sensing sensing;

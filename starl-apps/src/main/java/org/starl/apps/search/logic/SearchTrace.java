@@ -1,6 +1,7 @@
 package org.starl.apps.search.logic;
 
 import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
 import org.starl.trace.TraceEvent.Action;
 import org.starl.trace.TraceEvent.Variable;
 
@@ -22,7 +23,7 @@ public final class SearchTrace {
   /** Variable: the rooms that this robot knows to be searched in full. Action: one was. */
   public static final String SWEPT = "swept";
 
-  /** Action: a room and the stops of its sweep. */
+  /** Action: a room and the legs of its sweep. */
   public static final String SWEEP = "sweep";
 
   /** Action: a thing was seen, with its place in mm. */
@@ -43,8 +44,12 @@ public final class SearchTrace {
     return variable.source().equals(SOURCE) && variable.name().equals(name);
   }
 
-  /** A stop as text: {@code 700,500}. */
-  static String text(Point point) {
+  /** A leg as text: {@code 500,1500>900,1500}, or {@code 700,700} for a stop. */
+  static String text(Segment leg) {
+    return text(leg.from()) + (leg.from().equals(leg.to()) ? "" : ">" + text(leg.to()));
+  }
+
+  private static String text(Point point) {
     return Math.round(point.xMm()) + "," + Math.round(point.yMm());
   }
 }

@@ -3,108 +3,195 @@ package org.starl.apps.search.logic;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.Comparator;
-import java.util.LinkedHashMap;
 import java.util.List;
-import java.util.Map;
+import java.util.stream.IntStream;
 import org.starl.geometry.Point;
+import org.starl.geometry.Segment;
 
 /**
- * A plan to search a room: stops to drive to, in order, from which all of the room comes into view.
- * Each next stop is the place that shows the most new cells for the way to it (next-best-view
- * planning; Gonzalez-Banos, Latombe, "Navigation strategies for exploring indoor environments",
- * IJRR 21(10-11), 2002). A cell counts the more the fewer places show it: else the corners of the
- * room would be left over, each for a drive of its own. Immutable: nothing may change the set of
- * cells.
+ * A plan to search a room: legs to drive, in order, from which all of the room comes into view.
+ * Lanes run along the room's longer side, from wall to wall, so far apart that a robot on one sees
+ * half way to the next (boustrophedon sweep; Choset, Pignon, "Coverage path planning: the
+ * boustrophedon cellular decomposition", FSR 1997). What walls hide from the lanes gets stops of
+ * its own: each time the place that sees most of the rest. The legs are then ordered, the nearest
+ * end first. Immutable: nothing may change the set of cells.
  *
+ * @param legs in order; a stop is a leg with equal ends
  * @param hidden cells that no robot can see whole from any of the places that it may use
  */
-public record Sweep(List<Point> stops, BitSet hidden) {
+public record Sweep(List<Segment> legs, BitSet hidden) {
 
-  /**
-   * Candidates for stops are places on a coarse grid, and other places only for cells that none of
-   * these shows.
-   */
+  /** Half the distance between two lanes, as a part of how far a robot sees to the side. */
+  private static final double LANE = 0.85;
+
+  /** Rows shorter than this part of the longest row, as in a doorway, get no lane. */
+  private static final double SMALL = 0.2;
+
+  /** Candidates for stops: first on a coarse grid of so many cells, then all places. */
   private static final int COARSE_CELLS = 3;
 
-  /** The way for which a robot needs as much time as for one stop. */
-  private static final double STOP_MM = 500;
-
-  /** On the way to a stop, cells come into view at steps of this length. */
-  private static final double STEP_MM = 100;
-
   public Sweep {
-    stops = List.copyOf(stops);
+    legs = List.copyOf(legs);
+  }
+
+  /** The sweep of a whole room, for a robot that comes from {@code from}. */
+  public static Sweep of(House house, Room room, Point from) {
+    List<Segment> lanes = lanes(house, room);
+    BitSet rest = (BitSet) room.cells().clone();
+    for (Segment lane : lanes) {
+      int steps = (int) StrictMath.ceil(lengthMm(lane) / (2 * House.CELL_MM));
+      for (int i = 0; i <= steps; i++) {
+        rest.andNot(house.view(pointOn(lane, i, steps), House.SLACK_MM, rest));
+      }
+    }
+    return withStops(house, lanes, rest, room.places(), from);
+  }
+
+  /** The sweep of some cells of a room, by stops at some of its places alone. */
+  static Sweep ofRest(House house, BitSet rest, BitSet places, Point from) {
+    return withStops(house, List.of(), rest, places, from);
+  }
+
+  /** The point after {@code i} of {@code steps} equal parts of a leg. */
+  static Point pointOn(Segment leg, int i, int steps) {
+    double part = steps == 0 ? 0 : (double) i / steps;
+    return leg.from().plus(leg.to().minus(leg.from()).times(part));
+  }
+
+  static double lengthMm(Segment leg) {
+    return leg.from().distanceMm(leg.to());
+  }
+
+  static Segment reversed(Segment leg) {
+    return new Segment(leg.to(), leg.from());
+  }
+
+  private static Sweep withStops(
+      House house, List<Segment> lanes, BitSet rest, BitSet places, Point from) {
+    BitSet unseen = (BitSet) rest.clone();
+    List<Segment> legs = new ArrayList<>(lanes);
+    addStops(house, unseen, places, COARSE_CELLS, legs);
+    addStops(house, unseen, places, 1, legs);
+    return new Sweep(inOrder(legs, from), unseen);
+  }
+
+  private static List<Segment> lanes(House house, Room room) {
+    Grid grid = house.grid();
+    int[] perColumn = new int[grid.columns()];
+    int[] perRow = new int[grid.rows()];
+    room.places().stream()
+        .forEach(cell -> {
+          perColumn[cell % grid.columns()]++;
+          perRow[cell / grid.columns()]++;
+        });
+    List<Integer> columns = longLines(perColumn);
+    List<Integer> rows = longLines(perRow);
+    List<Segment> lanes = new ArrayList<>();
+    if (columns.isEmpty()) {
+      return lanes;
+    }
+    boolean isAlongX = last(columns) - columns.get(0) >= last(rows) - rows.get(0);
+    List<Integer> across = isAlongX ? rows : columns;
+    int first = across.get(0);
+    int width = last(across) - first;
+    double viewMm = house.rangeMm() - House.SLACK_MM - House.CELL_MM;
+    double spacing = Math.max(1, 2 * LANE * viewMm / House.CELL_MM);
+    int gaps = (int) StrictMath.ceil(width / spacing);
+    for (int i = 0; i <= gaps; i++) {
+      int line = gaps == 0 ? first : first + (int) Math.round((double) width * i / gaps);
+      addLanes(grid, room.places(), line, isAlongX, lanes);
+    }
+    return lanes;
+  }
+
+  /** Rows or columns whose number of places is not small beside the greatest. */
+  private static List<Integer> longLines(int[] counts) {
+    int most = IntStream.of(counts).max().orElse(0);
+    List<Integer> lines = new ArrayList<>();
+    for (int i = 0; i < counts.length; i++) {
+      if (counts[i] > 0 && counts[i] >= SMALL * most) {
+        lines.add(i);
+      }
+    }
+    return lines;
+  }
+
+  private static int last(List<Integer> lines) {
+    return lines.get(lines.size() - 1);
+  }
+
+  /** Adds the parts of a row or column over which a robot may drive. */
+  private static void addLanes(
+      Grid grid, BitSet places, int line, boolean isAlongX, List<Segment> lanes) {
+    int length = isAlongX ? grid.columns() : grid.rows();
+    int first = -1;
+    int before = -1;
+    for (int i = 0; i <= length; i++) {
+      int cell = isAlongX ? grid.cell(i, line) : grid.cell(line, i);
+      boolean isPlace = i < length && places.get(cell);
+      if (isPlace && first < 0) {
+        first = cell;
+      } else if (!isPlace && first >= 0) {
+        lanes.add(new Segment(grid.centre(first), grid.centre(before)));
+        first = -1;
+      }
+      before = cell;
+    }
   }
 
   /**
-   * Plans a sweep.
-   *
-   * @param cells to be seen
-   * @param places where the robot may stand
-   * @param from where it comes from
+   * Adds stops, each at the place that sees most of {@code unseen}, and takes out what they see.
    */
-  public static Sweep of(House house, BitSet cells, BitSet places, Point from) {
-    Map<Point, BitSet> views = new LinkedHashMap<>();
-    BitSet hidden = (BitSet) cells.clone();
-    addViews(house, places, COARSE_CELLS, hidden, views);
-    addViews(house, places, 1, hidden, views);
-    int[] shown = new int[house.grid().count()];
-    views.values().forEach(view -> view.stream().forEach(cell -> shown[cell]++));
+  private static void addStops(
+      House house, BitSet unseen, BitSet places, int spacing, List<Segment> legs) {
+    Grid grid = house.grid();
     List<Point> stops = new ArrayList<>();
-    Point here = from;
-    while (!views.isEmpty()) {
-      Point last = here;
-      Map.Entry<Point, BitSet> next =
-          views.entrySet().stream()
-              .max(
-                  Comparator.comparingDouble(view ->
-                      worth(view.getValue(), shown) / (STOP_MM + view.getKey().distanceMm(last))))
-              .orElseThrow();
-      here = next.getKey();
-      stops.add(here);
-      BitSet seen = (BitSet) next.getValue().clone();
-      addSeenOnWay(house, cells, places, last, here, seen);
-      views
-          .values()
-          .removeIf(view -> {
-            view.andNot(seen);
-            return view.isEmpty();
-          });
-    }
-    return new Sweep(stops, hidden);
-  }
-
-  /** Adds what places show of some cells, and takes from the cells what one of them shows. */
-  private static void addViews(
-      House house, BitSet places, int spacing, BitSet cells, Map<Point, BitSet> views) {
-    int columns = house.grid().columns();
-    BitSet shown = new BitSet();
-    places.stream()
-        .filter(cell -> cell % columns % spacing == 0 && cell / columns % spacing == 0)
-        .mapToObj(house.grid()::centre)
-        .forEach(at -> {
-          BitSet view = house.view(at, House.SLACK_MM, cells);
-          shown.or(view);
-          if (!view.isEmpty()) {
-            views.put(at, view);
-          }
-        });
-    cells.andNot(shown);
-  }
-
-  private static double worth(BitSet view, int[] shown) {
-    return view.stream().mapToDouble(cell -> 1.0 / shown[cell]).sum();
-  }
-
-  private static void addSeenOnWay(
-      House house, BitSet cells, BitSet places, Point from, Point to, BitSet seen) {
-    double lengthMm = from.distanceMm(to);
-    for (double mm = STEP_MM; mm < lengthMm; mm += STEP_MM) {
-      Point at = from.plus(to.minus(from).times(mm / lengthMm));
-      int cell = house.grid().cellAt(at);
-      if (cell >= 0 && places.get(cell)) {
-        seen.or(house.view(at, House.SLACK_MM, cells));
+    List<BitSet> views = new ArrayList<>();
+    for (int place = places.nextSetBit(0);
+        place >= 0 && !unseen.isEmpty();
+        place = places.nextSetBit(place + 1)) {
+      if (place % grid.columns() % spacing == 0 && place / grid.columns() % spacing == 0) {
+        BitSet view = house.view(grid.centre(place), House.SLACK_MM, unseen);
+        if (!view.isEmpty()) {
+          stops.add(grid.centre(place));
+          views.add(view);
+        }
       }
     }
+    while (!views.isEmpty()) {
+      int[] sizes = views.stream().mapToInt(BitSet::cardinality).toArray();
+      int most = IntStream.of(sizes).max().orElse(0);
+      if (most == 0) {
+        return;
+      }
+      int best = 0;
+      while (sizes[best] < most) {
+        best++;
+      }
+      legs.add(new Segment(stops.get(best), stops.get(best)));
+      BitSet seen = (BitSet) views.get(best).clone();
+      unseen.andNot(seen);
+      views.forEach(view -> view.andNot(seen));
+    }
+  }
+
+  private static List<Segment> inOrder(List<Segment> legs, Point from) {
+    List<Segment> left = new ArrayList<>(legs);
+    List<Segment> order = new ArrayList<>();
+    Point at = from;
+    while (!left.isEmpty()) {
+      Point here = at;
+      Segment next =
+          left.stream()
+              .min(
+                  Comparator.comparingDouble(
+                      leg -> Math.min(leg.from().distanceMm(here), leg.to().distanceMm(here))))
+              .orElseThrow();
+      left.remove(next);
+      boolean isReversed = next.to().distanceMm(here) < next.from().distanceMm(here);
+      order.add(isReversed ? reversed(next) : next);
+      at = order.get(order.size() - 1).to();
+    }
+    return order;
   }
 }

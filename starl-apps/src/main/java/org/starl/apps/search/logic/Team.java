@@ -1,8 +1,5 @@
 package org.starl.apps.search.logic;
 
-import static org.starl.time.Time.NS_PER_MS;
-import static org.starl.time.Time.NS_PER_S;
-
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
@@ -27,7 +24,8 @@ import org.starl.primitives.geocast.Broadcast;
  */
 final class Team {
 
-  private static final long PERIOD_NS = NS_PER_S;
+  private static final long NS_PER_MS = 1_000_000;
+  private static final long PERIOD_NS = 1_000 * NS_PER_MS;
   private static final long TELL_MS = 950;
   private static final long LAST_REPORT_MS = 30_000;
   private static final long LEAD_PERIOD_NS = 500 * NS_PER_MS;
@@ -47,6 +45,8 @@ final class Team {
   private long reports;
   private long tellAtNs;
   private long leadAtNs;
+  private long takenTerm;
+  private int takenNumber;
   private boolean isProposing;
 
   Team(GlobalVarHolder gvh, String xid, House house) {
@@ -111,12 +111,21 @@ final class Team {
     tellSoon();
   }
 
-  /** Takes the room that the leader has assigned to this robot, once for each assignment. */
+  /**
+   * Takes the task that the leader has assigned to this robot, unless it has taken that one before.
+   */
   Optional<Room> takeTask() {
-    Report.Task task = known.duty().tasks().get(gvh.id.name());
-    if (task == null || known.swept().contains(task.room()) || tries[task.room()] != task.tries()) {
+    Report.Duty latest = known.duty().orElse(null);
+    Report.Task task = latest == null ? null : latest.tasks().get(gvh.id.name());
+    if (latest == null
+        || task == null
+        || known.swept().contains(task.room())
+        || latest.term() < takenTerm
+        || (latest.term() == takenTerm && task.number() <= takenNumber)) {
       return Optional.empty();
     }
+    takenTerm = latest.term();
+    takenNumber = task.number();
     room = task.room();
     tellSoon();
     return Optional.of(house.room(room));
@@ -202,7 +211,7 @@ final class Team {
         room == Report.NO_ROOM ? List.of() : RunLengths.of(known.seen(room), house.room(room)),
         new TreeSet<>(known.swept()),
         List.of(tries),
-        assigner == null ? Report.Duty.NONE : assigner.duty(),
+        Optional.ofNullable(assigner).map(Assigner::duty),
         known.answer());
   }
 
@@ -224,10 +233,7 @@ final class Team {
 
   private void showSwept() {
     swept.set(
-        known.swept().stream()
-            .map(house::room)
-            .map(Room::toString)
-            .collect(Collectors.joining(" ")));
+        known.swept().stream().map(house::room).map(Room::name).collect(Collectors.joining(" ")));
   }
 
   /** {@code 3 bot1=A bot2=C}. */
@@ -236,7 +242,7 @@ final class Team {
     latest
         .tasks()
         .forEach((robot, task) ->
-            text.append(' ').append(robot).append('=').append(house.room(task.room())));
+            text.append(' ').append(robot).append('=').append(house.room(task.room()).name()));
     return text.toString();
   }
 }

@@ -28,11 +28,12 @@ import org.starl.sim.record.Scene;
 import org.starl.sim.record.Theme;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
+import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Variable;
 
 /**
  * Draws the rooms with their names, the floor that was seen in the colour of the robot that has the
- * room, the stops of each sweep joined by dots, the things to find, and a crown on the leader.
+ * room, the legs of each sweep dotted, the things to find, and a crown on the leader.
  */
 public final class SearchLayer implements Layer {
 
@@ -52,6 +53,7 @@ public final class SearchLayer implements Layer {
   private final SortedMap<RobotId, String> rooms = new TreeMap<>();
   private final SortedSet<String> done = new TreeSet<>();
   private final SortedMap<RobotId, String> ends = new TreeMap<>();
+  private final SortedSet<RobotId> down = new TreeSet<>();
 
   public SearchLayer(House house, List<ItemPosition> things) {
     this(house, things, new TrueView(house));
@@ -71,6 +73,7 @@ public final class SearchLayer implements Layer {
     copy.rooms.putAll(rooms);
     copy.done.addAll(done);
     copy.ends.putAll(ends);
+    copy.down.addAll(down);
     return copy;
   }
 
@@ -86,6 +89,8 @@ public final class SearchLayer implements Layer {
           sweeps.putIfAbsent(sweep.args().get(0), sweep.args().get(1));
       case Action answer when SearchTrace.is(answer, SearchTrace.ANSWER) ->
           ends.put(answer.robot(), answer.args().get(0));
+      case Fault fault when fault.name().equals(Fault.CRASH) -> down.add(fault.robot());
+      case Fault fault when fault.name().equals(Fault.RESTART) -> down.remove(fault.robot());
       default -> {
         // Changes nothing in the picture.
       }
@@ -123,10 +128,10 @@ public final class SearchLayer implements Layer {
       house.rooms().forEach(room -> paintRoom(floor, room, scene, look));
     }
     if (look.shows(SWEEPS)) {
-      sweeps.forEach((room, stops) -> {
+      sweeps.forEach((room, legs) -> {
         RobotId robot = searchers.get(room);
         if (robot != null) {
-          paintSweep(floor, stops, look.robot(scene, robot), look);
+          paintSweep(floor, legs, look.robot(scene, robot), look);
         }
       });
     }
@@ -181,17 +186,20 @@ public final class SearchLayer implements Layer {
   }
 
   /**
-   * Joins the stops by straight lines where nothing is in the way.
+   * Paints the legs, and the straight ways between them where nothing is in the way.
    *
-   * @param stops as text: {@code [500,1500, 700,700]}
+   * @param legs as text: {@code [500,1500>900,1500, 700,700]}
    */
-  private void paintSweep(Graphics2D floor, String stops, Color colour, Look look) {
+  private void paintSweep(Graphics2D floor, String legs, Color colour, Look look) {
     Path2D path = new Path2D.Double();
     Point last = null;
-    for (String stop : stops.substring(1, stops.length() - 1).split(", ", -1)) {
-      String[] xy = stop.split(",", -1);
-      if (xy.length == 2) {
-        Point point = new Point(Integer.parseInt(xy[0]), Integer.parseInt(xy[1]));
+    for (String end : legs.substring(1, legs.length() - 1).split(", |>", -1)) {
+      int comma = end.indexOf(',');
+      if (comma > 0) {
+        Point point =
+            new Point(
+                Integer.parseInt(end.substring(0, comma)),
+                Integer.parseInt(end.substring(comma + 1)));
         if (last == null || !house.sight().sees(last, point)) {
           path.moveTo(point.xMm(), point.yMm());
         } else {
@@ -226,27 +234,27 @@ public final class SearchLayer implements Layer {
     double base = at.yMm() + radiusMm + 20;
     double top = base + radiusMm * 1.1;
     double notch = base + radiusMm * 0.55;
-    double[] crown = {
-      x - half,
-      base,
-      x - half,
-      top,
-      x - half / 2,
-      notch,
-      x,
-      top,
-      x + half / 2,
-      notch,
-      x + half,
-      top,
-      x + half,
-      base
-    };
+    Path2D crown =
+        polygon(
+            x - half,
+            base,
+            x - half,
+            top,
+            x - half / 2,
+            notch,
+            x,
+            top,
+            x + half / 2,
+            notch,
+            x + half,
+            top,
+            x + half,
+            base);
     floor.setColor(look.theme().gold());
-    floor.fill(polygon(crown));
+    floor.fill(crown);
     floor.setColor(look.theme().edge(look.theme().gold()));
     floor.setStroke(look.line(14));
-    floor.draw(polygon(crown));
+    floor.draw(crown);
   }
 
   /** The polygon with corners x, y, x, y, ... */
@@ -261,13 +269,13 @@ public final class SearchLayer implements Layer {
   }
 
   private boolean isLeader(RobotId robot, Scene scene) {
-    return !scene.isDown(robot)
+    return !down.contains(robot)
         && !scene.variable(robot, SearchTrace.SOURCE, SearchTrace.DUTY).isEmpty();
   }
 
   @Override
   public String describe(RobotId robot, Scene scene) {
-    if (scene.isDown(robot)) {
+    if (down.contains(robot)) {
       return "crashed";
     }
     String room = scene.variable(robot, SearchTrace.SOURCE, SearchTrace.ROOM);

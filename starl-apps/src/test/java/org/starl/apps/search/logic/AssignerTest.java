@@ -37,7 +37,7 @@ class AssignerTest {
             List.of(),
             new TreeSet<>(swept),
             all,
-            Report.Duty.NONE,
+            Optional.empty(),
             Optional.empty()));
   }
 

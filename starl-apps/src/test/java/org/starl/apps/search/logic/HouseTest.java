@@ -98,7 +98,7 @@ class HouseTest {
   @Property(tries = 200)
   void onlyObstaclesCutTheLineOfSight(@ForAll long seed) {
     Rng rng = new Rng(seed);
-    Sight sight = new Sight(WALLS.all().stream().flatMap(body -> body.sides().stream()).toList());
+    Sight sight = Sight.of(WALLS);
     Point from = new Point(rng.nextLong(0, 6_000), rng.nextLong(0, 4_000));
     Point to = new Point(rng.nextLong(0, 6_000), rng.nextLong(0, 4_000));
     Segment line = new Segment(from, to);

@@ -32,26 +32,16 @@ class ReportTest {
   }
 
   private static Report report(long number, int room, List<Integer> seen, List<Integer> swept) {
-    return report(BOT, 5, number, room, seen, swept, 7);
-  }
-
-  private static Report report(
-      RobotId robot,
-      long incarnation,
-      long number,
-      int room,
-      List<Integer> seen,
-      List<Integer> swept,
-      long term) {
+    Report.Duty duty = new Report.Duty(7, new TreeMap<>(Map.of(BOT, new Report.Task(1, 3))));
     return new Report(
-        new ProcessId(robot, incarnation),
+        new ProcessId(BOT, 5),
         number,
         Optional.of(new Point(12, -7)),
         room,
         seen,
         new TreeSet<>(swept),
         List.of(0, 255),
-        new Report.Duty(term, new TreeMap<>(Map.of(BOT, new Report.Task(1, 3)))),
+        Optional.of(duty),
         Optional.of(Answer.GAVE_UP + "A B"));
   }
 
@@ -114,16 +104,35 @@ class ReportTest {
   void cellsStaySeenAndTheLaterTermLeads() {
     House house = house(1);
     Knowledge known = new Knowledge(house);
-    known.hear(report(new RobotId("bot2"), 1, 1, Report.NO_ROOM, List.of(), List.of(), 2));
-    Report first = report(BOT, 5, 4, 0, List.of(0, 10), List.of(), 0);
+    Report first =
+        new Report(
+            new ProcessId(BOT, 5),
+            4,
+            Optional.empty(),
+            0,
+            List.of(0, 10),
+            new TreeSet<>(),
+            List.of(0),
+            Optional.of(new Report.Duty(2, new TreeMap<>())),
+            Optional.empty());
     known.hear(first);
-    Report reborn = report(BOT, 6, 1, Report.NO_ROOM, List.of(), List.of(0), 1);
+    Report reborn =
+        new Report(
+            new ProcessId(BOT, 6),
+            1,
+            Optional.empty(),
+            Report.NO_ROOM,
+            List.of(),
+            new TreeSet<>(List.of(0)),
+            List.of(0),
+            Optional.of(new Report.Duty(1, new TreeMap<>())),
+            Optional.of(Answer.NOTHING));
     known.hear(reborn);
     known.hear(first); // late: it must not replace the report of the later incarnation
     assertThat(known.latest()).containsEntry(BOT, reborn);
     assertThat(known.seen(0).cardinality()).isEqualTo(10);
     assertThat(known.swept()).containsExactly(0);
-    assertThat(known.duty().term()).isEqualTo(2);
-    assertThat(known.answer()).contains(Answer.GAVE_UP + "A B");
+    assertThat(known.duty().orElseThrow().term()).isEqualTo(2);
+    assertThat(known.answer()).contains(Answer.NOTHING);
   }
 }

@@ -12,6 +12,7 @@ import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
+import org.starl.geometry.Segment;
 import org.starl.random.Rng;
 
 /** A sweep sees all of its room: checked by a second computation, in rooms of many shapes. */
@@ -59,31 +60,20 @@ class SweepTest {
         List.of(new Point(width / 2, hall / 2)));
   }
 
-  /** The stops, and the places on the straight lines between them. */
-  private static List<Point> way(House house, Room room, Sweep sweep) {
-    List<Point> way = new ArrayList<>();
-    Point last = room.entry();
-    for (Point stop : sweep.stops()) {
-      int steps = (int) (last.distanceMm(stop) / 50) + 1;
-      for (int i = 1; i <= steps; i++) {
-        Point at = last.plus(stop.minus(last).times((double) i / steps));
-        int cell = house.grid().cellAt(at);
-        if (cell >= 0 && room.places().get(cell)) {
-          way.add(at);
-        }
-      }
-      last = stop;
-    }
-    return way;
-  }
-
   private static final class Reckoning {
     private final HousePlan plan;
-    private final List<Point> way;
+    private final List<Point> way = new ArrayList<>();
 
-    Reckoning(HousePlan plan, List<Point> way) {
+    Reckoning(HousePlan plan, Sweep sweep) {
       this.plan = plan;
-      this.way = way;
+      for (Segment leg : sweep.legs()) {
+        double lengthMm = leg.from().distanceMm(leg.to());
+        int steps = (int) (lengthMm / 50);
+        for (int i = 0; i <= steps; i++) {
+          double part = steps == 0 ? 0 : (double) i / steps;
+          way.add(leg.from().plus(leg.to().minus(leg.from()).times(part)));
+        }
+      }
     }
 
     /** Step by step along the line: no obstacle is there. */
@@ -117,8 +107,8 @@ class SweepTest {
     HousePlan plan = drawn(new Rng(seed));
     House house = House.of(plan, RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
-    Sweep sweep = Sweep.of(house, room.cells(), room.places(), room.entry());
-    Reckoning reckoning = new Reckoning(plan, way(house, room, sweep));
+    Sweep sweep = Sweep.of(house, room, room.entry());
+    Reckoning reckoning = new Reckoning(plan, sweep);
     assertThat(reckoning.keepsClear()).as("clear of walls, seed %d", seed).isTrue();
     room.cells().stream()
         .forEach(cell -> {
@@ -134,7 +124,7 @@ class SweepTest {
   void onlyCellsThatNoPlaceSeesAreHidden(@ForAll long seed) {
     House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
-    Sweep sweep = Sweep.of(house, room.cells(), room.places(), room.entry());
+    Sweep sweep = Sweep.of(house, room, room.entry());
     room.cells().stream()
         .forEach(cell -> {
           if (sweep.hidden().get(cell)) {
@@ -144,20 +134,37 @@ class SweepTest {
   }
 
   @Property(tries = 25)
+  void theRestOfARoomIsSweptByStops(@ForAll long seed) {
+    House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
+    Room room = house.room(0);
+    BitSet rest = (BitSet) room.cells().clone();
+    int half = rest.length() - rest.cardinality() / 2;
+    rest.clear(0, half);
+    Sweep sweep = Sweep.ofRest(house, rest, room.places(), room.entry());
+    Coverage coverage = new Coverage(house, rest);
+    coverage.forget(sweep.hidden());
+    for (Segment leg : sweep.legs()) {
+      assertThat(leg.from()).isEqualTo(leg.to());
+      coverage.look(leg.from(), House.SLACK_MM);
+    }
+    assertThat(coverage.isComplete()).as("seed %d", seed).isTrue();
+  }
+
+  @Property(tries = 25)
   void theRestOfARoomIsSeenFromPlacesThatAreNotBarred(@ForAll long seed) {
     House house = House.of(drawn(new Rng(seed)), RANGE_MM, CLEARANCE_MM);
     Room room = house.room(0);
-    Point first = Sweep.of(house, room.cells(), room.places(), room.entry()).stops().get(0);
-    BitSet rest = (BitSet) room.cells().clone();
-    rest.clear(0, rest.length() - rest.cardinality() / 2);
+    Point first =
+        Sweep.ofRest(house, room.cells(), room.places(), room.entry()).legs().get(0).from();
     BitSet places = (BitSet) room.places().clone();
     house.grid().within(first, 300).forEach(places::clear);
-    Sweep sweep = Sweep.of(house, rest, places, room.entry());
-    rest.andNot(sweep.hidden());
-    for (Point at : way(house, room, sweep)) {
-      rest.andNot(house.view(at, House.SLACK_MM, rest));
+    Sweep sweep = Sweep.ofRest(house, room.cells(), places, room.entry());
+    Coverage coverage = new Coverage(house, room.cells());
+    coverage.forget(sweep.hidden());
+    for (Segment leg : sweep.legs()) {
+      assertThat(leg.from().distanceMm(first)).as("seed %d", seed).isGreaterThan(300);
+      coverage.look(leg.from(), House.SLACK_MM);
     }
-    assertThat(sweep.stops()).noneMatch(stop -> stop.distanceMm(first) <= 300);
-    assertThat(rest.isEmpty()).as("seed %d", seed).isTrue();
+    assertThat(coverage.isComplete()).as("seed %d", seed).isTrue();
   }
 }
