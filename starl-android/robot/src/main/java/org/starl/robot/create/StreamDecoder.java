@@ -9,7 +9,7 @@ package org.starl.robot.create;
  * <p>The checksum detects every single wrong bit. A frame whose end was lost, completed by the
  * beginning of the next frame, would pass once in 256 times; so the last requested packet must be one
  * byte that is never the header (the mode): the values of an accepted frame are then right. Longer
- * noise in the values passes once in 256 times.
+ * noise passes once in 256 times, and so do two broken frames in a row.
  *
  * <p>Checksum: all bytes of a frame add up to 0 modulo 256. The Create 1 specification's example
  * excludes the header from the sum, but drivers in use include it. So with a Create 1 the decoder

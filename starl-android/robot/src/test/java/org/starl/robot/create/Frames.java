@@ -11,6 +11,7 @@ final class Frames {
 
   private final int[] packets;
   private final Random random;
+  private boolean isLastWhole = true;
   private final Set<String> sent = new LinkedHashSet<>();
   private final ByteArrayOutputStream line = new ByteArrayOutputStream();
 
@@ -51,10 +52,15 @@ final class Frames {
     return frame;
   }
 
-  /** Puts a frame on the line: whole (true), with a wrong bit, or without its end. */
+  /**
+   * Puts a frame on the line: whole (true), with a wrong bit, or without its end. After a broken
+   * frame comes a whole one: a frame without its end and a wrong header behind it are longer noise,
+   * of which one in 256 passes.
+   */
   boolean sendPerhapsBroken() {
     byte[] frame = next();
-    int fate = random.nextInt(3);
+    int fate = isLastWhole ? random.nextInt(3) : 2;
+    isLastWhole = fate == 2;
     if (fate == 0) {
       frame[random.nextInt(frame.length)] ^= (byte) (1 << random.nextInt(8));
     } else if (fate == 1) {
