@@ -102,6 +102,10 @@ public final class Comms {
     return log.dropped(reason);
   }
 
+  DatagramReceiver receiver() {
+    return receiver;
+  }
+
   DatagramLog log() {
     return log;
   }

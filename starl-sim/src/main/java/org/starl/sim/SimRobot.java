@@ -4,6 +4,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
+import org.starl.comms.ReceivePath;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
@@ -108,6 +109,7 @@ final class SimRobot implements TraceSink {
   private LogicThread makeApp(GlobalVarHolder gvh) {
     LogicThread app = spec.app().apply(gvh);
     strand.prefetch(gvh.comms, gvh.comms.lamportClock(), app);
+    strand.prefetch(ReceivePath.of(gvh.comms));
     return app;
   }
 

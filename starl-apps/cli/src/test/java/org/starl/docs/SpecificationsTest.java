@@ -43,7 +43,8 @@ class SpecificationsTest {
   private static final Pattern LEMMAS_IN_KOTLIN =
       Pattern.compile("fun lemmas\\(\\)[^=]* = listOf\\(([^)]*)\\)");
   private static final Pattern OF_CONFORMANCE = Pattern.compile("super\\(\\s*([\\w.]+),\\s*\"");
-  private static final Pattern NAMED = Pattern.compile("\\b(?:lemma|progress)\\(\\s*(?:\\w+\\.)?(\\w+),");
+  private static final Pattern NAMED =
+      Pattern.compile("\\b(?:lemma|progress)\\(\\s*(?:\\w+\\.)?(\\w+),");
   private static final Pattern ADDED = Pattern.compile("lemmas\\.add\\(([\\w.]+)\\)");
   private static final Pattern NAME = Pattern.compile("\\b([A-Z][A-Z_]+)\\b");
   private static final Pattern ROW =
