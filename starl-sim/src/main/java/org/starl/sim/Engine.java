@@ -59,6 +59,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private int running;
   private int restartsDue;
   private int joined;
+  private volatile boolean isAbandoned;
 
   Engine(SimulationPlan plan) {
     this.plan = plan;
@@ -130,8 +131,22 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   private boolean isOver() {
+    if (isAbandoned) {
+      throw new IllegalStateException("the run was given up during this action");
+    }
     Director director = plan.director();
     return running == 0 && restartsDue == 0 && (director == null || director.isOver());
+  }
+
+  /**
+   * Ends the run from another thread: it goes no further than the current action, which may have
+   * no end.
+   *
+   * @return the failure of the run
+   */
+  SimulationFailed abandon(RuntimeException error) {
+    isAbandoned = true;
+    return failed(error instanceof RobotError ? String.valueOf(error.getMessage()) : "at " + kernel.nowNs() + " ns: " + error, error);
   }
 
   private SimulationFailed failed(String what, RuntimeException cause) {

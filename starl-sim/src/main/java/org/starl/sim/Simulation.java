@@ -1,6 +1,7 @@
 package org.starl.sim;
 
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -35,10 +36,12 @@ import org.starl.trace.TraceHeader;
  * SimResult result = Simulation.builder().robots(4, Hello::new).seed(42).build().run();
  * }</pre>
  *
- * <p>Equal builders give equal runs, event by event, on every JVM. A simulation runs on the calling
- * thread; simulations on several threads are independent.
+ * <p>Equal builders give equal runs, event by event, on every JVM. A simulation runs on a thread of
+ * its own, for which {@link #run} waits; several simulations are independent.
  */
 public final class Simulation {
+
+  private static final int DEFAULT_ACTION_LIMIT_S = 10;
 
   private final SimulationPlan plan;
 
@@ -64,14 +67,14 @@ public final class Simulation {
   }
 
   /**
-   * Runs until every app has ended, or until the time limit of the settings.
+   * Runs until every app has ended, or until the time limit of the settings. The apps, the
+   * director and the observers are called on a thread of the run, not on the calling thread.
    *
-   * @throws SimulationFailed if an app, a handler or the simulator itself threw
+   * @throws SimulationFailed if an app, a handler or the simulator itself threw, or if virtual time
+   *     stands still ({@link org.starl.sim.kernel.Stalled})
    */
   public SimResult run() {
-    try (Engine engine = new Engine(plan)) {
-      return engine.run();
-    }
+    return new GuardedRun(new Engine(plan), plan.actionLimitNs()).run();
   }
 
   /** Collects the parts of a simulation. */
@@ -87,6 +90,7 @@ public final class Simulation {
     private @Nullable StepListener stepListener;
     private FaultPlan faults = FaultPlan.NONE;
     private @Nullable Long endNs;
+    private Duration actionLimit = Duration.ofSeconds(DEFAULT_ACTION_LIMIT_S);
     private final List<RobotSpec> robots = new ArrayList<>();
     private final List<SimObserver> observers = new ArrayList<>();
     private final List<Supplier<? extends Monitor>> monitors = new ArrayList<>();
@@ -163,6 +167,18 @@ public final class Simulation {
     /** Sets the step listener, which may pause the run and intervene. */
     public Builder stepListener(StepListener newListener) {
       stepListener = newListener;
+      return this;
+    }
+
+    /**
+     * Sets the processor time that one action may use, {@value DEFAULT_ACTION_LIMIT_S} s unless
+     * set. A longer action fails the run: the code between two waits should take milliseconds.
+     */
+    public Builder actionLimit(Duration cpu) {
+      if (cpu.isNegative() || cpu.isZero()) {
+        throw new BadInput("action limit " + cpu + ": expected above 0");
+      }
+      actionLimit = cpu;
       return this;
     }
 
@@ -258,6 +274,7 @@ public final class Simulation {
               stepListener,
               all.get(Setting.FAULTS).plus(chaos(start.size())),
               endNs(),
+              actionLimit.toNanos(),
               monitors,
               observers));
     }

@@ -27,6 +27,7 @@ import org.starl.trace.TraceHeader;
  * @param stepListener may be null
  * @param faults of the settings, then those drawn by chaos
  * @param endNs latest end of the run, in ns of virtual time
+ * @param actionLimitNs processor time that one action may use
  * @param monitors suppliers of the specifications to check
  * @param observers in calling order
  */
@@ -41,6 +42,7 @@ public record SimulationPlan(
     @Nullable StepListener stepListener,
     FaultPlan faults,
     long endNs,
+    long actionLimitNs,
     List<Supplier<? extends Monitor>> monitors,
     List<SimObserver> observers) {
 

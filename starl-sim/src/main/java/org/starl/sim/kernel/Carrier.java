@@ -13,6 +13,9 @@ interface Carrier {
    */
   void resume();
 
+  /** The thread on which the app runs. */
+  Thread thread();
+
   /** Prefetches the objects that {@link #resume} will use ({@link Cache}). */
   int touch();
 

@@ -29,8 +29,11 @@ public final class Kernel implements Clock, AutoCloseable {
   private final List<SimStrand> strandsToUnwind = new ArrayList<>();
   private @Nullable SimStrand current;
   private @Nullable PinWatch pinWatch;
+  private @Nullable InstantGuard guard;
+  private @Nullable Thread thread;
   private long nowNs;
   private long events;
+  private int eventsNow;
   private boolean isRunning;
   private boolean isClosed;
 
@@ -105,8 +108,16 @@ public final class Kernel implements Clock, AutoCloseable {
         if (strand != null && strand.isClosed()) {
           continue;
         }
-        nowNs = queue.atNs();
         events++;
+        if (queue.atNs() == nowNs) {
+          eventsNow++;
+          if (eventsNow > InstantGuard.SUSPICIOUS) {
+            guard().count(nowNs, strand);
+          }
+        } else {
+          nowNs = queue.atNs();
+          eventsNow = 0;
+        }
         if (strand == null) {
           queue.piece().run();
         } else {
@@ -168,7 +179,20 @@ public final class Kernel implements Clock, AutoCloseable {
       throw new IllegalArgumentException(
           "scheduled at " + atNs + " ns, which is before now, " + nowNs + " ns");
     }
+    if (guard != null && atNs == nowNs) {
+      guard.checkAdd(nowNs, current);
+    }
     return queue.add(atNs, strand, piece);
+  }
+
+  /**
+   * The action that runs now, for a watch on another thread. A watch sees the values of different
+   * moments while the kernel goes on, and consistent ones while one action does not end.
+   */
+  public Activity activity() {
+    SimStrand strand = current;
+    Thread app = strand == null ? null : strand.runningAppThread();
+    return new Activity(events, nowNs, strand == null ? "" : strand.name(), thread, app);
   }
 
   /** The strand that runs now, or null while an event of the world runs. */
@@ -204,6 +228,13 @@ public final class Kernel implements Clock, AutoCloseable {
     }
   }
 
+  private InstantGuard guard() {
+    if (guard == null) {
+      guard = new InstantGuard();
+    }
+    return guard;
+  }
+
   private void begin() {
     if (isRunning || isClosed) {
       throw new IllegalStateException(
@@ -212,6 +243,7 @@ public final class Kernel implements Clock, AutoCloseable {
     if (carrierKind == CarrierKind.VIRTUAL && Thread.currentThread().isVirtual()) {
       throw new IllegalStateException("a kernel with virtual carriers needs a platform thread");
     }
+    thread = Thread.currentThread();
     isRunning = true;
   }
 

@@ -23,7 +23,7 @@ final class KernelTimer implements Timer, Runnable {
       return;
     }
     cancel();
-    slot = kernel.queue.add(Math.max(atNs, kernel.nowNs()), strand, this);
+    slot = kernel.add(Math.max(atNs, kernel.nowNs()), strand, this);
   }
 
   @Override

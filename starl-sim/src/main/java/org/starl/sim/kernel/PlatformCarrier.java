@@ -31,6 +31,11 @@ final class PlatformCarrier implements Carrier {
   }
 
   @Override
+  public Thread thread() {
+    return thread;
+  }
+
+  @Override
   public void resume() {
     kernelThread = Thread.currentThread();
     appHasBaton = true;

@@ -158,6 +158,11 @@ public final class SimStrand implements Strand, Timers {
     }
   }
 
+  /** The thread of the app while the app itself runs, or null. */
+  @Nullable Thread runningAppThread() {
+    return app == null ? null : app.runningThread();
+  }
+
   private WaitingApp runningApp() {
     if (app == null || !app.isRunning() || kernel.current() != this) {
       throw new IllegalStateException(

@@ -40,6 +40,11 @@ final class VirtualCarrier implements Carrier, Executor {
   }
 
   @Override
+  public Thread thread() {
+    return thread;
+  }
+
+  @Override
   public void resume() {
     rememberKernelThread();
     if (isStarted) {

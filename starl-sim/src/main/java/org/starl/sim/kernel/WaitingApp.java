@@ -14,6 +14,9 @@ final class WaitingApp implements Prefetchable {
   /** The number of further waits after the end of the run before the app is given up. */
   private static final int MAX_REFUSALS = 1000;
 
+  /** The limit of awaits that return at once, in one action. */
+  static final int MAX_AWAITS = 100_000;
+
   private final Kernel kernel;
   private final SimStrand strand;
   private @Nullable Runnable body;
@@ -21,6 +24,7 @@ final class WaitingApp implements Prefetchable {
   private boolean isRunning;
   private boolean isLost;
   private int refusals;
+  private int awaits;
   private @Nullable Throwable failure;
 
   // The pending wait: an event of the queue, a condition stored in the strand, or both.
@@ -50,12 +54,22 @@ final class WaitingApp implements Prefetchable {
     return isRunning;
   }
 
+  /** The app's thread while the app runs, or null; for a watch on another thread. */
+  @Nullable Thread runningThread() {
+    Carrier mine = carrier;
+    return isRunning && mine != null ? mine.thread() : null;
+  }
+
   void sleepUntil(long atNs) {
     suspend(null, atNs, true);
   }
 
   boolean awaitUntil(BooleanSupplier newCondition, long deadlineNs) {
     if (!strand.isClosed() && newCondition.getAsBoolean()) {
+      awaits++;
+      if (awaits > MAX_AWAITS) {
+        throw Stalled.awaits(MAX_AWAITS);
+      }
       return true;
     }
     suspend(newCondition, deadlineNs, deadlineNs != Long.MAX_VALUE);
@@ -129,6 +143,7 @@ final class WaitingApp implements Prefetchable {
     if (strand.isClosed()) {
       refuse(mine);
     }
+    awaits = 0;
     strand.awaited = newCondition;
     if (isTimed) {
       wakeSlot = kernel.add(Math.max(untilNs, kernel.nowNs()), strand, this);

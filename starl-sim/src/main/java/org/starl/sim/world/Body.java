@@ -20,7 +20,7 @@ public final class Body {
 
   static final long NEVER = Long.MAX_VALUE;
 
-  private static final double LONGEST_NS = 1e18;
+  static final double LONGEST_NS = 1e18;
 
   private final World world;
   private final RobotId id;

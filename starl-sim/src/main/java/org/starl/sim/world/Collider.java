@@ -272,7 +272,8 @@ final class Collider {
     for (Wall wall : body.touchedWalls) {
       seconds = Math.min(seconds, Touch.secondsToEdge(bearingRad(body, wall), radPerS));
     }
-    return nowNs + Math.max(LEAST_TURN_NS, (long) Math.ceil(seconds * Time.NS_PER_S));
+    double ns = Math.ceil(seconds * Time.NS_PER_S);
+    return ns > Body.LONGEST_NS ? Body.NEVER : nowNs + Math.max(LEAST_TURN_NS, (long) ns);
   }
 
   private static double gapMm(Body body, Body other) {

@@ -14,6 +14,8 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
+import org.starl.sim.kernel.CarrierKind;
+import org.starl.sim.kernel.Kernel;
 import org.starl.trace.TraceEvent;
 
 final class WorldTest {
@@ -59,6 +61,23 @@ final class WorldTest {
     body.drive(straight(9000));
     time.runFor(1);
     assertThat(body.pose().xMm()).isCloseTo(500, within(1e-9));
+  }
+
+  @Test
+  void aTouchingBodyThatTurnsAlmostNotAtAllIsCheckedSeldom() {
+    try (Kernel kernel = new Kernel(CarrierKind.PLATFORM)) {
+      World floor =
+          new World(kernel, kernel::timer, new TestTrace(), WorldLimits.CREATE, Obstacles.NONE);
+      Body pusher = floor.add(new RobotId("bot0"), new Pose(0, 0, EAST), R);
+      floor.add(new RobotId("bot1"), new Pose(500, 0, EAST), R);
+      pusher.drive(straight(250));
+      kernel.run(2_000_000_000L, () -> false);
+      assertThat(pusher.isBlocked()).isTrue();
+      // A whole turn at this speed takes longer than the longest time in ns.
+      pusher.drive(new WheelCommand(250, 1e-15));
+      kernel.run(3_000_000_000L, () -> false);
+      assertThat(kernel.events()).isLessThan(100);
+    }
   }
 
   @Test
