@@ -1,12 +1,18 @@
 package org.starl;
 
+import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.Supplier;
+import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 import org.starl.comms.Comms;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Log;
 import org.starl.gvh.Trace;
 import org.starl.gvh.Variables;
+import org.starl.gvh.Wait;
 import org.starl.motion.Gps;
 import org.starl.motion.MotionController;
 import org.starl.platform.Platform;
@@ -26,6 +32,7 @@ public final class GlobalVarHolder {
   public final Trace trace;
 
   private final Variables variables;
+  private final List<Supplier<@Nullable Wait>> waits = new ArrayList<>();
 
   /**
    * @param boot how often this robot's program has started, from 1; each start of a robot has its
@@ -63,6 +70,20 @@ public final class GlobalVarHolder {
   /** Adds a variable whose owner computes its value when it is read. */
   public void register(GvhVariable<?> variable) {
     variables.register(variable);
+  }
+
+  /**
+   * Adds a part of this robot that can say what it waits for or holds.
+   *
+   * @param wait returns null while it waits for nothing and holds nothing; has no effects
+   */
+  public void explain(Supplier<@Nullable Wait> wait) {
+    waits.add(wait);
+  }
+
+  /** What the parts of this robot wait for or hold now, in the order of their creation. */
+  public List<Wait> waits() {
+    return waits.stream().map(Supplier::get).filter(Objects::nonNull).collect(Collectors.toList());
   }
 
   /** All variables of this robot, in the order of their creation. */

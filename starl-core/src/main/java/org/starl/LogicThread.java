@@ -24,6 +24,7 @@ public abstract class LogicThread {
   private final Clock clock;
   private final long stepPeriodMs;
   private final long stepPhaseNs;
+  private String awaited = "";
 
   /** An app that overrides {@link #callStarL}. */
   protected LogicThread(GlobalVarHolder gvh) {
@@ -108,14 +109,46 @@ public abstract class LogicThread {
     return stepPhaseNs;
   }
 
-  /** Waits {@code ms} milliseconds. Messages and timers are handled meanwhile. */
+  /**
+   * Waits {@code ms} milliseconds. Messages and timers are handled meanwhile.
+   *
+   * @param ms above 0 in a loop: {@code sleep(0)} lets other events of this moment run, and no time
+   *     passes
+   */
   protected final void sleep(long ms) {
     strand.sleepUntil(inMs(ms));
   }
 
-  /** Waits until {@code condition} holds. Messages and timers are handled meanwhile. */
+  /**
+   * Waits until {@code condition} holds. Messages and timers are handled meanwhile. If it holds
+   * already, {@code await} returns at once, within the same action, and no time passes: a loop whose
+   * conditions always hold never ends. A simulation fails such a loop.
+   */
   protected final void await(BooleanSupplier condition) {
     strand.awaitUntil(condition, Long.MAX_VALUE);
+  }
+
+  /**
+   * Waits until {@code condition} holds, which {@code name} describes: it is shown if the run ends
+   * meanwhile.
+   */
+  protected final void await(String name, BooleanSupplier condition) {
+    awaited = name;
+    await(condition);
+    awaited = "";
+  }
+
+  /** Waits at most {@code timeoutMs}, with a name as above. */
+  protected final boolean await(String name, BooleanSupplier condition, long timeoutMs) {
+    awaited = name;
+    boolean held = await(condition, timeoutMs);
+    awaited = "";
+    return held;
+  }
+
+  /** The name of the condition that the app waits for; empty if it has none. */
+  public final String awaited() {
+    return awaited;
   }
 
   /**

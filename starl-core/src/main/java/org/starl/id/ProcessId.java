@@ -1,5 +1,9 @@
 package org.starl.id;
 
+import java.util.Collection;
+import java.util.List;
+import java.util.stream.Collectors;
+
 /**
  * A participant of a primitive: a robot and an incarnation number that this robot never uses twice.
  * A robot that restarts or registers again gets a new id; an old id never becomes valid again.
@@ -12,6 +16,11 @@ public record ProcessId(RobotId robot, long inc) implements Comparable<ProcessId
     if (inc <= 0) {
       throw new IllegalArgumentException("incarnation " + inc + ": expected above 0");
     }
+  }
+
+  /** The robots of {@code ids}, each once, in order. */
+  public static List<RobotId> robots(Collection<ProcessId> ids) {
+    return ids.stream().map(ProcessId::robot).distinct().sorted().collect(Collectors.toList());
   }
 
   @Override

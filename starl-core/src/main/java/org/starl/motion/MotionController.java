@@ -73,7 +73,10 @@ public final class MotionController {
     chassis.drive(WheelCommand.STOP);
   }
 
-  /** Goes to {@code target}, replacing any earlier command. */
+  /**
+   * Goes to {@code target}, replacing any earlier command. A motion that cannot begin fails within
+   * this call, so a program that tries again must sleep in between.
+   */
   public void doMove(ItemPosition target) {
     doMove(target, new Nowhere());
   }

@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import org.jspecify.annotations.Nullable;
 import org.starl.RobotRunner;
 import org.starl.body.MotionParameters;
@@ -59,7 +60,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private int running;
   private int restartsDue;
   private int joined;
-  private volatile boolean isAbandoned;
 
   Engine(SimulationPlan plan) {
     this.plan = plan;
@@ -113,7 +113,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             unfinished(),
             network.statistics(),
             world.collisions(),
-            spec);
+            spec,
+            diagnosis());
     observers.finished(result);
     return result;
   }
@@ -131,9 +132,6 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   }
 
   private boolean isOver() {
-    if (isAbandoned) {
-      throw new IllegalStateException("the run was given up during this action");
-    }
     Director director = plan.director();
     return running == 0 && restartsDue == 0 && (director == null || director.isOver());
   }
@@ -145,8 +143,12 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
    * @return the failure of the run
    */
   SimulationFailed abandon(RuntimeException error) {
-    isAbandoned = true;
-    return failed(error instanceof RobotError ? String.valueOf(error.getMessage()) : "at " + kernel.nowNs() + " ns: " + error, error);
+    kernel.abandon();
+    return failed(
+        error instanceof RobotError
+            ? String.valueOf(error.getMessage())
+            : "at " + kernel.nowNs() + " ns: " + error,
+        error);
   }
 
   private SimulationFailed failed(String what, RuntimeException cause) {
@@ -168,6 +170,19 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       }
     });
     return unfinished;
+  }
+
+  private Diagnosis diagnosis() {
+    List<UnfinishedRobot> unfinished = new ArrayList<>();
+    Set<RobotId> down = new TreeSet<>();
+    robots.forEach((id, robot) -> {
+      if (robot.isDown()) {
+        down.add(id);
+      } else if (robot.isAwaited()) {
+        unfinished.add(robot.explain());
+      }
+    });
+    return Diagnosis.of(unfinished, down, kernel.nowNs(), kernel.isIdle());
   }
 
   @Override

@@ -1,10 +1,6 @@
 package org.starl.sim;
 
-import static java.util.concurrent.TimeUnit.MILLISECONDS;
-
-import java.util.concurrent.ExecutionException;
-import java.util.concurrent.FutureTask;
-import java.util.concurrent.TimeoutException;
+import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 import org.starl.sim.kernel.Activity;
 import org.starl.time.Time;
@@ -16,11 +12,14 @@ import org.starl.time.Time;
  */
 final class GuardedRun {
 
-  private static final long LOOK_MS = 250;
+  private static final Duration LOOK = Duration.ofMillis(250);
   private static final long STACK_BYTES = 1 << 20;
 
   private final Engine engine;
   private final long limitCpuNs;
+  // Written by the run's thread, read after it has ended.
+  private @Nullable SimResult result;
+  private @Nullable Throwable failure;
 
   GuardedRun(Engine engine, long limitCpuNs) {
     this.engine = engine;
@@ -28,39 +27,31 @@ final class GuardedRun {
   }
 
   SimResult run() {
-    FutureTask<SimResult> run =
-        new FutureTask<>(
-            () -> {
-              try (engine) {
-                return engine.run();
-              }
-            });
-    Thread thread = new Thread(null, run, "simulation", STACK_BYTES);
+    Thread thread = new Thread(null, this::runEngine, "simulation", STACK_BYTES);
     thread.setDaemon(true);
     thread.start();
     boolean wasInterrupted = false;
-    Activity seen = engine.kernel().activity();
-    long seenCpuNs = seen.cpuNs();
     try {
+      Activity seen = engine.kernel().activity();
+      long seenCpuNs = seen.cpuNs();
       while (true) {
         try {
-          return run.get(LOOK_MS, MILLISECONDS);
+          if (thread.join(LOOK)) {
+            return resultOrFailure();
+          }
         } catch (InterruptedException e) {
           wasInterrupted = true;
           thread.interrupt();
-        } catch (TimeoutException e) {
-          Activity now = engine.kernel().activity();
-          long cpuNs = now.cpuNs();
-          if (now.events() != seen.events() || now.app() != seen.app()) {
-            seen = now;
-            seenCpuNs = cpuNs;
-          } else if (cpuNs - seenCpuNs > limitCpuNs) {
-            throw engine.abandon(now.stalled(limitCpuNs / Time.NS_PER_S));
-          }
+        }
+        Activity now = engine.kernel().activity();
+        long cpuNs = now.cpuNs();
+        if (now.events() != seen.events() || now.app() != seen.app()) {
+          seen = now;
+          seenCpuNs = cpuNs;
+        } else if (cpuNs - seenCpuNs > limitCpuNs) {
+          throw engine.abandon(now.stalled(limitCpuNs / Time.NS_PER_S));
         }
       }
-    } catch (ExecutionException e) {
-      throw unwrapped(e.getCause());
     } finally {
       if (wasInterrupted) {
         Thread.currentThread().interrupt();
@@ -68,10 +59,24 @@ final class GuardedRun {
     }
   }
 
-  private static RuntimeException unwrapped(@Nullable Throwable cause) {
-    if (cause instanceof Error error) {
+  private void runEngine() {
+    try (engine) {
+      result = engine.run();
+    } catch (RuntimeException | Error e) {
+      failure = e;
+    }
+  }
+
+  private SimResult resultOrFailure() {
+    if (failure instanceof Error error) {
       throw error;
     }
-    return cause instanceof RuntimeException e ? e : new IllegalStateException(cause);
+    if (failure instanceof RuntimeException exception) {
+      throw exception;
+    }
+    if (result == null) {
+      throw new IllegalStateException("the run's thread ended without a result");
+    }
+    return result;
   }
 }

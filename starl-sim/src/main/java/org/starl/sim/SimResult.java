@@ -17,6 +17,7 @@ import org.starl.spec.SpecReport;
  * @param results of the apps that have ended
  * @param unfinished robots whose apps have not ended, but for robots that left or crashed for good
  * @param spec what the monitors found
+ * @param diagnosis why the run has not finished
  */
 public record SimResult(
     long seed,
@@ -27,7 +28,32 @@ public record SimResult(
     List<RobotId> unfinished,
     NetStatistics network,
     Collisions collisions,
-    SpecReport spec) {
+    SpecReport spec,
+    Diagnosis diagnosis) {
+
+  /** A result without a diagnosis, as of a recorded run. */
+  public SimResult(
+      long seed,
+      long behaviourSeed,
+      long endNs,
+      long events,
+      SortedMap<RobotId, List<Object>> results,
+      List<RobotId> unfinished,
+      NetStatistics network,
+      Collisions collisions,
+      SpecReport spec) {
+    this(
+        seed,
+        behaviourSeed,
+        endNs,
+        events,
+        results,
+        unfinished,
+        network,
+        collisions,
+        spec,
+        Diagnosis.NONE);
+  }
 
   /** Whether every app has ended within the time limit. */
   public boolean isFinished() {

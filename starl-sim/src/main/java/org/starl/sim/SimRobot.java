@@ -1,10 +1,15 @@
 package org.starl.sim;
 
+import java.util.ArrayList;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.comms.ReceivePath;
+import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Wait;
+import org.starl.motion.MotionController;
 import org.starl.platform.Platform;
 import org.starl.platform.Strand;
 import org.starl.random.Rng;
@@ -43,6 +48,7 @@ final class SimRobot implements TraceSink {
   private final Engine engine;
   private boolean finished;
   private boolean willRestart;
+  private long changedNs;
   private @Nullable Body body;
 
   /**
@@ -202,6 +208,63 @@ final class SimRobot implements TraceSink {
     return robot;
   }
 
+  /** The state of the app and of what it waits for. */
+  UnfinishedRobot explain() {
+    GlobalVarHolder gvh = runner.gvh();
+    LogicThread app = runner.app();
+    List<String> variables = new ArrayList<>();
+    List<Wait> waits = List.of();
+    String motion = "";
+    if (gvh != null) {
+      for (GvhVariable<?> variable : gvh.variables()) {
+        variables.add(variable.source() + "." + variable.name() + "=" + variable.get());
+      }
+      waits = gvh.waits();
+      motion = motion(gvh.plat.moat);
+    }
+    return new UnfinishedRobot(
+        spec.id(),
+        place(),
+        strand.appWaitsSinceNs(),
+        app == null ? "the start of the program" : app.awaited(),
+        isOn() ? changedNs : -1,
+        variables,
+        waits,
+        motion,
+        body == null ? List.of() : body.touches());
+  }
+
+  private static String motion(MotionController moat) {
+    return switch (moat.motionflag().get()) {
+      case IDLE -> "";
+      case MOVING -> "moving to " + moat.target().get();
+      case DONE -> "done";
+      case FAIL -> "failed: " + moat.failure();
+    };
+  }
+
+  /** The line of the app's own code that waits. */
+  private String place() {
+    for (StackTraceElement frame : strand.appStack()) {
+      String type = frame.getClassName();
+      boolean isFramework =
+          type.startsWith("java.")
+              || type.startsWith("jdk.")
+              || type.startsWith("org.starl.sim.kernel.")
+              || type.startsWith("org.starl.sim.fault.")
+              || type.equals(LogicThread.class.getName());
+      if (!isFramework) {
+        return frame.getFileName()
+            + ":"
+            + frame.getLineNumber()
+            + " ("
+            + frame.getMethodName()
+            + ")";
+      }
+    }
+    return "";
+  }
+
   boolean isFinished() {
     return finished;
   }
@@ -253,6 +316,9 @@ final class SimRobot implements TraceSink {
   @Override
   public void record(TraceEvent event) {
     if (!isDown()) {
+      if (event instanceof TraceEvent.Variable) {
+        changedNs = engine.nowNs();
+      }
       // A robot with a wrong clock stamps its events wrongly; the trace is in true time.
       engine.observers().record(clock == null ? event : event.at(engine.nowNs()));
     }

@@ -77,6 +77,16 @@ public final class Simulation {
     return new GuardedRun(new Engine(plan), plan.actionLimitNs()).run();
   }
 
+  /**
+   * Runs on the calling thread, for measurements of its processor time: as {@link #run}, but an
+   * action that does not end is not noticed.
+   */
+  public SimResult runOnThisThread() {
+    try (Engine engine = new Engine(plan)) {
+      return engine.run();
+    }
+  }
+
   /** Collects the parts of a simulation. */
   public static final class Builder {
 

@@ -127,15 +127,16 @@ class StalledRunTest {
   void aCampaignGoesOnAfterAStalledRun() throws InterruptedException {
     List<RunOutcome.Verdict> verdicts =
         new Campaign(1, 4)
-            .run(
-                seed ->
-                    RunOutcome.of(
-                        simulation(CarrierKind.best(), seed == 2 ? App::spin : app -> {})
-                            .seed(seed)
-                            .build()
-                            .run()),
-                (finished, planned, bad) -> {})
-            .runs().stream()
+                .run(
+                    seed ->
+                        RunOutcome.of(
+                            simulation(CarrierKind.best(), seed == 2 ? App::spin : app -> {})
+                                .seed(seed)
+                                .build()
+                                .run()),
+                    (finished, planned, bad) -> {})
+                .runs()
+                .stream()
                 .map(run -> run.outcome().verdict())
                 .toList();
     assertThat(verdicts)

@@ -68,7 +68,7 @@ public record Measurement(
       Start start = new Start();
       Simulation.Builder plan = workload.plan(robots, style, seed);
       long setUpNs = System.nanoTime();
-      SimResult result = plan.director(start).build().run();
+      SimResult result = plan.director(start).build().runOnThisThread();
       double cpuS = Time.seconds(cpuNs() - start.cpuNs);
       double wallS = Time.seconds(System.nanoTime() - start.wallNs);
       double peakRssMb = readPeakRssMb();
@@ -97,7 +97,7 @@ public record Measurement(
     long[] during = {before};
     plan.director(control -> control.at(HEAP_MEASURED_AT_NS, () -> during[0] = heldBytes()))
         .build()
-        .run();
+        .runOnThisThread();
     return Math.max(0, during[0] - before);
   }
 

@@ -48,6 +48,7 @@ final class Outcome {
     result.spec().violations().forEach(violation -> lines.add("VIOLATED: " + violation));
     if (!result.isFinished()) {
       lines.add("NOT FINISHED: " + result.unfinished());
+      result.diagnosis().lines().forEach(line -> lines.add("  " + line));
     }
     return lines;
   }
@@ -64,6 +65,7 @@ final class Outcome {
     json.put("completed", measures.completed());
     json.putAll(measures.figures());
     json.put("unfinished", result.unfinished().stream().map(Object::toString).toList());
+    json.put("cause", result.diagnosis().cause());
     measures.counts().forEach((name, count) -> json.put(name.replaceAll("[: ]+", "_"), count));
     json.put("datagrams", result.network().sent());
     json.put("lost", result.network().lost());

@@ -59,6 +59,10 @@ record Allowance(String rule, String path, String reason) {
             "carriers run blocking apps, one at a time"),
         new Allowance(
             "threads and locks in the simulator and its tools",
+            "starl-sim" + MAIN + "sim/GuardedRun.java",
+            "a run has a thread of its own, so that its caller can give it up"),
+        new Allowance(
+            "threads and locks in the simulator and its tools",
             "starl-sim" + MAIN + "sim/check/Campaign.java",
             "whole runs side by side, none sharing state with another"),
         new Allowance(

@@ -202,7 +202,8 @@ class RunTest {
         Cli.run("run intersection --seed 7 --for 5s --png".concat(" " + file("a.png")).split(" "));
     assertThat(cli.status()).isEqualTo(1);
     assertThat(cli.out())
-        .anyMatch(line -> line.startsWith("NOT FINISHED: [bot0, bot1, bot2, bot3]"));
+        .anyMatch(line -> line.startsWith("NOT FINISHED: [bot0, bot1, bot2, bot3]"))
+        .anyMatch(line -> line.startsWith("  likely cause: "));
     assertThat(cli.err()).containsExactly("replay: ./starl run intersection --seed 7 --for 5s");
   }
 

@@ -103,6 +103,20 @@ final class Proposer {
     return phase == Phase.IDLE;
   }
 
+  /** The acceptors that have not answered the present ballot; none while it does not ask. */
+  List<RobotId> unanswered() {
+    List<RobotId> silent = new ArrayList<>();
+    if (phase == Phase.PREPARING || phase == Phase.ACCEPTING) {
+      Set<RobotId> answered = phase == Phase.PREPARING ? promises.keySet() : votes;
+      for (RobotId acceptor : acceptors) {
+        if (!answered.contains(acceptor) && !refusals.contains(acceptor)) {
+          silent.add(acceptor);
+        }
+      }
+    }
+    return silent;
+  }
+
   /** The number it works for, unless idle. */
   long number() {
     return number;
@@ -188,13 +202,10 @@ final class Proposer {
 
   private void ask() {
     boolean preparing = phase == Phase.PREPARING;
-    Set<RobotId> answered = preparing ? promises.keySet() : votes;
     SynodMessage question =
         preparing ? new Prepare(number, ballot, wish) : new Accept(number, ballot, value);
-    for (RobotId acceptor : acceptors) {
-      if (!answered.contains(acceptor) && !refusals.contains(acceptor)) {
-        send.accept(acceptor, question);
-      }
+    for (RobotId acceptor : unanswered()) {
+      send.accept(acceptor, question);
     }
   }
 

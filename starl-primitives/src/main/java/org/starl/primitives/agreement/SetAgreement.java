@@ -2,10 +2,13 @@ package org.starl.primitives.agreement;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.List;
+import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 
@@ -129,6 +132,13 @@ public final class SetAgreement extends SynodPrimitive {
       if (message.number() <= ONLY_NUMBER) {
         super.received(from, message, now);
       }
+    }
+
+    @Override
+    public @Nullable Wait waitsFor(String name) {
+      return gaveUp
+          ? new Wait(name, "failed: no majority of the acceptors answered", List.of())
+          : super.waitsFor(name);
     }
 
     @Override

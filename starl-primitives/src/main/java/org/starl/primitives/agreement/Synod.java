@@ -1,5 +1,6 @@
 package org.starl.primitives.agreement;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.comms.WireFormatException;
 import org.starl.id.Participants;
@@ -93,6 +94,11 @@ public final class Synod {
   /** Whether it is working for a decision. */
   public boolean isProposing() {
     return !proposer.isIdle();
+  }
+
+  /** The acceptors whose answers it waits for while it works for a decision. */
+  public List<RobotId> unanswered() {
+    return proposer.unanswered();
   }
 
   /** Learns a decree from another source, such as the deployment's first value. */

@@ -1,5 +1,7 @@
 package org.starl.primitives.agreement;
 
+import org.jspecify.annotations.Nullable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -56,6 +58,13 @@ public abstract class SynodProtocol implements SynodListener {
   /** When {@link #timer} is due; {@link #NEVER} if no timer is set. */
   public final long wakeAtNs() {
     return Math.min(synod.wakeAtNs(), ownWakeAtNs());
+  }
+
+  /** What it waits for, in words, and from which robots; null if for nothing. */
+  public @Nullable Wait waitsFor(String source) {
+    return synod.isProposing()
+        ? new Wait(source, "needs answers of a majority; missing", synod.unanswered())
+        : null;
   }
 
   /** Does what is due by {@link #nowNs}, beside the Synod's own work; perhaps nothing. */

@@ -19,6 +19,7 @@ import org.starl.platform.WakeTimer;
 public final class SynodWire implements SynodLink {
 
   private final GlobalVarHolder gvh;
+  private final String source;
   private final String stableKey;
   private final WakeTimer timer;
   private final Endpoint<SynodMessage> endpoint;
@@ -32,6 +33,7 @@ public final class SynodWire implements SynodLink {
    */
   public SynodWire(GlobalVarHolder gvh, Channel<SynodMessage> channel) {
     this.gvh = gvh;
+    this.source = channel.name().replace(".synod/", "/"); // the name of the primitive, for people
     this.stableKey = "synod/" + channel.name(); // names may have dots, but no slash
     this.timer = new WakeTimer(gvh.plat.timers, this::expired);
     this.endpoint =
@@ -67,6 +69,7 @@ public final class SynodWire implements SynodLink {
    */
   public void start(SynodProtocol protocol, Runnable settled) {
     started = new Started(protocol, settled);
+    gvh.explain(() -> closed ? null : protocol.waitsFor(source));
     settle();
   }
 

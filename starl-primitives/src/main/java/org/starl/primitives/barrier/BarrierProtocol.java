@@ -8,6 +8,8 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodLink;
@@ -162,6 +164,16 @@ class BarrierProtocol extends SynodProtocol {
   }
 
   // Queries.
+
+  @Override
+  public @Nullable Wait waitsFor(String source) {
+    SortedSet<ProcessId> absent = absent();
+    if (!waiting || absent.isEmpty()) {
+      return super.waitsFor(source);
+    }
+    return new Wait(
+        source, "waits in generation " + generation + " for arrivals", ProcessId.robots(absent));
+  }
 
   BarrierOutcome outcome() {
     return outcome;

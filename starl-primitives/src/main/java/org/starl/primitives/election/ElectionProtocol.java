@@ -2,8 +2,10 @@ package org.starl.primitives.election;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import java.util.List;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -106,6 +108,17 @@ class ElectionProtocol extends SynodProtocol {
       case Candidacy m -> candidacy(m);
       case Elected m -> elected(m);
     }
+  }
+
+  @Override
+  public @Nullable Wait waitsFor(String source) {
+    if (leader instanceof Leader.Fail) {
+      return new Wait(source, "failed in term " + term + ": no majority answered", List.of());
+    }
+    Wait synodWait = super.waitsFor(source);
+    return synodWait != null || !takesPart || leader != Leader.NONE
+        ? synodWait
+        : new Wait(source, "no leader yet in term " + term, List.of());
   }
 
   @Override

@@ -4,6 +4,7 @@ import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
+import java.util.List;
 import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
@@ -17,6 +18,7 @@ import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -101,6 +103,7 @@ public final class M_Mutex implements MutexPrim {
     follow();
     endpoint = gvh.comms.open(channel, this::received);
     membership.onChange(this::membershipChanged);
+    gvh.explain(this::waitsFor);
   }
 
   /** The closed group of the participants of each robot's first start. */
@@ -214,6 +217,22 @@ public final class M_Mutex implements MutexPrim {
       timer.set(WakeTimer.NEVER);
       endpoint.close();
     }
+  }
+
+  private @Nullable Wait waitsFor() {
+    SortedSet<String> held = holder().held();
+    String holds = held.isEmpty() ? "" : "holds " + held;
+    if (closed || current.phase() != Phase.TRYING) {
+      String state = held.isEmpty() && failed.get() ? "failed: " + failure.get() : holds;
+      return closed || state.isEmpty() ? null : new Wait(source, state, List.of());
+    }
+    SortedSet<ProcessId> missing = current.missing();
+    String waits =
+        "requests "
+            + current.wanted()
+            + (missing.isEmpty() ? "; a removed process may still be inside" : "; answers missing");
+    return new Wait(
+        source, holds.isEmpty() ? waits : holds + ", " + waits, ProcessId.robots(missing));
   }
 
   private MutexProtocol holder() {

@@ -97,6 +97,11 @@ class MutexProtocol {
     return phase == Phase.CRITICAL ? want : Sections.NONE;
   }
 
+  /** The sections of the latest request that it has not released. */
+  SortedSet<String> wanted() {
+    return want;
+  }
+
   /** When {@link #timer} is due; {@code Long.MAX_VALUE} for never. */
   long nextTimerNs() {
     long requestNs = phase == Phase.TRYING ? timers.wakeAtNs() : Long.MAX_VALUE;

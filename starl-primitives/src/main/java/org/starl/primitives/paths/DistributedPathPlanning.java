@@ -12,6 +12,7 @@ import org.starl.geometry.Point;
 import org.starl.geometry.Rectangle;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.platform.Timer;
@@ -95,6 +96,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     driver = new TubeDriver(gvh, new DriverWiring());
     claims = new TubeClaims(gvh, channel, participants, settings, radiusMm, new ClaimsWiring());
     gvh.gps.onFix(this::seek);
+    gvh.explain(this::waitsFor);
   }
 
   /**
@@ -205,6 +207,17 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     closed = true;
     timer.cancel();
     claims.close();
+  }
+
+  private @Nullable Wait waitsFor() {
+    List<RobotId> unplaced = claims.unplaced();
+    if (!unplaced.isEmpty()) {
+      return new Wait(source, "waits for the first place", unplaced);
+    }
+    return isUnderWay()
+        ? new Wait(
+            source, flag.get() + " to " + target + ", refused " + refusals + " times", List.of())
+        : null;
   }
 
   private void begin() {

@@ -6,6 +6,8 @@ import java.util.List;
 import java.util.Set;
 import java.util.SortedSet;
 import java.util.TreeSet;
+import org.jspecify.annotations.Nullable;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
@@ -206,6 +208,13 @@ class RegistrationProtocol extends SynodProtocol {
 
   View view() {
     return view;
+  }
+
+  @Override
+  public @Nullable Wait waitsFor(String source) {
+    return failed
+        ? new Wait(source, "failed: no majority of the acceptors answered", List.of())
+        : super.waitsFor(source);
   }
 
   boolean hasFailed() {

@@ -74,7 +74,9 @@ public record RunOutcome(
       return violated(result.spec().violations().get(0), figures);
     }
     if (!result.isFinished()) {
-      String detail = "not finished: " + result.unfinished();
+      String cause = result.diagnosis().cause();
+      String detail =
+          "not finished: " + result.unfinished() + (cause.isEmpty() ? "" : "; " + cause);
       return new RunOutcome(Verdict.UNFINISHED, "", UNKNOWN, detail, figures);
     }
     return good(figures);

@@ -5,10 +5,12 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
+import org.starl.input.BadInput;
 import org.starl.sim.Setting;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
+import org.starl.sim.SimulationPlan;
 import org.starl.sim.check.Campaign;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.fault.Envelope;
@@ -106,7 +108,24 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     if (chaos != Envelope.NONE) {
       settings.set(Setting.CHAOS, chaos);
     }
-    return new Run(seed, builder.settings(settings.build()).faults(faults).build(), checks);
+    Simulation simulation = builder.settings(settings.build()).faults(faults).build();
+    requireARun(seed, simulation.plan());
+    return new Run(seed, simulation, checks);
+  }
+
+  private void requireARun(long seed, SimulationPlan plan) {
+    if (plan.header().scenarioSeed() != seed) {
+      throw new BadInput(
+          name
+              + ": the method sets seed "
+              + plan.header().scenarioSeed()
+              + ", so every run would be the same: delete that call; a parameter of type long is"
+              + " the seed of the run");
+    }
+    if (plan.robots().isEmpty() && plan.director() == null) {
+      throw new BadInput(
+          name + ": a simulation without robots: expected a call of robots(...) or robot(...)");
+    }
   }
 
   private static void judge(Run run, RunOutcome outcome, List<Bad> bad) {
@@ -136,6 +155,10 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     FaultPlan allFaults = first.simulation.faults();
     if (!allFaults.isEmpty()) {
       lines.add("faults of seed " + first.seed + ": " + allFaults);
+    }
+    SimResult result = first.result;
+    if (result != null) {
+      result.diagnosis().lines().forEach(line -> lines.add("  " + line));
     }
     lines.add(replay(first.seed));
     return String.join("\n", lines);

@@ -1,6 +1,6 @@
 package org.starl.sim.kernel;
 
-import java.util.IdentityHashMap;
+import java.util.LinkedHashMap;
 import java.util.Map;
 import org.jspecify.annotations.Nullable;
 
@@ -19,7 +19,7 @@ final class InstantGuard {
   /** The limit of the world's events at one virtual time. */
   static final int MAX_WORLD_EVENTS = 1_000_000;
 
-  private final Map<SimStrand, int[]> actions = new IdentityHashMap<>();
+  private final Map<SimStrand, int[]> actions = new LinkedHashMap<>();
   private long countedNs = -1;
   private int worldEvents;
   private boolean isWorldStalled;

@@ -36,6 +36,7 @@ public final class Kernel implements Clock, AutoCloseable {
   private int eventsNow;
   private boolean isRunning;
   private boolean isClosed;
+  private volatile boolean isAbandoned;
 
   public Kernel(CarrierKind carrierKind) {
     this(carrierKind, FOREIGN_WAIT_LIMIT);
@@ -57,6 +58,16 @@ public final class Kernel implements Clock, AutoCloseable {
   @Override
   public long nowNs() {
     return nowNs;
+  }
+
+  /** Whether no event is left. */
+  public boolean isIdle() {
+    return queue.size() == 0;
+  }
+
+  /** Ends the run after the current event; called from another thread. */
+  public void abandon() {
+    isAbandoned = true;
   }
 
   /** The number of events run so far. */
@@ -122,6 +133,9 @@ public final class Kernel implements Clock, AutoCloseable {
           queue.piece().run();
         } else {
           strand.run(queue.piece());
+        }
+        if (isAbandoned) {
+          throw new IllegalStateException("the run was given up during this action");
         }
         if (!strandsToUnwind.isEmpty()) {
           unwindClosedStrands();

@@ -158,6 +158,16 @@ public final class SimStrand implements Strand, Timers {
     }
   }
 
+  /** The stack of the app where it waits now; empty if there is none. */
+  public StackTraceElement[] appStack() {
+    return app == null ? new StackTraceElement[0] : app.stack();
+  }
+
+  /** When the app's present wait began; 0 if it never waited. */
+  public long appWaitsSinceNs() {
+    return app == null ? 0 : app.suspendedNs();
+  }
+
   /** The thread of the app while the app itself runs, or null. */
   @Nullable Thread runningAppThread() {
     return app == null ? null : app.runningThread();

@@ -26,7 +26,8 @@ public final class Stalled extends IllegalStateException {
 
   static Stalled world(int events) {
     return new Stalled(
-        events + " events of the world at one virtual time: a bug of the simulator, or of a"
+        events
+            + " events of the world at one virtual time: a bug of the simulator, or of a"
             + " director or fault that schedules without end");
   }
 

@@ -29,6 +29,7 @@ final class WaitingApp implements Prefetchable {
 
   // The pending wait: an event of the queue, a condition stored in the strand, or both.
   private int wakeSlot = EventTable.NONE;
+  private long suspendedNs;
   private boolean conditionHeld;
 
   WaitingApp(Kernel kernel, SimStrand strand, Runnable body) {
@@ -58,6 +59,17 @@ final class WaitingApp implements Prefetchable {
   @Nullable Thread runningThread() {
     Carrier mine = carrier;
     return isRunning && mine != null ? mine.thread() : null;
+  }
+
+  /** Where the app waits; empty if it has not started or has ended. */
+  StackTraceElement[] stack() {
+    Carrier mine = carrier;
+    return mine == null ? new StackTraceElement[0] : mine.thread().getStackTrace();
+  }
+
+  /** When its last wait began. */
+  long suspendedNs() {
+    return suspendedNs;
   }
 
   void sleepUntil(long atNs) {
@@ -144,6 +156,7 @@ final class WaitingApp implements Prefetchable {
       refuse(mine);
     }
     awaits = 0;
+    suspendedNs = kernel.nowNs();
     strand.awaited = newCondition;
     if (isTimed) {
       wakeSlot = kernel.add(Math.max(untilNs, kernel.nowNs()), strand, this);

@@ -111,6 +111,14 @@ public final class Body {
     return wantedMmPerS != 0 && mmPerS == 0;
   }
 
+  /** The bodies and walls that it touches, in words; empty if none. */
+  public List<String> touches() {
+    List<String> names = new ArrayList<>();
+    touchedBodies.forEach(other -> names.add(other.id().name()));
+    touchedWalls.forEach(wall -> names.add("a wall at " + wall.nearestTo(xMm, yMm)));
+    return names;
+  }
+
   /** The state of the bump sensors on its front half. */
   public Bumps bumps() {
     return bumps;

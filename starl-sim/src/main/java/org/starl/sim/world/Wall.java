@@ -28,6 +28,11 @@ final class Wall {
     return nowNs < untilNs;
   }
 
+  /** The nearest point of the wall, rounded to mm, as text. */
+  String nearestTo(double x, double y) {
+    return "(" + Math.round(nearestX(x, y)) + ", " + Math.round(nearestY(x, y)) + ")";
+  }
+
   /** The x coordinate of the nearest point of the wall. */
   double nearestX(double x, double y) {
     return fromX + alongX * part(x, y);

@@ -149,6 +149,16 @@ class StarlTestTest {
       simulation.robots(2, gvh -> new Counter(gvh, false));
     }
 
+    @StarlTest(seeds = 3)
+    void ownSeed(Simulation.Builder simulation) {
+      simulation.seed(42).robots(2, gvh -> new Counter(gvh, false));
+    }
+
+    @StarlTest(seeds = 3)
+    void empty(Simulation.Builder simulation) {
+      simulation.monitor(CountsToThree::new);
+    }
+
     @StarlTest
     void assuming(Simulation.Builder simulation) {
       assumeTrue(simulation.settings().robots() == 17);
@@ -247,8 +257,23 @@ class StarlTestTest {
 
   @Test
   void aRunThatDoesNotFinishFails() {
-    assertThat(failureLines("tooLong", "").get(1))
-        .isEqualTo("  seed 1: not finished: [bot0, bot1]");
+    List<String> lines = failureLines("tooLong", "");
+    assertThat(lines.get(1))
+        .startsWith("  seed 1: not finished: [bot0, bot1]; slow or a livelock; bot0 waits at ");
+    assertThat(lines)
+        .anyMatch(line -> line.matches("\\s+bot1 waits at StarlTestTest.java:\\d+ .callStarL. .*"));
+  }
+
+  @Test
+  void aMethodThatSetsItsOwnSeedFails() {
+    assertThat(failure(run("ownSeed", "")))
+        .hasMessageContaining("#ownSeed: the method sets seed 42, so every run would be the same");
+  }
+
+  @Test
+  void aSimulationWithoutRobotsFails() {
+    assertThat(failure(run("empty", "")))
+        .hasMessageContaining("#empty: a simulation without robots");
   }
 
   @Test
