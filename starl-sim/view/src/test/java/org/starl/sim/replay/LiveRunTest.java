@@ -32,7 +32,6 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Intervention;
 import org.starl.trace.TraceReader;
 
-@Timeout(60)
 class LiveRunTest {
 
   private static final long NS_PER_MS = 1_000_000;
@@ -116,6 +115,7 @@ class LiveRunTest {
   }
 
   @Test
+  @Timeout(60)
   void aRecordingDoesNotChangeTheTrace() throws Exception {
     assertThat(live(Wander.simulation(4), List.of())).isEqualTo(plain(Wander.simulation(4)));
   }
@@ -157,6 +157,7 @@ class LiveRunTest {
   }
 
   @Test
+  @Timeout(60)
   void theRunWaitsAtItsLimitAndInterventionsHappenThere() throws Exception {
     Recording recording = recording();
     try (LiveRun run = new LiveRun(Wander.simulation(1), recording)) {
@@ -181,6 +182,7 @@ class LiveRunTest {
   }
 
   @Test
+  @Timeout(60)
   void aStoppedRunReplaysToTheSameEnd() throws Exception {
     ByteArrayOutputStream out = new ByteArrayOutputStream();
     TraceRecorder recorder = new TraceRecorder(out);
@@ -196,6 +198,7 @@ class LiveRunTest {
   }
 
   @Test
+  @Timeout(60)
   void aRobotDrivesToThePointThatIsSent() throws Exception {
     String trace = live(Wander.simulation(2), List.of(new UserAction(3_000, "point 1234,2345")));
     assertThat(trace.lines().filter(line -> line.contains("1234.0,2345.0")))
@@ -204,6 +207,7 @@ class LiveRunTest {
   }
 
   @Test
+  @Timeout(60)
   void invalidInterventionsAreRefusedAndNotTraced() throws Exception {
     String plain = plain(Wander.simulation(3));
     ByteArrayOutputStream out = new ByteArrayOutputStream();
@@ -231,6 +235,7 @@ class LiveRunTest {
   }
 
   @Test
+  @Timeout(60)
   void noThreadIsLeftBehind() throws Exception {
     for (int i = 0; i < 5; i++) {
       LiveRun run = new LiveRun(Wander.simulation(i), recording());
