@@ -13,6 +13,7 @@ import kotlin.io.path.writeText
 import org.assertj.core.api.Assertions.assertThat
 import org.jetbrains.kotlin.cli.common.ExitCode
 import org.jetbrains.kotlin.cli.jvm.K2JVMCompiler
+import org.junit.jupiter.api.Tag
 import org.junit.jupiter.api.Test
 import org.junit.jupiter.api.io.TempDir
 import org.junit.platform.engine.discovery.DiscoverySelectors.selectClass
@@ -20,6 +21,7 @@ import org.junit.platform.testkit.engine.EngineTestKit
 import org.starl.cli.Main
 
 /** A project of `starl new --kotlin` compiles, passes its test, and does as its README says. */
+@Tag("long")
 class NewProjectTest {
 
   @TempDir private lateinit var temporary: Path

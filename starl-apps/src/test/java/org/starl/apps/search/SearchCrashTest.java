@@ -9,6 +9,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.starl.apps.Plan;
 import org.starl.apps.search.logic.SearchTrace;
@@ -21,6 +22,7 @@ import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Variable;
 
 /** Whole searches in which a robot crashes: the others go on, and so does it after a restart. */
+@Tag("long")
 class SearchCrashTest {
 
   /** It crashes between two legs of its sweep: all that it bars can be seen from beside it. */

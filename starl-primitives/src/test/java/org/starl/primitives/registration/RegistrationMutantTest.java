@@ -7,6 +7,7 @@ import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Consumer;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -20,6 +21,7 @@ import org.starl.primitives.membership.View;
 import org.starl.spec.SpecReport;
 
 /** Protocols that are wrong in one place: the harness must see each, or it proves nothing. */
+@Tag("long")
 class RegistrationMutantTest {
 
   private static final int SEEDS = 1_500;

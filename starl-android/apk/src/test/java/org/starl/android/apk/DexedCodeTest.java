@@ -12,10 +12,12 @@ import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The code that a phone gets: it is D8's, and no longer what javac made. */
+@Tag("long")
 class DexedCodeTest {
 
   /** All that the app asks of newer versions of Android, each behind a question for the version. */
