@@ -10,7 +10,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.geometry.Point;
 
 /**
- * Brings a robot without work to a place where it is in nobody's way: deep inside the nearest room
+ * Drives a robot without a room out of the others' way: to a place deep inside the nearest room
  * that was searched, or, if it finds none, back to a start. A robot that stands at a start stays
  * there. Strand only.
  */
