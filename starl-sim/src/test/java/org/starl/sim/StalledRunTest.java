@@ -3,6 +3,8 @@ package org.starl.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import java.lang.management.ManagementFactory;
+import java.lang.management.ThreadMXBean;
 import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
@@ -121,6 +123,23 @@ class StalledRunTest {
     SimulationFailed failed = failureOf(kind, App::timerAtOnce);
     assertThat(failed).hasMessageContaining("100000 actions at one virtual time");
     assertStackNames(failed, "timerAtOnce");
+  }
+
+  @Test
+  void anObserverMayComputeLongAfterTheLastEvent() {
+    ThreadMXBean threads = ManagementFactory.getThreadMXBean();
+    SimObserver slow =
+        new SimObserver() {
+          @Override
+          public void finished(SimResult result) {
+            long fromNs = threads.getCurrentThreadCpuTime();
+            while (threads.getCurrentThreadCpuTime() - fromNs < 900_000_000) {
+              Thread.onSpinWait();
+            }
+          }
+        };
+    assertThat(simulation(CarrierKind.best(), app -> {}).observer(slow).build().run().isFinished())
+        .isTrue();
   }
 
   @Test

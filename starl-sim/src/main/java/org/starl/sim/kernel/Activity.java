@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * @param events run so far, with this one
  * @param nowNs virtual time
  * @param strand name of the robot that acts, or empty: the world
- * @param kernel the kernel's thread; null before the run
+ * @param kernel the kernel's thread; null before and after the run, where no action runs
  * @param app the app's thread, if the app itself acts; null if a handler or a timer does
  */
 public record Activity(

@@ -149,6 +149,7 @@ public final class Kernel implements Clock, AutoCloseable {
       }
     } finally {
       isRunning = false;
+      thread = null;
     }
   }
 
