@@ -128,14 +128,15 @@ public record Diagnosis(Kind kind, String cause, List<UnfinishedRobot> robots, S
   /** The robots of one circle, in order; empty if there is none. */
   private static List<RobotId> circle(SortedMap<RobotId, Set<RobotId>> graph) {
     for (RobotId start : graph.keySet()) {
-      if (reached(graph, start).contains(start)) {
-        return way(graph, start);
+      List<RobotId> way = way(graph, start);
+      if (!way.isEmpty()) {
+        return way;
       }
     }
     return List.of();
   }
 
-  /** A shortest way from {@code start} back to it, which exists. */
+  /** A shortest way from {@code start} back to it; empty if there is none. */
   private static List<RobotId> way(SortedMap<RobotId, Set<RobotId>> graph, RobotId start) {
     List<List<RobotId>> ways = new ArrayList<>(List.of(List.of(start)));
     Set<RobotId> seen = new TreeSet<>();
@@ -152,7 +153,7 @@ public record Diagnosis(Kind kind, String cause, List<UnfinishedRobot> robots, S
         }
       }
     }
-    throw new IllegalStateException("no way from " + start + " back to it");
+    return List.of();
   }
 
   private static Set<RobotId> reached(SortedMap<RobotId, Set<RobotId>> graph, RobotId from) {

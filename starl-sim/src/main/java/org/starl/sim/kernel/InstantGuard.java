@@ -22,7 +22,6 @@ final class InstantGuard {
   private final Map<SimStrand, int[]> actions = new LinkedHashMap<>();
   private long countedNs = -1;
   private int worldEvents;
-  private boolean isWorldStalled;
   private @Nullable SimStrand stalled;
 
   /**
@@ -37,11 +36,9 @@ final class InstantGuard {
       actions.clear();
       worldEvents = 0;
       stalled = null;
-      isWorldStalled = false;
     }
     if (strand == null) {
       worldEvents++;
-      isWorldStalled |= worldEvents > MAX_WORLD_EVENTS;
       if (worldEvents > 2 * MAX_WORLD_EVENTS) {
         throw Stalled.world(worldEvents);
       }
@@ -63,10 +60,14 @@ final class InstantGuard {
    * @throws Stalled if it is over its limit; the stack is that of the code that goes on
    */
   void checkAdd(long nowNs, @Nullable SimStrand current) {
-    if (nowNs == countedNs) {
-      if (current == null ? isWorldStalled : current == stalled) {
-        throw current == null ? Stalled.world(worldEvents) : Stalled.actions(MAX_ACTIONS);
-      }
+    if (nowNs != countedNs) {
+      return;
+    }
+    if (current == null && worldEvents > MAX_WORLD_EVENTS) {
+      throw Stalled.world(worldEvents);
+    }
+    if (current != null && current == stalled) {
+      throw Stalled.actions(MAX_ACTIONS);
     }
   }
 }

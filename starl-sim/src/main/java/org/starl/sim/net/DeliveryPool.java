@@ -11,7 +11,8 @@ import org.starl.sim.kernel.Prefetchable;
  */
 final class DeliveryPool {
 
-  private static final RobotId NO_SENDER = new RobotId("nobody");
+  /** The sender of injected datagrams, in the trace. */
+  static final RobotId NO_SENDER = new RobotId("nobody");
 
   private @Nullable Delivery freeDeliveries;
   private @Nullable Packet freePackets;

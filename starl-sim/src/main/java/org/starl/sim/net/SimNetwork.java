@@ -19,10 +19,8 @@ public final class SimNetwork {
 
   private static final long LOST = -1;
 
-  /** The sender of injected datagrams, in the trace. */
-  private static final RobotId NO_SENDER = new RobotId("nobody");
-
   private final Kernel kernel;
+
   private final TraceSink trace;
   private final Rng root;
   private final StationTable stations = new StationTable();
@@ -118,7 +116,8 @@ public final class SimNetwork {
     SimRadio radio = stations.radio(stations.slot(to));
     if (radio != null) {
       Packet packet = pool.packet(datagram, datagram.length);
-      kernel.schedule(kernel.nowNs(), radio.strand(), pool.delivery(NO_SENDER, radio, packet));
+      kernel.schedule(
+          kernel.nowNs(), radio.strand(), pool.delivery(DeliveryPool.NO_SENDER, radio, packet));
       packet.release();
     }
   }
