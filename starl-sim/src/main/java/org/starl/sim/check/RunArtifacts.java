@@ -1,0 +1,32 @@
+package org.starl.sim.check;
+
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Optional;
+import java.util.ServiceLoader;
+import org.starl.sim.SimulationPlan;
+
+/**
+ * Writes files that show a run to a person, such as a picture: for tests that fail. The simulator
+ * draws nothing itself; the module {@code starl-sim-view} provides an implementation, which {@link
+ * #installed} finds on the class path.
+ */
+public interface RunArtifacts {
+
+  /**
+   * Writes the files beside the trace, with the trace's name and other endings. Files of these
+   * names are replaced.
+   *
+   * @param trace a trace file; of a truncated one, the files show the events before the error
+   * @param plan of the same run, for its obstacles and monitors; it is not executed
+   * @return the written files
+   * @throws IOException if the trace cannot be read, or a file cannot be written
+   */
+  List<Path> write(Path trace, SimulationPlan plan) throws IOException;
+
+  /** The implementation on the class path; empty if there is none. */
+  static Optional<RunArtifacts> installed() {
+    return ServiceLoader.load(RunArtifacts.class).findFirst();
+  }
+}
