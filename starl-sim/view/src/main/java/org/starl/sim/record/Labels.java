@@ -4,12 +4,16 @@ import java.awt.Color;
 import java.awt.Font;
 import java.awt.FontMetrics;
 import java.awt.Graphics2D;
+import java.awt.geom.Rectangle2D;
+import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 
-/** Writes names and locations of robots, where there is room. */
+/**
+ * Writes names and locations of robots, where there is room: below, above, right or left of the
+ * robot. Labels do not overlap; those without room are counted in the lower right corner.
+ */
 final class Labels {
 
   private static final Font NAME = new Font(Font.SANS_SERIF, Font.BOLD, 12);
@@ -17,61 +21,138 @@ final class Labels {
   private static final double LEAST_RADIUS_PX = 4;
   private static final int MANY = 150;
   private static final int MANY_PLACES = 40;
+  private static final int LINE_PX = 14;
 
-  private Labels() {}
+  /** From a body to its label; the ring of a selected robot fits in between. */
+  private static final int GAP_PX = 6;
 
-  static void paint(Graphics2D page, Scene scene, Viewport viewport, Look look, int shown) {
+  private static final int MARGIN_PX = 12;
+
+  private final Graphics2D page;
+  private final Scene scene;
+  private final Viewport viewport;
+  private final Look look;
+  private final List<Rectangle2D> bodies = new ArrayList<>();
+  private final List<Rectangle2D> taken = new ArrayList<>();
+
+  private Labels(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    this.page = page;
+    this.scene = scene;
+    this.viewport = viewport;
+    this.look = look;
+  }
+
+  static void paint(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+    new Labels(page, scene, viewport, look).paint();
+  }
+
+  private void paint() {
+    List<RobotId> visible = new ArrayList<>();
+    scene.forEachBody((robot, number, pose, radiusMm) -> {
+      if (viewport.shows(pose.at(), radiusMm)) {
+        visible.add(robot);
+      }
+    });
     RobotId selected = look.selected();
+    boolean hasSelected = selected != null && visible.remove(selected);
+    if (hasSelected) {
+      // It has the first choice of places.
+      visible.add(0, selected);
+    }
     List<RobotId> named =
-        shown <= MANY ? scene.robots() : selected == null ? List.of() : List.of(selected);
+        visible.size() <= MANY ? visible : visible.subList(0, hasSelected ? 1 : 0);
+    named.forEach(robot -> bodies.add(body(robot)));
+    int unnamed = 0;
     for (RobotId robot : named) {
-      Optional<Pose> pose = scene.pose(robot);
-      if (pose.isEmpty() || !viewport.shows(pose.get().at(), scene.radiusMm(robot))) {
-        continue;
+      boolean isLarge = scene.radiusMm(robot) * viewport.pxPerMm() >= LEAST_RADIUS_PX;
+      if ((isLarge || robot.equals(selected)) && !label(robot, visible.size() <= MANY_PLACES)) {
+        unnamed++;
       }
-      double radiusPx = scene.radiusMm(robot) * viewport.pxPerMm();
-      boolean isSelected = robot.equals(selected);
-      if (isSelected || radiusPx >= LEAST_RADIUS_PX) {
-        double x = viewport.xPx(pose.get().at());
-        double y = viewport.yPx(pose.get().at());
-        double below = y + radiusPx + (isSelected ? 20 : 15);
-        if (look.shows(Part.NAMES)) {
-          below += name(page, robot, x, y, radiusPx, below, look);
-        }
-        if (look.shows(Part.LOCATIONS) && (isSelected || shown <= MANY_PLACES)) {
-          page.setFont(PLACE);
-          centred(page, scene.variable(robot, "app", "location"), x, below, look);
-        }
-      }
+    }
+    if (unnamed > 0) {
+      count(unnamed);
     }
   }
 
-  /**
-   * Inside the disc if the name fits, else below it; returns the height of the line below, or 0.
-   */
-  private static double name(
-      Graphics2D page,
-      RobotId robot,
-      double x,
-      double y,
-      double radiusPx,
-      double below,
-      Look look) {
-    page.setFont(NAME);
-    int width = page.getFontMetrics().stringWidth(robot.name());
-    if (width < 1.75 * radiusPx) {
-      page.setColor(look.theme().ink());
-      page.drawString(robot.name(), (float) (x - width / 2.0), (float) y + 4);
-      return 0;
-    }
-    centred(page, robot.name(), x, below, look);
-    return 14;
+  private Rectangle2D body(RobotId robot) {
+    Pose pose = scene.pose(robot).orElseThrow();
+    double r = scene.radiusMm(robot) * viewport.pxPerMm();
+    return new Rectangle2D.Double(
+        viewport.xPx(pose.at()) - r, viewport.yPx(pose.at()) - r, 2 * r, 2 * r);
   }
 
-  private static void centred(Graphics2D page, String text, double x, double y, Look look) {
+  /** Returns false if there is no room. */
+  private boolean label(RobotId robot, boolean hasLocations) {
+    Rectangle2D body = body(robot);
+    List<Line> lines = new ArrayList<>();
+    if (look.shows(Part.NAMES)) {
+      Line name = line(NAME, robot.name());
+      if (name.widthPx() < 0.875 * body.getWidth()) {
+        page.setFont(NAME);
+        page.setColor(look.theme().ink());
+        float left = (float) (body.getCenterX() - name.widthPx() / 2.0);
+        page.drawString(robot.name(), left, (float) body.getCenterY() + 4);
+      } else {
+        lines.add(name);
+      }
+    }
+    boolean isSelected = robot.equals(look.selected());
+    String location = scene.variable(robot, "app", "location");
+    if (look.shows(Part.LOCATIONS) && (isSelected || hasLocations) && !location.isEmpty()) {
+      lines.add(line(PLACE, location));
+    }
+    return lines.isEmpty() || place(lines, body);
+  }
+
+  private record Line(Font font, String text, int widthPx) {}
+
+  private Line line(Font font, String text) {
+    return new Line(font, text, page.getFontMetrics(font).stringWidth(text));
+  }
+
+  private boolean place(List<Line> lines, Rectangle2D body) {
+    double width = lines.stream().mapToInt(Line::widthPx).max().orElseThrow();
+    double height = (double) LINE_PX * lines.size();
+    double across = body.getCenterX() - width / 2;
+    double beside = body.getCenterY() - height / 2;
+    List<Rectangle2D> places =
+        List.of(
+            new Rectangle2D.Double(across, body.getMaxY() + GAP_PX, width, height),
+            new Rectangle2D.Double(across, body.getMinY() - GAP_PX - height, width, height),
+            new Rectangle2D.Double(body.getMaxX() + GAP_PX, beside, width, height),
+            new Rectangle2D.Double(body.getMinX() - GAP_PX - width, beside, width, height));
+    Rectangle2D picture = new Rectangle2D.Double(0, 0, viewport.widthPx(), viewport.heightPx());
+    List<Rectangle2D> apart = places.stream().filter(place -> isFree(place, taken)).toList();
+    if (apart.isEmpty()) {
+      return false;
+    }
+    Rectangle2D best =
+        apart.stream()
+            .filter(place -> picture.contains(place) && isFree(place, bodies))
+            .findFirst()
+            .orElse(apart.get(0));
+    taken.add(best);
+    double baseline = best.getY() + LINE_PX - 3;
+    for (Line line : lines) {
+      page.setFont(line.font());
+      double left = best.getCenterX() - line.widthPx() / 2.0;
+      haloed(page, line.text(), left, baseline, look.theme().ink(), look.theme().paper());
+      baseline += LINE_PX;
+    }
+    return true;
+  }
+
+  private static boolean isFree(Rectangle2D place, List<Rectangle2D> others) {
+    return others.stream().noneMatch(place::intersects);
+  }
+
+  private void count(int unnamed) {
+    String text = unnamed + (unnamed == 1 ? " robot" : " robots") + " without room for a name";
+    page.setFont(PLACE);
     FontMetrics metrics = page.getFontMetrics();
-    double left = x - metrics.stringWidth(text) / 2.0;
-    haloed(page, text, left, y, look.theme().ink(), look.theme().paper());
+    double left = viewport.widthPx() - MARGIN_PX - metrics.stringWidth(text);
+    Theme theme = look.theme();
+    haloed(page, text, left, viewport.heightPx() - MARGIN_PX, theme.muted(), theme.paper());
   }
 
   /** Text with a halo, readable on any background. */

@@ -24,10 +24,15 @@ final class ObstaclePainter {
 
   private @Nullable Key key;
   private @Nullable BufferedImage kept;
+  private final boolean hasCache;
+
+  ObstaclePainter(boolean hasCache) {
+    this.hasCache = hasCache;
+  }
 
   void paint(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     Obstacles standing = scene.obstacles().standingAt(scene.nowNs());
-    if (standing.all().size() < MANY) {
+    if (!hasCache || standing.all().size() < MANY) {
       draw(page, standing, viewport, look);
       return;
     }

@@ -10,6 +10,7 @@ import java.awt.geom.Line2D;
 import java.awt.geom.Path2D;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.Consumer;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -33,9 +34,41 @@ public final class Painter {
 
   private final BodyPainter bodies = new BodyPainter();
   private final Sprites sprites = new Sprites();
-  private final ObstaclePainter obstacles = new ObstaclePainter();
+  private final ObstaclePainter obstacles;
+  private final int most;
   private final TrailPainter trails = new TrailPainter();
   private final FlightPainter flights = new FlightPainter();
+
+  /** A section of a picture, from back to front. */
+  public enum Section {
+    /** The app's drawing under the bodies. */
+    FLOOR,
+    OBSTACLES,
+    TRAILS,
+    ROBOTS,
+    /** The ring around the selected robot, and the range of its radio. */
+    SELECTION,
+    /** The app's drawing over the bodies. */
+    OVER,
+    BUMPS,
+    MESSAGES,
+    LABELS
+  }
+
+  /** For the screen and for pictures: with cached images of many obstacles or robots. */
+  public Painter() {
+    this(true);
+  }
+
+  private Painter(boolean hasCaches) {
+    obstacles = new ObstaclePainter(hasCaches);
+    most = hasCaches ? MANY : Integer.MAX_VALUE;
+  }
+
+  /** For drawings that are enlarged later: paints shapes, never images. */
+  public static Painter ofShapes() {
+    return new Painter(false);
+  }
 
   /** Paints without messages. */
   public void paint(Graphics2D page, Scene scene, Layer layer, Viewport viewport, Look look) {
@@ -58,34 +91,58 @@ public final class Painter {
     smooth(page);
     page.setColor(look.theme().paper());
     page.fillRect(0, 0, viewport.widthPx(), viewport.heightPx());
-    Look scaled = look.at(viewport);
+    for (Section section : Section.values()) {
+      paint(section, page, scene, layer, viewport, look, messages);
+    }
+  }
+
+  /** Paints one section, if {@code look} shows it, on what is there. */
+  public void paint(
+      Section section,
+      Graphics2D page,
+      Scene scene,
+      Layer layer,
+      Viewport viewport,
+      Look look,
+      List<Flight> messages) {
+    switch (section) {
+      case FLOOR -> app(page, viewport, look, floor -> layer.paintFloor(floor, scene, look.at(viewport)));
+      case OBSTACLES -> obstacles.paint(page, scene, viewport, look.at(viewport));
+      case TRAILS -> {
+        if (look.shows(Part.TRAILS) && layer.showsTrails()) {
+          trails.paint(page, scene, viewport, look);
+        }
+      }
+      case ROBOTS -> {
+        if (look.shows(Part.ROBOTS)) {
+          robots(page, scene, viewport, look);
+        }
+      }
+      case SELECTION -> selection(page, scene, viewport, look);
+      case OVER -> app(page, viewport, look, floor -> layer.paintOver(floor, scene, look.at(viewport)));
+      case BUMPS -> {
+        if (look.shows(Part.BUMPS)) {
+          bumps(page, scene, viewport, look.theme());
+        }
+      }
+      case MESSAGES -> {
+        if (look.shows(Part.MESSAGES)) {
+          flights.paint(page, messages, scene, viewport, look);
+        }
+      }
+      case LABELS -> Labels.paint(page, scene, viewport, look);
+    }
+  }
+
+  /** Lets the app paint, in the world's coordinates. */
+  private static void app(
+      Graphics2D page, Viewport viewport, Look look, Consumer<Graphics2D> drawing) {
     if (look.shows(Part.APP)) {
       Graphics2D floor = (Graphics2D) page.create();
       floor.transform(viewport.transform());
-      layer.paintFloor(floor, scene, scaled);
+      drawing.accept(floor);
       floor.dispose();
     }
-    obstacles.paint(page, scene, viewport, scaled);
-    if (look.shows(Part.TRAILS) && layer.showsTrails()) {
-      trails.paint(page, scene, viewport, look);
-    }
-    if (look.shows(Part.RANGE) && look.rangeMm() > 0 && look.selected() != null) {
-      range(page, scene, viewport, look, look.selected());
-    }
-    int shown = look.shows(Part.ROBOTS) ? robots(page, scene, viewport, look) : 0;
-    if (look.shows(Part.APP)) {
-      Graphics2D over = (Graphics2D) page.create();
-      over.transform(viewport.transform());
-      layer.paintOver(over, scene, scaled);
-      over.dispose();
-    }
-    if (look.shows(Part.BUMPS)) {
-      bumps(page, scene, viewport, look.theme());
-    }
-    if (look.shows(Part.MESSAGES)) {
-      flights.paint(page, messages, scene, viewport, look);
-    }
-    Labels.paint(page, scene, viewport, look, shown);
   }
 
   /** Turns antialiasing on, for shapes and text. */
@@ -113,8 +170,8 @@ public final class Painter {
     page.draw(new Line2D.Double(x - arm, y + arm, x + arm, y - arm));
   }
 
-  /** Paints the bodies; returns the number of visible ones. */
-  private int robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+  /** Paints the bodies, and marks crashed ones. */
+  private void robots(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     int[] shown = new int[1];
     double[] mostPx = new double[1];
     scene.forEachBody((robot, number, pose, radiusMm) -> {
@@ -123,13 +180,12 @@ public final class Painter {
         mostPx[0] = Math.max(mostPx[0], radiusMm * viewport.pxPerMm());
       }
     });
-    if (shown[0] > MANY && mostPx[0] < LARGE_PX) {
+    if (shown[0] > most && mostPx[0] < LARGE_PX) {
       many(page, scene, viewport, look.theme());
     } else {
       few(page, scene, viewport, look.theme());
     }
-    marks(page, scene, viewport, look);
-    return shown[0];
+    crosses(page, scene, viewport, look);
   }
 
   private void few(Graphics2D page, Scene scene, Viewport viewport, Theme theme) {
@@ -177,8 +233,7 @@ public final class Painter {
     device.dispose();
   }
 
-  /** Marks crashed robots and the selected one. */
-  private void marks(Graphics2D page, Scene scene, Viewport viewport, Look look) {
+  private void crosses(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     for (RobotId robot : scene.down()) {
       scene
           .pose(robot)
@@ -190,8 +245,17 @@ public final class Painter {
                   Math.max(4, scene.radiusMm(robot) * viewport.pxPerMm()),
                   look.theme()));
     }
+  }
+
+  private void selection(Graphics2D page, Scene scene, Viewport viewport, Look look) {
     RobotId selected = look.selected();
-    if (selected != null) {
+    if (selected == null) {
+      return;
+    }
+    if (look.shows(Part.RANGE) && look.rangeMm() > 0) {
+      range(page, scene, viewport, look, selected);
+    }
+    if (look.shows(Part.ROBOTS)) {
       scene
           .pose(selected)
           .ifPresent(pose ->
