@@ -16,6 +16,8 @@ import org.starl.sim.export.CsvTable;
 import org.starl.sim.export.McapRecorder;
 import org.starl.sim.record.GifRecorder;
 import org.starl.sim.record.PictureTime;
+import org.starl.sim.replay.Recording;
+import org.starl.sim.view.page.RunPage;
 import org.starl.time.Time;
 import picocli.CommandLine.ArgGroup;
 import picocli.CommandLine.Command;
@@ -26,12 +28,13 @@ import picocli.CommandLine.Option;
 @Command(
     name = "record",
     description =
-        "Writes a picture, an animation, an MCAP file or a table of a run. The run is simulated"
-            + " now, or read from a trace.",
+        "Writes a picture, an animation, an HTML page, an MCAP file or a table of a run. The run is"
+            + " simulated now, or read from a trace.",
     footer = {
       "",
       "Example: starl record intersection --seed 7 --png t=12s --out crossing.png",
       "         starl record intersection --seed 7 --gif --every 500ms",
+      "         starl record intersection --seed 7 --html crossing.html",
       "         starl record intersection --seed 7 --mcap",
       "         starl record out/crossing.trace --gif --when violation"
     })
@@ -52,6 +55,14 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
 
     @Option(names = "--gif", description = "An animation.")
     private boolean gif;
+
+    @Option(
+        names = "--html",
+        arity = "0..1",
+        fallbackValue = "",
+        paramLabel = "FILE",
+        description = "A page that plays the run in a browser.")
+    private @Nullable String html;
 
     @Option(
         names = "--mcap",
@@ -79,16 +90,16 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
       description =
           "The moment of a picture: t=12s, end, best (the moment that shows most) or violation (the"
               + " first one). With --gif only violation: the animation ends with it. Without a"
-              + " violation, nothing is written (default: best; with --gif the whole run).")
+              + " violation, nothing is written (default: best; with --gif the whole run). With"
+              + " --html none: a page has the whole run.")
   private @Nullable String when;
 
   @Option(
       names = "--every",
       paramLabel = "TIME",
-      defaultValue = "250ms",
       description =
-          "Simulated time between two frames of an animation (default: ${DEFAULT-VALUE}).")
-  private String every = "250ms";
+          "Simulated time between two frames of an animation (default: 250ms; with --html 100ms).")
+  private @Nullable String every;
 
   @Option(
       names = "--width",
@@ -100,7 +111,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   @Option(
       names = "--out",
       paramLabel = "FILE",
-      description = "The file to write (default: out/APP-SEED.png, .gif, .mcap or .csv).")
+      description = "The file to write (default: out/APP-SEED.png, .gif, .html, .mcap or .csv).")
   private @Nullable String file;
 
   @Override
@@ -110,10 +121,12 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     PictureTime moment =
         OptionValues.read(when == null ? "--png" : "--when", wanted, RecordCommand::moment);
     Source source = source();
-    String target = file == null ? defaultFile(source.app(), source.seed(), suffix) : file;
+    String named = fileName();
+    String target = named == null ? defaultFile(source.app(), source.seed(), suffix) : named;
     ObserverFile written =
         switch (suffix) {
           case "gif" -> gif(source.plan(), wanted, target);
+          case "html" -> html(source.plan(), target);
           case "mcap" -> table(target, out -> new McapRecorder(out, source.plan().obstacles()));
           case "csv" -> csv(target);
           default -> ObserverFile.picture("--out", target, source.plan(), moment);
@@ -183,7 +196,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
         new GifRecorder(
             plan.obstacles(),
             plan.layer(),
-            OptionValues.read("--every", every, RecordCommand::everyNs),
+            OptionValues.read("--every", every == null ? "250ms" : every, RecordCommand::everyNs),
             OptionValues.whole("--width", width, 100, MAX_WIDTH_PX),
             ofViolation);
     return ObserverFile.after(
@@ -195,6 +208,22 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
             recorder.writeGif(out);
           }
         });
+  }
+
+  private ObserverFile html(Plan plan, String target) {
+    if (when != null) {
+      throw new BadInput("--when " + when + ": with --html, expected no --when");
+    }
+    long everyNs =
+        every == null
+            ? RunPage.EVERY_NS
+            : OptionValues.read("--every", every, RecordCommand::everyNs);
+    Recording recording = new Recording(plan.obstacles(), plan.layer());
+    return ObserverFile.after(
+        "--out",
+        target,
+        recording,
+        out -> new RunPage(recording, everyNs, 0, Long.MAX_VALUE).write(out));
   }
 
   private ObserverFile csv(String target) {
@@ -218,7 +247,22 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
     if (output == null) {
       return "png";
     }
+    if (output.html != null) {
+      return "html";
+    }
     return output.gif ? "gif" : output.csv != null ? "csv" : output.mcap ? "mcap" : "png";
+  }
+
+  /** {@code --html FILE} is short for {@code --html --out FILE}. */
+  private @Nullable String fileName() {
+    String html = output == null || output.html == null ? "" : output.html;
+    if (html.isEmpty()) {
+      return file;
+    }
+    if (file != null) {
+      throw new BadInput("--out: --html names the file as well; expected one of the two");
+    }
+    return html;
   }
 
   /** {@code --png t=12s} is short for {@code --png --when t=12s}. */

@@ -98,6 +98,10 @@ class BadInputTest {
       record intersection --png end --when best | --when | expected one of the two
       record intersection --gif --when end | --when | expected violation
       record intersection --gif --every 1us | --every | at least 1ms
+      record intersection --gif --html | --gif | --html
+      record intersection --html a.html --out b.html | --out | expected one of the two
+      record intersection --html --when end | --when | expected no --when
+      record intersection --html a.html --every 1us | --every | at least 1ms
       record intersection --gif --width 1 | --width | from 100 to 4000
       record intersection --png t=12 | --png | '12' | expected a duration with a unit
       verify-determinism nope | 'nope' | expected one of

@@ -48,6 +48,29 @@ class RecordTest {
   }
 
   @Test
+  void aPageOfAMinuteOfFourCarsHasTheWholeRunInLessThanTwoMegabytes() throws IOException {
+    Path page = folder.resolve("crossing.html");
+    Cli cli =
+        Cli.run(
+            "record",
+            "intersection",
+            "--seed",
+            "7",
+            "--set",
+            "scenario=figure7",
+            "--fault",
+            "jump(bot1,600mm,at=2s)",
+            "--for",
+            "60s",
+            "--html",
+            page.toString());
+    assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
+    assertThat(page).content().contains("<title>intersection, seed 7</title>").endsWith("</html>\n");
+    assertThat(page).content().doesNotContain("http:", "https:", "{{");
+    assertThat(Files.size(page)).isBetween(30_000L, 2_000_000L);
+  }
+
+  @Test
   void withoutAViolationNoPictureIsWritten() {
     for (String kind : new String[] {"--png", "--gif"}) {
       Path file = folder.resolve("none" + kind);

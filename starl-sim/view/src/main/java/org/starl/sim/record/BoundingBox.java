@@ -48,11 +48,11 @@ public final class BoundingBox {
     return xMinMm > xMaxMm;
   }
 
-  double widthMm() {
+  public double widthMm() {
     return isEmpty() ? 0 : xMaxMm - xMinMm;
   }
 
-  double heightMm() {
+  public double heightMm() {
     return isEmpty() ? 0 : yMaxMm - yMinMm;
   }
 

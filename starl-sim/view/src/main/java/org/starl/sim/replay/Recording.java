@@ -134,7 +134,7 @@ public final class Recording implements SimObserver {
    *
    * @param why one line
    */
-  void failed(String why) {
+  public void failed(String why) {
     failure = why;
     over(endNs);
   }

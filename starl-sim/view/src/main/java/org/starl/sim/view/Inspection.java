@@ -19,7 +19,7 @@ import org.starl.trace.TraceEvent.Dropped;
 import org.starl.trace.TraceEvent.Sent;
 
 /** State, messages and log of one robot at a moment of a recording, computed on demand. */
-final class Inspection {
+public final class Inspection {
 
   private static final int MOST_LINES = 60;
   private static final int MOST_EVENTS = 60_000;
@@ -31,7 +31,7 @@ final class Inspection {
    *
    * @param isTitle whether it is the title of a group; its value is then empty
    */
-  record Row(boolean isTitle, String name, String value) {}
+  public record Row(boolean isTitle, String name, String value) {}
 
   /**
    * A message or a line of the log.
@@ -41,7 +41,7 @@ final class Inspection {
   record Line(long timeNs, String what, String text, String more) {}
 
   /** The pose, then the variables of the app, of motion and of each primitive. */
-  static List<Row> state(Scene scene, RobotId robot) {
+  public static List<Row> state(Scene scene, RobotId robot) {
     List<Row> rows = new ArrayList<>();
     rows.add(new Row(true, "body", ""));
     Optional<Pose> pose = scene.pose(robot);

@@ -20,7 +20,7 @@ import org.starl.trace.TraceEvent.Sent;
  * Finds the messages in transit at a moment of a recording: searches back for sent messages, and
  * ahead for their delivery or loss. Keeps no state between queries except the list of channels.
  */
-final class Traffic {
+public final class Traffic {
 
   /** Limits of the search before and after the moment. */
   private static final long WINDOW_NS = 2 * Time.NS_PER_S;
@@ -38,7 +38,8 @@ final class Traffic {
   private String channel = "";
   private boolean isOfSelectedOnly;
 
-  Traffic(Recording recording) {
+  /** Finds messages of {@code recording}, on all channels. */
+  public Traffic(Recording recording) {
     this.recording = recording;
   }
 
@@ -82,7 +83,7 @@ final class Traffic {
    * @param index number of events up to {@code nowNs}
    * @param lingerNs simulated time for which an arrived message stays visible
    */
-  List<Flight> at(long nowNs, int index, long lingerNs, @Nullable RobotId selected) {
+  public List<Flight> at(long nowNs, int index, long lingerNs, @Nullable RobotId selected) {
     int from = Math.max(index - MOST_EVENTS, recording.firstAfter(nowNs - WINDOW_NS));
     int to = Math.min(index + MOST_EVENTS, recording.size());
     Map<Key, Open> sent = new LinkedHashMap<>();

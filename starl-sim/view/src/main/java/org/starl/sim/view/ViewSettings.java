@@ -49,7 +49,7 @@ public final class ViewSettings {
   }
 
   /** The settings in a run's header; defaults for the others. */
-  static ViewSettings of(TraceHeader header) {
+  public static ViewSettings of(TraceHeader header) {
     SimSettings.Builder builder = SimSettings.builder();
     for (Setting<?> setting : TABLE) {
       String value = header.settings().get(setting.key());
@@ -75,7 +75,7 @@ public final class ViewSettings {
   }
 
   /** The window's look at the start. */
-  Look look() {
+  public Look look() {
     Look look =
         Look.FILE
             .with(Part.MESSAGES, true)

@@ -14,13 +14,15 @@ import org.starl.sim.record.Filmstrip;
 import org.starl.sim.record.Layer;
 import org.starl.sim.record.PictureRecorder;
 import org.starl.sim.record.PictureTime;
+import org.starl.sim.replay.Recording;
 import org.starl.sim.replay.TracePlayer;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceReader;
 
 /**
- * Writes a picture of the first violation, or of the last event if there is none. Without the app's
- * layer, which a simulation does not know: robots, trails and obstacles.
+ * Writes a page that plays the run, and a picture of the first violation, or of the last event if
+ * there is none. They show robots, messages, trails and obstacles, but not the app's drawing, which
+ * a simulation does not know.
  */
 public final class TraceArtifacts implements RunArtifacts {
 
@@ -34,7 +36,8 @@ public final class TraceArtifacts implements RunArtifacts {
     PictureRecorder violation =
         new PictureRecorder(plan.obstacles(), Layer.NONE, new PictureTime.Violation());
     Filmstrip last = new Filmstrip(plan.obstacles(), Layer.NONE, List.of(Long.MAX_VALUE));
-    show(trace, plan, List.of(violation, last));
+    Recording recording = new Recording(plan.obstacles(), Layer.NONE);
+    show(trace, plan, recording, List.of(violation, last, recording));
     last.cut();
     Path picture = beside(trace, ".png");
     try (OutputStream out = Files.newOutputStream(picture)) {
@@ -44,10 +47,15 @@ public final class TraceArtifacts implements RunArtifacts {
         last.frames().get(0).writePng(WIDTH_PX, out);
       }
     }
-    return List.of(picture);
+    Path page = beside(trace, ".html");
+    try (OutputStream out = Files.newOutputStream(page)) {
+      new RunPage(recording).write(out);
+    }
+    return List.of(picture, page);
   }
 
-  private static void show(Path trace, SimulationPlan plan, List<SimObserver> observers)
+  private static void show(
+      Path trace, SimulationPlan plan, Recording recording, List<SimObserver> observers)
       throws IOException {
     try (TraceReader reader =
         new TraceReader(
@@ -56,7 +64,7 @@ public final class TraceArtifacts implements RunArtifacts {
           trace.toString(), reader, Monitors.of(plan.monitors()).monitors(), observers);
     } catch (BadInput truncated) {
       // The observers have the events before the error.
-      return;
+      recording.failed(truncated.getMessage());
     }
   }
 

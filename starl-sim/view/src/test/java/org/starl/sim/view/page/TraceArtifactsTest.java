@@ -58,11 +58,13 @@ class TraceArtifactsTest {
   }
 
   @Test
-  void aPictureIsWrittenBesideTheTrace() throws IOException {
+  void aPictureAndAPageAreWrittenBesideTheTrace() throws IOException {
     Path picture = folder.resolve("seed-3.png");
+    Path page = folder.resolve("seed-3.html");
 
-    assertThat(written(trace())).contains(picture);
+    assertThat(written(trace())).containsExactly(picture, page);
     assertThat(ImageIO.read(picture.toFile()).getWidth()).isEqualTo(1420);
+    assertThat(page).content().startsWith("<!DOCTYPE html>");
   }
 
   @Test

@@ -1,0 +1,180 @@
+package org.starl.sim.view.page;
+
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.InputStream;
+import java.io.OutputStream;
+import java.nio.charset.StandardCharsets;
+import java.util.ArrayList;
+import java.util.Base64;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.zip.Deflater;
+import java.util.zip.DeflaterOutputStream;
+import org.starl.input.BadInput;
+import org.starl.sim.record.BoundingBox;
+import org.starl.sim.record.Flight;
+import org.starl.sim.record.Look;
+import org.starl.sim.record.Painter.Section;
+import org.starl.sim.record.Part;
+import org.starl.sim.record.Theme;
+import org.starl.sim.record.Viewport;
+import org.starl.sim.replay.Cursor;
+import org.starl.sim.replay.Mark;
+import org.starl.sim.replay.Recording;
+import org.starl.sim.view.Traffic;
+import org.starl.sim.view.ViewSettings;
+import org.starl.time.Time;
+
+/**
+ * Writes a run as one HTML page that plays it: what the window shows, in a browser, without a
+ * network.
+ */
+public final class RunPage {
+
+  /** Usual simulated time between two pictures of a page, in ns; the browser interpolates. */
+  public static final long EVERY_NS = 100 * Time.NS_PER_MS;
+
+  private static final int WIDTH_PX = 960;
+  private static final int LEAST_HEIGHT_PX = 360;
+  private static final int MOST_HEIGHT_PX = 960;
+  private static final int MARGIN_PX = 28;
+  private static final int MOST_PICTURES = 20_000;
+
+  private final Recording recording;
+  private final long everyNs;
+  private final long fromNs;
+  private final long toNs;
+
+  /** The page of a whole recording, with a picture per {@link #EVERY_NS}. */
+  public RunPage(Recording recording) {
+    this(recording, EVERY_NS, 0, Long.MAX_VALUE);
+  }
+
+  /**
+   * The page of a part of a recording.
+   *
+   * @param recording of a finished run
+   * @param everyNs simulated time between two pictures, above 0
+   * @param fromNs time of the first picture
+   * @param toNs time of the last picture; the run's end if it is later
+   * @throws BadInput if the page would have more than 20,000 pictures
+   */
+  public RunPage(Recording recording, long everyNs, long fromNs, long toNs) {
+    this.recording = recording;
+    this.everyNs = everyNs;
+    this.fromNs = Math.max(0, fromNs);
+    this.toNs = Math.max(this.fromNs, Math.min(toNs, recording.endNs()));
+    if ((this.toNs - this.fromNs) / everyNs > MOST_PICTURES) {
+      throw new BadInput(
+          String.format(
+              Locale.ROOT,
+              "a page of %.0f s with a picture every %.3f s: expected at most %d pictures",
+              Time.seconds(this.toNs - this.fromNs),
+              Time.seconds(everyNs),
+              MOST_PICTURES));
+    }
+  }
+
+  /** Writes the page in UTF-8. */
+  public void write(OutputStream out) throws IOException {
+    String title =
+        recording.header().scenario() + ", seed " + recording.header().scenarioSeed();
+    String page =
+        resource("player.html")
+            .replace("{{style}}", resource("player.css"))
+            .replace("{{script}}", resource("player.js"))
+            .replace("{{title}}", escaped(title))
+            .replace("{{run}}", packed(run(title)));
+    out.write(page.getBytes(StandardCharsets.UTF_8));
+  }
+
+  private Map<String, Object> run(String title) {
+    Cursor cursor = new Cursor(recording);
+    Viewport viewport = viewport(cursor);
+    PageFrames frames = new PageFrames(viewport, look());
+    Traffic traffic = new Traffic(recording);
+    for (long timeNs = fromNs; frames.size() == 0 || timeNs < toNs + everyNs; timeNs += everyNs) {
+      cursor.seek(Math.min(timeNs, toNs));
+      // A message stays until the next picture, so that each is seen.
+      List<Flight> messages = traffic.at(cursor.nowNs(), cursor.index(), everyNs, null);
+      frames.add(cursor.scene(), cursor.layer(), messages);
+    }
+    Map<String, Object> run = new LinkedHashMap<>();
+    run.put("title", title);
+    run.put("everyMs", millis(everyNs));
+    run.put("fromMs", millis(fromNs));
+    run.put("toMs", millis(toNs));
+    run.put("width", viewport.widthPx());
+    run.put("height", viewport.heightPx());
+    run.put("paper", List.of(css(Theme.LIGHT), css(Theme.DARK)));
+    run.put("sections", Section.values());
+    run.put("failure", recording.failure());
+    run.put("marks", marks());
+    run.put("texts", frames.texts());
+    run.put("styles", frames.styles());
+    run.put("frames", frames.frames());
+    return run;
+  }
+
+  /** As the window's at the start, with trails. */
+  Look look() {
+    return ViewSettings.of(recording.header())
+        .look()
+        .with(Part.TRAILS, true)
+        .withTrails(Integer.MAX_VALUE);
+  }
+
+  /** Shows all places where a robot has been at the end. */
+  Viewport viewport(Cursor cursor) {
+    cursor.seek(toNs);
+    BoundingBox extent = BoundingBox.of(cursor.scene(), cursor.layer());
+    int heightPx = (int) (WIDTH_PX * extent.heightMm() / Math.max(1, extent.widthMm()));
+    int limitedPx = Math.max(LEAST_HEIGHT_PX, Math.min(MOST_HEIGHT_PX, heightPx));
+    return Viewport.fit(extent, WIDTH_PX, limitedPx, MARGIN_PX);
+  }
+
+  private List<List<Object>> marks() {
+    List<List<Object>> marks = new ArrayList<>();
+    for (Mark mark : recording.marks()) {
+      if (mark.timeNs() >= fromNs && mark.timeNs() <= toNs) {
+        marks.add(List.of(millis(mark.timeNs()), mark.kind(), mark.text()));
+      }
+    }
+    return marks;
+  }
+
+  private static double millis(long timeNs) {
+    return (double) timeNs / Time.NS_PER_MS;
+  }
+
+  private static String css(Theme theme) {
+    return PageFrames.css(theme.paper().getRGB());
+  }
+
+  /** As JSON, deflated, in base 64. */
+  private static String packed(Map<String, Object> run) throws IOException {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try (OutputStream out =
+        new DeflaterOutputStream(bytes, new Deflater(Deflater.BEST_COMPRESSION))) {
+      new ObjectMapper().writeValue(out, run);
+    }
+    return Base64.getEncoder().encodeToString(bytes.toByteArray());
+  }
+
+  private static String escaped(String text) {
+    return text.replace("&", "&amp;").replace("<", "&lt;").replace("\"", "&quot;");
+  }
+
+  private static String resource(String name) throws IOException {
+    try (InputStream in = RunPage.class.getResourceAsStream(name)) {
+      if (in == null) {
+        throw new IllegalStateException("no resource " + name);
+      }
+      return new String(in.readAllBytes(), StandardCharsets.UTF_8);
+    }
+  }
+}

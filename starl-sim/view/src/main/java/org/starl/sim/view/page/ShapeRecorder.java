@@ -1,0 +1,661 @@
+package org.starl.sim.view.page;
+
+import java.awt.AlphaComposite;
+import java.awt.BasicStroke;
+import java.awt.Color;
+import java.awt.Composite;
+import java.awt.Font;
+import java.awt.FontMetrics;
+import java.awt.GradientPaint;
+import java.awt.Graphics;
+import java.awt.Graphics2D;
+import java.awt.GraphicsConfiguration;
+import java.awt.Image;
+import java.awt.Paint;
+import java.awt.Polygon;
+import java.awt.Rectangle;
+import java.awt.RenderingHints;
+import java.awt.Shape;
+import java.awt.Stroke;
+import java.awt.font.FontRenderContext;
+import java.awt.font.GlyphVector;
+import java.awt.geom.AffineTransform;
+import java.awt.geom.Arc2D;
+import java.awt.geom.Ellipse2D;
+import java.awt.geom.Line2D;
+import java.awt.geom.Path2D;
+import java.awt.geom.PathIterator;
+import java.awt.geom.Point2D;
+import java.awt.geom.RoundRectangle2D;
+import java.awt.image.BufferedImage;
+import java.awt.image.BufferedImageOp;
+import java.awt.image.ImageObserver;
+import java.awt.image.RenderedImage;
+import java.awt.image.renderable.RenderableImage;
+import java.io.ByteArrayOutputStream;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.text.AttributedCharacterIterator;
+import java.text.CharacterIterator;
+import java.util.Arrays;
+import java.util.Base64;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import javax.imageio.ImageIO;
+import org.jspecify.annotations.Nullable;
+import org.starl.sim.record.Painter;
+
+/**
+ * Records drawing operations as {@link DrawnItem}s, in pixels of the page, so that a browser can
+ * repeat them. Shapes, strokes, text and images are recorded; clips, gradients and XOR are not
+ * supported: a clip is ignored, a gradient becomes its first colour.
+ *
+ * <p>Above 500 lines with the imports because {@link Graphics2D} has that many methods.
+ */
+final class ShapeRecorder extends Graphics2D {
+
+  private static final int UNITS_PER_PX = 10;
+
+  private final List<DrawnItem> items;
+  private final Graphics2D metrics;
+  private AffineTransform transform;
+  private Color color = Color.BLACK;
+  private Color background = Color.WHITE;
+  private Stroke stroke = new BasicStroke();
+  private Font font = new Font(Font.SANS_SERIF, Font.PLAIN, 12);
+  private Composite composite = AlphaComposite.SrcOver;
+  private final RenderingHints hints = new RenderingHints(Map.of());
+
+  /**
+   * @param items to add to
+   */
+  ShapeRecorder(List<DrawnItem> items) {
+    this(
+        items,
+        new BufferedImage(1, 1, BufferedImage.TYPE_INT_ARGB).createGraphics(),
+        new AffineTransform());
+    Painter.smooth(metrics);
+  }
+
+  private ShapeRecorder(List<DrawnItem> items, Graphics2D metrics, AffineTransform transform) {
+    this.items = items;
+    this.metrics = metrics;
+    this.transform = transform;
+  }
+
+  @Override
+  public Graphics create() {
+    ShapeRecorder copy = new ShapeRecorder(items, metrics, new AffineTransform(transform));
+    copy.color = color;
+    copy.background = background;
+    copy.stroke = stroke;
+    copy.font = font;
+    copy.composite = composite;
+    copy.hints.putAll(hints);
+    return copy;
+  }
+
+  @Override
+  public void fill(Shape shape) {
+    add(shape, "");
+  }
+
+  @Override
+  public void draw(Shape shape) {
+    if (stroke instanceof BasicStroke line) {
+      add(shape, pen(line));
+    } else {
+      add(stroke.createStrokedShape(shape), "");
+    }
+  }
+
+  /** {@code width cap join dash gap ...} in tenths of a pixel. */
+  private String pen(BasicStroke line) {
+    double scale = Math.sqrt(Math.abs(transform.getDeterminant()));
+    StringBuilder pen = new StringBuilder();
+    pen.append(units(line.getLineWidth() * scale));
+    pen.append(' ').append(line.getEndCap()).append(' ').append(line.getLineJoin());
+    float[] dashes = line.getDashArray();
+    for (int i = 0; dashes != null && i < dashes.length; i++) {
+      pen.append(' ').append(units(dashes[i] * scale));
+    }
+    return pen.toString();
+  }
+
+  private void add(Shape shape, String pen) {
+    boolean isUpright = transform.getShearX() == 0 && transform.getShearY() == 0;
+    if (shape instanceof Ellipse2D ellipse && isUpright) {
+      Point2D centre = point(ellipse.getCenterX(), ellipse.getCenterY());
+      add(
+          DrawnItem.ELLIPSE,
+          pen,
+          "",
+          units(ellipse.getWidth() / 2 * Math.abs(transform.getScaleX())),
+          units(ellipse.getHeight() / 2 * Math.abs(transform.getScaleY())),
+          units(centre.getX()),
+          units(centre.getY()));
+    } else {
+      new Outline(shape.getPathIterator(transform)).addTo(pen);
+    }
+  }
+
+  /** The segments of a shape. */
+  private final class Outline {
+    private int[] numbers = new int[64];
+    private int size;
+    private int moves;
+    private int closes;
+    private boolean isStraight = true;
+
+    Outline(PathIterator path) {
+      double[] xy = new double[6];
+      for (; !path.isDone(); path.next()) {
+        int segment = path.currentSegment(xy);
+        int points =
+            switch (segment) {
+              case PathIterator.SEG_CLOSE -> 0;
+              case PathIterator.SEG_QUADTO -> 2;
+              case PathIterator.SEG_CUBICTO -> 3;
+              default -> 1;
+            };
+        moves += segment == PathIterator.SEG_MOVETO ? 1 : 0;
+        closes += segment == PathIterator.SEG_CLOSE ? 1 : 0;
+        isStraight &= points < 2 && closes <= (segment == PathIterator.SEG_CLOSE ? 1 : 0);
+        append(segment);
+        for (int i = 0; i < 2 * points; i++) {
+          append(units(xy[i]));
+        }
+      }
+    }
+
+    private void append(int number) {
+      if (size == numbers.length) {
+        numbers = Arrays.copyOf(numbers, 2 * size);
+      }
+      numbers[size++] = number;
+    }
+
+    void addTo(String pen) {
+      if (size == 0) {
+        return;
+      }
+      if (moves != 1 || !isStraight) {
+        add(DrawnItem.PATH, pen, "", Arrays.copyOf(numbers, size));
+        return;
+      }
+      int[] points = new int[(size - closes) / 3 * 2];
+      for (int i = 0; i < points.length / 2; i++) {
+        points[2 * i] = numbers[3 * i + 1];
+        points[2 * i + 1] = numbers[3 * i + 2];
+      }
+      add(closes == 0 ? DrawnItem.LINE : DrawnItem.POLYGON, pen, "", points);
+    }
+  }
+
+  private void add(int kind, String pen, String text, int... numbers) {
+    float share = composite instanceof AlphaComposite alpha ? alpha.getAlpha() : 1;
+    int opacity = Math.round(share * color.getAlpha());
+    int rgba = opacity << 24 | color.getRGB() & 0xFFFFFF;
+    items.add(new DrawnItem(kind, rgba, pen, text, numbers));
+  }
+
+  private Point2D point(double x, double y) {
+    return transform.transform(new Point2D.Double(x, y), null);
+  }
+
+  private static int units(double px) {
+    return (int) Math.round(UNITS_PER_PX * px);
+  }
+
+  @Override
+  public void drawString(String text, float x, float y) {
+    if (text.isEmpty()) {
+      return;
+    }
+    double scale = Math.sqrt(Math.abs(transform.getDeterminant()));
+    double angle = StrictMath.atan2(transform.getShearY(), transform.getScaleX());
+    Point2D start = point(x, y);
+    String pen =
+        String.format(
+            Locale.ROOT,
+            "%s%s%.1fpx %s %.3f",
+            font.isItalic() ? "italic " : "",
+            font.isBold() ? "bold " : "",
+            font.getSize2D() * scale,
+            font.getFamily().equals(Font.MONOSPACED) ? "monospace" : "sans-serif",
+            angle);
+    double width = font.getStringBounds(text, metrics.getFontRenderContext()).getWidth();
+    add(
+        DrawnItem.TEXT,
+        pen,
+        text,
+        units(width * scale),
+        units(start.getX()),
+        units(start.getY()));
+  }
+
+  @Override
+  public void drawString(String text, int x, int y) {
+    drawString(text, (float) x, (float) y);
+  }
+
+  @Override
+  public void drawString(AttributedCharacterIterator text, int x, int y) {
+    drawString(text, (float) x, (float) y);
+  }
+
+  @Override
+  public void drawString(AttributedCharacterIterator text, float x, float y) {
+    StringBuilder plain = new StringBuilder();
+    for (char c = text.first(); c != CharacterIterator.DONE; c = text.next()) {
+      plain.append(c);
+    }
+    drawString(plain.toString(), x, y);
+  }
+
+  @Override
+  public void drawGlyphVector(GlyphVector glyphs, float x, float y) {
+    fill(glyphs.getOutline(x, y));
+  }
+
+  @Override
+  public boolean drawImage(
+      Image image, int x, int y, int width, int height, @Nullable ImageObserver observer) {
+    BufferedImage copy =
+        new BufferedImage(
+            Math.max(1, image.getWidth(null)),
+            Math.max(1, image.getHeight(null)),
+            BufferedImage.TYPE_INT_ARGB);
+    Graphics2D painting = copy.createGraphics();
+    painting.drawImage(image, 0, 0, null);
+    painting.dispose();
+    Rectangle at =
+        transform.createTransformedShape(new Rectangle(x, y, width, height)).getBounds();
+    add(
+        DrawnItem.IMAGE,
+        "",
+        address(copy),
+        units(at.width),
+        units(at.height),
+        units(at.x),
+        units(at.y));
+    return true;
+  }
+
+  private static String address(BufferedImage image) {
+    ByteArrayOutputStream bytes = new ByteArrayOutputStream();
+    try {
+      ImageIO.write(image, "png", bytes);
+    } catch (IOException e) {
+      throw new UncheckedIOException(e);
+    }
+    return "data:image/png;base64," + Base64.getEncoder().encodeToString(bytes.toByteArray());
+  }
+
+  @Override
+  public boolean drawImage(Image image, int x, int y, @Nullable ImageObserver observer) {
+    return drawImage(image, x, y, image.getWidth(null), image.getHeight(null), observer);
+  }
+
+  @Override
+  public boolean drawImage(
+      Image image, int x, int y, Color ground, @Nullable ImageObserver observer) {
+    return drawImage(image, x, y, observer);
+  }
+
+  @Override
+  public boolean drawImage(
+      Image image,
+      int x,
+      int y,
+      int width,
+      int height,
+      Color ground,
+      @Nullable ImageObserver observer) {
+    return drawImage(image, x, y, width, height, observer);
+  }
+
+  @Override
+  public boolean drawImage(
+      Image image,
+      int dx1,
+      int dy1,
+      int dx2,
+      int dy2,
+      int sx1,
+      int sy1,
+      int sx2,
+      int sy2,
+      @Nullable ImageObserver observer) {
+    throw unsupported("a part of an image");
+  }
+
+  @Override
+  public boolean drawImage(
+      Image image,
+      int dx1,
+      int dy1,
+      int dx2,
+      int dy2,
+      int sx1,
+      int sy1,
+      int sx2,
+      int sy2,
+      Color ground,
+      @Nullable ImageObserver observer) {
+    throw unsupported("a part of an image");
+  }
+
+  @Override
+  public boolean drawImage(Image image, AffineTransform to, @Nullable ImageObserver observer) {
+    AffineTransform before = getTransform();
+    transform(to);
+    drawImage(image, 0, 0, observer);
+    setTransform(before);
+    return true;
+  }
+
+  @Override
+  public void drawImage(BufferedImage image, @Nullable BufferedImageOp filter, int x, int y) {
+    drawImage(filter == null ? image : filter.filter(image, null), x, y, null);
+  }
+
+  @Override
+  public void drawRenderedImage(RenderedImage image, AffineTransform to) {
+    throw unsupported("a RenderedImage");
+  }
+
+  @Override
+  public void drawRenderableImage(RenderableImage image, AffineTransform to) {
+    throw unsupported("a RenderableImage");
+  }
+
+  private static UnsupportedOperationException unsupported(String shape) {
+    return new UnsupportedOperationException(
+        "a layer drew " + shape + ": expected shapes, text and whole images, which a page can show");
+  }
+
+  @Override
+  public void drawLine(int x1, int y1, int x2, int y2) {
+    draw(new Line2D.Double(x1, y1, x2, y2));
+  }
+
+  @Override
+  public void fillRect(int x, int y, int width, int height) {
+    fill(new Rectangle(x, y, width, height));
+  }
+
+  @Override
+  public void clearRect(int x, int y, int width, int height) {
+    Color before = color;
+    color = background;
+    fillRect(x, y, width, height);
+    color = before;
+  }
+
+  @Override
+  public void drawRoundRect(int x, int y, int width, int height, int arcWidth, int arcHeight) {
+    draw(new RoundRectangle2D.Double(x, y, width, height, arcWidth, arcHeight));
+  }
+
+  @Override
+  public void fillRoundRect(int x, int y, int width, int height, int arcWidth, int arcHeight) {
+    fill(new RoundRectangle2D.Double(x, y, width, height, arcWidth, arcHeight));
+  }
+
+  @Override
+  public void drawOval(int x, int y, int width, int height) {
+    draw(new Ellipse2D.Double(x, y, width, height));
+  }
+
+  @Override
+  public void fillOval(int x, int y, int width, int height) {
+    fill(new Ellipse2D.Double(x, y, width, height));
+  }
+
+  @Override
+  public void drawArc(int x, int y, int width, int height, int start, int extent) {
+    draw(new Arc2D.Double(x, y, width, height, start, extent, Arc2D.OPEN));
+  }
+
+  @Override
+  public void fillArc(int x, int y, int width, int height, int start, int extent) {
+    fill(new Arc2D.Double(x, y, width, height, start, extent, Arc2D.PIE));
+  }
+
+  @Override
+  public void drawPolyline(int[] xs, int[] ys, int count) {
+    Path2D path = new Path2D.Double();
+    for (int i = 0; i < count; i++) {
+      if (i == 0) {
+        path.moveTo(xs[i], ys[i]);
+      } else {
+        path.lineTo(xs[i], ys[i]);
+      }
+    }
+    draw(path);
+  }
+
+  @Override
+  public void drawPolygon(int[] xs, int[] ys, int count) {
+    draw(new Polygon(xs, ys, count));
+  }
+
+  @Override
+  public void fillPolygon(int[] xs, int[] ys, int count) {
+    fill(new Polygon(xs, ys, count));
+  }
+
+  @Override
+  public void copyArea(int x, int y, int width, int height, int dx, int dy) {
+    throw unsupported("a copied area");
+  }
+
+  @Override
+  public boolean hit(Rectangle area, Shape shape, boolean onStroke) {
+    Shape hit = onStroke ? stroke.createStrokedShape(shape) : shape;
+    return transform.createTransformedShape(hit).intersects(area);
+  }
+
+  @Override
+  public Color getColor() {
+    return color;
+  }
+
+  @Override
+  public void setColor(@Nullable Color newColor) {
+    if (newColor != null) {
+      color = newColor;
+    }
+  }
+
+  @Override
+  public Paint getPaint() {
+    return color;
+  }
+
+  @Override
+  public void setPaint(Paint paint) {
+    if (paint instanceof Color plain) {
+      color = plain;
+    } else if (paint instanceof GradientPaint gradient) {
+      color = gradient.getColor1();
+    }
+  }
+
+  @Override
+  public Color getBackground() {
+    return background;
+  }
+
+  @Override
+  public void setBackground(Color newBackground) {
+    background = newBackground;
+  }
+
+  @Override
+  public Stroke getStroke() {
+    return stroke;
+  }
+
+  @Override
+  public void setStroke(Stroke newStroke) {
+    stroke = newStroke;
+  }
+
+  @Override
+  public Font getFont() {
+    return font;
+  }
+
+  @Override
+  public void setFont(Font newFont) {
+    font = newFont;
+  }
+
+  @Override
+  public FontMetrics getFontMetrics(Font wanted) {
+    return metrics.getFontMetrics(wanted);
+  }
+
+  @Override
+  public FontRenderContext getFontRenderContext() {
+    return metrics.getFontRenderContext();
+  }
+
+  @Override
+  public Composite getComposite() {
+    return composite;
+  }
+
+  @Override
+  public void setComposite(Composite newComposite) {
+    composite = newComposite;
+  }
+
+  @Override
+  public Object getRenderingHint(RenderingHints.Key key) {
+    return hints.get(key);
+  }
+
+  @Override
+  public void setRenderingHint(RenderingHints.Key key, @Nullable Object value) {
+    if (value == null) {
+      hints.remove(key);
+    } else {
+      hints.put(key, value);
+    }
+  }
+
+  @Override
+  public RenderingHints getRenderingHints() {
+    return (RenderingHints) hints.clone();
+  }
+
+  @Override
+  public void setRenderingHints(Map<?, ?> newHints) {
+    hints.clear();
+    hints.putAll(newHints);
+  }
+
+  @Override
+  public void addRenderingHints(Map<?, ?> more) {
+    hints.putAll(more);
+  }
+
+  @Override
+  public AffineTransform getTransform() {
+    return new AffineTransform(transform);
+  }
+
+  @Override
+  public void setTransform(AffineTransform newTransform) {
+    transform = new AffineTransform(newTransform);
+  }
+
+  @Override
+  public void transform(AffineTransform more) {
+    transform.concatenate(more);
+  }
+
+  @Override
+  public void translate(int x, int y) {
+    transform.translate(x, y);
+  }
+
+  @Override
+  public void translate(double x, double y) {
+    transform.translate(x, y);
+  }
+
+  @Override
+  public void rotate(double theta) {
+    transform.rotate(theta);
+  }
+
+  @Override
+  public void rotate(double theta, double x, double y) {
+    transform.rotate(theta, x, y);
+  }
+
+  @Override
+  public void scale(double x, double y) {
+    transform.scale(x, y);
+  }
+
+  @Override
+  public void shear(double x, double y) {
+    transform.shear(x, y);
+  }
+
+  @Override
+  public GraphicsConfiguration getDeviceConfiguration() {
+    return metrics.getDeviceConfiguration();
+  }
+
+  @Override
+  public @Nullable Shape getClip() {
+    return null;
+  }
+
+  @Override
+  public @Nullable Rectangle getClipBounds() {
+    return null;
+  }
+
+  @Override
+  public void clip(Shape shape) {
+    // The page shows the whole floor.
+  }
+
+  @Override
+  public void setClip(@Nullable Shape shape) {
+    // See clip.
+  }
+
+  @Override
+  public void setClip(int x, int y, int width, int height) {
+    // See clip.
+  }
+
+  @Override
+  public void clipRect(int x, int y, int width, int height) {
+    // See clip.
+  }
+
+  @Override
+  public void setPaintMode() {
+    composite = AlphaComposite.SrcOver;
+  }
+
+  @Override
+  public void setXORMode(Color other) {
+    // Paints in the present colour.
+  }
+
+  @Override
+  public void dispose() {
+    // Holds no resources.
+  }
+}

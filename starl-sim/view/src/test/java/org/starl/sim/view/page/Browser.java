@@ -1,0 +1,212 @@
+package org.starl.sim.view.page;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import com.fasterxml.jackson.databind.JsonNode;
+import com.fasterxml.jackson.databind.ObjectMapper;
+import java.awt.image.BufferedImage;
+import java.io.BufferedReader;
+import java.io.ByteArrayInputStream;
+import java.io.File;
+import java.io.IOException;
+import java.io.Reader;
+import java.io.Writer;
+import java.net.URI;
+import java.net.http.HttpClient;
+import java.net.http.HttpRequest;
+import java.net.http.HttpResponse;
+import java.net.http.WebSocket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Base64;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.Stream;
+import javax.imageio.ImageIO;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A Chromium without a window, driven over its DevTools protocol: three of its methods suffice, so
+ * no library with browsers of its own is needed.
+ */
+final class Browser implements AutoCloseable {
+
+  private static final List<String> NAMES =
+      List.of("chromium", "chromium-browser", "google-chrome", "chrome");
+  private static final String LISTENING = "DevTools listening on ";
+  private static final long PATIENCE_S = 60;
+  private static final ObjectMapper JSON = new ObjectMapper();
+
+  private final Process process;
+  private final HttpClient http = HttpClient.newHttpClient();
+  private final BlockingQueue<String> answers = new LinkedBlockingQueue<>();
+  private final WebSocket socket;
+  private int calls;
+
+  /**
+   * Opens a page. Skips the test if there is no Chromium.
+   *
+   * @param profile an empty folder
+   */
+  Browser(Path profile, Path page, int widthPx, int heightPx) throws Exception {
+    String program = program();
+    assumeTrue(
+        program != null, "skipped: no Chromium on the PATH; expected one of " + NAMES);
+    process =
+        new ProcessBuilder(
+                String.valueOf(program),
+                "--headless",
+                "--no-sandbox",
+                "--disable-gpu",
+                "--disable-quic",
+                "--no-first-run",
+                "--disable-background-networking",
+                "--disable-component-update",
+                "--disable-sync",
+                "--force-device-scale-factor=1",
+                "--hide-scrollbars",
+                "--remote-debugging-port=0",
+                "--window-size=" + widthPx + "," + heightPx,
+                "--user-data-dir=" + profile,
+                page.toUri().toString())
+            .redirectOutput(ProcessBuilder.Redirect.DISCARD)
+            .redirectErrorStream(false)
+            .start();
+    URI devTools = devTools();
+    HttpRequest list =
+        HttpRequest.newBuilder(URI.create("http://" + devTools.getAuthority() + "/json/list"))
+            .build();
+    JsonNode pages = JSON.readTree(http.send(list, HttpResponse.BodyHandlers.ofString()).body());
+    String address = "";
+    for (JsonNode each : pages) {
+      if (each.path("type").asText().equals("page")) {
+        address = each.path("webSocketDebuggerUrl").asText();
+      }
+    }
+    socket =
+        http.newWebSocketBuilder()
+            .buildAsync(URI.create(address), new Answers())
+            .get(PATIENCE_S, TimeUnit.SECONDS);
+    await("document.documentElement.dataset.ready");
+  }
+
+  private static @Nullable String program() {
+    return Stream.of(System.getenv("PATH").split(File.pathSeparator, -1))
+        .flatMap(folder -> NAMES.stream().map(name -> Path.of(folder, name)))
+        .filter(Files::isExecutable)
+        .map(Path::toString)
+        .findFirst()
+        .orElse(null);
+  }
+
+  /** Reads the address that the browser prints when it is ready, and goes on reading. */
+  private URI devTools() throws IOException {
+    BufferedReader reader = process.errorReader(StandardCharsets.UTF_8);
+    String line = reader.readLine();
+    while (line != null && !line.startsWith(LISTENING)) {
+      line = reader.readLine();
+    }
+    if (line == null) {
+      throw new IOException("the browser ended without an address");
+    }
+    Thread.ofVirtual().start(() -> drain(reader));
+    return URI.create(line.substring(LISTENING.length()));
+  }
+
+  private static void drain(Reader reader) {
+    try {
+      reader.transferTo(Writer.nullWriter());
+    } catch (IOException closed) {
+      // The browser has ended: nothing is left to read.
+      return;
+    }
+  }
+
+  private final class Answers implements WebSocket.Listener {
+    private final StringBuilder parts = new StringBuilder();
+
+    @Override
+    public @Nullable CompletionStage<?> onText(
+        WebSocket from, CharSequence part, boolean isLast) {
+      parts.append(part);
+      if (isLast) {
+        answers.add(parts.toString());
+        parts.setLength(0);
+      }
+      from.request(1);
+      return null;
+    }
+  }
+
+  private JsonNode call(String method, Map<String, ?> parameters) throws Exception {
+    int id = ++calls;
+    Map<String, Object> call = Map.of("id", id, "method", method, "params", parameters);
+    socket.sendText(JSON.writeValueAsString(call), true).get(PATIENCE_S, TimeUnit.SECONDS);
+    while (true) {
+      String answer = answers.poll(PATIENCE_S, TimeUnit.SECONDS);
+      if (answer == null) {
+        throw new AssertionError(method + ": no answer");
+      }
+      JsonNode read = JSON.readTree(answer);
+      if (read.path("id").asInt() == id) {
+        if (read.has("error") || read.path("result").has("exceptionDetails")) {
+          throw new AssertionError(method + " " + parameters + ": " + answer);
+        }
+        return read.path("result");
+      }
+    }
+  }
+
+  /** The value of a JavaScript expression; of a promise, what it resolves to. */
+  JsonNode evaluate(String expression) throws Exception {
+    Map<String, Object> parameters =
+        Map.of("expression", expression, "awaitPromise", true, "returnByValue", true);
+    return call("Runtime.evaluate", parameters).path("result").path("value");
+  }
+
+  /** Waits in the page, picture by picture, until a condition holds. */
+  void await(String condition) throws Exception {
+    evaluate(
+        "new Promise(done => { const look = () => (" + condition + ") ? done(true) :"
+            + " setTimeout(look, 10); look(); })");
+  }
+
+  /** The text that the page shows at a CSS selector. */
+  String text(String selector) throws Exception {
+    return evaluate("document.querySelector('" + selector + "').textContent").asText();
+  }
+
+  /** Presses and releases a key, by the browser's name of it. */
+  void key(String key) throws Exception {
+    String text = key.length() == 1 ? key : "";
+    call("Input.dispatchKeyEvent", Map.of("type", "keyDown", "key", key, "text", text));
+    call("Input.dispatchKeyEvent", Map.of("type", "keyUp", "key", key));
+  }
+
+  void click(double x, double y) throws Exception {
+    for (String type : List.of("mousePressed", "mouseReleased")) {
+      call(
+          "Input.dispatchMouseEvent",
+          Map.of("type", type, "x", x, "y", y, "button", "left", "clickCount", 1));
+    }
+  }
+
+  BufferedImage screenshot() throws Exception {
+    String data = call("Page.captureScreenshot", Map.of()).path("data").asText();
+    return ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
+  }
+
+  /** Ends the browser and waits for its end, so that its profile can be deleted. */
+  @Override
+  public void close() throws Exception {
+    process.descendants().forEach(ProcessHandle::destroy);
+    process.destroy();
+    process.waitFor();
+    http.close();
+  }
+}
