@@ -25,10 +25,12 @@ public final class SetAgreement extends SynodPrimitive {
   static final String ACCEPTORS = "acceptors";
 
   static final String PROPOSE = "propose";
-  static final String DECIDED = "decided";
+  /** Variable: the decision, or {@code null}. */
+  public static final String DECIDED = "decided";
   static final String FAILED = "failed";
 
-  private static final String PRIMITIVE = "agreement";
+  /** The primitive's name in sources. */
+  public static final String PRIMITIVE = "agreement";
   private static final long ONLY_NUMBER = 1;
 
   private final Participants acceptors;

@@ -3,9 +3,9 @@ package org.starl.primitives.barrier;
 /**
  * The names of barriers in a trace. Ids are as {@link org.starl.id.ProcessId#parse} reads them.
  */
-final class BarrierTrace {
+public final class BarrierTrace {
 
-  static final String PRIMITIVE = "barrier";
+  public static final String PRIMITIVE = "barrier";
 
   /** The Synod's own channel. */
   static final String SYNOD = "barrier.synod";
@@ -20,7 +20,7 @@ final class BarrierTrace {
    * Variable: {@code null}; or generation and {@code passed}, {@code failed} with the missing ids,
    * {@code excluded} or {@code unknown}.
    */
-  static final String OUTCOME = "outcome";
+  public static final String OUTCOME = "outcome";
 
   private BarrierTrace() {}
 

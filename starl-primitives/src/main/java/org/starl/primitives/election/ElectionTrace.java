@@ -3,9 +3,9 @@ package org.starl.primitives.election;
 /**
  * The names of elections in a trace. Ids are as {@link org.starl.id.ProcessId#parse} reads them.
  */
-final class ElectionTrace {
+public final class ElectionTrace {
 
-  static final String PRIMITIVE = "election";
+  public static final String PRIMITIVE = "election";
 
   /** The Synod's own channel. */
   static final String SYNOD = "election.synod";
@@ -20,7 +20,7 @@ final class ElectionTrace {
   static final String CANDIDATE = "candidate";
 
   /** Variable: {@code null}, {@code fail}, or term and id, as in {@code 3:bot1#4294967297}. */
-  static final String LEADER = "Leader";
+  public static final String LEADER = "Leader";
 
   /** Variable: whether {@code Leader} is {@code fail}. */
   static final String FAILED = "failed";

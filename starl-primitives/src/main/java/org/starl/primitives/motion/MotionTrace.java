@@ -4,7 +4,7 @@ import org.starl.geometry.Point;
 import org.starl.trace.TraceEvent.Variable;
 
 /** The names of motions in the trace; {@link MotionSpec} reads them. */
-final class MotionTrace {
+public final class MotionTrace {
 
   static final String SOURCE = "motion";
 
@@ -33,7 +33,7 @@ final class MotionTrace {
   private MotionTrace() {}
 
   /** Whether the variable is a robot's {@code motionflag}. */
-  static boolean isFlag(Variable variable) {
+  public static boolean isFlag(Variable variable) {
     return variable.source().equals(SOURCE) && variable.name().equals(MOTIONFLAG);
   }
 

@@ -4,9 +4,9 @@ package org.starl.primitives.registration;
  * The names of registrations in a trace. Views are as {@link
  * org.starl.primitives.membership.View#parse} reads them, ids as {@link org.starl.id.ProcessId#parse}.
  */
-final class RegistrationTrace {
+public final class RegistrationTrace {
 
-  static final String PRIMITIVE = "registration";
+  public static final String PRIMITIVE = "registration";
 
   /** Action with the robots that vote, each an argument. */
   static final String ACCEPTORS = "acceptors";
@@ -32,7 +32,7 @@ final class RegistrationTrace {
   static final String FAILED = "failed";
 
   /** Variable: the latest view that the robot has learned. */
-  static final String VIEW = "view";
+  public static final String VIEW = "view";
 
   private RegistrationTrace() {}
 

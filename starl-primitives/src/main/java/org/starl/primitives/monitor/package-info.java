@@ -1,0 +1,14 @@
+/**
+ * Monitors of an app's own: {@link org.starl.primitives.monitor.AppMonitor} passes what the
+ * primitives did to typed methods.
+ *
+ * <p>Contract: a monitor reads a run's events and changes nothing. Its methods are called in the
+ * order of the events.
+ *
+ * <p>May import: {@code org.starl} values, {@code org.starl.spec}, {@code org.starl.trace}, and the
+ * primitives.
+ */
+@NullMarked
+package org.starl.primitives.monitor;
+
+import org.jspecify.annotations.NullMarked;
