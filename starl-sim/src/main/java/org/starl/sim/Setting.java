@@ -34,7 +34,11 @@ public final class Setting<T> {
   public static final Setting<Integer> RANDOM_ROBOTS =
       count("randomRobots", 0, "number of these that wander and get in the way");
   public static final Setting<Duration> DURATION =
-      duration("duration", "simulated time after which the run ends; 0ms for no limit");
+      own(
+          "duration",
+          SettingType.DURATION,
+          Duration.ofSeconds(1200),
+          "simulated time after which the run ends; 0ms for no limit");
 
   // The floor.
   public static final Setting<Double> FLOOR_WIDTH =

@@ -21,6 +21,7 @@ import org.starl.sim.check.RunOutcome;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.kernel.Stalled;
+import org.starl.time.Time;
 
 /** A run in which virtual time stands still ends with robot, time, cause and stack. */
 class StalledRunTest {
@@ -44,6 +45,12 @@ class StalledRunTest {
     void loopOnATrueCondition() {
       while (gvh.plat.clock.nowNs() >= 0) {
         await(() -> true);
+      }
+    }
+
+    void sleepForEver() {
+      while (gvh.plat.clock.nowNs() >= 0) {
+        sleep(60_000);
       }
     }
 
@@ -123,6 +130,17 @@ class StalledRunTest {
     SimulationFailed failed = failureOf(kind, App::timerAtOnce);
     assertThat(failed).hasMessageContaining("100000 actions at one virtual time");
     assertStackNames(failed, "timerAtOnce");
+  }
+
+  @Test
+  void aRunWithoutATimeLimitEndsAfterTwentyMinutes() {
+    SimResult result =
+        simulation(CarrierKind.best(), App::sleepForEver)
+            .settings(SimSettings.defaults())
+            .build()
+            .run();
+    assertThat(result.isFinished()).isFalse();
+    assertThat(result.endNs()).isEqualTo(1200 * Time.NS_PER_S);
   }
 
   @Test

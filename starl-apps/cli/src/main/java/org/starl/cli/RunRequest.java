@@ -1,6 +1,5 @@
 package org.starl.cli;
 
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -32,9 +31,6 @@ import org.starl.sim.view.ViewSettings;
  * @param settings the given ones only; the app's defaults apply to the others
  */
 record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings settings) {
-
-  /** Time limit if neither the user nor the app sets one. */
-  private static final Duration DEFAULT_LIMIT = Duration.ofMinutes(20);
 
   /** The option of each setting that has one, in the order to show them. */
   static final Map<Setting<?>, String> OPTIONS = new LinkedHashMap<>();
@@ -73,9 +69,6 @@ record RunRequest(Demo demo, SortedMap<String, String> parameters, SimSettings s
   Plan plan(long seed) {
     Request request = new Request(seed, robots(), parameters);
     SimSettings defaults = demo.defaultSettings(request).build();
-    if (defaults.get(Setting.DURATION).isZero()) {
-      defaults = defaults.with(Setting.DURATION, DEFAULT_LIMIT);
-    }
     Plan plan = demo.plan(request, settings.over(defaults));
     plan.simulation().name(demo.name()).seed(seed);
     parameters.forEach(plan.simulation()::parameter);

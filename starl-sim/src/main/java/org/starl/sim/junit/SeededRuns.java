@@ -102,7 +102,7 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
   private Run planned(long seed, Simulation.Builder builder, List<Consumer<SimResult>> checks) {
     scenario.fill(seed, builder, checks);
     SimSettings.Builder settings = builder.settings().toBuilder();
-    if (builder.settings().get(Setting.DURATION).isZero()) {
+    if (!builder.settings().has(Setting.DURATION)) {
       settings.duration(Duration.ofNanos(atMostNs));
     }
     if (chaos != Envelope.NONE) {
