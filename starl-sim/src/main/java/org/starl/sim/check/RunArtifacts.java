@@ -25,6 +25,16 @@ public interface RunArtifacts {
    */
   List<Path> write(Path trace, SimulationPlan plan) throws IOException;
 
+  /**
+   * Opens a window on the trace, paused at a time, and returns when it is closed.
+   *
+   * @param plan as for {@link #write}
+   * @param atNs in ns of virtual time
+   * @throws IOException if the trace cannot be read, or there is no display
+   * @throws InterruptedException if the calling thread is interrupted while it waits
+   */
+  void show(Path trace, SimulationPlan plan, long atNs) throws IOException, InterruptedException;
+
   /** The implementation on the class path; empty if there is none. */
   static Optional<RunArtifacts> installed() {
     return ServiceLoader.load(RunArtifacts.class).findFirst();

@@ -1,5 +1,8 @@
 package org.starl.sim.junit;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -7,11 +10,13 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.input.BadInput;
 import org.starl.sim.Setting;
+import org.starl.sim.SimObserver;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.check.Campaign;
+import org.starl.sim.TraceRecorder;
 import org.starl.sim.check.RunOutcome;
 import org.starl.sim.fault.Envelope;
 import org.starl.sim.fault.FaultPlan;
@@ -23,9 +28,16 @@ import org.starl.sim.fault.FaultPlan;
  * @param faults of every run, in addition to those of the scenario
  * @param chaos envelope to draw from; {@link Envelope#NONE} for the scenario's own
  * @param atMostNs end of runs whose scenario sets no end
+ * @param files where a bad run is written
  * @param scenario the test's method
  */
-record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, Scenario scenario) {
+record SeededRuns(
+    String name,
+    FaultPlan faults,
+    Envelope chaos,
+    long atMostNs,
+    RunFiles files,
+    Scenario scenario) {
 
   /** The maximum number of bad runs in the failure message. */
   private static final int MOST_REPORTED = 5;
@@ -62,7 +74,10 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     }
   }
 
-  private record Bad(Run run, String what) {}
+  /**
+   * @param atNs time of the failure, in ns of virtual time; -1 if unknown
+   */
+  private record Bad(Run run, String what, long atNs) {}
 
   /**
    * Executes all runs.
@@ -87,8 +102,9 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     }
   }
 
-  private Run planned(long seed) {
+  private Run planned(long seed, SimObserver... observers) {
     Simulation.Builder builder = Simulation.builder().name(name).seed(seed);
+    List.of(observers).forEach(builder::observer);
     List<Consumer<SimResult>> checks = new ArrayList<>();
     try {
       return planned(seed, builder, checks);
@@ -131,18 +147,18 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
   private static void judge(Run run, RunOutcome outcome, List<Bad> bad) {
     SimResult result = run.result;
     if (!outcome.isGood() || result == null) {
-      bad.add(new Bad(run, outcome.detail()));
+      bad.add(new Bad(run, outcome.detail(), outcome.atNs()));
       return;
     }
     try {
       run.checks.forEach(check -> check.accept(result));
     } catch (AssertionError | RuntimeException e) {
       run.error = e;
-      bad.add(new Bad(run, String.valueOf(e.getMessage()).strip()));
+      bad.add(new Bad(run, String.valueOf(e.getMessage()).strip(), result.endNs()));
     }
   }
 
-  private String report(List<Bad> bad, int runs) {
+  private String report(List<Bad> bad, int runs) throws InterruptedException {
     List<String> lines = new ArrayList<>();
     lines.add(name + ": " + bad.size() + " of " + runs + " runs went wrong");
     for (Bad each : bad.subList(0, Math.min(bad.size(), MOST_REPORTED))) {
@@ -160,11 +176,43 @@ record SeededRuns(String name, FaultPlan faults, Envelope chaos, long atMostNs, 
     if (result != null) {
       result.diagnosis().lines().forEach(line -> lines.add("  " + line));
     }
+    lines.addAll(filesOf(bad.get(0)));
     lines.add(replay(first.seed));
+    if (files.canShow()) {
+      lines.add("watch: " + command(first.seed) + " -D" + RunFiles.VIEW + "=true");
+    }
     return String.join("\n", lines);
   }
 
+  /** Repeats a bad run to write the files that show it; the lines name them. */
+  private List<String> filesOf(Bad bad) throws InterruptedException {
+    long seed = bad.run().seed;
+    List<String> lines = new ArrayList<>();
+    try {
+      Path trace = files.trace(name, seed);
+      SimulationPlan plan = writeTrace(seed, trace);
+      lines.add("trace: " + trace);
+      lines.addAll(files.draw(trace, plan));
+      files.showIfAsked(trace, plan, bad.atNs());
+    } catch (IOException e) {
+      lines.add("the run of seed " + seed + " cannot be shown: " + e.getMessage());
+    }
+    return lines;
+  }
+
+  private SimulationPlan writeTrace(long seed, Path trace) throws IOException {
+    try (TraceRecorder recorder = new TraceRecorder(Files.newOutputStream(trace))) {
+      Run run = planned(seed, recorder);
+      run.go();
+      return run.simulation.plan();
+    }
+  }
+
   private String replay(long seed) {
-    return "replay: mvn test '-Dtest=" + name + "' -D" + StarlExtension.SEED + "=" + seed;
+    return "replay: " + command(seed);
+  }
+
+  private String command(long seed) {
+    return "mvn test '-Dtest=" + name + "' -D" + StarlExtension.SEED + "=" + seed;
   }
 }

@@ -1,6 +1,7 @@
 package org.starl.sim.junit;
 
 import java.lang.reflect.Method;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -67,6 +68,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
             faults(annotation),
             annotation.chaos(),
             atMostNs(annotation),
+            files(context),
             (seed, simulation, afterwards) ->
                 ReflectionSupport.invokeMethod(
                     method,
@@ -81,6 +83,16 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
     } else {
       runs.run(annotation.firstSeed(), annotation.firstSeed() + annotation.seeds() - 1);
     }
+  }
+
+  private static RunFiles files(ExtensionContext context) {
+    return new RunFiles(
+        context
+            .getConfigurationParameter(RunFiles.FOLDER)
+            .filter(folder -> !folder.isBlank())
+            .map(Path::of)
+            .orElseGet(RunFiles::usualFolder),
+        context.getConfigurationParameter(RunFiles.VIEW).filter("true"::equals).isPresent());
   }
 
   private static Object[] arguments(

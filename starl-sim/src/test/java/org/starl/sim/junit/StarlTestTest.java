@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectMethod;
 
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -15,6 +18,7 @@ import org.junit.jupiter.api.extension.ConditionEvaluationResult;
 import org.junit.jupiter.api.extension.ExecutionCondition;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.extension.ExtensionContext;
+import org.junit.jupiter.api.io.TempDir;
 import org.junit.platform.testkit.engine.EngineExecutionResults;
 import org.junit.platform.testkit.engine.EngineTestKit;
 import org.starl.GlobalVarHolder;
@@ -24,6 +28,7 @@ import org.starl.sim.Simulation;
 import org.starl.sim.fault.Envelope;
 import org.starl.spec.Monitor;
 import org.starl.trace.TraceEvent;
+import org.starl.trace.TraceReader;
 
 /** {@link StarlTest}, as JUnit's own test kit sees it. */
 class StarlTestTest {
@@ -74,6 +79,8 @@ class StarlTestTest {
       }
     }
   }
+
+  @TempDir Path folder;
 
   @ExtendWith(OnlyFromHere.class)
   static class Fixture {
@@ -165,7 +172,7 @@ class StarlTestTest {
     }
   }
 
-  private static EngineExecutionResults run(String method, String seed) {
+  private EngineExecutionResults run(String method, String seed) {
     Class<?>[] types =
         switch (method) {
           case "good" ->
@@ -180,6 +187,7 @@ class StarlTestTest {
     return EngineTestKit.engine("junit-jupiter")
         .configurationParameter(FIXTURE, "yes")
         .configurationParameter(StarlExtension.SEED, seed)
+        .configurationParameter(RunFiles.FOLDER, folder.toString())
         .selectors(selectMethod(Fixture.class, method, types))
         .execute();
   }
@@ -196,7 +204,7 @@ class StarlTestTest {
         .orElseThrow();
   }
 
-  private static List<String> failureLines(String method, String seed) {
+  private List<String> failureLines(String method, String seed) {
     return failure(run(method, seed)).getMessage().lines().toList();
   }
 
@@ -222,7 +230,40 @@ class StarlTestTest {
     assertThat(seed.find()).isTrue();
     List<String> again = failureLines("planted", seed.group(1));
     assertThat(again.get(0)).endsWith("planted: 1 of 1 runs went wrong");
-    assertThat(again.subList(1, again.size())).containsExactly(lines.get(1), replay);
+    assertThat(again.subList(1, again.size())).contains(lines.get(1)).endsWith(replay);
+  }
+
+  @Test
+  void aFailedTestLeavesTheTraceOfItsFirstBadRun() throws IOException {
+    List<String> lines = failureLines("planted", "");
+    Path trace = folder.resolve("org.starl.sim.junit.StarlTestTest$Fixture.planted-seed-10.trace");
+    assertThat(lines)
+        .contains("trace: " + trace)
+        .contains("for a picture, add org.starl:starl-sim-view to the test's dependencies");
+    List<TraceEvent> events = new ArrayList<>();
+    try (TraceReader reader = new TraceReader(trace.toString(), Files.newInputStream(trace))) {
+      assertThat(reader.header().scenarioSeed()).isEqualTo(10);
+      for (TraceEvent event = reader.next(); event != null; event = reader.next()) {
+        events.add(event);
+      }
+    }
+    assertThat(events)
+        .filteredOn(event -> event instanceof TraceEvent.Variable v && v.value().equals("7"))
+        .hasSize(1);
+    assertThat(folder).isDirectoryContaining(trace::equals);
+  }
+
+  @Test
+  void aTestWhoseAppThrowsLeavesATraceToo() {
+    assertThat(failureLines("throwing", "")).anyMatch(line -> line.startsWith("trace: "));
+  }
+
+  @Test
+  void aFolderThatCannotBeWrittenIsNamedInTheMessage() throws IOException {
+    folder = Files.createFile(folder.resolve("file"));
+    assertThat(failureLines("planted", ""))
+        .anyMatch(line -> line.startsWith("the run of seed 10 cannot be shown: ")
+            && line.contains(folder.toString()));
   }
 
   @Test

@@ -8,6 +8,7 @@ import java.awt.Rectangle;
 import java.awt.event.WindowAdapter;
 import java.awt.event.WindowEvent;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
 import javax.swing.JFrame;
 import javax.swing.SwingUtilities;
 import javax.swing.Timer;
@@ -70,6 +71,17 @@ public final class Window {
    */
   public static void show(Recording recording, @Nullable LiveRun live, boolean isDark)
       throws InterruptedException {
+    show(recording, live, isDark, Playback::play);
+  }
+
+  /** Shows a complete recording, paused at a time in ns, until the window is closed. */
+  public static void showAt(Recording recording, long atNs) throws InterruptedException {
+    show(recording, null, false, playback -> playback.seek(atNs));
+  }
+
+  private static void show(
+      Recording recording, @Nullable LiveRun live, boolean isDark, Consumer<Playback> start)
+      throws InterruptedException {
     CountDownLatch isClosed = new CountDownLatch(1);
     SwingUtilities.invokeLater(() ->
         whenBegun(
@@ -79,7 +91,7 @@ public final class Window {
               Content.setLook(isDark);
               Session session = new Session(recording, live);
               session.view().paintIn(isDark ? Theme.DARK : Theme.LIGHT);
-              session.playback().play();
+              start.accept(session.playback());
               new Window(session, isClosed::countDown).open();
             }));
     isClosed.await();

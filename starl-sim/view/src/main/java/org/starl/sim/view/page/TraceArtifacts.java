@@ -16,6 +16,7 @@ import org.starl.sim.record.PictureRecorder;
 import org.starl.sim.record.PictureTime;
 import org.starl.sim.replay.Recording;
 import org.starl.sim.replay.TracePlayer;
+import org.starl.sim.view.Window;
 import org.starl.spec.Monitors;
 import org.starl.trace.TraceReader;
 
@@ -52,6 +53,17 @@ public final class TraceArtifacts implements RunArtifacts {
       new RunPage(recording).write(out);
     }
     return List.of(picture, page);
+  }
+
+  @Override
+  public void show(Path trace, SimulationPlan plan, long atNs)
+      throws IOException, InterruptedException {
+    if (!Window.isPossible()) {
+      throw new IOException("no display for a window: use a desktop session, or xvfb-run");
+    }
+    Recording recording = new Recording(plan.obstacles(), Layer.NONE);
+    show(trace, plan, recording, List.of(recording));
+    Window.showAt(recording, atNs);
   }
 
   private static void show(
