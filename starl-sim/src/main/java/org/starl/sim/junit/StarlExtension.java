@@ -1,5 +1,6 @@
 package org.starl.sim.junit;
 
+import java.lang.System.Logger.Level;
 import java.lang.reflect.Method;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -19,6 +20,7 @@ import org.starl.input.Quantities;
 import org.starl.sim.SimResult;
 import org.starl.sim.Simulation;
 import org.starl.sim.fault.FaultPlan;
+import org.starl.sim.kernel.CarrierKind;
 
 /**
  * Runs the methods marked {@link StarlTest}. JUnit resolves a method's parameters once; its one
@@ -60,6 +62,7 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
       ExtensionContext context)
       throws InterruptedException {
     invocation.skip();
+    sayWhyRunsAreSlow(context);
     Method method = test.getExecutable();
     StarlTest annotation = AnnotationSupport.findAnnotation(method, StarlTest.class).orElseThrow();
     SeededRuns runs =
@@ -82,6 +85,22 @@ final class StarlExtension implements ParameterResolver, InvocationInterceptor {
           "seeds = " + annotation.seeds() + ": expected at least 1");
     } else {
       runs.run(annotation.firstSeed(), annotation.firstSeed() + annotation.seeds() - 1);
+    }
+  }
+
+  /** Logs, once for all tests, that robots run on platform threads, and how to change that. */
+  private static void sayWhyRunsAreSlow(ExtensionContext context) {
+    String reason = CarrierKind.fallbackReason();
+    if (reason != null) {
+      context
+          .getRoot()
+          .getStore(ExtensionContext.Namespace.create(StarlExtension.class))
+          .getOrComputeIfAbsent(
+              CarrierKind.class,
+              once -> {
+                System.getLogger(StarlTest.class.getName()).log(Level.INFO, reason);
+                return reason;
+              });
     }
   }
 

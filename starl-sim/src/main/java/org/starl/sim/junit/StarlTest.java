@@ -25,7 +25,10 @@ import org.starl.sim.fault.Envelope;
  * per seed; {@code @BeforeEach} methods are not. The test fails if in some run a specification is
  * violated, an app throws, an app has not ended within {@link #atMost}, or a check fails. The
  * failure message tells how to repeat that seed: with the configuration parameter or system
- * property {@code starl.seed}.
+ * property {@code starl.seed}. The first bad run is repeated, and its trace written to the folder
+ * {@code target/starl}, or {@code build/starl} under Gradle, or that of {@code starl.artifacts};
+ * with {@code starl-sim-view} on the class path there are pictures too, and {@code starl.view=true}
+ * opens the viewer at the failure.
  */
 @Target({ElementType.METHOD, ElementType.ANNOTATION_TYPE})
 @Retention(RetentionPolicy.RUNTIME)

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 import static org.junit.platform.engine.discovery.DiscoverySelectors.selectMethod;
 
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -12,6 +13,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.TestInfo;
 import org.junit.jupiter.api.extension.ConditionEvaluationResult;
@@ -19,6 +21,7 @@ import org.junit.jupiter.api.extension.ExecutionCondition;
 import org.junit.jupiter.api.extension.ExtendWith;
 import org.junit.jupiter.api.extension.ExtensionContext;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.platform.engine.discovery.MethodSelector;
 import org.junit.platform.testkit.engine.EngineExecutionResults;
 import org.junit.platform.testkit.engine.EngineTestKit;
 import org.starl.GlobalVarHolder;
@@ -125,6 +128,11 @@ class StarlTestTest {
       simulation
           .settings(SimSettings.builder().duration(Duration.ofSeconds(1)).build())
           .robots(2, gvh -> new Counter(gvh, false));
+    }
+
+    @StarlTest(seeds = 2)
+    void notLonger(Simulation.Builder simulation) {
+      simulation.robots(1, gvh -> new Counter(gvh, false));
     }
 
     @StarlTest(seeds = 10)
@@ -356,5 +364,41 @@ class StarlTestTest {
   @Test
   void aFailedAssumptionAbortsTheTest() {
     run("assuming", "").testEvents().assertStatistics(stats -> stats.started(1).aborted(1));
+  }
+
+  /** Runs two good fixtures; a JVM of its own, without the option that opens {@code java.lang}. */
+  static final class WithoutOpenedLang {
+    public static void main(String[] args) {
+      new StarlTestTest().runFixtures(List.of("longEnough", "notLonger"));
+    }
+  }
+
+  private void runFixtures(List<String> methods) {
+    folder = Path.of("");
+    EngineTestKit.engine("junit-jupiter")
+        .configurationParameter(FIXTURE, "yes")
+        .selectors(
+            methods.stream()
+                .map(method -> selectMethod(Fixture.class, method, Simulation.Builder.class))
+                .toArray(MethodSelector[]::new))
+        .execute();
+  }
+
+  @Test
+  @Tag("realtime")
+  void theReasonForPlatformThreadsIsLoggedOnce() throws IOException, InterruptedException {
+    Process child =
+        new ProcessBuilder(
+                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                "-cp",
+                System.getProperty("java.class.path"),
+                WithoutOpenedLang.class.getName())
+            .redirectErrorStream(true)
+            .start();
+    String printed = new String(child.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+    assertThat(child.waitFor()).as(printed).isZero();
+    assertThat(printed.lines())
+        .filteredOn(line -> line.contains("robots run on platform threads"))
+        .hasSize(1);
   }
 }
