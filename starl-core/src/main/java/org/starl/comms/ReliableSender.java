@@ -2,19 +2,19 @@ package org.starl.comms;
 
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
+import org.starl.platform.Timer;
 import org.starl.platform.Timers;
-import org.starl.platform.WakeTimer;
 
 /** Runs an {@link OutboundQueue} on the robot's clock and one timer. */
 final class ReliableSender {
 
   private final Clock clock;
-  private final WakeTimer timer;
+  private final Timer timer;
   private final OutboundQueue<RetainedMessage> queue;
 
   ReliableSender(Clock clock, Timers timers, OutboundQueue.Output<RetainedMessage> output) {
     this.clock = clock;
-    this.timer = new WakeTimer(timers, this::advance);
+    this.timer = timers.timer(this::advance);
     this.queue = new OutboundQueue<>(output);
   }
 

@@ -8,8 +8,12 @@ package org.starl.platform;
  */
 public interface Timer {
 
+  /** No time: a timer set to it is cancelled. */
+  long NEVER = Long.MAX_VALUE;
+
   /**
-   * Expires once at {@code atNs}; if that is past, as soon as possible, but not inside this call.
+   * Expires once at {@code atNs}; if that is past, as soon as possible, but not inside this call. No
+   * effect if it is set to that time already; {@link #NEVER} cancels.
    */
   void set(long atNs);
 

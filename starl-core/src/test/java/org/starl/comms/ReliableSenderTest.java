@@ -29,7 +29,7 @@ class ReliableSenderTest {
   private final class NotedTimer implements Timer {
     @Override
     public void set(long atNs) {
-      timerCalls.add("set " + atNs / NS_PER_MS);
+      timerCalls.add(atNs == NEVER ? "never" : "set " + atNs / NS_PER_MS);
     }
 
     @Override
@@ -67,7 +67,7 @@ class ReliableSenderTest {
     sender.acknowledged(TO, 1);
     sender.acknowledged(TO, 2);
 
-    assertThat(timerCalls).containsExactly("set 250", "set 350", "cancel");
+    assertThat(timerCalls).containsExactly("set 250", "set 250", "set 350", "never");
   }
 
   @Test

@@ -158,6 +158,7 @@ public final class FakePlatform {
   private final class FakeTimer implements Timer {
     private final Runnable action;
     private int setting;
+    private long setForNs;
     private boolean isSet;
 
     FakeTimer(Runnable action) {
@@ -166,8 +167,15 @@ public final class FakePlatform {
 
     @Override
     public void set(long atNs) {
+      if (isSet && atNs == setForNs) {
+        return;
+      }
       cancel();
+      if (atNs == NEVER) {
+        return;
+      }
       isSet = true;
+      setForNs = atNs;
       int mine = setting;
       world.at(atNs, () -> expire(mine));
     }

@@ -18,7 +18,7 @@ public abstract class SynodPrimitive implements StarLPrimitive {
   protected SynodPrimitive(GlobalVarHolder gvh, String source, Channel<SynodMessage> channel) {
     this.gvh = gvh;
     this.source = source;
-    this.wire = new SynodWire(gvh, channel);
+    this.wire = new SynodWire(gvh, source, channel);
   }
 
   @Override

@@ -11,7 +11,7 @@ import org.starl.comms.Channel;
 import org.starl.comms.Endpoint;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.platform.WakeTimer;
+import org.starl.platform.Timer;
 
 /**
  * Connects a {@link SynodProtocol} to its robot: channels, stable storage, one timer. Strand only.
@@ -21,7 +21,7 @@ public final class SynodWire implements SynodLink {
   private final GlobalVarHolder gvh;
   private final String source;
   private final String stableKey;
-  private final WakeTimer timer;
+  private final Timer timer;
   private final Endpoint<SynodMessage> endpoint;
   private final List<Endpoint<?>> endpoints = new ArrayList<>();
   private @Nullable Started started;
@@ -30,12 +30,14 @@ public final class SynodWire implements SynodLink {
   /**
    * Opens the Synod's channel. The protocol may read and write its record from now on, and receives
    * messages from {@link #start} on.
+   *
+   * @param source the primitive's name in the trace
    */
-  public SynodWire(GlobalVarHolder gvh, Channel<SynodMessage> channel) {
+  public SynodWire(GlobalVarHolder gvh, String source, Channel<SynodMessage> channel) {
     this.gvh = gvh;
-    this.source = channel.name().replace(".synod/", "/"); // the name of the primitive, for people
+    this.source = source;
     this.stableKey = "synod/" + channel.name(); // names may have dots, but no slash
-    this.timer = new WakeTimer(gvh.plat.timers, this::expired);
+    this.timer = gvh.plat.timers.timer(this::expired);
     this.endpoint =
         gvh.comms.open(
             channel, (from, m) -> input(nowNs -> started().protocol().received(from, m, nowNs)));
@@ -113,7 +115,7 @@ public final class SynodWire implements SynodLink {
   /** Stops sending and receiving. The acceptor's record remains. */
   public void close() {
     closed = true;
-    timer.set(WakeTimer.NEVER);
+    timer.cancel();
     endpoints.forEach(Endpoint::close);
   }
 

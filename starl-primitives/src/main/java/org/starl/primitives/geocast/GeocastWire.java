@@ -15,7 +15,7 @@ import org.starl.gvh.GvhVariable;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.motion.Location;
-import org.starl.platform.WakeTimer;
+import org.starl.platform.Timer;
 import org.starl.primitives.StarLPrimitive;
 
 /**
@@ -28,7 +28,7 @@ abstract class GeocastWire<T> implements StarLPrimitive {
   private final GeocastHandler<T> handler;
   private final GeocastProtocol<T> protocol;
   private final Endpoint<GeocastMessage<T>> endpoint;
-  private final WakeTimer timer;
+  private final Timer timer;
   private final GvhCell<Boolean> gcastflag;
   private boolean closed;
 
@@ -46,7 +46,7 @@ abstract class GeocastWire<T> implements StarLPrimitive {
     source = channel.name();
     protocol = new GeocastProtocol<>(me, gvh.id.participants(), settings, new Port());
     gcastflag = gvh.variable(source, GeocastTrace.GCASTFLAG, false);
-    timer = new WakeTimer(gvh.plat.timers, this::expired);
+    timer = gvh.plat.timers.timer(this::expired);
     endpoint = gvh.comms.open(channel, this::received);
     gvh.trace.action(source, GeocastTrace.OPEN, me);
   }
@@ -83,7 +83,7 @@ abstract class GeocastWire<T> implements StarLPrimitive {
   @Override
   public final void close() {
     closed = true;
-    timer.set(WakeTimer.NEVER);
+    timer.cancel();
     endpoint.close();
   }
 

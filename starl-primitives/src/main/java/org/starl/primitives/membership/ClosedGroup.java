@@ -2,7 +2,6 @@ package org.starl.primitives.membership;
 
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 
 /**
  * A fixed list. No participant joins, leaves or is given up, so it may have several users. A robot whose
@@ -13,11 +12,6 @@ record ClosedGroup(ProcessId me, View view) implements Membership {
   @Override
   public boolean mayRequest() {
     return view.contains(me);
-  }
-
-  @Override
-  public boolean excludes(RobotId robot) {
-    return view.participants().contains(robot);
   }
 
   @Override

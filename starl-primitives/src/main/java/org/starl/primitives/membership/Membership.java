@@ -2,7 +2,6 @@ package org.starl.primitives.membership;
 
 import java.util.SortedSet;
 import org.starl.id.ProcessId;
-import org.starl.id.RobotId;
 
 /** The participants, as this robot has learned them. Strand only. */
 public interface Membership {
@@ -20,14 +19,6 @@ public interface Membership {
    * others' consent: they may forget a leaving participant at any moment.
    */
   boolean mayRequest();
-
-  /**
-   * Whether {@code robot} can hold a section only through these views: true of every robot where
-   * participants register, and of the members of a closed group.
-   */
-  default boolean excludes(RobotId robot) {
-    return true;
-  }
 
   /**
    * Calls {@code listener} on the strand after each change of {@link #view}, {@link #me} or {@link

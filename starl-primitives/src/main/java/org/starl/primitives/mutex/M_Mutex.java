@@ -22,7 +22,7 @@ import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
-import org.starl.platform.WakeTimer;
+import org.starl.platform.Timer;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.Membership;
 import org.starl.primitives.membership.Sections;
@@ -47,7 +47,7 @@ public final class M_Mutex implements MutexPrim {
   private final Rng rng;
   private final String source;
   private final Endpoint<MutexMessage> endpoint;
-  private final WakeTimer timer;
+  private final Timer timer;
   private final GvhCell<Boolean> crit;
   private final GvhCell<Boolean> failed;
   private final GvhCell<MutexFailure> failure;
@@ -96,7 +96,7 @@ public final class M_Mutex implements MutexPrim {
     crit = gvh.variable(source, "crit", false);
     failed = gvh.variable(source, "failed", false);
     failure = gvh.variable(source, "failure", MutexFailure.NONE);
-    timer = new WakeTimer(gvh.plat.timers, this::timerExpired);
+    timer = gvh.plat.timers.timer(this::timerExpired);
     rng = gvh.plat.entropy.fork(source);
     membership.join(this::leave);
     current = participant(membership.me());
@@ -131,12 +131,13 @@ public final class M_Mutex implements MutexPrim {
 
   @Override
   public void do_mutex(Collection<String> sections, Participants plist) {
-    if (!plist.contains(gvh.id.name())) {
+    RobotId me = current.me().robot();
+    if (!plist.contains(me)) {
       throw new IllegalArgumentException(
-          source + ": do_mutex among " + plist + ": expected " + gvh.id.name() + " among them");
+          source + ": do_mutex among " + plist + ": expected " + me + " among them");
     }
     for (RobotId robot : plist) {
-      if (!membership.excludes(robot)) {
+      if (!current.excludes(robot)) {
         throw new IllegalArgumentException(
             source
                 + ": do_mutex cannot exclude "
@@ -214,7 +215,7 @@ public final class M_Mutex implements MutexPrim {
     if (!closed) {
       withdraw();
       closed = true;
-      timer.set(WakeTimer.NEVER);
+      timer.cancel();
       endpoint.close();
     }
   }

@@ -6,6 +6,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import org.starl.comms.LamportClock;
 import org.starl.id.ProcessId;
+import org.starl.id.RobotId;
 import org.starl.primitives.membership.Sections;
 import org.starl.primitives.membership.View;
 import org.starl.primitives.mutex.MutexMessage.Fence;
@@ -111,6 +112,14 @@ class MutexProtocol {
   /** Whether the latest learned view lists it, and it has not ended. */
   boolean mayRequest() {
     return !over && view.contains(me);
+  }
+
+  /**
+   * Whether {@code robot} can hold a section only through these views: true of every robot where
+   * participants register, and of the members of a closed group.
+   */
+  boolean excludes(RobotId robot) {
+    return canConfine || view.participants().contains(robot);
   }
 
   /** The participants to which it must never grant anything, even after it has retired. */

@@ -203,12 +203,7 @@ final class TubeClaims {
   }
 
   private void rearm() {
-    long atNs = claimant.wakeAtNs();
-    if (closed || atNs == Long.MAX_VALUE) {
-      timer.cancel();
-    } else {
-      timer.set(atNs);
-    }
+    timer.set(closed ? Timer.NEVER : claimant.wakeAtNs());
   }
 
   private long nowNs() {

@@ -160,9 +160,14 @@ public final class ImpairedStrand implements Strand, Timers {
 
     @Override
     public void set(long newAtNs) {
+      if (newAtNs == atNs && isSet()) {
+        return;
+      }
       cancel();
       atNs = newAtNs;
-      timer.set(clock.trueNs(newAtNs));
+      if (newAtNs != NEVER) {
+        timer.set(clock.trueNs(newAtNs));
+      }
     }
 
     @Override

@@ -9,7 +9,9 @@ final class KernelTimer implements Timer, Runnable {
   private final Kernel kernel;
   private final @Nullable SimStrand strand;
   private final Runnable action;
-  private int slot = EventTable.NONE;
+  private int slot;
+  // NEVER while it is not set.
+  private long atNs = NEVER;
 
   KernelTimer(Kernel kernel, @Nullable SimStrand strand, Runnable action) {
     this.kernel = kernel;
@@ -18,31 +20,34 @@ final class KernelTimer implements Timer, Runnable {
   }
 
   @Override
-  public void set(long atNs) {
-    if (isDead()) {
+  public void set(long newAtNs) {
+    if (newAtNs == atNs || isDead()) {
       return;
     }
     cancel();
-    slot = kernel.add(Math.max(atNs, kernel.nowNs()), strand, this);
+    if (newAtNs != NEVER) {
+      atNs = newAtNs;
+      slot = kernel.add(Math.max(newAtNs, kernel.nowNs()), strand, this);
+    }
   }
 
   @Override
   public void cancel() {
     if (isSet()) {
       kernel.queue.remove(slot);
-      slot = EventTable.NONE;
+      atNs = NEVER;
     }
   }
 
   @Override
   public boolean isSet() {
-    return slot != EventTable.NONE && !isDead();
+    return atNs != NEVER && !isDead();
   }
 
   /** Runs as an event of the kernel. */
   @Override
   public void run() {
-    slot = EventTable.NONE;
+    atNs = NEVER;
     action.run();
   }
 

@@ -61,6 +61,7 @@ public final class TestTime implements Clock, Timers {
   private final class TestTimer implements Timer {
     private final Runnable action;
     private long setting;
+    private long setForNs;
     private boolean isSet;
 
     TestTimer(Runnable action) {
@@ -69,8 +70,12 @@ public final class TestTime implements Clock, Timers {
 
     @Override
     public void set(long atNs) {
+      if (isSet && atNs == setForNs) {
+        return;
+      }
       setting++;
-      isSet = true;
+      isSet = atNs != NEVER;
+      setForNs = atNs;
       long mine = setting;
       schedule(
           atNs,

@@ -152,10 +152,11 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
     return nowNs;
   }
 
-  /** Sets an alarm, whether or not it is set already; a closed strand sets none. */
+  /** Sets an alarm, as {@link Timer#set} does; a closed strand sets none. */
   void set(Alarm alarm, long atNs) {
     withLock(() -> {
-      if (!isClosed) {
+      boolean isSetSo = alarm.atNs == atNs && alarms.contains(alarm);
+      if (!isClosed && !isSetSo) {
         alarms.remove(alarm);
         alarm.atNs = Math.max(atNs, clock.nowNs());
         alarm.number = ++lastNumber;
@@ -293,7 +294,11 @@ public final class RealStrand implements Strand, Timers, AutoCloseable {
 
     @Override
     public void set(long atNs) {
-      RealStrand.this.set(this, atNs);
+      if (atNs == NEVER) {
+        cancel();
+      } else {
+        RealStrand.this.set(this, atNs);
+      }
     }
 
     @Override

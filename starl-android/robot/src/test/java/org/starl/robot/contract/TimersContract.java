@@ -87,6 +87,31 @@ public abstract class TimersContract {
   }
 
   @Test
+  void aTimerSetAgainForItsTimeKeepsItsPlace() {
+    onStrand(() -> {
+      long atNs = now() + 5 * MS;
+      Timer first = timer("first");
+      first.set(atNs);
+      timer("second").set(atNs);
+      first.set(atNs);
+      timer(done).set(atNs);
+    });
+    assertThat(log).containsExactly("first", "second");
+  }
+
+  @Test
+  void aTimerSetToNeverIsCancelled() {
+    onStrand(() -> {
+      Timer timer = timer("expired");
+      timer.set(now() + 2 * MS);
+      timer.set(Timer.NEVER);
+      assertThat(timer.isSet()).isFalse();
+      timer(done).set(now() + 5 * MS);
+    });
+    assertThat(log).isEmpty();
+  }
+
+  @Test
   void aCancelledTimerDoesNotExpireEvenIfItWasDue() {
     onStrand(() -> {
       Timer due = timer("due");
