@@ -1,20 +1,13 @@
 package org.starl.apps;
 
 import java.util.List;
-import java.util.Locale;
 import org.starl.sim.SimObserver;
-import org.starl.time.Time;
 
 /** Observes a run and describes it in a few lines. */
 public interface Story extends SimObserver {
 
   /** The actions of the robots and their times, for users. */
   List<String> lines();
-
-  /** A time in a story: {@code 12.3 s}. */
-  static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.1f s", Time.seconds(ns));
-  }
 
   /** The figures of the run. */
   Measures measures();

@@ -292,6 +292,27 @@ class UnfinishedRunTest {
   }
 
   @Test
+  void ofManyRobotsTwentyAreExplained() {
+    Diagnosis diagnosis =
+        run(
+            33,
+            app -> {
+              M_Mutex mutex = new M_Mutex(app.gvh(), "door");
+              if (!app.is(31)) {
+                app.pause(1_000);
+              }
+              app.enter(mutex, "D");
+              app.waitForEver();
+            });
+    assertThat(diagnosis.robots()).hasSize(Diagnosis.MAX_EXPLAINED);
+    assertThat(diagnosis.robots()).anyMatch(robot -> robot.robot().name().equals("bot31"));
+    assertThat(diagnosis.cause()).contains("bot31 mutex/door: holds [D]");
+    assertThat(diagnosis.lines())
+        .contains("  and 13 more unfinished robots")
+        .noneMatch(line -> line.contains("bot30 waits at "));
+  }
+
+  @Test
   void aMisreadAgreementShowsItsVariables() {
     Diagnosis diagnosis =
         run(

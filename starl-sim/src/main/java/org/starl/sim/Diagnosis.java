@@ -1,32 +1,47 @@
 package org.starl.sim;
 
 import java.util.ArrayList;
-import java.util.Comparator;
-import java.util.LinkedHashSet;
+import java.util.Collection;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
 import java.util.Set;
 import java.util.SortedMap;
+import java.util.SortedSet;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.function.Function;
+import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 
 /**
- * Why a run has not finished, as far as its end state shows.
+ * Why a run has not finished, as far as its state at one moment shows.
  *
  * @param kind what the robots can still do
  * @param cause the likely cause, in one line; empty if the run has finished
- * @param robots the unfinished robots
- * @param down robots that had crashed at the end
+ * @param graph which robot waits for which
+ * @param robots at most {@link #MAX_EXPLAINED} unfinished robots: the important ones, then others
+ * @param others the number of the other unfinished robots
+ * @param down robots that had crashed
  */
-public record Diagnosis(Kind kind, String cause, List<UnfinishedRobot> robots, Set<RobotId> down) {
+public record Diagnosis(
+    Kind kind,
+    String cause,
+    WaitGraph graph,
+    List<UnfinishedRobot> robots,
+    int others,
+    Set<RobotId> down) {
+
+  /** The largest number of robots that a diagnosis explains. */
+  public static final int MAX_EXPLAINED = 20;
 
   /** A run of which nothing is known, or that has finished. */
-  public static final Diagnosis NONE = new Diagnosis(Kind.FINISHED, "", List.of(), Set.of());
+  public static final Diagnosis NONE =
+      new Diagnosis(Kind.FINISHED, "", new WaitGraph(new TreeMap<>()), List.of(), 0, Set.of());
 
   /** Without a change for this long, a run counts as stuck. */
   private static final long STUCK_NS = 10_000_000_000L;
+
+  private static final int MAX_NAMES = 10;
 
   /** What the robots can still do. */
   public enum Kind {
@@ -42,134 +57,134 @@ public record Diagnosis(Kind kind, String cause, List<UnfinishedRobot> robots, S
     ACTIVE
   }
 
+  /**
+   * The unfinished robots at one moment.
+   *
+   * @param isIdle whether no event is left
+   * @param changedNs when a variable of one of them last changed; -1 if the run did not record it
+   * @param waits what each of them waits for, or holds
+   * @param down robots that have crashed
+   * @param important robots to explain in any case, if they are unfinished
+   * @param explain the state of an unfinished robot
+   */
+  record Moment(
+      long nowNs,
+      boolean isIdle,
+      long changedNs,
+      SortedMap<RobotId, List<Wait>> waits,
+      Set<RobotId> down,
+      List<RobotId> important,
+      Function<RobotId, UnfinishedRobot> explain) {}
+
   public Diagnosis {
     robots = List.copyOf(robots);
     down = Set.copyOf(down);
   }
 
-  /**
-   * @param isIdle whether no event is left
-   */
-  static Diagnosis of(List<UnfinishedRobot> robots, Set<RobotId> down, long endNs, boolean isIdle) {
-    if (robots.isEmpty()) {
+  static Diagnosis of(Moment moment) {
+    if (moment.waits().isEmpty()) {
       return NONE;
     }
-    List<RobotId> circle = circle(graph(robots));
-    long changedNs = robots.stream().mapToLong(UnfinishedRobot::changedNs).max().orElse(-1);
-    boolean isStuck = changedNs >= 0 && endNs - changedNs >= STUCK_NS;
+    WaitGraph graph = graph(moment.waits());
+    List<RobotId> circle = graph.circle();
+    SortedSet<RobotId> explained = new TreeSet<>(circle.subList(0, Math.min(circle.size(), 10)));
+    Kind kind = kind(moment, circle);
+    String cause;
+    if (circle.isEmpty()) {
+      RobotId bottleneck = graph.bottleneck(moment.waits().firstKey());
+      explained.add(bottleneck);
+      cause = opening(kind, moment) + "; " + state(bottleneck, graph, moment);
+    } else {
+      List<RobotId> closed = new ArrayList<>(circle);
+      closed.add(circle.get(0));
+      cause = "deadlock: robots wait in a circle: " + String.join(" -> ", names(closed));
+    }
+    explained.addAll(moment.important());
+    explained.retainAll(moment.waits().keySet());
+    for (RobotId robot : moment.waits().keySet()) {
+      if (explained.size() < MAX_EXPLAINED) {
+        explained.add(robot);
+      }
+    }
+    List<UnfinishedRobot> robots = new ArrayList<>();
+    explained.stream()
+        .limit(MAX_EXPLAINED)
+        .forEach(robot -> robots.add(moment.explain().apply(robot)));
+    int others = moment.waits().size() - robots.size();
+    return new Diagnosis(kind, cause, graph, robots, others, moment.down());
+  }
+
+  private static WaitGraph graph(SortedMap<RobotId, List<Wait>> waits) {
+    SortedMap<RobotId, Set<RobotId>> graph = new TreeMap<>();
+    waits.forEach((robot, all) -> {
+      Set<RobotId> on = new TreeSet<>();
+      all.forEach(wait -> on.addAll(wait.on()));
+      graph.put(robot, on);
+    });
+    return new WaitGraph(graph);
+  }
+
+  private static Kind kind(Moment moment, List<RobotId> circle) {
+    if (moment.isIdle()) {
+      return Kind.NO_EVENT_LEFT;
+    }
     if (!circle.isEmpty()) {
-      List<String> names = new ArrayList<>(circle.stream().map(RobotId::name).toList());
-      names.add(names.get(0));
-      String cause = "deadlock: robots wait in a circle: " + String.join(" -> ", names);
-      return new Diagnosis(isIdle ? Kind.NO_EVENT_LEFT : Kind.CIRCLE, cause, robots, down);
+      return Kind.CIRCLE;
     }
-    String first = first(robots, down);
-    if (isIdle) {
-      String cause = "deadlock: no event is left, so no robot can go on; " + first;
-      return new Diagnosis(Kind.NO_EVENT_LEFT, cause, robots, down);
-    }
-    if (isStuck) {
-      String cause = "stuck: nothing has changed since " + seconds(changedNs) + "; " + first;
-      return new Diagnosis(Kind.STUCK, cause, robots, down);
-    }
-    String when = changedNs < 0 ? "" : ": variables still changed at " + seconds(changedNs);
-    String cause = "slow or a livelock" + when + "; " + first;
-    return new Diagnosis(Kind.ACTIVE, cause, robots, down);
+    boolean isStuck = moment.changedNs() >= 0 && moment.nowNs() - moment.changedNs() >= STUCK_NS;
+    return isStuck ? Kind.STUCK : Kind.ACTIVE;
   }
 
-  /** Which robot waits for which, without robots that wait for none. */
-  public SortedMap<RobotId, Set<RobotId>> graph() {
-    return graph(robots);
+  private static String opening(Kind kind, Moment moment) {
+    String changed = Time.text(moment.changedNs(), 3);
+    if (kind == Kind.NO_EVENT_LEFT) {
+      return "deadlock: no event is left, so no robot can go on";
+    }
+    if (kind == Kind.STUCK) {
+      return "stuck: nothing has changed since " + changed;
+    }
+    return "slow or a livelock"
+        + (moment.changedNs() < 0 ? "" : ": variables still changed at " + changed);
   }
 
-  /** The whole diagnosis for people: the cause, the graph, each robot. */
+  private static String state(RobotId robot, WaitGraph graph, Moment moment) {
+    if (moment.waits().containsKey(robot) && !moment.down().contains(robot)) {
+      return moment.explain().apply(robot).brief();
+    }
+    long waiters = graph.waiters(robot);
+    return (waiters == 1 ? "1 robot waits for " : waiters + " robots wait for ")
+        + robot
+        + (moment.down().contains(robot) ? ", which has crashed" : ", whose app has ended");
+  }
+
+  private static List<String> names(Collection<RobotId> robots) {
+    return robots.stream().map(RobotId::name).toList();
+  }
+
+  /** The whole diagnosis for people: the cause, the graph, each explained robot. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
     if (!robots.isEmpty()) {
       lines.add("likely cause: " + cause);
-      graph().forEach((robot, others) -> lines.add("  " + robot + " waits for " + others));
+      for (UnfinishedRobot robot : robots) {
+        Set<RobotId> on = graph.of(robot.robot());
+        if (!on.isEmpty()) {
+          lines.add("  " + robot.robot() + " waits for " + text(on));
+        }
+      }
       robots.forEach(robot -> robot.lines().forEach(line -> lines.add("  " + line)));
+    }
+    if (others > 0) {
+      lines.add("  and " + others + " more unfinished robot" + (others == 1 ? "" : "s"));
     }
     return lines;
   }
 
-  /** The state of the robot for which most others wait, directly or not. */
-  private static String first(List<UnfinishedRobot> robots, Set<RobotId> down) {
-    SortedMap<RobotId, Set<RobotId>> graph = graph(robots);
-    Map<RobotId, Integer> waiters = new TreeMap<>();
-    graph
-        .keySet()
-        .forEach(from -> reached(graph, from).forEach(to -> waiters.merge(to, 1, Integer::sum)));
-    RobotId most =
-        waiters.entrySet().stream()
-            .max(Comparator.comparingInt(Map.Entry::getValue))
-            .map(Map.Entry::getKey)
-            .orElse(robots.get(0).robot());
-    if (down.contains(most)) {
-      return waiters.get(most) + " robots wait for " + most + ", which has crashed";
-    }
-    return robots.stream()
-        .filter(robot -> robot.robot().equals(most))
-        .findFirst()
-        .map(UnfinishedRobot::brief)
-        .orElse(waiters.get(most) + " robots wait for " + most + ", whose app has ended");
-  }
-
-  private static SortedMap<RobotId, Set<RobotId>> graph(List<UnfinishedRobot> robots) {
-    SortedMap<RobotId, Set<RobotId>> graph = new TreeMap<>();
-    for (UnfinishedRobot robot : robots) {
-      if (!robot.waitsFor().isEmpty()) {
-        graph.put(robot.robot(), robot.waitsFor());
-      }
-    }
-    return graph;
-  }
-
-  /** The robots of one circle, in order; empty if there is none. */
-  private static List<RobotId> circle(SortedMap<RobotId, Set<RobotId>> graph) {
-    for (RobotId start : graph.keySet()) {
-      List<RobotId> way = way(graph, start);
-      if (!way.isEmpty()) {
-        return way;
-      }
-    }
-    return List.of();
-  }
-
-  /** A shortest way from {@code start} back to it; empty if there is none. */
-  private static List<RobotId> way(SortedMap<RobotId, Set<RobotId>> graph, RobotId start) {
-    List<List<RobotId>> ways = new ArrayList<>(List.of(List.of(start)));
-    Set<RobotId> seen = new TreeSet<>();
-    for (int i = 0; i < ways.size(); i++) {
-      List<RobotId> way = ways.get(i);
-      for (RobotId next : graph.getOrDefault(way.get(way.size() - 1), Set.of())) {
-        if (next.equals(start)) {
-          return way;
-        }
-        if (seen.add(next)) {
-          List<RobotId> longer = new ArrayList<>(way);
-          longer.add(next);
-          ways.add(longer);
-        }
-      }
-    }
-    return List.of();
-  }
-
-  private static Set<RobotId> reached(SortedMap<RobotId, Set<RobotId>> graph, RobotId from) {
-    Set<RobotId> reached = new LinkedHashSet<>(graph.getOrDefault(from, Set.of()));
-    List<RobotId> open = new ArrayList<>(reached);
-    for (int i = 0; i < open.size(); i++) {
-      for (RobotId next : graph.getOrDefault(open.get(i), Set.of())) {
-        if (reached.add(next)) {
-          open.add(next);
-        }
-      }
-    }
-    return reached;
-  }
-
-  static String seconds(long ns) {
-    return String.format(Locale.ROOT, "%.3f s", ns / 1e9);
+  /** {@code [bot0, bot1]}; of many robots the first and the number of the others. */
+  private static String text(Set<RobotId> robots) {
+    List<String> names = names(robots);
+    return names.size() <= MAX_NAMES
+        ? names.toString()
+        : names.subList(0, MAX_NAMES) + " and " + (names.size() - MAX_NAMES) + " more";
   }
 }

@@ -16,6 +16,7 @@ import org.starl.body.MotionParameters;
 import org.starl.body.RobotType;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
+import org.starl.gvh.Wait;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
@@ -96,11 +97,8 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       }
     } catch (BadInput e) {
       throw e;
-    } catch (RobotError e) {
-      throw failed(String.valueOf(e.getMessage()), e);
     } catch (RuntimeException e) {
-      // An exception of the world, a director or an observer, not of a robot.
-      throw failed("at " + kernel.nowNs() + " ns: " + e, e);
+      throw failed(e);
     }
     SpecReport spec = observers.endSpecifications(kernel.nowNs());
     SimResult result =
@@ -114,7 +112,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
             network.statistics(),
             world.collisions(),
             spec,
-            diagnosis());
+            diagnosis(List.of()));
     observers.finished(result);
     return result;
   }
@@ -144,14 +142,15 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
    */
   SimulationFailed abandon(RuntimeException error) {
     kernel.abandon();
-    return failed(
-        error instanceof RobotError
-            ? String.valueOf(error.getMessage())
-            : "at " + kernel.nowNs() + " ns: " + error,
-        error);
+    return failed(error);
   }
 
-  private SimulationFailed failed(String what, RuntimeException cause) {
+  private SimulationFailed failed(RuntimeException cause) {
+    // Without robot and time: an exception of the world, a director or an observer.
+    String what =
+        cause instanceof RobotError
+            ? String.valueOf(cause.getMessage())
+            : "at " + kernel.nowNs() + " ns: " + cause;
     return new SimulationFailed(
         plan.header().scenario()
             + ", seed "
@@ -172,17 +171,31 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     return unfinished;
   }
 
-  private Diagnosis diagnosis() {
-    List<UnfinishedRobot> unfinished = new ArrayList<>();
+  /**
+   * @param important robots to explain in any case
+   */
+  private Diagnosis diagnosis(List<RobotId> important) {
+    SortedMap<RobotId, List<Wait>> waits = new TreeMap<>();
     Set<RobotId> down = new TreeSet<>();
-    robots.forEach((id, robot) -> {
+    long changedNs = -1;
+    for (Map.Entry<RobotId, SimRobot> entry : robots.entrySet()) {
+      SimRobot robot = entry.getValue();
       if (robot.isDown()) {
-        down.add(id);
+        down.add(entry.getKey());
       } else if (robot.isAwaited()) {
-        unfinished.add(robot.explain());
+        waits.put(entry.getKey(), robot.waits());
+        changedNs = Math.max(changedNs, robot.changedNs());
       }
-    });
-    return Diagnosis.of(unfinished, down, kernel.nowNs(), kernel.isIdle());
+    }
+    return Diagnosis.of(
+        new Diagnosis.Moment(
+            kernel.nowNs(),
+            kernel.isIdle(),
+            changedNs,
+            waits,
+            down,
+            important,
+            id -> robot(id).explain()));
   }
 
   @Override
@@ -190,7 +203,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     try {
       kernel.close();
     } catch (RobotError e) {
-      throw failed(String.valueOf(e.getMessage()), e);
+      throw failed(e);
     }
   }
 

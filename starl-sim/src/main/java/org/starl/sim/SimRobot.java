@@ -208,18 +208,27 @@ final class SimRobot implements TraceSink {
     return robot;
   }
 
+  /** What its primitives wait for or hold. */
+  List<Wait> waits() {
+    GlobalVarHolder gvh = runner.gvh();
+    return gvh == null ? List.of() : gvh.waits();
+  }
+
+  /** When a variable last changed; -1 if the run does not record it. */
+  long changedNs() {
+    return engine.observers().isOn() ? changedNs : -1;
+  }
+
   /** The state of the app and of what it waits for. */
   UnfinishedRobot explain() {
     GlobalVarHolder gvh = runner.gvh();
     LogicThread app = runner.app();
     List<String> variables = new ArrayList<>();
-    List<Wait> waits = List.of();
     String motion = "";
     if (gvh != null) {
       for (GvhVariable<?> variable : gvh.variables()) {
         variables.add(variable.source() + "." + variable.name() + "=" + variable.get());
       }
-      waits = gvh.waits();
       motion = motion(gvh.plat.moat);
     }
     return new UnfinishedRobot(
@@ -227,9 +236,9 @@ final class SimRobot implements TraceSink {
         place(),
         strand.appWaitsSinceNs(),
         app == null ? "the start of the program" : app.awaited(),
-        isOn() ? changedNs : -1,
+        changedNs(),
         variables,
-        waits,
+        waits(),
         motion,
         body == null ? List.of() : body.touches());
   }
@@ -310,7 +319,7 @@ final class SimRobot implements TraceSink {
 
   @Override
   public boolean isOn() {
-    return engine.observers().isOn();
+    return true; // it is the sink of runs with observers only
   }
 
   @Override

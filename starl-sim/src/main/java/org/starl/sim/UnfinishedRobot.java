@@ -1,13 +1,10 @@
 package org.starl.sim;
 
-import static org.starl.sim.Diagnosis.seconds;
-
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Set;
-import java.util.TreeSet;
 import org.starl.gvh.Wait;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 
 /**
  * The state of a robot whose app had not ended at the end of the run.
@@ -39,18 +36,11 @@ public record UnfinishedRobot(
     touches = List.copyOf(touches);
   }
 
-  /** The robots for which it waits. */
-  public Set<RobotId> waitsFor() {
-    Set<RobotId> robots = new TreeSet<>();
-    waits.forEach(wait -> robots.addAll(wait.on()));
-    robots.remove(robot);
-    return robots;
-  }
-
   /** The state in words: a first line, then details, indented. */
   public List<String> lines() {
     List<String> lines = new ArrayList<>();
-    String at = place.isEmpty() ? "runs steps" : "waits at " + place + " since " + seconds(sinceNs);
+    String at =
+        place.isEmpty() ? "runs steps" : "waits at " + place + " since " + Time.text(sinceNs, 3);
     lines.add(robot + " " + at + (condition.isEmpty() ? "" : " for: " + condition));
     waits.forEach(wait -> lines.add("  " + wait));
     if (!motion.isEmpty()) {
@@ -59,7 +49,7 @@ public record UnfinishedRobot(
     if (!touches.isEmpty()) {
       lines.add("  touches " + String.join(", ", touches));
     }
-    String changed = changedNs < 0 ? "" : " (last change at " + seconds(changedNs) + ")";
+    String changed = changedNs < 0 ? "" : " (last change at " + Time.text(changedNs, 3) + ")";
     lines.add("  variables" + changed + ": " + String.join(", ", variables));
     return lines;
   }

@@ -205,7 +205,7 @@ final class CampaignCommand extends BaseCommand implements Callable<Integer> {
     rows.put("robots finished", Long.toString(totals.completed()));
     totals.counts().forEach((name, count) -> rows.put(name, Long.toString(count)));
     for (int percent : WAITS) {
-      rows.put("wait, " + name(percent), Outcome.seconds(totals.waitNs(percent)));
+      rows.put("wait, " + name(percent), Time.text(totals.waitNs(percent), 1));
     }
     for (String figure : result.figures()) {
       for (int percent : new int[] {50, 100}) {

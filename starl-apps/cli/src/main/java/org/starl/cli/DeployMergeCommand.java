@@ -14,6 +14,7 @@ import org.starl.launch.TraceMerge;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
 import org.starl.sim.TraceRecorder;
+import org.starl.time.Time;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
@@ -93,7 +94,7 @@ final class DeployMergeCommand extends BaseCommand implements Callable<Integer> 
             .formatted(
                 result.robots().size(),
                 result.run().events(),
-                Outcome.seconds(result.run().endNs()),
+                Time.text(result.run().endNs(), 1),
                 result.run().network().sent(),
                 clocks));
     if (result.withinMm() > 0) {

@@ -25,7 +25,7 @@ final class Outcome {
             .formatted(
                 measures.completed(),
                 measures.came(),
-                seconds(result.endNs()),
+                Time.text(result.endNs(), 1),
                 result.network().sent(),
                 result.network().lost()));
     if (result.spec().holds()) {
@@ -74,10 +74,5 @@ final class Outcome {
     json.put("checks", checks);
     json.put("violations", result.spec().violations().stream().map(Object::toString).toList());
     return json;
-  }
-
-  static String seconds(long ns) {
-    long tenths = Math.round(Time.seconds(ns) * 10);
-    return tenths / 10 + "." + tenths % 10 + " s";
   }
 }

@@ -28,7 +28,7 @@ final class ProcessOutcome {
                 result.rounds().size(),
                 ends,
                 ends == 1 ? "time" : "times",
-                Outcome.seconds(run.endNs()),
+                Time.text(run.endNs(), 1),
                 run.network().sent(),
                 run.network().lost(),
                 result.longestPauseNs() / Time.NS_PER_MS));
@@ -53,7 +53,7 @@ final class ProcessOutcome {
                 death.robot(),
                 death.pid(),
                 death.isKill() ? "was killed" : "ended by itself",
-                Outcome.seconds(death.atNs()),
+                Time.text(death.atNs(), 1),
                 death.isPlanned() ? ", as requested" : "")
         + " that it may hold";
   }

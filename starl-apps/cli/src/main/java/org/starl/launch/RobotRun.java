@@ -30,6 +30,7 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.SimObserver;
 import org.starl.sim.SimulationPlan;
 import org.starl.spec.SpecReport.Violation;
+import org.starl.time.Time;
 
 /** One robot of a deployment in this process, in real time, until it is stopped. */
 public final class RobotRun extends RobotMain implements AutoCloseable {
@@ -52,8 +53,6 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
       int rounds) {}
 
   private static final long CLOSE_LIMIT_S = 15;
-  private static final double NS_PER_S = 1e9;
-  private static final double NS_PER_MS = 1e6;
 
   private final Settings settings;
   private final RealClock clock = RealClock.ofDate();
@@ -211,14 +210,14 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
     console.accept(
         String.format(
             Locale.ROOT,
-            "strand: %d pieces held it %.1f s, half of them up to %.3f ms, 99 %% up to %.1f ms, the"
+            "strand: %d pieces held it %s, half of them up to %.3f ms, 99 %% up to %.1f ms, the"
                 + " longest %.1f ms by %s; %d datagrams sent, %d received,"
                 + " dropped %s",
             use.pieces(),
-            use.heldNs() / NS_PER_S,
-            use.medianNs() / NS_PER_MS,
-            use.p99Ns() / NS_PER_MS,
-            use.longestPieceNs() / NS_PER_MS,
+            Time.text(use.heldNs(), 1),
+            Time.ms(use.medianNs()),
+            Time.ms(use.p99Ns()),
+            Time.ms(use.longestPieceNs()),
             use.longestBy(),
             network.sent(),
             network.received(),

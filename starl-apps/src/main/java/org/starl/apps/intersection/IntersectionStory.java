@@ -12,6 +12,7 @@ import org.starl.apps.Story;
 import org.starl.apps.intersection.logic.CrossingTrace;
 import org.starl.apps.intersection.logic.IntersectionApp.Location;
 import org.starl.id.RobotId;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Fault;
 import org.starl.trace.TraceEvent.Joined;
@@ -88,12 +89,12 @@ final class IntersectionStory implements Story {
     if (car.cameNs < 0) {
       return name + " never came onto the floor";
     }
-    StringBuilder line = new StringBuilder(name + " came at " + Story.seconds(car.cameNs));
+    StringBuilder line = new StringBuilder(name + " came at " + Time.text(car.cameNs, 1));
     if (car.askedNs >= 0) {
-      line.append(", was registered at ").append(Story.seconds(car.askedNs));
+      line.append(", was registered at ").append(Time.text(car.askedNs, 1));
     }
     if (car.grantedNs >= 0) {
-      line.append(", waited ").append(Story.seconds(car.grantedNs - car.askedNs));
+      line.append(", waited ").append(Time.text(car.grantedNs - car.askedNs, 1));
     } else if (car.askedNs >= 0 && car.crashedNs < 0) {
       line.append(", still waits for ").append(car.rest);
     }
@@ -101,13 +102,13 @@ final class IntersectionStory implements Story {
       line.append(", was stopped ").append(times(car.stops));
     }
     if (car.leftNs >= 0) {
-      line.append(", left the floor at ").append(Story.seconds(car.leftNs));
+      line.append(", left the floor at ").append(Time.text(car.leftNs, 1));
     }
     if (car.doneNs > 0) {
-      line.append(", was unregistered at ").append(Story.seconds(car.doneNs));
+      line.append(", was unregistered at ").append(Time.text(car.doneNs, 1));
     }
     if (car.crashedNs >= 0) {
-      line.append(", crashed at ").append(Story.seconds(car.crashedNs));
+      line.append(", crashed at ").append(Time.text(car.crashedNs, 1));
       line.append(car.grantedNs >= 0 && car.leftNs < 0 ? " with " + car.rest + " ahead" : "");
     }
     return line.toString();

@@ -108,7 +108,7 @@ final class OpenRoadStory implements Story {
             Locale.ROOT,
             "%d cars arrived in %s (%.1f/min), %d entered the road, %d turned away",
             arrived,
-            Story.seconds(untilNs),
+            Time.text(untilNs, 1),
             perMinute(arrived, untilNs),
             entered,
             turnedAway));
@@ -118,14 +118,14 @@ final class OpenRoadStory implements Story {
             "%d crossed (%.1f/min), the last one left at %s",
             crossed(),
             perMinute(crossed(), lastLeftNs()),
-            Story.seconds(lastLeftNs())));
+            Time.text(lastLeftNs(), 1)));
     lines.add(
         String.format(
             Locale.ROOT,
             "time from arrival to the grant of its zones: median %s, 95 %% up to %s, longest %s",
-            Story.seconds(Measures.waitNs(waits, 50)),
-            Story.seconds(Measures.waitNs(waits, 95)),
-            Story.seconds(Measures.waitNs(waits, 100))));
+            Time.text(Measures.waitNs(waits, 50), 1),
+            Time.text(Measures.waitNs(waits, 95), 1),
+            Time.text(Measures.waitNs(waits, 100), 1)));
     lines.add(
         String.format(
             Locale.ROOT,

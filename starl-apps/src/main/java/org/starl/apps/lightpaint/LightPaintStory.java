@@ -105,9 +105,7 @@ final class LightPaintStory implements Story {
             Locale.ROOT, "painted %d stroke%s, %.2f m", strokes, strokes == 1 ? "" : "s", metres)
         + times(", gave way", painter.retreats)
         + times(", crashed", painter.crashes)
-        + (painter.endNs < 0
-            ? ", has not ended"
-            : String.format(Locale.ROOT, ", ended at %.1f s", Time.seconds(painter.endNs)))
+        + (painter.endNs < 0 ? ", has not ended" : ", ended at " + Time.text(painter.endNs, 1))
         + (painter.left > 0
             ? String.format(Locale.ROOT, " and gave up with %d strokes left", painter.left)
             : "");

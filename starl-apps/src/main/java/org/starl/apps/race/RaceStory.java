@@ -12,6 +12,7 @@ import org.starl.apps.race.logic.RacePoint;
 import org.starl.apps.race.logic.RaceTrace;
 import org.starl.id.RobotId;
 import org.starl.sim.SimResult;
+import org.starl.time.Time;
 import org.starl.trace.TraceEvent;
 import org.starl.trace.TraceEvent.Action;
 
@@ -69,7 +70,7 @@ final class RaceStory implements Story {
     for (int i = 0; i < races.size(); i++) {
       lines.add(points.get(i).name() + ": " + result(races.get(i)));
     }
-    lines.add(returned + " of " + robots + " robots ended, at " + Story.seconds(endNs));
+    lines.add(returned + " of " + robots + " robots ended, at " + Time.text(endNs, 1));
     return lines;
   }
 
@@ -80,11 +81,11 @@ final class RaceStory implements Story {
     Claim best = race.known.values().stream().min(Claim::compareTo).orElseThrow();
     return best.winner()
         + " at "
-        + Story.seconds(best.atNs())
+        + Time.text(best.atNs(), 1)
         + (best.wasKeptOff() ? ", kept off by " + best.keptOffMm() + " mm" : "")
         + (race.arrivals > 1 ? ", of " + race.arrivals + " that arrived" : "")
         + "; all robots knew after "
-        + Story.seconds(race.lastNs - race.firstNs);
+        + Time.text(race.lastNs - race.firstNs, 1);
   }
 
   @Override

@@ -14,7 +14,7 @@ public final class RobotError extends RuntimeException {
   private final long timeNs;
 
   RobotError(String strand, long timeNs, Throwable cause) {
-    super(strand + " at " + seconds(timeNs) + ": " + describe(cause), cause);
+    super(strand + " at " + Time.text(timeNs, 9) + ": " + describe(cause), cause);
     this.strand = strand;
     this.timeNs = timeNs;
   }
@@ -33,10 +33,5 @@ public final class RobotError extends RuntimeException {
     String message = cause.getMessage();
     String type = cause.getClass().getSimpleName();
     return message == null ? type : type + ": " + message;
-  }
-
-  private static String seconds(long timeNs) {
-    String nanos = Long.toString(Time.NS_PER_S + timeNs % Time.NS_PER_S);
-    return timeNs / Time.NS_PER_S + "." + nanos.substring(1) + " s";
   }
 }

@@ -14,7 +14,6 @@ import java.util.function.BinaryOperator;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.starl.apps.Story;
 import org.starl.apps.race.logic.Claim;
 import org.starl.apps.race.logic.RaceApp.Location;
 import org.starl.apps.race.logic.RacePoint;
@@ -102,7 +101,7 @@ public final class RaceLayer implements Layer {
     upright.drawString(point.name(), x, y);
     if (won != null) {
       upright.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, WINNER_MM));
-      upright.drawString(won.winner() + " " + Story.seconds(won.atNs()), x, y + NAME_MM);
+      upright.drawString(won.winner() + " " + Time.text(won.atNs(), 1), x, y + NAME_MM);
     }
     upright.dispose();
   }
