@@ -45,10 +45,10 @@ class ViewerDocTest {
     private boolean hasPointed;
 
     @Override
-    public void onStep(RunController hands) {
-      if (!hasPointed && hands.nowNs() >= 1_000_000_000) {
+    public void onStep(RunController controller) {
+      if (!hasPointed && controller.nowNs() >= 1_000_000_000) {
         hasPointed = true;
-        hands.point(BOT, (int) SENT.xMm(), (int) SENT.yMm());
+        controller.point(BOT, (int) SENT.xMm(), (int) SENT.yMm());
       }
     }
   }

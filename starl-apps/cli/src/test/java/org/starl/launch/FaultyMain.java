@@ -21,7 +21,7 @@ final class FaultyMain {
 
   public static void main(String[] args) throws IOException {
     RobotProcess.run(
-        FaultyMain::blueprint,
+        FaultyMain::plan,
         new RobotId(args[0]),
         Path.of(args[1]),
         Integer.parseInt(args[2]),
@@ -29,7 +29,7 @@ final class FaultyMain {
         new FileOutputStream(FileDescriptor.out));
   }
 
-  static SimulationPlan blueprint() {
+  static SimulationPlan plan() {
     return Simulation.builder().robots(2, Faulty::new).seed(1).build().plan();
   }
 

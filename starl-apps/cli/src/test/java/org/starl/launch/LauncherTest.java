@@ -19,7 +19,7 @@ class LauncherTest {
     List<String> command = JavaProcess.command(128, main, List.of());
     LaunchSettings settings =
         new LaunchSettings(1, List.of(), Duration.ofSeconds(150), LaunchSettings.DEFAULT_QUIET);
-    try (Launcher launcher = new Launcher(FaultyMain.blueprint(), command, settings, told::add)) {
+    try (Launcher launcher = new Launcher(FaultyMain.plan(), command, settings, told::add)) {
       return launcher.run();
     }
   }

@@ -79,8 +79,8 @@ class LocalSpecsTest {
   }
 
   /** Enters twice. */
-  private static final class Rude extends LogicThread {
-    Rude(GlobalVarHolder gvh) {
+  private static final class Buggy extends LogicThread {
+    Buggy(GlobalVarHolder gvh) {
       super(gvh);
     }
 
@@ -94,11 +94,11 @@ class LocalSpecsTest {
     }
   }
 
-  private static SimulationPlan blueprint() {
+  private static SimulationPlan plan() {
     return Simulation.builder()
         .name("doors")
         .settings(SimSettings.defaults())
-        .robots(1, Rude::new)
+        .robots(1, Buggy::new)
         .monitor(Entrances::new)
         .build()
         .plan();
@@ -178,7 +178,7 @@ class LocalSpecsTest {
                 deployment,
                 deployment.robot("bot0"),
                 null,
-                LocalSpecsTest::blueprint,
+                LocalSpecsTest::plan,
                 (strand, clock, log, onFailure) -> wheels,
                 folder,
                 1),
@@ -200,7 +200,7 @@ class LocalSpecsTest {
   @Test
   void lemmasOnOtherRobotsOrBodiesAreNotChecked() {
     List<Violation> violations = new ArrayList<>();
-    LocalSpecs specs = new LocalSpecs(blueprint(), 1000, violations::add);
+    LocalSpecs specs = new LocalSpecs(plan(), 1000, violations::add);
 
     specs.observed(new Joined(1100, BOT, new Pose(0, 0, 0), 165));
     specs.observed(new Action(1200, BOT, "door", "enter", List.of()));

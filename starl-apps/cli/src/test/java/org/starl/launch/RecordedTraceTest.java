@@ -30,13 +30,13 @@ class RecordedTraceTest {
   void write() throws IOException {
     file = folder.resolve("bot0.trace");
     try (OutputStream out = Files.newOutputStream(file)) {
-      ProcessTrace outbox =
+      ProcessTrace trace =
           new ProcessTrace(BOT0, Simulation.builder().build().plan().header(), out);
-      outbox.report(() -> 0, ProcessWord.CLOCK, "machine", 1, 2);
+      trace.report(() -> 0, ProcessWord.CLOCK, "machine", 1, 2);
       for (long atNs = 1; atNs <= 3; atNs++) {
-        outbox.record(new Action(atNs, BOT0, "app", "walks", List.of()));
+        trace.record(new Action(atNs, BOT0, "app", "walks", List.of()));
       }
-      outbox.end(3);
+      trace.end(3);
     }
   }
 

@@ -95,7 +95,7 @@ class TraceMergeTest {
     }
   }
 
-  private static SimulationPlan blueprint() {
+  private static SimulationPlan plan() {
     return Simulation.builder()
         .name("section")
         .settings(SimSettings.defaults())
@@ -134,25 +134,25 @@ class TraceMergeTest {
       throws IOException {
     Path file = folder.resolve(name);
     try (OutputStream out = Files.newOutputStream(file)) {
-      ProcessTrace outbox = new ProcessTrace(robot, HEADER, out);
-      outbox.report(() -> 0, ProcessWord.CLOCK, machine, machineNs, dateNs);
-      Arrays.asList(events).forEach(outbox::record);
+      ProcessTrace trace = new ProcessTrace(robot, HEADER, out);
+      trace.report(() -> 0, ProcessWord.CLOCK, machine, machineNs, dateNs);
+      Arrays.asList(events).forEach(trace::record);
       if (isWhole) {
-        outbox.end(events.length == 0 ? 0 : events[events.length - 1].timeNs());
+        trace.end(events.length == 0 ? 0 : events[events.length - 1].timeNs());
       }
     }
     return file.toString();
   }
 
   private static TraceMerge.Result judge(long dateErrorNs, String... files) {
-    return TraceMerge.of(List.of(files), dateErrorNs, 0).judge(blueprint(), List.of());
+    return TraceMerge.of(List.of(files), dateErrorNs, 0).judge(plan(), List.of());
   }
 
   private static List<String> order(long dateErrorNs, String... files) {
     List<String> seen = new ArrayList<>();
     TraceMerge.of(List.of(files), dateErrorNs, 0)
         .judge(
-            blueprint(),
+            plan(),
             List.of(
                 new SimObserver() {
                   @Override
@@ -219,7 +219,7 @@ class TraceMergeTest {
     String b = trace(B, "n", 0, 0, delivered(150, B, A, 1), action(160, B, "enter"));
 
     TraceMerge.Result result =
-        TraceMerge.of(List.of(a, b), 100 * MS, 1_000_000).judge(blueprint(), List.of());
+        TraceMerge.of(List.of(a, b), 100 * MS, 1_000_000).judge(plan(), List.of());
 
     assertThat(result.orders()).isEqualTo(5);
     assertThat(result.violations()).isEmpty();
@@ -245,7 +245,7 @@ class TraceMergeTest {
     TraceMerge.Result result =
         TraceMerge.of(List.of(a, b), SECOND, 0)
             .judge(
-                blueprint(),
+                plan(),
                 List.of(
                     new SimObserver() {
                       @Override
@@ -319,7 +319,7 @@ class TraceMergeTest {
 
     TraceMerge.of(List.of(again, a), SECOND, 0)
         .judge(
-            blueprint(),
+            plan(),
             List.of(
                 new SimObserver() {
                   @Override
@@ -350,9 +350,9 @@ class TraceMergeTest {
     Path file = folder.resolve(name + ".trace");
     try (OutputStream out = Files.newOutputStream(file)) {
       TraceHeader header = new TraceHeader("test", "section", 1, 1, settings, List.of(A, B));
-      ProcessTrace outbox = new ProcessTrace(A, header, out);
-      outbox.report(() -> 0, ProcessWord.CLOCK, "m", 0, 0);
-      outbox.end(0);
+      ProcessTrace trace = new ProcessTrace(A, header, out);
+      trace.report(() -> 0, ProcessWord.CLOCK, "m", 0, 0);
+      trace.end(0);
     }
     return file.toString();
   }

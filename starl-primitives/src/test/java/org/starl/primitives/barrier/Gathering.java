@@ -4,10 +4,10 @@ import java.util.List;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
-import org.starl.primitives.lives.Life;
-import org.starl.primitives.lives.LiveRobot;
-import org.starl.primitives.lives.LiveWorld;
-import org.starl.primitives.lives.Weather;
+import org.starl.primitives.chaos.Life;
+import org.starl.primitives.chaos.LiveRobot;
+import org.starl.primitives.chaos.LiveWorld;
+import org.starl.primitives.chaos.Weather;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
 

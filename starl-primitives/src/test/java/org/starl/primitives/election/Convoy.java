@@ -1,10 +1,10 @@
 package org.starl.primitives.election;
 
 import org.starl.id.Participants;
-import org.starl.primitives.lives.Life;
-import org.starl.primitives.lives.LiveRobot;
-import org.starl.primitives.lives.LiveWorld;
-import org.starl.primitives.lives.Weather;
+import org.starl.primitives.chaos.Life;
+import org.starl.primitives.chaos.LiveRobot;
+import org.starl.primitives.chaos.LiveWorld;
+import org.starl.primitives.chaos.Weather;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;
 

@@ -8,8 +8,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.starl.id.ProcessId;
-import org.starl.primitives.lives.LiveRobot;
-import org.starl.primitives.lives.Weather;
+import org.starl.primitives.chaos.LiveRobot;
+import org.starl.primitives.chaos.Weather;
 import org.starl.spec.SpecReport;
 
 class ElectionProtocolTest {

@@ -5,7 +5,7 @@ import org.starl.id.ProcessId;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodCodec;
 import org.starl.primitives.agreement.SynodLink;
-import org.starl.primitives.lives.LiveRobot;
+import org.starl.primitives.chaos.LiveRobot;
 import org.starl.random.Rng;
 
 /** One robot of a {@link Convoy}. */

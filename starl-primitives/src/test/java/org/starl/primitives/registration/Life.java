@@ -3,7 +3,7 @@ package org.starl.primitives.registration;
 import java.util.SortedSet;
 import java.util.TreeSet;
 import org.starl.id.ProcessId;
-import org.starl.primitives.lives.Weather;
+import org.starl.primitives.chaos.Weather;
 import org.starl.primitives.membership.View;
 import org.starl.random.Rng;
 import org.starl.spec.SpecReport;

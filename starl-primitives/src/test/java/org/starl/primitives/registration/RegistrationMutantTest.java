@@ -15,7 +15,7 @@ import org.starl.id.ProcessId;
 import org.starl.primitives.agreement.SynodMessage;
 import org.starl.primitives.agreement.SynodMessage.Promise;
 import org.starl.primitives.agreement.Value;
-import org.starl.primitives.lives.Weather;
+import org.starl.primitives.chaos.Weather;
 import org.starl.primitives.membership.Confinement;
 import org.starl.primitives.membership.View;
 import org.starl.spec.SpecReport;

@@ -9,7 +9,7 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.SynodLink;
 import org.starl.primitives.agreement.SynodMessage;
-import org.starl.primitives.lives.FoulNetwork;
+import org.starl.primitives.chaos.FoulNetwork;
 import org.starl.random.Rng;
 import org.starl.spec.Monitor;
 

@@ -74,11 +74,11 @@ final class TownRobot {
     List<ProcessId> others = new ArrayList<>(up.protocol.view().mentioned());
     others.remove(up.protocol.me());
     if (!others.isEmpty()) {
-      ProcessId whom = others.get(rng.nextInt(others.size()));
+      ProcessId peer = others.get(rng.nextInt(others.size()));
       List<String> sections = new ArrayList<>(List.of("A", "B", "C"));
       sections.removeIf(each -> rng.nextBoolean(0.5));
       Confinement confinement =
-          new Confinement(whom, new TreeSet<>(sections), new TreeSet<>(List.of(up.protocol.me())));
+          new Confinement(peer, new TreeSet<>(sections), new TreeSet<>(List.of(up.protocol.me())));
       up.call(() -> up.protocol.confine(confinement, town.nowNs()));
     }
   }

@@ -1,4 +1,4 @@
-/** Tests of the search's logic, and a searcher that is rude. */
+/** Tests of the search's logic, and a searcher with planted bugs. */
 @NullMarked
 package org.starl.apps.search.logic;
 

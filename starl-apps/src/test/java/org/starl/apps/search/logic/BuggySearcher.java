@@ -10,7 +10,7 @@ import org.starl.gvh.GvhCell;
 import org.starl.id.RobotId;
 
 /** A searcher with one planted bug, which a monitor must report. */
-public final class RudeSearcher extends LogicThread {
+public final class BuggySearcher extends LogicThread {
 
   public enum Fault {
     /** Announces the thing without having been near it. */
@@ -32,7 +32,7 @@ public final class RudeSearcher extends LogicThread {
   private final Fault fault;
   private final GvhCell<String> duty;
 
-  public RudeSearcher(GlobalVarHolder gvh, Fault fault) {
+  public BuggySearcher(GlobalVarHolder gvh, Fault fault) {
     super(gvh);
     this.fault = fault;
     duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");

@@ -5,19 +5,19 @@ import static org.assertj.core.api.Assertions.assertThat;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.race.logic.BuggyRacer;
 import org.starl.apps.race.logic.RacePoint;
-import org.starl.apps.race.logic.RudeRacer;
 import org.starl.random.Rng;
 import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** The monitor of its lemma reports each planted bug of {@link RudeRacer}. */
-class RudeRacersTest {
+/** The monitor of its lemma reports each planted bug of {@link BuggyRacer}. */
+class BuggyRacersTest {
 
   private static final int SEEDS = 20;
 
-  private static SimResult run(RudeRacer.Bug bug, long seed) {
+  private static SimResult run(BuggyRacer.Bug bug, long seed) {
     // Bodies pass through each other and messages are slow: sometimes two robots arrive at once.
     SimSettings settings =
         SimSettings.builder()
@@ -26,14 +26,14 @@ class RudeRacersTest {
             .set("messageDelay", "uniform(500ms,3s)")
             .set("robots", "6")
             // So far that a robot that hears nothing does not arrive before it should know.
-            .set("floorWidth", bug == RudeRacer.Bug.ANNOUNCES_NOTHING ? "30m" : "5m")
+            .set("floorWidth", bug == BuggyRacer.Bug.ANNOUNCES_NOTHING ? "30m" : "5m")
             .build();
     List<RacePoint> points = RacePoints.drawn(4, settings, new Rng(seed).fork("race"));
     Simulation.Builder simulation =
         Simulation.builder()
             .seed(seed)
             .settings(settings)
-            .robots(settings.robots(), gvh -> new RudeRacer(gvh, points, bug));
+            .robots(settings.robots(), gvh -> new BuggyRacer(gvh, points, bug));
     RaceDemo.watch(simulation, points, settings);
     return simulation.build().run();
   }
@@ -47,7 +47,7 @@ class RudeRacersTest {
     "DOES_NOT_DRIVE, taken",
     "FIRST_HEARD_COUNTS, agreed",
   })
-  void aRudeRacerIsSeen(RudeRacer.Bug bug, String lemma) {
+  void aBuggyRacerIsSeen(BuggyRacer.Bug bug, String lemma) {
     long seed = 0;
     SimResult result;
     do {

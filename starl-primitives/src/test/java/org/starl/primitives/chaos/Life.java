@@ -1,4 +1,4 @@
-package org.starl.primitives.lives;
+package org.starl.primitives.chaos;
 
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;

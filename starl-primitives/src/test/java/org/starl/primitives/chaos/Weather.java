@@ -1,4 +1,4 @@
-package org.starl.primitives.lives;
+package org.starl.primitives.chaos;
 
 /**
  * How badly a network and a disk behave.

@@ -9,7 +9,7 @@ import org.starl.gvh.GvhCell;
 import org.starl.primitives.geocast.Broadcast;
 
 /** A racer without the scoreboard, with one planted bug. */
-public final class RudeRacer extends LogicThread {
+public final class BuggyRacer extends LogicThread {
 
   public enum Bug {
     /** Claims its point when it sets out for it. */
@@ -32,7 +32,7 @@ public final class RudeRacer extends LogicThread {
   private final GvhCell<RaceApp.Location> location;
   private final TreeMap<Integer, Claim> best = new TreeMap<>();
 
-  public RudeRacer(GlobalVarHolder gvh, List<RacePoint> points, Bug bug) {
+  public BuggyRacer(GlobalVarHolder gvh, List<RacePoint> points, Bug bug) {
     super(gvh);
     this.points = points;
     this.bug = bug;

@@ -1,4 +1,4 @@
-package org.starl.primitives.lives;
+package org.starl.primitives.chaos;
 
 import java.util.ArrayList;
 import java.util.List;

@@ -6,10 +6,10 @@ import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.starl.apps.search.logic.BuggySearcher;
 import org.starl.apps.search.logic.Drive;
 import org.starl.apps.search.logic.House;
 import org.starl.apps.search.logic.HousePlan;
-import org.starl.apps.search.logic.RudeSearcher;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
@@ -20,26 +20,26 @@ import org.starl.sim.SimResult;
 import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
-/** The monitor of its lemma reports each planted bug of {@link RudeSearcher}. */
-class RudeSearchersTest {
+/** The monitor of its lemma reports each planted bug of {@link BuggySearcher}. */
+class BuggySearchersTest {
 
   private static final int ROBOTS = 3;
   private static final int ROOMS = 2;
 
-  private static SimResult run(RudeSearcher.Fault fault) {
+  private static SimResult run(BuggySearcher.Fault fault) {
     SimSettings settings = SimSettings.builder().duration(Duration.ofHours(1)).build();
     HousePlan plan = GeneratedHouse.of(ROOMS, ROBOTS, new Rng(1));
     House house =
         House.of(plan, 600, Drive.clearanceMm(settings.motionParameters(0), plan.bounds()));
     Point thing = GeneratedHouse.somewhere(house, new Rng(1));
     Simulation.Builder simulation = Simulation.builder().settings(settings).obstacles(plan.walls());
-    if (fault == RudeSearcher.Fault.FORGETS_THE_DEAD || fault == RudeSearcher.Fault.IS_TIMID) {
+    if (fault == BuggySearcher.Fault.FORGETS_THE_DEAD || fault == BuggySearcher.Fault.IS_TIMID) {
       simulation.fault("crash(bot1,at=1s)");
     }
     for (Point start : plan.starts()) {
       RobotId robot = new RobotId("bot" + plan.starts().indexOf(start));
       simulation.robot(
-          new RobotSpec(robot, Pose.of(start, 0), true, gvh -> new RudeSearcher(gvh, fault)));
+          new RobotSpec(robot, Pose.of(start, 0), true, gvh -> new BuggySearcher(gvh, fault)));
     }
     SearchDemo.watch(
         simulation, house, List.of(new ItemPosition("object", thing.xMm(), thing.yMm())), settings);
@@ -56,7 +56,7 @@ class RudeSearchersTest {
     "FORGETS_THE_DEAD, assigned",
     "NEVER_ENDS, ended",
   })
-  void aRudeSearcherIsSeen(RudeSearcher.Fault fault, String lemma) {
+  void aBuggySearcherIsSeen(BuggySearcher.Fault fault, String lemma) {
     SimResult result = run(fault);
     assertThat(result.spec().violations(lemma)).as("%s", result.spec()).isPositive();
   }

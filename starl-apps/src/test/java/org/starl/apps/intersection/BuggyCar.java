@@ -14,7 +14,7 @@ import org.starl.id.ProcessId;
 import org.starl.motion.MotionFlag;
 
 /** A car with one planted bug, which writes the same trace events as a correct car. */
-final class RudeCar extends LogicThread {
+final class BuggyCar extends LogicThread {
 
   private static final String MUTEX = "mutex/crossing";
 
@@ -37,7 +37,7 @@ final class RudeCar extends LogicThread {
   private final GvhCell<List<String>> myseq;
   private List<String> held = List.of();
 
-  RudeCar(GlobalVarHolder gvh, Trip trip, Fault fault) {
+  BuggyCar(GlobalVarHolder gvh, Trip trip, Fault fault) {
     super(gvh);
     this.fault = fault;
     this.trip = trip;

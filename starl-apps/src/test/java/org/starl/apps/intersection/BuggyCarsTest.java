@@ -15,16 +15,16 @@ import org.starl.sim.SimSettings;
 import org.starl.sim.Simulation;
 
 /** Simulates faulty cars: the specifications must report each planted bug. */
-class RudeCarsTest {
+class BuggyCarsTest {
 
   private static final int SEEDS = 20;
   private static final int CARS = 6;
 
-  private static SimResult run(RudeCar.Fault fault, long seed) {
+  private static SimResult run(BuggyCar.Fault fault, long seed) {
     SimSettings settings =
         SimSettings.builder()
             .set(Setting.FLOOR_HEIGHT, SimSettings.defaults().get(Setting.FLOOR_WIDTH))
-            .duration(Duration.ofSeconds(fault == RudeCar.Fault.NEVER_LEAVES ? 1800 : 60))
+            .duration(Duration.ofSeconds(fault == BuggyCar.Fault.NEVER_LEAVES ? 1800 : 60))
             .build();
     List<Car> cars = Car.drawn(settings.robotName(), CARS, new Rng(seed).fork("cars"));
     Traffic traffic = new Traffic(settings.robotRadiusMm(), cars);
@@ -36,7 +36,7 @@ class RudeCarsTest {
             .observer(traffic);
     for (Car car : cars) {
       simulation.robot(
-          new RobotSpec(car.id(), car.start(), false, gvh -> new RudeCar(gvh, car.trip(), fault)));
+          new RobotSpec(car.id(), car.start(), false, gvh -> new BuggyCar(gvh, car.trip(), fault)));
     }
     return simulation.build().run();
   }
@@ -50,7 +50,7 @@ class RudeCarsTest {
     "RELEASES_TOO_EARLY, occupied_is_held",
     "NEVER_LEAVES, traffic_progress",
   })
-  void aRudeCarIsSeen(RudeCar.Fault fault, String lemma) {
+  void aBuggyCarIsSeen(BuggyCar.Fault fault, String lemma) {
     long seed = 0;
     SimResult result;
     do {
