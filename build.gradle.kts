@@ -57,10 +57,11 @@ subprojects {
     }
 
     tasks.withType<Test>().configureEach {
-        // realtime: needs real time, sockets or other processes. long: takes more than some seconds.
+        // realtime: needs real time, sockets or other processes. long: takes more than some seconds; JUnit 4
+        // has a category for it.
         useJUnitPlatform {
             if (!providers.gradleProperty("all").isPresent) {
-                excludeTags("realtime", "long")
+                excludeTags("realtime", "long", "org.starl.android.app.TakesLong")
             }
         }
         maxParallelForks = 2

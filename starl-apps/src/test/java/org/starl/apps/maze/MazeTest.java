@@ -11,6 +11,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.OptionalInt;
 import java.util.SortedMap;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -72,6 +73,7 @@ class MazeTest {
   }
 
   @Test
+  @Tag("long")
   void goalsAreAnsweredUnderChaos() {
     for (long seed = 11; seed <= 14; seed++) {
       run(seed, 3, Map.of(), Map.of("chaos", "spatial"));
@@ -93,6 +95,7 @@ class MazeTest {
   }
 
   @ParameterizedTest
+  @Tag("long")
   @CsvSource({"maze-32-32-4, 6", "empty-48-48, 8", "ht_chantry, 4"})
   void goalsAreAnsweredOnGridMaps(String map, int robots) {
     Path file = shared("maps/" + map + ".map");

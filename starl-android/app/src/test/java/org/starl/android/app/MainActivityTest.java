@@ -25,6 +25,7 @@ import java.util.zip.ZipInputStream;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.runner.RunWith;
 import org.robolectric.Robolectric;
 import org.robolectric.RobolectricTestRunner;
@@ -35,6 +36,7 @@ import org.robolectric.annotation.Config;
 
 /** The one screen, bound to a service that has no robot. */
 @RunWith(RobolectricTestRunner.class)
+@Category(TakesLong.class)
 @Config(sdk = 37)
 public final class MainActivityTest {
 

@@ -26,6 +26,7 @@ import java.util.function.BooleanSupplier;
 import org.junit.After;
 import org.junit.Before;
 import org.junit.Test;
+import org.junit.experimental.categories.Category;
 import org.junit.runner.RunWith;
 import org.robolectric.Robolectric;
 import org.robolectric.RobolectricTestRunner;
@@ -42,6 +43,7 @@ import org.starl.robot.realtime.RealClock;
 
 /** The service: what it asks of Android, and whole runs of a robot behind the Bluetooth socket. */
 @RunWith(RobolectricTestRunner.class)
+@Category(TakesLong.class)
 @Config(
     sdk = 37,
     shadows = {AdapterShadow.class, SocketShadow.class})

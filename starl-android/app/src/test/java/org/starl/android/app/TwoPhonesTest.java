@@ -31,6 +31,7 @@ import org.junit.Before;
 import org.junit.Rule;
 import org.junit.Test;
 import org.junit.rules.TemporaryFolder;
+import org.junit.experimental.categories.Category;
 import org.junit.runner.RunWith;
 import org.robolectric.Robolectric;
 import org.robolectric.RobolectricTestRunner;
@@ -63,6 +64,7 @@ import org.starl.trace.TraceHeader;
  * interface.
  */
 @RunWith(RobolectricTestRunner.class)
+@Category(TakesLong.class)
 @Config(
     sdk = 37,
     shadows = {AdapterShadow.class, SocketShadow.class})
