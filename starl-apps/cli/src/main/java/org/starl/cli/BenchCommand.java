@@ -29,7 +29,9 @@ import picocli.CommandLine.Parameters;
     footer = {"", "Example: starl bench b1 --robots 10000 --style blocking"})
 final class BenchCommand extends BaseCommand implements Callable<Integer> {
 
-  private static final String VIEW = "view";
+  static final String VIEW = "view";
+  static final String VIEW_SUMMARY =
+      "pictures per second of the viewer, with 100, 1000 and 10000 robots of b2";
 
   /** Real seconds for each number of robots. */
   private static final double VIEW_S = 8;
@@ -44,7 +46,7 @@ final class BenchCommand extends BaseCommand implements Callable<Integer> {
       names = "--robots",
       paramLabel = "N",
       description =
-          "Number of robots (default: 256; view: 100, 1000 and 10000). Of mutex the largest number"
+          "Number of robots (default: 256; view: 100, 1000 and 10000). With mutex: the largest number"
               + " (default: 64).")
   private @Nullable String robots;
 

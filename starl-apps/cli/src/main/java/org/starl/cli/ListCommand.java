@@ -104,6 +104,7 @@ final class ListCommand extends BaseCommand implements Runnable {
     for (Workload workload : Workload.all()) {
       items.add(new Item("bench", "", workload.name(), "", workload.summary()));
     }
+    items.add(new Item("bench", "", BenchCommand.VIEW, "", BenchCommand.VIEW_SUMMARY));
     items.add(new Item("bench", "", MutexCost.NAME, "", MutexCost.SUMMARY));
     items.add(new Item("bench", "", AppsTable.NAME, "", AppsTable.SUMMARY));
     for (Setting<?> setting : RunRequest.known()) {

@@ -18,6 +18,7 @@ import org.starl.launch.StackTraces;
 import org.starl.workload.PrimitiveWorkloads;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
@@ -42,7 +43,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       DeployCommand.class,
       KeygenCommand.class,
       RobotCommand.class,
-      SimulatedCreateCommand.class
+      SimulatedCreateCommand.class,
+      HelpCommand.class
     },
     footer = {
       "",
@@ -116,7 +118,12 @@ public final class Main implements Runnable {
   }
 
   private static void addHelp(CommandLine command) {
-    command.getCommandSpec().mixinStandardHelpOptions(true).version("StarL " + Version.STARL);
+    CommandSpec spec = command.getCommandSpec();
+    if (command.getCommand() instanceof HelpCommand) { // has its own option --help
+      spec.usageMessage().description("Prints the help text of a command.");
+    } else {
+      spec.mixinStandardHelpOptions(true).version("StarL " + Version.STARL);
+    }
     command.getSubcommands().values().forEach(Main::addHelp);
   }
 
@@ -135,8 +142,8 @@ public final class Main implements Runnable {
   private static int refuse(ParameterException error, String[] args) {
     CommandSpec command = error.getCommandLine().getCommandSpec();
     String line = String.valueOf(error.getMessage()).lines().findFirst().orElse("bad arguments");
-    String help =
-        "; see 'starl" + (command.parent() == null ? "" : " " + command.name()) + " --help'";
+    line = line.replaceFirst("^Error: ", "").replaceFirst("\\.$", "");
+    String help = "; see '" + command.qualifiedName() + " --help'";
     error.getCommandLine().getErr().println("starl: " + line + hint(error) + help);
     return ExitStatus.BAD_INPUT;
   }

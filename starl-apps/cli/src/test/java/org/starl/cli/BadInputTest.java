@@ -106,6 +106,9 @@ class BadInputTest {
       record intersection --png t=12 | --png | '12' | expected a duration with a unit
       verify-determinism nope | 'nope' | expected one of
       bench | WORKLOAD
+      simulated-create | starl: Missing required argument | see 'starl simulated-create --help'
+      deploy check | see 'starl deploy check --help'
+      help nope | 'nope' | see 'starl --help'
       bench b1 --robots none | --robots | 'none' | expected a whole number
       bench b1 --robots 0 | --robots | '0' | expected a whole number
       bench b1 --runs 0 | --runs | '0' | expected a whole number

@@ -41,6 +41,27 @@ class HelpTest {
   }
 
   @Test
+  void helpWithACommandIsTheHelpTextOfTheCommand() {
+    for (String command : List.of("run", "deploy", "bench")) {
+      assertThat(Cli.run("help", command).out()).isEqualTo(Cli.run(command, "--help").out());
+    }
+    assertThat(Cli.run("help").out()).isEqualTo(Cli.run("--help").out());
+  }
+
+  @Test
+  void everyWorkloadThatBenchTakesIsInTheList() {
+    List<String> listed =
+        Cli.run("list").out().stream()
+            .filter(line -> line.startsWith("bench "))
+            .map(line -> line.substring("bench ".length(), line.indexOf(':')))
+            .sorted()
+            .toList();
+    String refused = Cli.run("bench", "nope").err().get(0);
+    String known = refused.substring(refused.indexOf("expected ") + "expected ".length());
+    assertThat(List.of(known.split(", | or "))).containsExactlyInAnyOrderElementsOf(listed);
+  }
+
+  @Test
   void theMainCommandHasHelpAndVersion() {
     Cli cli = Cli.run("--help");
     assertThat(cli.status()).isZero();
