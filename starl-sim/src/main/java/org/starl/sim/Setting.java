@@ -30,9 +30,9 @@ public final class Setting<T> {
   // The run.
   public static final Setting<Integer> ROBOTS = count("robots", 4, "number of robots that start");
   public static final Setting<Integer> DISCOVERY_ROBOTS =
-      count("discoveryRobots", 0, "number of these that explore by bumping");
+      count("discoveryRobots", 0, "how many of these robots explore by bumping");
   public static final Setting<Integer> RANDOM_ROBOTS =
-      count("randomRobots", 0, "number of these that wander and get in the way");
+      count("randomRobots", 0, "how many of these robots wander and get in the way");
   public static final Setting<Duration> DURATION =
       own(
           "duration",
@@ -68,7 +68,7 @@ public final class Setting<T> {
               "a letter, then up to 23 of A-Z a-z 0-9 _ - .",
               new Form.Text("^\\s*[A-Za-z][A-Za-z0-9_.-]{0,23}\\s*$")),
           "bot",
-          "first part of robots' names, before a number from 0");
+          "first part of robots' names; a number from 0 follows");
   public static final Setting<Double> ROBOT_RADIUS =
       size("robotRadius", 165.0, "radius of a robot's body");
   public static final Setting<Boolean> IDEAL_MOTION =

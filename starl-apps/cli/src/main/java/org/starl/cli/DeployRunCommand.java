@@ -40,7 +40,7 @@ final class DeployRunCommand extends BaseCommand implements Callable<Integer> {
     app.plan();
     if (options.rounds() > 1 && !deployment.simulated().contains(entry)) {
       throw new BadInput(
-          "--rounds: %s: expected 1: no simulated world puts %s back"
+          "--rounds: %s: expected 1, because only simulated robots can start again; %s is real"
               .formatted(options.rounds(), robot));
     }
     if (!(entry.wheels() instanceof Create create)) {

@@ -190,7 +190,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   private ObserverFile gif(Plan plan, String wanted, String target) {
     boolean ofViolation = wanted.equals(VIOLATION);
     if (!ofViolation && when != null) {
-      throw new BadInput("--when " + when + ": with --gif, expected violation or no --when");
+      throw new BadInput("--when " + when + " cannot be used with --gif; expected --when violation, or no --when");
     }
     GifRecorder recorder =
         new GifRecorder(
@@ -269,7 +269,7 @@ final class RecordCommand extends BaseCommand implements Callable<Integer> {
   private String when() {
     String png = output == null || output.png == null ? "" : output.png;
     if (!png.isEmpty() && when != null) {
-      throw new BadInput("--when: --png gives the moment as well; expected one of the two");
+      throw new BadInput("--when: --png has a moment too; expected only one of the two");
     }
     if (!png.isEmpty()) {
       return png;

@@ -93,13 +93,13 @@ public final class PrimitiveWorkloads {
         new Parameter(
             "rounds",
             Integer.toString(rounds),
-            "how often each robot asks, from 1",
+            "number of requests of each robot, 1 or more",
             Form.whole(1, Course.MAX_ROUNDS)));
     parameters.add(
         new Parameter(
             "busy",
             busy,
-            "time over which rounds and chaos are spread; the last three rounds begin after it",
+            "simulated time of rounds and chaos; the last three rounds begin after it",
             Form.amount(Quantity.DURATION)));
     parameters.addAll(List.of(more));
     return List.copyOf(parameters);

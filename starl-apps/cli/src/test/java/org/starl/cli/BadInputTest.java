@@ -61,8 +61,8 @@ class BadInputTest {
       run intersection --set arrivals=20 | arrivals: '20' | expected a rate | 20/min
       run intersection --set arrivals=0/min | arrivals: '0/min' | expected a rate above 0
       run intersection --set arrivals=20/ms | arrivals: '20/ms' | expected a rate
-      run intersection --set arrivals=20/min --robots 4 | robots | arrivals decide
-      run intersection --set arrivals=20/min --for 0 | duration | for as long as cars arrive
+      run intersection --set arrivals=20/min --robots 4 | robots | cannot be set with scenario=open
+      run intersection --set arrivals=20/min --for 0 | duration | where cars arrive until then
       run intersection --set arrivals=9/min --set scenario=figure7 | expected scenario=open
       run intersection --set scenario=legacy | files | expected the folder
       run intersection --set scenario=legacy --set files=/nowhere | no such file
@@ -95,8 +95,8 @@ class BadInputTest {
       campaign intersection --seeds 1..4 --robots 13 | robots: 13 | expected 1 to 12 cars
       record intersection --png noon | --png | 'noon' | expected t=TIME
       record intersection --gif --mcap | --gif | --mcap
-      record intersection --png end --when best | --when | expected one of the two
-      record intersection --gif --when end | --when | expected violation
+      record intersection --png end --when best | --when | expected only one of the two
+      record intersection --gif --when end | --when | expected --when violation
       record intersection --gif --every 1us | --every | at least 1ms
       record intersection --gif --html | --gif | --html
       record intersection --html a.html --out b.html | --out | expected one of the two

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -14,6 +16,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
+import org.starl.cli.Main;
 import org.starl.geometry.Obstacle;
 import org.starl.input.BadInput;
 import org.starl.sim.world.WaypointFile;
@@ -28,6 +31,9 @@ class InputFilesDocTest {
       Pattern.compile("\\| `([^`]+)` \\| `(my\\.wpt:1: [^`]+)` \\|");
   private static final Pattern WHOLE_FILE =
       Pattern.compile("\\| ([^|`]+) \\| `(my\\.wpt: [^`]+)` \\|");
+
+  private static final Pattern DRAWING =
+      Pattern.compile("\\| `(<[^`]+|WAY,[^`]+)` \\| `drawing(\\.(?:svg:2|wpt:1): [^`]+?)(?: \\.\\.\\.)?` \\|");
 
   private static Map<String, String> rows(Pattern row) throws IOException {
     Map<String, String> rows = new TreeMap<>();
@@ -62,6 +68,25 @@ class InputFilesDocTest {
                   messages.add(String.valueOf(error.getMessage()).replace(bad.toString(), FILE)));
     }
     assertThat(rows(WHOLE_FILE).values()).containsExactlyInAnyOrderElementsOf(messages);
+  }
+
+  @Test
+  void eachDrawingThatIsSaidToBeRefusedPrintsItsMessage(@TempDir Path folder) throws IOException {
+    Map<String, String> refused = rows(DRAWING);
+    assertThat(refused).hasSize(5);
+    for (Map.Entry<String, String> row : refused.entrySet()) {
+      boolean isSvg = row.getKey().startsWith("<");
+      Path drawing = folder.resolve(isSvg ? "drawing.svg" : "drawing.wpt");
+      String text = "<svg xmlns='http://www.w3.org/2000/svg'>\n" + row.getKey() + "\n</svg>\n";
+      Files.writeString(drawing, isSvg ? text : row.getKey());
+      StringWriter said = new StringWriter();
+      PrintWriter out = new PrintWriter(said);
+      Main.run(out, out, "run", "lightpaint", "--set", "drawing=" + drawing);
+      assertThat(said.toString().lines())
+          .singleElement()
+          .asString()
+          .startsWith("starl: " + folder.resolve("drawing") + row.getValue());
+    }
   }
 
   @Test

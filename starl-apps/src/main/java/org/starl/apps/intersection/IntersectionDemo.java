@@ -49,7 +49,7 @@ public final class IntersectionDemo implements Demo {
       new Parameter(
           "arrivals",
           "",
-          "how often cars arrive, such as 20/min (the default); implies scenario=open",
+          "mean rate of cars that arrive (scenario=open: 20/min); implies scenario=open",
           Form.above0(Quantity.RATE));
   private static final Parameter FILES =
       new Parameter(
@@ -147,10 +147,10 @@ public final class IntersectionDemo implements Demo {
 
   private static void checkOpen(Request request, SimSettings settings) {
     if (request.robots().isPresent()) {
-      throw new BadInput("robots: expected none given: on an open road arrivals decide");
+      throw new BadInput("robots: cannot be set with scenario=open; arrivals give the number of cars");
     }
     if (settings.endNs() > MAX_ARRIVALS_NS) {
-      throw new BadInput("duration: expected from 1ms to 1000h, for as long as cars arrive");
+      throw new BadInput("duration: expected from 1ms to 1000h with scenario=open, where cars arrive until then");
     }
   }
 

@@ -62,7 +62,7 @@ record LegacyFiles(List<Car> cars, Obstacles obstacles) {
       if (!name.equals(last)) {
         if (stations.put(name, new ItemPosition(name, point.pose())) != null) {
           throw new BadInput(
-              robot + ": its waypoints come back to zone " + name + ": expected each once");
+              robot + ": its waypoints enter zone " + name + " again: expected each zone once");
         }
         last = name;
       }

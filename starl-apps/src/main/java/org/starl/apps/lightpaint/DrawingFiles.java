@@ -49,7 +49,7 @@ final class DrawingFiles {
             ? SvgDrawing.read(file, bytes, mmPerUnit, flatnessMm)
             : WptDrawing.read(file, TextFile.decode(file, bytes, EXPECTED), mmPerUnit);
     if (lines.isEmpty()) {
-      throw new BadInput(file + ": no line has a stroke: expected something to paint");
+      throw new BadInput(file + ": no line has a stroke: expected at least one line to paint");
     }
     return lines;
   }

@@ -153,7 +153,7 @@ public final class LightPaintDemo implements Demo {
     List<Stroke> strokes = Strokes.of(lines, 2 * flatnessMm, longestMm);
     if (strokes.isEmpty() || strokes.size() > MAX_STROKES) {
       throw new BadInput(
-          "drawing=%s: %d strokes: expected 1 to %d; change that with scale or stroke"
+          "drawing=%s: %d strokes: expected 1 to %d; change scale or stroke"
               .formatted(BadInput.quote(file), strokes.size(), MAX_STROKES));
     }
     return strokes;

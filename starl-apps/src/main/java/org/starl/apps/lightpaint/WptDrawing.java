@@ -42,7 +42,7 @@ final class WptDrawing {
   private List<Line> lines(List<Waypoint> waypoints, double mmPerUnit) {
     Map<String, Waypoint> ends = new LinkedHashMap<>();
     for (Waypoint end : waypoints) {
-      check(NAME.matcher(end.name()).matches(), end, "is no end of a line");
+      check(NAME.matcher(end.name()).matches(), end, "does not name the end of a line");
       check(ends.put(end.name(), end) == null, end, "is there twice");
     }
     List<Line> lines = new ArrayList<>();
@@ -66,7 +66,7 @@ final class WptDrawing {
   private Ink ink(Waypoint a, Waypoint b, double mmPerUnit) {
     double rgb = a.angle();
     boolean isColour = rgb == StrictMath.rint(rgb) && rgb >= 0 && rgb <= Ink.MAX_RGB;
-    check(isColour, a, "has a third column that is no colour, 0 to 16777215");
+    check(isColour, a, "has a third column that is not a colour from 0 to 16777215");
     check(b.angle() == rgb, b, "has another colour than " + a.name());
     int width = Integer.parseInt(a.name().substring(a.name().indexOf('_') + 1));
     check(width > 0, a, "has no width");

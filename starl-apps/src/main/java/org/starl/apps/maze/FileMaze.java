@@ -59,7 +59,7 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
       }
     }
     throw new BadInput(
-        "robots: " + robots + ": expected fewer: they would stand in each other's only way");
+        "robots: " + robots + ": expected fewer, because some would block the only way of others");
   }
 
   /** The places in a file, all of which must be on the floor. */
@@ -69,7 +69,7 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
       if (!floor.contains(place.position().at())) {
         String where = place.name() + " at " + place.xMm() + "," + place.yMm();
         throw new BadInput(
-            file + ": " + where + ": expected on the floor (floorWidth, floorHeight)");
+            file + ": " + where + ": expected a place on the floor (floorWidth, floorHeight)");
       }
     }
     return places;
@@ -82,7 +82,7 @@ record FileMaze(Rectangle floor, Obstacles obstacles, List<Goal> goals, double b
         throw new BadInput(
             file
                 + (": an obstacle with lifetime " + wall.lifetimeMs())
-                + ": expected -1: a proof that there is no way must stay true");
+                + ": expected -1 (for ever), because a goal once proved unreachable must stay so");
       }
     }
     return walls;

@@ -60,7 +60,7 @@ public final class MazeDemo implements Demo {
           new Scenario("map", "a grid map of the path-finding benchmarks; needs map=FILE"));
   private static final Parameter FILES =
       new Parameter(
-          "files", "", "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies files");
+          "files", "", "folder of dest.wpt, obstacles.wpt and maybe start.wpt; implies scenario=files");
   private static final Parameter MAP =
       new Parameter("map", "", "a grid map (.map); implies scenario=map");
   private static final Parameter CELL =
@@ -178,7 +178,7 @@ public final class MazeDemo implements Demo {
     boolean hasFiles = !request.parameter(FILES.key()).isEmpty();
     boolean hasMap = !request.parameter(MAP.key()).isEmpty();
     if (hasFiles && hasMap) {
-      throw new BadInput("files and map: expected one of them");
+      throw new BadInput("files and map are both set: expected only one of them");
     }
     String implied = hasFiles ? "files" : hasMap ? "map" : SCENARIO.defaultValue();
     if (!scenario.equals(implied) && !scenario.equals(SCENARIO.defaultValue())) {

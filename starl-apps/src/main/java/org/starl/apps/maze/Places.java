@@ -87,7 +87,7 @@ final class Places {
   }
 
   static BadInput noRoom(int robots, int found) {
-    return new BadInput("robots: " + robots + ": no room for more than " + found + " of them here");
+    return new BadInput("robots: " + robots + ": expected at most " + found + " in this maze");
   }
 
   private boolean drawOne() {

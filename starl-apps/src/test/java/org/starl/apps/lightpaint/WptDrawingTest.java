@@ -33,11 +33,11 @@ class WptDrawingTest {
   @CsvSource(
       delimiter = ';',
       value = {
-        "WAY,1,1,0,home|; a.wpt:1: 'home' is no end of a line: expected WAY,x,y,colour,i-A_w",
+        "WAY,1,1,0,home|; a.wpt:1: 'home' does not name the end of a line: expected WAY,x,y,colour,i-A_w",
         "//|WAY,1,1,0,0-A_5|; a.wpt:2: '0-A_5' has no 0-B_5: expected",
         "WAY,1,1,0,0-A_5|WAY,1,1,0,0-A_5|; a.wpt:2: '0-A_5' is there twice",
         "WAY,1,1,0,0-A_5|WAY,9,1,7,0-B_5|; a.wpt:2: '0-B_5' has another colour than 0-A_5",
-        "WAY,1,1,-1,0-A_5|WAY,9,1,-1,0-B_5|; a.wpt:1: '0-A_5' has a third column that is no colour",
+        "WAY,1,1,-1,0-A_5|WAY,9,1,-1,0-B_5|; a.wpt:1: '0-A_5' has a third column that is not a colour",
         "WAY,1,1,0,0-A_0|WAY,9,1,0,0-B_0|; a.wpt:1: '0-A_0' has no width",
         "WAY,1|; a.wpt:1: 'WAY,1': expected WAY,x,y,angle,name"
       })

@@ -208,7 +208,7 @@ class MazeTest {
         .hasMessageContaining("an obstacle with lifetime 500: expected -1");
     folder(folder, "", "WAY,500,500,0,bot0", "WAY,9000,1500,0,A");
     assertThatThrownBy(() -> plan(1, 1, files, Map.of()))
-        .hasMessageContaining("A at 9000.0,1500.0: expected on the floor");
+        .hasMessageContaining("A at 9000.0,1500.0: expected a place on the floor");
     folder(folder, "", "WAY,500,500,0,bot0", "// nothing");
     assertThatThrownBy(() -> plan(1, 1, files, Map.of())).hasMessageContaining("no goal");
     folder(folder, "", "WAY,500,500,0,bot0", "WAY,1500,1500,0,A");

@@ -269,7 +269,7 @@ class RaceTest {
     Map<String, String> bad =
         Map.of(
             "SENSE,5,6,0,C\n", "has 0 points: expected 1 to 1000 WAY lines",
-            "WAY,1,2,0,A\nWAY,1,3,0,A\n", "has two points 'A': expected unequal names",
+            "WAY,1,2,0,A\nWAY,1,3,0,A\n", "two points are called 'A': expected different names",
             "WAY,1,2,0,A,0\n", "point 'A': expected a radius above 0");
     for (Map.Entry<String, String> one : bad.entrySet()) {
       Files.writeString(file, one.getKey());

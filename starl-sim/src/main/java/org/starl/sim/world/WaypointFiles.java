@@ -118,7 +118,7 @@ public final class WaypointFiles {
     for (int i = 1; i <= corners; i++) {
       String[] coordinates = fields[i].split(",", -1);
       if (coordinates.length != 2) {
-        throw broken(number, line, form + ", but " + BadInput.quote(fields[i]) + " is no x,y");
+        throw broken(number, line, form + ", but " + BadInput.quote(fields[i]) + " is not x,y");
       }
       double xMm = number(number, line, coordinates[0], form);
       points.add(new Point(xMm, number(number, line, coordinates[1], form)));
@@ -133,7 +133,7 @@ public final class WaypointFiles {
   private double number(int number, String line, String field, String form) {
     String stripped = field.strip();
     if (!NUMBER.matcher(stripped).matches()) {
-      throw broken(number, line, form + ", but " + BadInput.quote(stripped) + " is no number");
+      throw broken(number, line, form + ", but " + BadInput.quote(stripped) + " is not a number");
     }
     return Double.parseDouble(stripped);
   }

@@ -62,7 +62,7 @@ final class SvgCheck {
       int line = e.getLocation() == null ? 1 : Math.max(1, e.getLocation().getLineNumber());
       List<String> message = String.valueOf(e.getMessage()).lines().toList();
       String why = message.get(message.size() - 1).replaceFirst("^Message: ", "");
-      throw new BadInput(file + ":" + line + ": is no XML (" + why + "): expected an SVG drawing");
+      throw new BadInput(file + ":" + line + ": is not XML (" + why + "): expected an SVG drawing");
     }
   }
 

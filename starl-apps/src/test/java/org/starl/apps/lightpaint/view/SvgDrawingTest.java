@@ -129,7 +129,7 @@ class SvgDrawingTest {
         "<line x1='one' y1='2'/> | a.svg:2: x1='one': expected a length",
         "<polyline points='1,2 34'/> | a.svg:2: points, character 7, at '': expected numbers in pairs",
         "<polyline points='1,2 3'/> | a.svg:2: points, character 6, at '': expected numbers in pairs",
-        "<g> | a.svg:3: is no XML"
+        "<g> | a.svg:3: is not XML"
       })
   void anErrorNamesFileAndLine(String inside, String expected) {
     assertThatThrownBy(() -> read(inside.strip()))

@@ -223,7 +223,7 @@ class LiveRunTest {
     assertThatThrownBy(run.point(new RobotId("bot8"), 1, 1)::get)
         .hasMessageContaining("no robot is called bot8");
     assertThatThrownBy(run.fault("stuck(bot1,until=1ms)")::get)
-        .hasMessageContaining("expected an end after the present time");
+        .hasMessageContaining("expected a later end");
     run.runUntil(Long.MAX_VALUE);
     while (!run.isOver()) {
       Thread.onSpinWait();
