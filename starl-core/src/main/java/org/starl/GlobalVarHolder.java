@@ -2,7 +2,9 @@ package org.starl;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -32,6 +34,7 @@ public final class GlobalVarHolder {
   public final Trace trace;
 
   private final Variables variables;
+  private final Map<String, Object> published = new TreeMap<>();
   private final List<Supplier<@Nullable Wait>> waits = new ArrayList<>();
 
   /**
@@ -65,6 +68,20 @@ public final class GlobalVarHolder {
         throw new IllegalStateException(source + ": this robot has this instance already");
       }
     }
+  }
+
+  /**
+   * Makes {@code part} known to later parts of this robot, which find it by {@link #published}.
+   *
+   * @param xid the instance; of two parts of one type and instance the later one counts
+   */
+  public <T> void publish(Class<T> type, String xid, T part) {
+    published.put(type.getName() + "/" + xid, part);
+  }
+
+  /** The part of this type and instance that was published; null if none was. */
+  public <T> @Nullable T published(Class<T> type, String xid) {
+    return type.cast(published.get(type.getName() + "/" + xid));
   }
 
   /** Adds a variable whose owner computes its value when it is read. */

@@ -127,8 +127,8 @@ class UnfinishedRunTest {
         run(
             2,
             app -> {
-              M_Mutex left = new M_Mutex(app.gvh(), "left");
-              M_Mutex right = new M_Mutex(app.gvh(), "right");
+              M_Mutex left = new M_Mutex(app.gvh(), "left", app.gvh().id.participants());
+              M_Mutex right = new M_Mutex(app.gvh(), "right", app.gvh().id.participants());
               app.enter(app.is(0) ? left : right, "S");
               app.pause(2_000);
               app.enter(app.is(0) ? right : left, "S");
@@ -147,7 +147,7 @@ class UnfinishedRunTest {
         run(
             3,
             app -> {
-              M_Mutex mutex = new M_Mutex(app.gvh(), "door");
+              M_Mutex mutex = new M_Mutex(app.gvh(), "door", app.gvh().id.participants());
               if (!app.is(1)) {
                 app.pause(1_000);
               }
@@ -220,7 +220,7 @@ class UnfinishedRunTest {
         run(
             3,
             app -> {
-              M_Mutex mutex = new M_Mutex(app.gvh(), "door");
+              M_Mutex mutex = new M_Mutex(app.gvh(), "door", app.gvh().id.participants());
               if (!app.is(1)) {
                 app.pause(1_000);
               }

@@ -120,7 +120,7 @@ public final class MutexCost {
     Entrant(GlobalVarHolder gvh, long askMs) {
       super(gvh);
       this.askMs = askMs;
-      mux = new M_Mutex(gvh, "section");
+      mux = new M_Mutex(gvh, "section", gvh.id.participants());
     }
 
     @Override

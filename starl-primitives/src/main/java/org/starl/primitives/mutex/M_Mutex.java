@@ -60,9 +60,13 @@ public final class M_Mutex implements MutexPrim {
   private final Queue<Runnable> membershipCalls = new ArrayDeque<>();
   private boolean closed;
 
-  /** Creates a mutex among all robots of the deployment; see the constructor with a list. */
+  /**
+   * Creates a mutex among the robots of this robot's registration {@code xid} (paper, Figure 4).
+   *
+   * @throws IllegalStateException if the robot's program has created no registration {@code xid}
+   */
   public M_Mutex(GlobalVarHolder gvh, String xid) {
-    this(gvh, xid, gvh.id.participants());
+    this(gvh, xid, registration(gvh, xid));
   }
 
   /**
@@ -104,6 +108,18 @@ public final class M_Mutex implements MutexPrim {
     endpoint = gvh.comms.open(channel, this::received);
     membership.onChange(this::membershipChanged);
     gvh.explain(this::waitsFor);
+  }
+
+  private static Membership registration(GlobalVarHolder gvh, String xid) {
+    Membership registration = gvh.published(Membership.class, xid);
+    if (registration == null) {
+      throw new IllegalStateException(
+          MutexTrace.source(xid)
+              + ": this robot has no registration/"
+              + xid
+              + ": expected one, created before, or a list of participants");
+    }
+    return registration;
   }
 
   /** The closed group of the participants of each robot's first start. */

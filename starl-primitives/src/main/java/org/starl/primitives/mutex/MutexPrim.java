@@ -1,7 +1,10 @@
 package org.starl.primitives.mutex;
 
 import java.util.Collection;
+import java.util.List;
 import java.util.SortedSet;
+import java.util.stream.Collectors;
+import org.starl.geometry.ItemPosition;
 import org.starl.gvh.GvhVariable;
 import org.starl.id.Participants;
 import org.starl.primitives.StarLPrimitive;
@@ -45,6 +48,15 @@ public interface MutexPrim extends StarLPrimitive {
    *     robot outside a fixed group: such a robot could not be excluded
    */
   void do_mutex(Collection<String> sections, Participants plist);
+
+  /**
+   * The same for a path: the names of its points are the sections (paper, Figure 4).
+   *
+   * @throws IllegalArgumentException as above
+   */
+  default void do_mutex(List<ItemPosition> path, Participants plist) {
+    do_mutex(path.stream().map(ItemPosition::name).collect(Collectors.toList()), plist);
+  }
 
   /** Whether access was granted and a section is still held; {@code crit().get()}. */
   boolean od_mutex();

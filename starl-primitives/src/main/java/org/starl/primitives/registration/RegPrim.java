@@ -1,6 +1,8 @@
 package org.starl.primitives.registration;
 
+import org.jspecify.annotations.Nullable;
 import org.starl.gvh.GvhVariable;
+import org.starl.id.Participants;
 import org.starl.primitives.StarLPrimitive;
 
 /** The registration interface for apps (paper, section 4.3). Strand only. */
@@ -17,11 +19,14 @@ public interface RegPrim extends StarLPrimitive {
    */
   void do_register();
 
-  /** As {@code rList().get()}. */
-  RList getList();
+  /**
+   * The agreed list, or null if there is none, as in the paper's Figure 4: {@code if (reg.getList()
+   * != null)}. {@link #ts} is its time stamp.
+   */
+  @Nullable Participants getList();
 
   /**
-   * The agreed list. Also null while a newer one is expected, for a bounded time. The mutex does not
+   * The agreed list with its time stamp. Also null while a newer one is expected, for a bounded time. The mutex does not
    * depend on this: it reads the views themselves.
    */
   GvhVariable<RList> rList();

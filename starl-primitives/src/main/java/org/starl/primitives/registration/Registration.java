@@ -67,6 +67,7 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
             gvh.plat.clock.nowNs());
     shownMe = protocol.me();
     wire.start(protocol, this::show);
+    gvh.publish(Membership.class, xid, this);
   }
 
   @Override
@@ -90,8 +91,8 @@ public final class Registration extends SynodPrimitive implements RegPrim, Membe
   }
 
   @Override
-  public RList getList() {
-    return rList.get();
+  public @Nullable Participants getList() {
+    return rList.get() instanceof RList.Agreed agreed ? agreed.list() : null;
   }
 
   @Override

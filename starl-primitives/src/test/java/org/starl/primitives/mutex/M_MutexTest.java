@@ -35,7 +35,7 @@ class M_MutexTest {
   @Test
   void aClosedGroupTakesTurnsOverABadRadio() {
     for (long seed = 0; seed < 10; seed++) {
-      SimResult result = run(5, seed, 0.3, gvh -> new Turns(gvh, new M_Mutex(gvh, XID), 5));
+      SimResult result = run(5, seed, 0.3, gvh -> new Turns(gvh, new M_Mutex(gvh, XID, gvh.id.participants()), 5));
       assertThat(result.isFinished()).as("seed %d", seed).isTrue();
       assertThat(result.spec().holds()).as("seed %d: %s", seed, result.spec()).isTrue();
       assertThat(result.spec().checks(MutexSpec.EXCLUSIVE)).isEqualTo(25);
@@ -74,6 +74,50 @@ class M_MutexTest {
   }
 
   @Test
+  void theMembershipIsTheRegistrationOfTheSameId() {
+    SimResult result =
+        run(
+            1,
+            1,
+            0,
+            gvh -> {
+              Registration reg = new Registration(gvh, XID);
+              M_Mutex mux = new M_Mutex(gvh, XID);
+              return new Script(
+                  gvh,
+                  script -> {
+                    mux.do_mutex(List.of("A"));
+                    MutexFailure unregistered = mux.failure().get();
+                    reg.do_register();
+                    script.awaits(() -> reg.getList() != null);
+                    mux.do_mutex(List.of("A"));
+                    script.awaits(mux::od_mutex);
+                    return List.of(unregistered);
+                  });
+            });
+    assertThat(result.results().values()).containsExactly(List.of(MutexFailure.NOT_REGISTERED));
+  }
+
+  @Test
+  void theAbsenceOfARegistrationOfThisIdIsRefused() {
+    SimResult result =
+        run(
+            1,
+            1,
+            0,
+            gvh -> {
+              new Registration(gvh, "another");
+              String message = messageOf(() -> new M_Mutex(gvh, XID));
+              return new Script(gvh, script -> List.of(message));
+            });
+    assertThat(result.results().values())
+        .containsExactly(
+            List.of(
+                "mutex/crossing: this robot has no registration/crossing: expected one, created"
+                    + " before, or a list of participants"));
+  }
+
+  @Test
   void aRequestThatNeedsAnAbsentRobotFailsAtItsDeadline() {
     SimResult result =
         run(
@@ -103,7 +147,7 @@ class M_MutexTest {
             1,
             0,
             gvh -> {
-              M_Mutex mux = new M_Mutex(gvh, XID);
+              M_Mutex mux = new M_Mutex(gvh, XID, gvh.id.participants());
               return new Script(
                   gvh,
                   script -> {
@@ -220,7 +264,7 @@ class M_MutexTest {
 
   @Test
   void wrongUseEndsTheRunWithAMessage() {
-    assertFails("has this instance already", (gvh, mux) -> new M_Mutex(gvh, XID));
+    assertFails("has this instance already", (gvh, mux) -> new M_Mutex(gvh, XID, gvh.id.participants()));
     assertFails("do_mutex of [A] while CRITICAL", (gvh, mux) -> mux.do_mutex(List.of("A")));
     assertFails("section 'a b'", (gvh, mux) -> mux.release("a b"));
     assertFails("release of [B] while holding [A]", (gvh, mux) -> mux.release("B"));
@@ -244,7 +288,7 @@ class M_MutexTest {
   void aShortParticipantListDoesNotNarrowExclusion() {
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
-          M_Mutex mux = new M_Mutex(gvh, XID);
+          M_Mutex mux = new M_Mutex(gvh, XID, gvh.id.participants());
           return new Script(
               gvh,
               script -> {
@@ -367,7 +411,7 @@ class M_MutexTest {
   private static void assertFails(String message, Wrong wrong) {
     Function<GlobalVarHolder, LogicThread> app =
         gvh -> {
-          M_Mutex mux = new M_Mutex(gvh, XID);
+          M_Mutex mux = new M_Mutex(gvh, XID, gvh.id.participants());
           return new Script(
               gvh,
               script -> {

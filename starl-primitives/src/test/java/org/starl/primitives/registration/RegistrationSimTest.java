@@ -12,6 +12,7 @@ import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.id.Participants;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.agreement.Decision;
 import org.starl.primitives.agreement.SetAgreement;
@@ -40,10 +41,10 @@ class RegistrationSimTest {
       sleep(gvh.plat.entropy.fork("guest").nextLong(0, 3_000));
       do {
         reg.do_register();
-        await(() -> reg.getList().isAgreed() || reg.failed().get());
+        await(() -> reg.getList() != null || reg.failed().get());
       } while (reg.failed().get());
-      RList list = reg.getList();
-      int among = list instanceof RList.Agreed agreed ? agreed.list().size() : 0;
+      Participants list = reg.getList();
+      int among = list == null ? 0 : list.size();
       sleep(2_000);
       reg.unregister();
       await(() -> reg.isUnregistered() || reg.failed().get());

@@ -96,7 +96,7 @@ final class Claim {
         }
       }
       case REGISTERING -> {
-        if (reg.getList().isAgreed()) {
+        if (reg.getList() != null) {
           mutex.do_mutex(List.of(place));
           state = State.ASKING;
         } else if (reg.failed().get()) {

@@ -9,7 +9,6 @@ import org.starl.id.Participants;
 import org.starl.motion.MotionFlag;
 import org.starl.primitives.mutex.M_Mutex;
 import org.starl.primitives.mutex.MutexPrim;
-import org.starl.primitives.registration.RList;
 import org.starl.primitives.registration.RegPrim;
 import org.starl.primitives.registration.Registration;
 
@@ -106,8 +105,9 @@ public final class IntersectionApp extends LogicThread {
           }
         }
         case REGISTER_WAIT -> {
-          if (reg.getList() instanceof RList.Agreed agreed) {
-            plist = agreed.list();
+          Participants list = reg.getList();
+          if (list != null) {
+            plist = list;
             if (myseq.isEmpty()) {
               gvh.plat.moat.doMove(myseq.currentDestination());
               location.set(Location.S_1);
