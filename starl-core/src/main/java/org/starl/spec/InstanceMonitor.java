@@ -16,7 +16,7 @@ import org.starl.trace.TraceEvent.Variable;
  */
 public abstract class InstanceMonitor<R> extends LemmaMonitor {
 
-  private final Predicate<String> isInstance;
+  private Predicate<String> isInstance;
   private final Map<String, R> instances = new TreeMap<>();
 
   /**
@@ -24,6 +24,15 @@ public abstract class InstanceMonitor<R> extends LemmaMonitor {
    */
   protected InstanceMonitor(Predicate<String> isInstance) {
     this.isInstance = isInstance;
+  }
+
+  /**
+   * Checks the instance {@code xid} only: {@code new MutexSpec(bounds).only("crossing")}. Its {@link
+   * #companions} still check every instance.
+   */
+  public final InstanceMonitor<R> only(String xid) {
+    isInstance = isInstance.and(source -> source.substring(source.indexOf('/') + 1).equals(xid));
+    return this;
   }
 
   /** The state of an instance before its first event. */

@@ -71,7 +71,7 @@ final class MutexClient extends Client {
     MutexBounds bounds = MutexBounds.of(setup.robots(), D1_NS, Setup.deltaNs(setup.settings()));
     // After the bounds: a late grant violates the specification before the request fails.
     MutexTimes times = MutexTimes.DEFAULT.withDeadlineMs(2 * bounds.d2Ns() / Time.NS_PER_MS);
-    setup.simulation().monitor(() -> new MutexSpec(XID, bounds));
+    setup.simulation().monitor(() -> new MutexSpec(bounds));
     setup.place(gvh -> {
       Registration reg =
           isOpen ? new Registration(gvh, XID, gvh.id.participants(), setup.registration()) : null;

@@ -23,7 +23,7 @@ import org.starl.spec.Monitor
  *   robots(4) { gvh -> Hello(gvh) }
  *   network { loss(0.1) }
  *   faults { +"crash(bot2,at=12s,restart=5s)" }
- *   monitor { MutexSpec("dock") }
+ *   monitor { MutexSpec() }
  * }.run()
  * ```
  *

@@ -169,7 +169,7 @@ public final class MazeDemo implements Demo {
     simulation
         .observer(story)
         .monitor(() -> new MazeSpec(obstacles, tasks, bodyMm, robots * TURN_NS))
-        .monitor(() -> new MutexSpec(MazeApp.FLOOR));
+        .monitor(MutexSpec::new);
     return new Plan(simulation, story, new MazeLayer(tasks), obstacles);
   }
 

@@ -38,7 +38,7 @@ class Figure4Test {
         .robot(car(1, new Pose(-FAR_MM, -LANE_MM, 0), C, D, at("D1", FAR_MM, -LANE_MM)))
         .robot(car(2, new Pose(LANE_MM, -FAR_MM, HALF_TURN / 2), D, B, at("B1", LANE_MM, FAR_MM)))
         .robot(car(3, new Pose(FAR_MM, LANE_MM, HALF_TURN), B, A, at("A1", -FAR_MM, LANE_MM)))
-        .monitor(() -> new MutexSpec("figure4"))
+        .monitor(MutexSpec::new)
         .monitor(RegistrationSpec::new);
   }
 

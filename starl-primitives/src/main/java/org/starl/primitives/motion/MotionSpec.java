@@ -48,7 +48,12 @@ public final class MotionSpec extends LemmaMonitor {
   private int faultsOfTime;
   private long firstDeadlineNs = Long.MAX_VALUE;
 
-  /** Creates a specification for position errors below 50 mm. */
+  /** For robots with the default motion parameters, and position errors below 50 mm. */
+  public MotionSpec() {
+    this(MotionParameters.DEFAULT);
+  }
+
+  /** For position errors below 50 mm. */
   public MotionSpec(MotionParameters parameters) {
     this(parameters, 50);
   }

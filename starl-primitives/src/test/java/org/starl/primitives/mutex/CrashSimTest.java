@@ -144,7 +144,7 @@ class CrashSimTest {
       builder.robot(new RobotSpec(car, new Pose(0, 0, 0), false, gvh -> new Car(gvh, untilNs)));
     }
     return builder
-        .monitor(() -> new MutexSpec(XID, bounds))
+        .monitor(() -> new MutexSpec(bounds))
         .monitor(MutexConformance::new)
         .monitor(() -> new RegistrationSpec(20 * S))
         .observer(

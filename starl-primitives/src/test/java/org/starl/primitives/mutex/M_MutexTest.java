@@ -438,7 +438,7 @@ class M_MutexTest {
         .robots(robots, app)
         .seed(seed)
         .settings(settings)
-        .monitor(() -> new MutexSpec(XID))
+        .monitor(MutexSpec::new)
         .build()
         .run();
   }

@@ -25,7 +25,7 @@ class MutexSpecTest {
   private static final ProcessId K = new ProcessId(new RobotId("k"), 1);
 
   private final Monitors monitors =
-      new Monitors(List.of(new MutexSpec("x", new MutexBounds(100, 50, 10))));
+      new Monitors(List.of(new MutexSpec(new MutexBounds(100, 50, 10)).only("x")));
 
   MutexSpecTest() {
     event(0, new MutexEvent.Learned(I, View.closed(List.of(I, J, K))));

@@ -47,7 +47,7 @@ final class MutexTimedWorld {
   MutexTimedWorld(Shape shape, MutexBounds bounds, MutexNode.Kind kind, long seed) {
     this.shape = shape;
     rng = new Rng(seed);
-    monitors = new Monitors(List.of(new MutexSpec("x", bounds)));
+    monitors = new Monitors(List.of(new MutexSpec(bounds)));
     List<ProcessId> ids = new ArrayList<>();
     for (int i = 0; i < shape.members(); i++) {
       ids.add(new ProcessId(new RobotId("p" + i), 1));

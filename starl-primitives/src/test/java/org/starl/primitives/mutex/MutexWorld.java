@@ -61,7 +61,7 @@ final class MutexWorld {
   final List<MutexNode> nodes = new ArrayList<>();
   final List<MutexMessage> inFlight = new ArrayList<>();
   final List<View> log = new ArrayList<>();
-  final Monitors monitors = new Monitors(List.of(new MutexSpec("x")));
+  final Monitors monitors = new Monitors(List.of(new MutexSpec()));
   long entries;
   long failures;
   long confinements;

@@ -49,21 +49,21 @@ class SpecimenTest {
 
   enum Specimen {
     TOKEN_MUTEX_WITH_STALE_OWNER_BROADCASTS(
-        "Exclusive", TokenMutex::new, () -> new MutexSpec(Contender.XID)),
+        "Exclusive", TokenMutex::new, MutexSpec::new),
     SET_MUTEX_WITH_LIST_INDEX_AND_DOUBLE_REPLIES(
         "Exclusive",
         setMutex(false, Bug.LIST_INDEX, Bug.DOUBLE_REPLIES),
-        () -> new MutexSpec(Contender.XID)),
+        MutexSpec::new),
     SET_MUTEX_WITH_LIST_INDEX_ALONE(
-        "Exclusive", setMutex(false, Bug.LIST_INDEX), () -> new MutexSpec(Contender.XID)),
+        "Exclusive", setMutex(false, Bug.LIST_INDEX), MutexSpec::new),
     SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE(
-        "Exclusive", setMutex(false, Bug.DOUBLE_REPLIES), () -> new MutexSpec(Contender.XID)),
+        "Exclusive", setMutex(false, Bug.DOUBLE_REPLIES), MutexSpec::new),
     SET_MUTEX_THAT_BREAKS_ITS_WORD(
-        "Promise", setMutex(true, Bug.LIST_INDEX), () -> new MutexSpec(Contender.XID)),
+        "Promise", setMutex(true, Bug.LIST_INDEX), MutexSpec::new),
     SET_MUTEX_THAT_ASKS_NEIGHBOURS_ONLY(
-        "Connected", setMutex(false, Bug.ASKS_NEIGHBOURS), () -> new MutexSpec(Contender.XID)),
+        "Connected", setMutex(false, Bug.ASKS_NEIGHBOURS), MutexSpec::new),
     SET_MUTEX_THAT_LETS_STRANGERS_IN(
-        "Complete", setMutex(false, Bug.LETS_STRANGERS_IN), () -> new MutexSpec(Contender.XID)),
+        "Complete", setMutex(false, Bug.LETS_STRANGERS_IN), MutexSpec::new),
     SET_MUTEX_THAT_ENTERS_ONE_ANSWER_EARLY(
         "Mutex_decls", setMutex(false, Bug.ENTERS_EARLY), MutexConformance::new),
     BARRIER_THAT_LOSES_EARLY_ARRIVALS(

@@ -94,13 +94,13 @@ public record IntersectionSpec(long deltaNs, int cars, int places) {
     monitors.add(() -> new TrafficSafety(regions));
     monitors.add(() -> new ListCrit(xid));
     monitors.add(() -> new TrafficProgress(trafficNs()));
-    monitors.add(() -> new MutexSpec(xid, zones));
+    monitors.add(() -> new MutexSpec(zones).only(xid));
     monitors.add(RegistrationSpec::new);
     // A car holds its place while it waits for its zones.
     MutexBounds queue = MutexBounds.of(participants, trafficNs(), deltaNs);
     for (int rank = 0; rank < places; rank++) {
       String instance = Lane.instance(xid, rank);
-      monitors.add(() -> new MutexSpec(instance, queue));
+      monitors.add(() -> new MutexSpec(queue).only(instance));
     }
     return monitors;
   }
