@@ -15,6 +15,11 @@ public interface Codec<T> {
 
   T read(WireReader in);
 
+  /** Texts, as UTF-8 to the end of the message. */
+  static Codec<String> text() {
+    return of((text, out) -> out.text(text), WireReader::text);
+  }
+
   /** A codec of two functions, for messages of a few fields. */
   static <T> Codec<T> of(BiConsumer<T, WireWriter> writer, Function<WireReader, T> reader) {
     return new Codec<>() {

@@ -121,7 +121,15 @@ public final class WireReader {
   }
 
   public String string() {
-    int bytes = u8();
+    return utf8(u8());
+  }
+
+  /** Reads everything that is left, as UTF-8. */
+  public String text() {
+    return utf8(remaining());
+  }
+
+  private String utf8(int bytes) {
     need(bytes);
     if (isAscii(buffer, position, bytes)) {
       position += bytes;

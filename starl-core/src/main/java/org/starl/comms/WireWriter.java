@@ -126,16 +126,32 @@ public final class WireWriter {
     length = at;
   }
 
+  /** Writes a string in UTF-8, without its length: the last field, for {@link WireReader#text}. */
+  public void text(String value) {
+    ByteBuffer utf8 = utf8(value);
+    room(utf8.remaining());
+    append(utf8);
+  }
+
   private void encoded(String value) {
+    ByteBuffer utf8 = utf8(value);
+    int bytes = utf8.remaining();
+    check(bytes <= 0xFF, "string length", bytes);
+    room(1 + bytes);
+    buffer[length++] = (byte) bytes;
+    append(utf8);
+  }
+
+  private void append(ByteBuffer bytes) {
+    int count = bytes.remaining();
+    bytes.get(buffer, length, count);
+    length += count;
+  }
+
+  private static ByteBuffer utf8(String value) {
     try {
       // An encoder reports half a surrogate pair; String.getBytes would write a '?'.
-      ByteBuffer utf8 = StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(value));
-      int bytes = utf8.remaining();
-      check(bytes <= 0xFF, "string length", bytes);
-      room(1 + bytes);
-      buffer[length++] = (byte) bytes;
-      utf8.get(buffer, length, bytes);
-      length += bytes;
+      return StandardCharsets.UTF_8.newEncoder().encode(CharBuffer.wrap(value));
     } catch (CharacterCodingException e) {
       throw new IllegalArgumentException("a string with half a surrogate pair", e);
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatExceptionOfType;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import java.nio.charset.StandardCharsets;
 import net.jqwik.api.Arbitraries;
 import net.jqwik.api.Arbitrary;
 import net.jqwik.api.Assume;
@@ -28,6 +29,20 @@ class WireCodecTest {
             .withChars("._-")
             .ofMaxLength(31);
     return first.flatMap(c -> rest.map(tail -> c + tail));
+  }
+
+  @Property
+  void aTextIsReadBackToTheEnd(@ForAll String text) {
+    Assume.that(text.codePoints().noneMatch(c -> c >= 0xD800 && c <= 0xDFFF));
+    byte[] bytes = WireWriter.toBytes(out -> Codec.text().write(text, out));
+    assertThat(bytes).isEqualTo(text.getBytes(StandardCharsets.UTF_8));
+    assertThat(Codec.text().read(new WireReader(bytes))).isEqualTo(text);
+  }
+
+  @Test
+  void bytesThatAreNotUtf8AreNoText() {
+    assertThatExceptionOfType(WireFormatException.class)
+        .isThrownBy(() -> Codec.text().read(new WireReader(new byte[] {(byte) 0xC3})));
   }
 
   @Property

@@ -7,6 +7,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.comms.Codec;
 import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
@@ -76,7 +77,7 @@ class UnfinishedRunTest {
       }
     }
 
-    void waitFor(SetAgreement agreement) {
+    void waitFor(SetAgreement<String> agreement) {
       await(() -> agreement.decided().get().toString().startsWith("never"));
     }
 
@@ -318,8 +319,9 @@ class UnfinishedRunTest {
         run(
             2,
             app -> {
-              SetAgreement agreement = new SetAgreement(app.gvh(), "colour");
-              agreement.propose(new byte[] {1});
+              SetAgreement<String> agreement =
+                  new SetAgreement<>(app.gvh(), "colour", Codec.text());
+              agreement.propose("red");
               app.waitFor(agreement);
             });
     assertThat(diagnosis.kind()).isEqualTo(Kind.STUCK);

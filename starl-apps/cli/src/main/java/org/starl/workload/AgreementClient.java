@@ -3,24 +3,28 @@ package org.starl.workload;
 import java.util.ArrayList;
 import java.util.List;
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Codec;
+import org.starl.comms.WireReader;
+import org.starl.primitives.agreement.AgreementSettings;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.agreement.SetAgreement;
-import org.starl.primitives.agreement.SynodTiming;
 
 /** In each round all robots propose a value of their own. */
 final class AgreementClient extends Client {
 
   private static final long THINK_MS = 50;
+  private static final Codec<Integer> VALUE =
+      Codec.of((value, out) -> out.u16(value), WireReader::u16);
 
   // Created at the start: each serves as an acceptor even before this robot proposes.
-  private final List<SetAgreement> agreements = new ArrayList<>();
+  private final List<SetAgreement<Integer>> agreements = new ArrayList<>();
 
   private AgreementClient(GlobalVarHolder gvh, Setup setup) {
     super(gvh, setup, THINK_MS);
+    AgreementSettings settings = AgreementSettings.DEFAULT.withDeadlineMs(setup.deadlineMs());
     for (int i = 0; i < setup.course().rounds(); i++) {
       agreements.add(
-          new SetAgreement(
-              gvh, "round" + i, gvh.id.participants(), SynodTiming.DEFAULT, setup.deadlineMs()));
+          new SetAgreement<>(gvh, "round" + i, VALUE, gvh.id.participants(), settings));
     }
   }
 
@@ -31,8 +35,8 @@ final class AgreementClient extends Client {
 
   @Override
   protected boolean obtain(int round) {
-    SetAgreement agreement = agreements.get(round);
-    agreement.propose(new byte[] {(byte) rng.nextInt(256), (byte) rng.nextInt(256)});
+    SetAgreement<Integer> agreement = agreements.get(round);
+    agreement.propose(rng.nextInt(256) << 8 | rng.nextInt(256));
     await(() -> agreement.decided().get().isDecided() || agreement.failed().get());
     return agreement.decided().get().isDecided();
   }

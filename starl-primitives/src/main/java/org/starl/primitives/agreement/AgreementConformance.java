@@ -57,7 +57,7 @@ public final class AgreementConformance extends Conformance<Replay<States, Agree
     Replay<States, AgreementAction> replay = instance(variable.source());
     RobotId i = variable.robot();
     String value = variable.value();
-    if (value.equals(Decision.NONE_YET.toString())) {
+    if (value.equals(Decision.NONE_YET)) {
       if (replay.state().decided().at(i).isUp()) {
         replay.step(variable, new AgreementAction.restart(i), report);
       }

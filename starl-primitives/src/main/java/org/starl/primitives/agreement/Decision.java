@@ -1,27 +1,37 @@
 package org.starl.primitives.agreement;
 
-/** The outcome of a {@link SetAgreement}, as far as this robot knows. */
-public sealed interface Decision {
+/**
+ * The outcome of a {@link SetAgreement}, as far as this robot knows.
+ *
+ * @param <T> the values
+ */
+public sealed interface Decision<T> {
 
-  Decision NONE_YET = new NoneYet();
+  /** The text of a decision that is not known, in the trace. */
+  String NONE_YET = "null";
 
   boolean isDecided();
 
-  /** The value agreed on; the same on every robot, for ever. */
-  record Decided(Value value) implements Decision {
+  /**
+   * The value agreed on; the same on every robot, for ever.
+   *
+   * @param bytes the value as its codec writes it; the trace shows them
+   */
+  record Decided<T>(T value, Value bytes) implements Decision<T> {
     @Override
     public boolean isDecided() {
       return true;
     }
 
+    /** The bytes, in hexadecimal digits. */
     @Override
     public String toString() {
-      return value.toString();
+      return bytes.toString();
     }
   }
 
   /** This robot knows of no decision. */
-  record NoneYet() implements Decision {
+  record NoneYet<T>() implements Decision<T> {
     @Override
     public boolean isDecided() {
       return false;
@@ -29,7 +39,7 @@ public sealed interface Decision {
 
     @Override
     public String toString() {
-      return "null";
+      return NONE_YET;
     }
   }
 }

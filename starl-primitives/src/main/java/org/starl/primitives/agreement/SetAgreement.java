@@ -6,6 +6,7 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.comms.Channel;
+import org.starl.comms.Codec;
 import org.starl.gvh.GvhCell;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
@@ -15,11 +16,10 @@ import org.starl.id.RobotId;
 /**
  * Agreement on one value, once. A robot that constructs it serves as an acceptor, if it is
  * one; {@link #propose} makes it work for a decision. Strand only.
+ *
+ * @param <T> the values; equal ones must be written as equal bytes
  */
-public final class SetAgreement extends SynodPrimitive {
-
-  /** The default time after which a proposal is given up, in ms. */
-  public static final long DEFAULT_DEADLINE_MS = 30_000;
+public final class SetAgreement<T> extends SynodPrimitive {
 
   /** Action with the acceptors: from now on this robot serves, if it is one of them. */
   static final String ACCEPTORS = "acceptors";
@@ -34,35 +34,46 @@ public final class SetAgreement extends SynodPrimitive {
   private static final long ONLY_NUMBER = 1;
 
   private final Participants acceptors;
+  private final Codec<T> codec;
   private final long deadlineMs;
-  private final GvhCell<Decision> decided;
+  private final GvhCell<Decision<T>> decided;
   private final GvhCell<Boolean> failed;
   private final Protocol protocol;
 
-  /** With all robots of the deployment as acceptors. */
-  public SetAgreement(GlobalVarHolder gvh, String instance) {
-    this(gvh, instance, gvh.id.participants(), SynodTiming.DEFAULT, DEFAULT_DEADLINE_MS);
+  /**
+   * With all robots of the deployment as acceptors.
+   *
+   * @param xid the instance: robots with equal ones agree with each other
+   * @param codec encodes values, in at most {@link Value#MAX_BYTES} bytes
+   */
+  public SetAgreement(GlobalVarHolder gvh, String xid, Codec<T> codec) {
+    this(gvh, xid, codec, gvh.id.participants());
   }
 
   /**
-   * @param acceptors the same on every robot, for ever
+   * @param acceptors the same on every robot, for ever; a decision needs a majority of them in reach
    */
+  public SetAgreement(GlobalVarHolder gvh, String xid, Codec<T> codec, Participants acceptors) {
+    this(gvh, xid, codec, acceptors, AgreementSettings.DEFAULT);
+  }
+
   public SetAgreement(
       GlobalVarHolder gvh,
-      String instance,
+      String xid,
+      Codec<T> codec,
       Participants acceptors,
-      SynodTiming timing,
-      long deadlineMs) {
+      AgreementSettings settings) {
     super(
         gvh,
-        PRIMITIVE + "/" + instance,
-        new Channel<>(PRIMITIVE, instance, new SynodCodec(SynodCodec.Format.anyValueNoWish())));
+        PRIMITIVE + "/" + xid,
+        new Channel<>(PRIMITIVE, xid, new SynodCodec(SynodCodec.Format.of(codec))));
+    this.codec = codec;
     this.acceptors = acceptors;
-    this.deadlineMs = deadlineMs;
-    decided = gvh.variable(source, DECIDED, Decision.NONE_YET);
+    this.deadlineMs = settings.deadlineMs();
+    decided = gvh.variable(source, DECIDED, new Decision.NoneYet<>());
     failed = gvh.variable(source, FAILED, false);
     gvh.trace.action(source, ACCEPTORS, acceptors.asList().toArray());
-    protocol = new Protocol(timing);
+    protocol = new Protocol(settings.timing());
     wire.start(protocol, this::show);
   }
 
@@ -71,10 +82,11 @@ public final class SetAgreement extends SynodPrimitive {
    * at the deadline, {@link #failed}; then it may be called again. A new call replaces the one before.
    * After a decision, a call changes nothing.
    *
-   * @param value at most {@link Value#MAX_BYTES} bytes
+   * @throws IllegalArgumentException if the codec does not write {@code value}, or writes more than
+   *     {@link Value#MAX_BYTES} bytes
    */
-  public void propose(byte[] value) {
-    Value proposed = Value.of(value);
+  public void propose(T value) {
+    Value proposed = Value.write(out -> codec.write(value, out));
     gvh.trace.action(source, PROPOSE, proposed);
     wire.call(nowNs -> protocol.propose(proposed, nowNs));
   }
@@ -84,7 +96,8 @@ public final class SetAgreement extends SynodPrimitive {
     wire.call(nowNs -> protocol.synod.queryAll());
   }
 
-  public GvhVariable<Decision> decided() {
+  /** The decision, once this robot knows it. */
+  public GvhVariable<Decision<T>> decided() {
     return decided;
   }
 
@@ -100,8 +113,9 @@ public final class SetAgreement extends SynodPrimitive {
 
   private void show() {
     SynodMessage.Decided latest = protocol.synod.latest();
-    if (latest != null) {
-      decided.set(new Decision.Decided(latest.value()));
+    if (latest != null && !decided.get().isDecided()) {
+      Value bytes = latest.value();
+      decided.set(new Decision.Decided<>(bytes.read(source, codec::read), bytes));
     }
     failed.set(protocol.gaveUp);
   }

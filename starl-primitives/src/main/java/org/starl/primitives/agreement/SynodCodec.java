@@ -51,9 +51,9 @@ public final class SynodCodec implements Codec<SynodMessage> {
       }
     }
 
-    /** Any bytes are a value; wishes are empty. */
-    static Format anyValueNoWish() {
-      return value -> {};
+    /** A value is what {@code codec} reads; wishes are empty. */
+    static Format of(Codec<?> codec) {
+      return value -> value.read("a value", codec::read);
     }
   }
 

@@ -16,6 +16,7 @@ import net.jqwik.api.Property;
 import net.jqwik.api.Provide;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.starl.comms.Codec;
 import org.starl.comms.WireFormatException;
 import org.starl.comms.WireReader;
 import org.starl.comms.WireWriter;
@@ -45,6 +46,25 @@ class SynodCodecTest {
           // Any bytes will do here.
         }
       };
+
+  @Test
+  void aValueThatTheCodecCannotReadIsRefused() {
+    SynodCodec texts = new SynodCodec(SynodCodec.Format.of(Codec.text()));
+    assertThat(texts.read(new WireReader(decided((byte) 'a')))).isInstanceOf(Decided.class);
+    assertThatThrownBy(() -> texts.read(new WireReader(decided((byte) 0xFF))))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessage("a string that is not UTF-8");
+    SynodCodec flags =
+        new SynodCodec(SynodCodec.Format.of(Codec.of((b, out) -> out.bool(b), WireReader::bool)));
+    assertThatThrownBy(() -> flags.read(new WireReader(decided((byte) 1, (byte) 1))))
+        .isInstanceOf(WireFormatException.class)
+        .hasMessage("1 bytes after a value");
+  }
+
+  private static byte[] decided(byte... value) {
+    return WireWriter.toBytes(out ->
+        new SynodCodec(ANYTHING).write(new Decided(1, Value.of(value)), out));
+  }
 
   private final SynodCodec codec = new SynodCodec(ANYTHING);
 

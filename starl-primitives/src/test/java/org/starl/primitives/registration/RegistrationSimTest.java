@@ -12,6 +12,7 @@ import net.jqwik.api.Property;
 import org.junit.jupiter.api.Test;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
+import org.starl.comms.Codec;
 import org.starl.id.Participants;
 import org.starl.primitives.agreement.AgreementSpec;
 import org.starl.primitives.agreement.Decision;
@@ -54,16 +55,16 @@ class RegistrationSimTest {
 
   /** Proposes its own name, and returns what was decided. */
   private static final class Voter extends LogicThread {
-    private final SetAgreement agreement;
+    private final SetAgreement<String> agreement;
 
     Voter(GlobalVarHolder gvh) {
       super(gvh);
-      agreement = new SetAgreement(gvh, "colour");
+      agreement = new SetAgreement<>(gvh, "colour", Codec.text());
     }
 
     @Override
     public List<Object> callStarL() {
-      agreement.propose(gvh.id.name().name().getBytes(StandardCharsets.UTF_8));
+      agreement.propose(gvh.id.name().name());
       await(() -> agreement.decided().get().isDecided() || agreement.failed().get());
       return List.of(agreement.decided().get());
     }
@@ -122,7 +123,11 @@ class RegistrationSimTest {
     assertThat(result.spec().holds()).as("%s", result.spec()).isTrue();
     assertThat(result.results().values().stream().distinct()).hasSize(1);
     assertThat(result.results().values())
-        .allSatisfy(ended -> assertThat(((Decision) ended.get(0)).isDecided()).isTrue());
+        .allSatisfy(ended ->
+            assertThat((Decision<?>) ended.get(0))
+                .isInstanceOfSatisfying(
+                    Decision.Decided.class,
+                    decided -> assertThat(decided.value()).asString().matches("bot[0-4]")));
   }
 
   private static String trace(Simulation.Builder builder) {

@@ -1,6 +1,5 @@
 package org.starl.apps.lightpaint.logic;
 
-import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
@@ -9,6 +8,7 @@ import java.util.TreeMap;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Codec;
 import org.starl.geometry.Point;
 import org.starl.id.RobotId;
 import org.starl.primitives.agreement.Decision;
@@ -24,6 +24,8 @@ import org.starl.time.Time;
 final class Assignment {
 
   private static final String XID = "lightpaint";
+  private static final Codec<RobotId> PAINTER =
+      Codec.of((painter, out) -> out.text(painter.name()), in -> new RobotId(in.text()));
   private static final long HINT_PERIOD_MS = 4_000;
   private static final long HINT_LIFETIME_NS = 15 * Time.NS_PER_S;
   private static final long POSTPONE_NS = 20 * Time.NS_PER_S;
@@ -34,7 +36,7 @@ final class Assignment {
   private final GlobalVarHolder gvh;
   private final List<Stroke> strokes;
   private final double apartMm;
-  private final List<SetAgreement> agreements = new ArrayList<>();
+  private final List<SetAgreement<RobotId>> agreements = new ArrayList<>();
   private final Broadcast<Hint> hints;
   private final SortedMap<RobotId, Received> received = new TreeMap<>();
 
@@ -56,7 +58,7 @@ final class Assignment {
     this.strokes = strokes;
     this.apartMm = apartMm;
     for (Stroke stroke : strokes) {
-      agreements.add(new SetAgreement(gvh, XID + ".stroke" + stroke.number()));
+      agreements.add(new SetAgreement<>(gvh, XID + ".stroke" + stroke.number(), PAINTER));
     }
     hints = new Broadcast<>(gvh, XID, new Hint.HintCodec(), this::received);
     progressNs = nowNs();
@@ -64,8 +66,7 @@ final class Assignment {
 
   /** Asks that {@code stroke} be assigned to this robot, until it is assigned to some robot. */
   void request(Stroke stroke) {
-    byte[] name = gvh.id.name().name().getBytes(StandardCharsets.UTF_8);
-    agreements.get(stroke.number()).propose(name);
+    agreements.get(stroke.number()).propose(gvh.id.name());
   }
 
   /** Whether the latest request has passed its deadline. */
@@ -75,8 +76,8 @@ final class Assignment {
 
   /** The painter of the stroke; null if none is known to this robot. */
   private @Nullable RobotId painter(Stroke stroke) {
-    return agreements.get(stroke.number()).decided().get() instanceof Decision.Decided decided
-        ? new RobotId(new String(decided.value().bytes(), StandardCharsets.UTF_8))
+    return agreements.get(stroke.number()).decided().get() instanceof Decision.Decided<RobotId> decided
+        ? decided.value()
         : null;
   }
 

@@ -1,6 +1,5 @@
 package org.starl.apps.search.logic;
 
-import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
@@ -8,6 +7,7 @@ import java.util.TreeSet;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
+import org.starl.comms.Codec;
 import org.starl.geometry.Point;
 import org.starl.gvh.GvhCell;
 import org.starl.id.ProcessId;
@@ -34,7 +34,7 @@ final class Team {
   private final House house;
   private final Knowledge known;
   private final Election election;
-  private final SetAgreement agreement;
+  private final SetAgreement<String> agreement;
   private final Broadcast<Report> broadcast;
   private final ProcessId me;
   private final Integer[] tries;
@@ -59,7 +59,7 @@ final class Team {
     duty = gvh.variable(SearchTrace.SOURCE, SearchTrace.DUTY, "");
     swept = gvh.variable(SearchTrace.SOURCE, SearchTrace.SWEPT, "");
     election = new Election(gvh, xid);
-    agreement = new SetAgreement(gvh, xid);
+    agreement = new SetAgreement<>(gvh, xid, Codec.text());
     broadcast = new Broadcast<>(gvh, xid, new Report.Wire(tries.length), this::heard);
   }
 
@@ -80,7 +80,7 @@ final class Team {
     Optional<String> answer = known.answer();
     if (answer.isPresent() && !isDecided() && (!isProposing || agreement.failed().get())) {
       isProposing = true;
-      agreement.propose(answer.get().getBytes(StandardCharsets.UTF_8));
+      agreement.propose(answer.get());
     }
   }
 
@@ -95,8 +95,8 @@ final class Team {
 
   /** The answer that the robots have agreed on; {@link #isDecided} must hold. */
   String decision() {
-    if (agreement.decided().get() instanceof Decision.Decided decided) {
-      return new String(decided.value().bytes(), StandardCharsets.UTF_8);
+    if (agreement.decided().get() instanceof Decision.Decided<String> decided) {
+      return decided.value();
     }
     throw new IllegalStateException("nothing is decided yet");
   }

@@ -3,6 +3,7 @@ package org.starl.apps.lineup.logic
 import org.starl.GlobalVarHolder
 import org.starl.gvh.GvhCell
 import org.starl.LogicThread
+import org.starl.comms.Codec
 import org.starl.geometry.ItemPosition
 import org.starl.motion.MotionFlag
 import org.starl.body.MotionParameters
@@ -23,7 +24,7 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
     DONE,
   }
 
-  private val agreement = SetAgreement(gvh, INSTANCE)
+  private val agreement = SetAgreement(gvh, INSTANCE, WHOLE_MM)
   private val location: GvhCell<Location> = gvh.variable(SOURCE, LOCATION, Location.PROPOSE)
 
   init {
@@ -37,13 +38,13 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
     while (location.get() != Location.DONE) {
       when (location.get()) {
         Location.PROPOSE -> {
-          agreement.propose(Millimetres.bytes(gvh.gps.pose().xMm()))
+          agreement.propose(Math.round(gvh.gps.pose().xMm()).toInt())
           location.set(Location.AGREE)
         }
         Location.AGREE -> {
           val decision = agreement.decided().get()
           if (decision is Decision.Decided) {
-            goal = ItemPosition("line", Millimetres.of(decision.value().bytes()), laneMm)
+            goal = ItemPosition("line", decision.value().toDouble(), laneMm)
             gvh.trace.action(SOURCE, LINE, goal.at().xMm())
             gvh.plat.moat.doMove(goal)
             location.set(Location.DRIVE)
@@ -88,6 +89,10 @@ class LineupApp(gvh: GlobalVarHolder) : LogicThread(gvh) {
 
     private const val GOAL_RADIUS_MM = 20.0
     private const val INSTANCE = "line"
+
+    /** The value that robots propose: whole millimetres. */
+    private val WHOLE_MM: Codec<Int> = Codec.of({ mm, out -> out.i32(mm) }, { it.i32() })
+
     private const val PERIOD_MS = 100L
   }
 }
