@@ -6,11 +6,14 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.function.Predicate;
+import org.starl.body.CollisionPolicy;
 import org.starl.body.MotionParameters;
 import org.starl.body.MotionStyle;
 import org.starl.body.RobotType;
 import org.starl.input.BadInput;
 import org.starl.input.NearMatches;
+import org.starl.sim.fault.Envelope;
+import org.starl.sim.fault.FaultPlan;
 import org.starl.sim.net.Latency;
 import org.starl.sim.net.Loss;
 import org.starl.sim.world.PositionNoise;
@@ -20,8 +23,8 @@ import org.starl.time.Time;
 /**
  * Typed values of {@link Setting}s: the values that were set, and the defaults of the others.
  * Immutable. Command line, scenario files, trace headers and Java code use the same builder: by
- * constant ({@code set(Setting.ROBOTS, 8)}) or by text ({@code set("robots", "8")}), which is
- * parsed only there.
+ * name ({@code robots(8)}: a method for each key), by constant ({@code set(Setting.ROBOTS, 8)}) or by
+ * text ({@code set("robots", "8")}), which is parsed only there.
  */
 public final class SimSettings {
 
@@ -271,12 +274,90 @@ public final class SimSettings {
       return this;
     }
 
-    public Builder robots(int robots) {
-      return set(Setting.ROBOTS, robots);
+    // A method for each key of --set, with the setting's unit; Setting documents them.
+
+    public Builder robots(int count) {
+      return set(Setting.ROBOTS, count);
     }
 
-    public Builder duration(Duration duration) {
-      return set(Setting.DURATION, duration);
+    public Builder discoveryRobots(int count) {
+      return set(Setting.DISCOVERY_ROBOTS, count);
+    }
+
+    public Builder randomRobots(int count) {
+      return set(Setting.RANDOM_ROBOTS, count);
+    }
+
+    public Builder duration(Duration simulated) {
+      return set(Setting.DURATION, simulated);
+    }
+
+    public Builder floorWidth(double widthMm) {
+      return set(Setting.FLOOR_WIDTH, widthMm);
+    }
+
+    public Builder floorHeight(double heightMm) {
+      return set(Setting.FLOOR_HEIGHT, heightMm);
+    }
+
+    public Builder obstacleFile(String path) {
+      return set(Setting.OBSTACLE_FILE, path);
+    }
+
+    public Builder startFile(String path) {
+      return set(Setting.START_FILE, path);
+    }
+
+    public Builder startSpacing(double bodyRadii) {
+      return set(Setting.START_SPACING, bodyRadii);
+    }
+
+    public Builder robotName(String firstPart) {
+      return set(Setting.ROBOT_NAME, firstPart);
+    }
+
+    public Builder robotRadius(double radiusMm) {
+      return set(Setting.ROBOT_RADIUS, radiusMm);
+    }
+
+    public Builder idealMotion(boolean on) {
+      return set(Setting.IDEAL_MOTION, on);
+    }
+
+    public Builder maxSpeed(double mmPerS) {
+      return set(Setting.MAX_SPEED, mmPerS);
+    }
+
+    public Builder collisionPolicy(CollisionPolicy policy) {
+      return set(Setting.COLLISION_POLICY, policy);
+    }
+
+    public Builder speedError(double fraction) {
+      return set(Setting.SPEED_ERROR, fraction);
+    }
+
+    public Builder positionPeriod(Duration period) {
+      return set(Setting.POSITION_PERIOD, period);
+    }
+
+    public Builder positionNoise(double boundMm) {
+      return set(Setting.POSITION_NOISE, boundMm);
+    }
+
+    public Builder headingNoise(double boundRad) {
+      return set(Setting.HEADING_NOISE, boundRad);
+    }
+
+    public Builder positionInPhase(boolean on) {
+      return set(Setting.POSITION_IN_PHASE, on);
+    }
+
+    public Builder stableDelay(Duration delay) {
+      return set(Setting.STABLE_DELAY, delay);
+    }
+
+    public Builder computeTime(Duration time) {
+      return set(Setting.COMPUTE_TIME, time);
     }
 
     public Builder messageDelay(Latency delay) {
@@ -285,6 +366,26 @@ public final class SimSettings {
 
     public Builder messageLoss(double probability) {
       return set(Setting.MESSAGE_LOSS, probability);
+    }
+
+    public Builder sealed(boolean on) {
+      return set(Setting.SEALED, on);
+    }
+
+    public Builder faults(FaultPlan plan) {
+      return set(Setting.FAULTS, plan);
+    }
+
+    public Builder chaos(Envelope envelope) {
+      return set(Setting.CHAOS, envelope);
+    }
+
+    public Builder chaosFor(Duration time) {
+      return set(Setting.CHAOS_FOR, time);
+    }
+
+    public Builder contactMark(double sideMm) {
+      return set(Setting.CONTACT_MARK, sideMm);
     }
 
     public SimSettings build() {

@@ -3,13 +3,17 @@ package org.starl.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.lang.invoke.MethodType;
 import java.lang.reflect.Field;
+import java.lang.reflect.Method;
+import java.lang.reflect.Modifier;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.starl.input.BadInput;
 import org.starl.sim.net.Latency;
@@ -50,6 +54,37 @@ final class SimSettingsTest {
         .containsEntry("positionNoise", "20mm")
         .containsEntry("maxSpeed", "300mm/s")
         .containsEntry("duration", "90s");
+  }
+
+  /** What {@code --set key=value} can say, a typed method of the builder can say, and nothing else. */
+  @Test
+  void theBuilderHasAMethodForEachKey() throws ReflectiveOperationException {
+    Set<String> keys = new TreeSet<>();
+    Set<String> methods = new TreeSet<>();
+    for (Method method : SimSettings.Builder.class.getDeclaredMethods()) {
+      if (Modifier.isPublic(method.getModifiers()) && method.getParameterCount() == 1) {
+        methods.add(method.getName());
+      }
+    }
+    for (Setting<?> setting : Setting.all()) {
+      keys.add(setting.key());
+      SimSettings.Builder builder = SimSettings.builder();
+      Class<?> type =
+          MethodType.methodType(setting.defaultValue().getClass()).unwrap().returnType();
+      Method typed = methodOf(setting.key(), type);
+      typed.invoke(builder, setting.defaultValue());
+      assertThat(builder.build().given().keySet()).as(setting.key()).isEqualTo(Set.of(setting));
+    }
+    assertThat(methods).isEqualTo(keys);
+  }
+
+  private static Method methodOf(String key, Class<?> value) {
+    for (Method method : SimSettings.Builder.class.getDeclaredMethods()) {
+      if (method.getName().equals(key) && method.getParameterTypes()[0].isAssignableFrom(value)) {
+        return method;
+      }
+    }
+    throw new AssertionError("no method " + key + "(" + value.getSimpleName() + ")");
   }
 
   @Test
