@@ -3,18 +3,25 @@ package org.starl.motion;
 import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
 import org.starl.body.WheelCommand;
 import org.starl.geometry.Fix;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Nowhere;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.geometry.Region;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Variables;
+import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
+import org.starl.platform.Positioning;
 
 /**
  * {@code gvh.gps}: this robot's location, filtered from the fixes of its positioning system and the
@@ -32,6 +39,8 @@ public final class Gps {
   private final PositionFilter filter = new PositionFilter();
   private final LocationVariable currentlocation = new LocationVariable(this);
   private final KnownObstacles knownObstacles;
+  private final Positioning positioning;
+  private final SortedMap<String, ItemPosition> waypoints;
   private final List<Runnable> listeners = new ArrayList<>();
   private final long knownFromNs;
   private long fixes;
@@ -44,7 +53,9 @@ public final class Gps {
     assume(parameters);
     // Until then the wheels may still follow commands of an earlier start of this program.
     knownFromNs = clock.nowNs() + parameters.reactionMs() * NS_PER_MS;
-    platform.positioning().onFix(this::fixed);
+    positioning = platform.positioning();
+    waypoints = byName(platform.waypoints());
+    positioning.onFix(this::fixed);
   }
 
   /** Whether a fix was accepted yet. */
@@ -135,6 +146,36 @@ public final class Gps {
   public double minDistanceMm(Point point) {
     Location.Known known = filter.at(clock.nowNs());
     return known == null ? 0 : Math.max(0, known.pose().distanceMm(point) - known.errorMm());
+  }
+
+  /**
+   * The newest fix of each robot that the positioning system has measured, this one included. A fix
+   * is where that robot was at its time, within its error bounds: {@link Fix#timeNs}, on this
+   * robot's clock, tells how old it is. A robot that crashed keeps its last fix. No message is sent.
+   */
+  public SortedMap<RobotId, Fix> getPositions() {
+    return Collections.unmodifiableSortedMap(positioning.newest());
+  }
+
+  /** The newest fix of {@code robot}; null if the positioning system has never measured it. */
+  public @Nullable Fix getPosition(RobotId robot) {
+    return positioning.newest().get(robot);
+  }
+
+  /** The floor's waypoints, by name: the same on every robot; empty if there are none. */
+  public SortedMap<String, ItemPosition> getWaypointPositions() {
+    return waypoints;
+  }
+
+  /** The waypoint {@code name}; null if there is none. */
+  public @Nullable ItemPosition getWaypointPosition(String name) {
+    return waypoints.get(name);
+  }
+
+  private static SortedMap<String, ItemPosition> byName(List<ItemPosition> all) {
+    SortedMap<String, ItemPosition> named = new TreeMap<>();
+    all.forEach(waypoint -> named.put(waypoint.name(), waypoint));
+    return Collections.unmodifiableSortedMap(named);
   }
 
   /** The obstacles that this robot knows. */

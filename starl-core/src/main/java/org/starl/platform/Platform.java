@@ -1,7 +1,9 @@
 package org.starl.platform;
 
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -14,6 +16,7 @@ import org.starl.trace.TraceSink;
  * @param id this robot's name
  * @param deployment all robots that the deployment knows at its start; others may join later
  * @param knownObstacles the robot's map at its start, without hidden obstacles
+ * @param waypoints named places on the floor, the same for every robot
  * @param motionParameters the motion parameters until the app sets others
  * @param key authenticates this deployment's datagrams; null for no authentication
  */
@@ -32,5 +35,6 @@ public record Platform(
     LogSink log,
     TraceSink trace,
     Obstacles knownObstacles,
+    List<ItemPosition> waypoints,
     MotionParameters motionParameters,
     @Nullable DeploymentKey key) {}

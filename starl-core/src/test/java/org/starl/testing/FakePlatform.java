@@ -72,6 +72,7 @@ public final class FakePlatform {
         (timeNs, level, tag, line) -> log.add(level + " " + tag + ": " + line),
         new FakeTrace(),
         Obstacles.NONE,
+        List.of(),
         parameters,
         world.key);
   }

@@ -14,6 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.starl.RobotRunner;
 import org.starl.body.MotionParameters;
 import org.starl.body.RobotType;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.gvh.Wait;
@@ -31,6 +32,7 @@ import org.starl.sim.kernel.Kernel;
 import org.starl.sim.kernel.RobotError;
 import org.starl.sim.net.SimNetwork;
 import org.starl.sim.world.Body;
+import org.starl.sim.world.MeasuredRobots;
 import org.starl.sim.world.SimStable;
 import org.starl.sim.world.Unsynced;
 import org.starl.sim.world.World;
@@ -55,6 +57,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   // Data of robots that left: a robot that joins again is a new incarnation with its stored data.
   private final Map<RobotId, SimStable> stables = new LinkedHashMap<>();
   private final Map<RobotId, RobotClock> clocks = new LinkedHashMap<>();
+  private final MeasuredRobots measuredRobots = new MeasuredRobots();
   private final Impairments impairments = new Impairments();
   private final SortedMap<RobotId, List<Object>> results = new TreeMap<>();
   // The number of running apps and planned restarts, for which the run waits.
@@ -464,6 +467,14 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   MotionParameters motionParameters(int index) {
     return motions.computeIfAbsent(
         plan.settings().robotType(index), plan.settings()::motionParameters);
+  }
+
+  MeasuredRobots measuredRobots() {
+    return measuredRobots;
+  }
+
+  List<ItemPosition> waypoints() {
+    return plan.waypoints();
   }
 
   Obstacles knownObstacles() {

@@ -103,6 +103,7 @@ final class SimRobot implements TraceSink {
             // cache.
             engine.observers().isOn() ? this : engine.observers(),
             engine.knownObstacles(),
+            engine.waypoints(),
             engine.motionParameters(index),
             engine.key());
     runner = new RobotRunner(platform, this::makeApp, this::appEnded);
@@ -133,6 +134,8 @@ final class SimRobot implements TraceSink {
             : SimPositioning.drawnPhaseNs(robotRng.fork("positioning"), periodNs);
     Rng noise = incarnationRng.fork("positioning");
     return new SimPositioning(
+        spec.id(),
+        engine.measuredRobots(),
         kernel,
         clock == null ? kernel : clock,
         strand,

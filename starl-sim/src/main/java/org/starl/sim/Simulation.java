@@ -6,14 +6,17 @@ import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.TreeSet;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.Version;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacle;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
@@ -96,6 +99,7 @@ public final class Simulation {
     private @Nullable Long behaviourSeed;
     private CarrierKind carriers = CarrierKind.best();
     private Obstacles obstacles = Obstacles.NONE;
+    private List<ItemPosition> waypoints = List.of();
     private @Nullable Director director;
     private @Nullable StepListener stepListener;
     private FaultPlan faults = FaultPlan.NONE;
@@ -167,6 +171,25 @@ public final class Simulation {
     /** The obstacles so far; those of the obstacle file are added by {@link #build}. */
     public Obstacles obstacles() {
       return obstacles;
+    }
+
+    /**
+     * Sets the floor's waypoints, which every robot reads by {@code gvh.gps.getWaypointPositions()}.
+     *
+     * @throws BadInput if two have one name
+     */
+    public Builder waypoints(List<ItemPosition> newWaypoints) {
+      Set<String> names = new TreeSet<>();
+      for (ItemPosition waypoint : newWaypoints) {
+        if (!names.add(waypoint.name())) {
+          throw new BadInput(
+              "waypoints: two are called "
+                  + BadInput.quote(waypoint.name())
+                  + ": expected names that differ");
+        }
+      }
+      waypoints = List.copyOf(newWaypoints);
+      return this;
     }
 
     public Builder director(Director newDirector) {
@@ -278,6 +301,7 @@ public final class Simulation {
               all,
               carriers,
               floor,
+              waypoints,
               key(),
               start,
               director,

@@ -3,6 +3,7 @@ package org.starl.sim;
 import java.util.List;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -21,6 +22,7 @@ import org.starl.trace.TraceHeader;
  * @param header of the trace: name, seeds, settings, robots
  * @param carriers thread type of blocking apps
  * @param obstacles of the world, including hidden ones
+ * @param waypoints named places on the floor, known to every robot
  * @param key seals datagrams; may be null
  * @param robots initial robots
  * @param director may be null
@@ -36,6 +38,7 @@ public record SimulationPlan(
     SimSettings settings,
     CarrierKind carriers,
     Obstacles obstacles,
+    List<ItemPosition> waypoints,
     @Nullable DeploymentKey key,
     List<RobotSpec> robots,
     @Nullable Director director,
@@ -47,6 +50,7 @@ public record SimulationPlan(
     List<SimObserver> observers) {
 
   public SimulationPlan {
+    waypoints = List.copyOf(waypoints);
     robots = List.copyOf(robots);
     monitors = List.copyOf(monitors);
     observers = List.copyOf(observers);

@@ -5,7 +5,9 @@ import java.net.InetAddress;
 import java.net.InetSocketAddress;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
+import java.util.Collection;
 import java.util.List;
+import java.util.Map;
 import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.function.Function;
@@ -14,6 +16,8 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.body.MotionParameters;
+import org.starl.geometry.Fix;
+import org.starl.geometry.ItemPosition;
 import org.starl.geometry.Obstacles;
 import org.starl.id.Participants;
 import org.starl.id.RobotId;
@@ -56,11 +60,13 @@ public final class DeployedRobot implements AutoCloseable {
    *
    * @param app makes the app over the robot's gvh
    * @param knownObstacles the map at the start
+   * @param waypoints named places on the floor
    * @param motion parameters, except those that follow from the deployment's limits
    */
   public record Program(
       Function<GlobalVarHolder, ? extends LogicThread> app,
       Obstacles knownObstacles,
+      List<ItemPosition> waypoints,
       MotionParameters motion) {}
 
   /**
@@ -182,6 +188,7 @@ public final class DeployedRobot implements AutoCloseable {
             deployment.limits().speedMmPerS(),
             deployment.limits().stillAfterNs(),
             poses.positioning(strand, entry.rigidBody()),
+            () -> positions(poses.newest(), deployment.robots().values()),
             strand.pieceClock(),
             trace);
     Platform platform =
@@ -200,6 +207,7 @@ public final class DeployedRobot implements AutoCloseable {
             log,
             trace,
             program.knownObstacles(),
+            program.waypoints(),
             motion,
             key);
     runner = new RobotRunner(platform, program.app(), this::finished);
@@ -291,6 +299,19 @@ public final class DeployedRobot implements AutoCloseable {
   }
 
   // Below the strand: the wheels' watchdog must not wait for it.
+  /** The robots' fixes, of those of bodies by their names in the measuring system. */
+  static SortedMap<RobotId, Fix> positions(
+      Map<String, Fix> bodies, Collection<RobotEntry> entries) {
+    SortedMap<RobotId, Fix> robots = new TreeMap<>();
+    for (RobotEntry robot : entries) {
+      Fix fix = bodies.get(robot.rigidBody());
+      if (fix != null) {
+        robots.put(robot.id(), fix);
+      }
+    }
+    return robots;
+  }
+
   private void watch(List<TrackedBody> bodies, String rigidBody) {
     for (TrackedBody body : bodies) {
       if (body.name().equals(rigidBody) && body.fix() != null) {

@@ -4,6 +4,8 @@ import static org.starl.time.Time.NS_PER_MS;
 
 import java.util.List;
 import java.util.OptionalDouble;
+import java.util.SortedMap;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Fix;
 import org.starl.id.RobotId;
@@ -38,6 +40,7 @@ public final class MeasuredBody implements Positioning {
   private final double mostMmPerS;
   private final long stillAfterNs;
   private final Positioning positioning;
+  private final Supplier<SortedMap<RobotId, Fix>> newest;
   private final Clock clock;
   private final TraceSink trace;
   private @Nullable Fix last;
@@ -47,6 +50,7 @@ public final class MeasuredBody implements Positioning {
   /**
    * @param mostMmPerS greatest speed of the body by its wheels
    * @param stillAfterNs time from the last fix until the wheels stand still
+   * @param newest the newest fixes of all robots, with times on the fixes' clock
    * @param clock the fixes' clock
    */
   MeasuredBody(
@@ -55,6 +59,7 @@ public final class MeasuredBody implements Positioning {
       double mostMmPerS,
       long stillAfterNs,
       Positioning positioning,
+      Supplier<SortedMap<RobotId, Fix>> newest,
       Clock clock,
       TraceSink trace) {
     this.id = id;
@@ -62,6 +67,7 @@ public final class MeasuredBody implements Positioning {
     this.mostMmPerS = mostMmPerS;
     this.stillAfterNs = stillAfterNs;
     this.positioning = positioning;
+    this.newest = newest;
     this.clock = clock;
     this.trace = trace;
   }
@@ -75,6 +81,11 @@ public final class MeasuredBody implements Positioning {
       }
       receiver.fixed(fix);
     });
+  }
+
+  @Override
+  public SortedMap<RobotId, Fix> newest() {
+    return newest.get();
   }
 
   /** Ends the fixes: records how far the body may have moved since the last one. */

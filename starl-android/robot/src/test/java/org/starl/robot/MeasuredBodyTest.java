@@ -3,6 +3,7 @@ package org.starl.robot;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.starl.geometry.Fix;
@@ -35,6 +36,7 @@ class MeasuredBodyTest {
           MOST_MM_PER_S,
           STILL_AFTER_MS * MS,
           receiver -> cameras = receiver,
+          Collections::emptySortedMap,
           () -> nowNs,
           new TraceSink() {
             @Override

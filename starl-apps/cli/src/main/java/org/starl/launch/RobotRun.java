@@ -153,6 +153,7 @@ public final class RobotRun extends RobotMain implements AutoCloseable {
         new DeployedRobot.Program(
             spec.app(),
             plan.obstacles().known(),
+            plan.waypoints(),
             plan.settings().motionParameters(plan.robots().indexOf(spec)));
     List<SimObserver> observers = new ArrayList<>(plan.observers());
     observers.add(new LocalSpecs(plan, startNs, this::violated));

@@ -28,6 +28,7 @@ import org.starl.sim.RobotSpec;
 import org.starl.sim.Setting;
 import org.starl.sim.SimSettings;
 import org.starl.sim.SimulationPlan;
+import org.starl.sim.world.MeasuredRobots;
 import org.starl.sim.world.SimChassis;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.World;
@@ -106,6 +107,8 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
     long periodNs = settings.positionPeriodNs();
     positioning =
         new SimPositioning(
+            id,
+            new MeasuredRobots(),
             clock,
             clock::shownNs,
             strand,
@@ -131,6 +134,7 @@ final class SimulatedRobot implements OneRobotControl.Body, AutoCloseable {
             this::log,
             trace,
             plan.obstacles().known(),
+            plan.waypoints(),
             settings.motionParameters(plan.robots().indexOf(spec)),
             plan.key());
     runner = new RobotRunner(platform, spec.app(), this::appEnded);

@@ -1,9 +1,11 @@
 package org.starl.sim.world;
 
+import java.util.SortedMap;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
 import org.starl.geometry.Pose;
+import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Positioning;
 import org.starl.platform.Timer;
@@ -31,10 +33,14 @@ public final class SimPositioning implements Positioning {
   private double offXMm;
   private double offYMm;
   private boolean isOn = true;
+  private final RobotId self;
+  private final MeasuredRobots measured;
   private @Nullable Receiver receiver;
   private @Nullable Body body;
 
   /**
+   * @param self the robot that it measures
+   * @param measured the fixes of all robots of the measuring system
    * @param trueClock the run's true time
    * @param robotClock the robot's clock, which stamps the fixes
    * @param strandTimers the robot's strand, in true time
@@ -43,6 +49,8 @@ public final class SimPositioning implements Positioning {
    *     phases all robots are measured at once
    */
   public SimPositioning(
+      RobotId self,
+      MeasuredRobots measured,
       Clock trueClock,
       Clock robotClock,
       Timers strandTimers,
@@ -54,6 +62,8 @@ public final class SimPositioning implements Positioning {
       throw new IllegalArgumentException(
           "period " + periodNs + " ns, phase " + phaseNs + " ns: expected 0 <= phase < period");
     }
+    this.self = self;
+    this.measured = measured;
     this.trueClock = trueClock;
     this.robotClock = robotClock;
     this.rng = rng;
@@ -78,6 +88,11 @@ public final class SimPositioning implements Positioning {
     }
     receiver = newReceiver;
     begin();
+  }
+
+  @Override
+  public SortedMap<RobotId, Fix> newest() {
+    return measured.shownTo(robotClock, trueClock);
   }
 
   /** Puts the body on the floor: fixes begin. */
@@ -118,12 +133,13 @@ public final class SimPositioning implements Positioning {
     long nowNs = trueClock.nowNs();
     timer.set(nextNs(nowNs + 1));
     if (isOn && receiver != null && body != null) {
-      receiver.fixed(
-          new Fix(measured(body.pose()), robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
+      Pose pose = drawn(body.pose());
+      measured.measured(self, new Fix(pose, nowNs, noise.boundMm(), noise.boundRad()));
+      receiver.fixed(new Fix(pose, robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
     }
   }
 
-  private Pose measured(Pose truth) {
+  private Pose drawn(Pose truth) {
     double offX = 0;
     double offY = 0;
     if (noise.boundMm() > 0) {

@@ -83,7 +83,8 @@ final class Robot implements DeployedRobot.Host, AutoCloseable {
             mission.deployment(),
             mission.robot(),
             mission.key(),
-            new DeployedRobot.Program(mission.app(), Obstacles.NONE, MotionParameters.DEFAULT),
+            new DeployedRobot.Program(
+                mission.app(), Obstacles.NONE, List.of(), MotionParameters.DEFAULT),
             new DeployedRobot.Surroundings(
                 files.stable(),
                 this::openWheels,

@@ -4,10 +4,14 @@ import java.io.IOException;
 import java.net.DatagramPacket;
 import java.net.DatagramSocket;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
+import java.util.concurrent.ConcurrentSkipListMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
+import org.starl.geometry.Fix;
 import org.starl.platform.Clock;
 import org.starl.platform.LogSink;
 import org.starl.platform.Positioning;
@@ -27,6 +31,7 @@ abstract class DatagramFeed implements PoseFeed {
   private final List<DatagramSocket> sockets = new CopyOnWriteArrayList<>();
   private final List<Thread> threads = new CopyOnWriteArrayList<>();
   private final List<Follower> followers = new CopyOnWriteArrayList<>();
+  private final SortedMap<String, Fix> newest = new ConcurrentSkipListMap<>();
   private final List<Consumer<List<TrackedBody>>> watchers = new CopyOnWriteArrayList<>();
 
   DatagramFeed(Clock clock, LogSink log, String tag) {
@@ -72,6 +77,11 @@ abstract class DatagramFeed implements PoseFeed {
   }
 
   @Override
+  public SortedMap<String, Fix> newest() {
+    return new TreeMap<>(newest);
+  }
+
+  @Override
   public synchronized FeedStatistics statistics() {
     return tally.statistics();
   }
@@ -111,6 +121,11 @@ abstract class DatagramFeed implements PoseFeed {
   private void publish(List<TrackedBody> bodies) {
     if (bodies.isEmpty()) {
       return;
+    }
+    for (TrackedBody tracked : bodies) {
+      if (tracked.fix() != null) {
+        newest.put(tracked.name(), tracked.fix());
+      }
     }
     for (Follower follower : followers) {
       for (TrackedBody tracked : bodies) {

@@ -1,7 +1,9 @@
 package org.starl.robot.optitrack;
 
 import java.util.List;
+import java.util.SortedMap;
 import java.util.function.Consumer;
+import org.starl.geometry.Fix;
 import org.starl.platform.Positioning;
 import org.starl.platform.Strand;
 
@@ -16,6 +18,9 @@ public interface PoseFeed extends AutoCloseable {
    * watcher must not block.
    */
   void onBodies(Consumer<List<TrackedBody>> watcher);
+
+  /** The newest fix of each body, by its name; a copy. */
+  SortedMap<String, Fix> newest();
 
   FeedStatistics statistics();
 

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
+import java.util.SortedMap;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
 import org.junit.jupiter.api.AfterEach;
@@ -34,6 +35,9 @@ public abstract class PositioningContract {
     Ground ground();
 
     Positioning positioning(int robot);
+
+    /** The newest fixes of all robots, by name. From any thread. */
+    SortedMap<String, Fix> newest();
 
     /** Whether the measuring system sees the robot, from now on. From any thread. */
     void see(int robot, boolean isSeen);
@@ -111,6 +115,24 @@ public abstract class PositioningContract {
           .isInstanceOf(IllegalStateException.class)
           .hasMessageContaining("receiver");
     });
+  }
+
+  @Test
+  void theNewestFixesOfAllRobotsAreVisible() {
+    CountDownLatch done = new CountDownLatch(2);
+    CountDownLatch first = new CountDownLatch(FIXES);
+    follow(0, fix -> first.countDown());
+    follow(1, fix -> done.countDown());
+    course.ground().runUntil(first);
+    course.ground().runUntil(done);
+    SortedMap<String, Fix> newest = course.newest();
+    assertThat(newest.keySet()).contains("robot0", "robot1");
+    for (int i = 0; i < 2; i++) {
+      Fix fix = newest.get("robot" + i);
+      assertThat(Math.abs(fix.pose().xMm() - Course.xMm(fix.timeNs())))
+          .isLessThanOrEqualTo(fix.errorMm() + 1e-6);
+      assertThat(Math.abs(fix.pose().yMm() - 1000 * i)).isLessThanOrEqualTo(fix.errorMm());
+    }
   }
 
   @Test

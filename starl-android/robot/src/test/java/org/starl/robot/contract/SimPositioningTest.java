@@ -2,7 +2,10 @@ package org.starl.robot.contract;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import org.starl.body.WheelCommand;
+import org.starl.geometry.Fix;
 import org.starl.geometry.Obstacles;
 import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
@@ -10,6 +13,7 @@ import org.starl.platform.Positioning;
 import org.starl.random.Rng;
 import org.starl.sim.kernel.CarrierKind;
 import org.starl.sim.world.Body;
+import org.starl.sim.world.MeasuredRobots;
 import org.starl.sim.world.PositionNoise;
 import org.starl.sim.world.SimPositioning;
 import org.starl.sim.world.World;
@@ -29,6 +33,7 @@ class SimPositioningTest extends PositioningContract {
   private static final class SimCourse implements Course {
 
     private final SimGround ground = new SimGround(CarrierKind.VIRTUAL);
+    private final MeasuredRobots measured = new MeasuredRobots();
     private final List<SimPositioning> positionings = new ArrayList<>();
 
     SimCourse() {
@@ -44,6 +49,8 @@ class SimPositioningTest extends PositioningContract {
         body.drive(new WheelCommand(MM_PER_S, 0));
         SimPositioning positioning =
             new SimPositioning(
+                new RobotId("robot" + robot),
+                measured,
                 ground.clock(),
                 ground.clock(),
                 ground.timers(),
@@ -64,6 +71,13 @@ class SimPositioningTest extends PositioningContract {
     @Override
     public Positioning positioning(int robot) {
       return positionings.get(robot);
+    }
+
+    @Override
+    public SortedMap<String, Fix> newest() {
+      SortedMap<String, Fix> named = new TreeMap<>();
+      positionings.get(0).newest().forEach((robot, fix) -> named.put(robot.name(), fix));
+      return named;
     }
 
     @Override

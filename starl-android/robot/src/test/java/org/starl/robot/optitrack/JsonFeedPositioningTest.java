@@ -2,6 +2,8 @@ package org.starl.robot.optitrack;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Locale;
+import java.util.SortedMap;
+import org.starl.geometry.Fix;
 import org.starl.platform.Positioning;
 import org.starl.platform.Timer;
 import org.starl.robot.contract.Ground;
@@ -63,6 +65,11 @@ class JsonFeedPositioningTest extends PositioningContract {
     @Override
     public Positioning positioning(int robot) {
       return feed.positioning(ground.strand(), "robot" + robot);
+    }
+
+    @Override
+    public SortedMap<String, Fix> newest() {
+      return feed.newest();
     }
 
     @Override

@@ -2,6 +2,8 @@ package org.starl.robot.optitrack;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.SortedMap;
+import org.starl.geometry.Fix;
 import org.starl.platform.Positioning;
 import org.starl.robot.contract.Ground;
 import org.starl.robot.contract.PositioningContract;
@@ -33,6 +35,11 @@ class NatNetPositioningTest extends PositioningContract {
     @Override
     public Positioning positioning(int robot) {
       return client.positioning(ground.strand(), "robot" + robot);
+    }
+
+    @Override
+    public SortedMap<String, Fix> newest() {
+      return client.newest();
     }
 
     @Override

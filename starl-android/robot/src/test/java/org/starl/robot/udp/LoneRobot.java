@@ -128,6 +128,7 @@ final class LoneRobot {
         },
         new NoTrace(),
         Obstacles.NONE,
+        List.of(),
         MotionParameters.DEFAULT,
         key);
   }
