@@ -22,6 +22,7 @@ import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Platform;
 import org.starl.platform.Positioning;
+import org.starl.platform.StartNeeds;
 
 /**
  * {@code gvh.gps}: this robot's location, filtered from the fixes of its positioning system and the
@@ -36,10 +37,10 @@ import org.starl.platform.Positioning;
 public final class Gps {
 
   private final Clock clock;
+  private final Positioning positioning;
   private final PositionFilter filter = new PositionFilter();
   private final LocationVariable currentlocation = new LocationVariable(this);
   private final KnownObstacles knownObstacles;
-  private final Positioning positioning;
   private final SortedMap<String, ItemPosition> waypoints;
   private final List<Runnable> listeners = new ArrayList<>();
   private final long knownFromNs;
@@ -105,6 +106,11 @@ public final class Gps {
   /** Calls {@code listener} on the strand after each accepted fix. */
   public void onFix(Runnable listener) {
     listeners.add(listener);
+  }
+
+  /** States what a primitive needs at the start: {@link Positioning#require}. */
+  public void require(StartNeeds needs) {
+    positioning.require(needs);
   }
 
   /**

@@ -19,6 +19,12 @@ public interface Positioning {
     return Collections.emptySortedMap();
   }
 
+  /**
+   * States what this robot's program needs; call it before the first fix. The simulator places robots
+   * accordingly, or refuses the run. Real robots stand where they are: nothing happens.
+   */
+  default void require(StartNeeds needs) {}
+
   /** Receives a fix, on the strand. */
   @FunctionalInterface
   interface Receiver {

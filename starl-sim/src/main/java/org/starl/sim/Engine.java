@@ -22,6 +22,7 @@ import org.starl.id.Participants;
 import org.starl.id.RobotId;
 import org.starl.input.BadInput;
 import org.starl.platform.DeploymentKey;
+import org.starl.platform.StartNeeds;
 import org.starl.random.Rng;
 import org.starl.sim.fault.FaultRun;
 import org.starl.sim.fault.FaultTarget;
@@ -50,6 +51,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
   private final World world;
   private final SimNetwork network;
   private final Participants deployment;
+  private final StartNeedsCheck startNeeds;
   private final Obstacles knownObstacles;
   // Shared by all robots, of which there may be thousands.
   private final Map<RobotType, MotionParameters> motions = new EnumMap<>(RobotType.class);
@@ -79,6 +81,7 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
     network = new SimNetwork(kernel, observers, behaviourRng.fork("network"));
     network.base(settings.messageDelay(), settings.messageLoss());
     deployment = plan.deployment();
+    startNeeds = new StartNeedsCheck(plan, this::moveStarts);
     knownObstacles = plan.obstacles().known();
   }
 
@@ -100,6 +103,10 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       }
     } catch (BadInput e) {
       throw e;
+    } catch (RobotError e) {
+      throw e.getCause() instanceof UnmetNeeds unmet
+          ? new BadInput(String.valueOf(unmet.getMessage()))
+          : failed(e);
     } catch (RuntimeException e) {
       throw failed(e);
     }
@@ -249,6 +256,23 @@ final class Engine implements SimControl, FaultTarget, AutoCloseable {
       throw new BadInput("robot " + spec.id() + ": its start " + spec.start() + " is not free");
     }
     robot.start();
+  }
+
+  /** Called by the first program of each robot, before or after its first fix. */
+  void require(StartNeeds needs) {
+    startNeeds.require(needs, robots.values());
+  }
+
+  /** Moves all bodies to other starts, before any program has had a fix. */
+  void moveStarts(List<RobotSpec> starts) {
+    starts.forEach(start -> takeOffFloor(start.id()));
+    for (RobotSpec start : starts) {
+      robot(start.id()).startAt(start.start());
+      if (start.onFloor() && !putOnFloor(start.id())) {
+        throw new UnmetNeeds(
+            "robot " + start.id() + ": its start " + start.start() + " is not free");
+      }
+    }
   }
 
   @Override

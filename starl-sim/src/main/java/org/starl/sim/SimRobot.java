@@ -7,6 +7,7 @@ import org.starl.GlobalVarHolder;
 import org.starl.LogicThread;
 import org.starl.RobotRunner;
 import org.starl.comms.ReceivePath;
+import org.starl.geometry.Pose;
 import org.starl.gvh.GvhVariable;
 import org.starl.gvh.Wait;
 import org.starl.motion.MotionController;
@@ -34,7 +35,7 @@ import org.starl.trace.TraceSink;
  */
 final class SimRobot implements TraceSink {
 
-  private final RobotSpec spec;
+  private RobotSpec spec;
   private final int index;
   private final int incarnation;
   private final SimStable stable;
@@ -84,6 +85,9 @@ final class SimRobot implements TraceSink {
     impaired = clock == null ? null : new ImpairedStrand(strand, clock, kernel);
     chassis = new SimChassis(strand, rng.fork("chassis"), settings.speedError());
     positioning = positioning(settings, kernel, robotRng, rng);
+    if (incarnation == 1) {
+      positioning.onNeeds(engine::require);
+    }
     stable.restart(strand, survivingWrites);
     Platform platform =
         new Platform(
@@ -160,6 +164,16 @@ final class SimRobot implements TraceSink {
 
   RobotSpec spec() {
     return spec;
+  }
+
+  /** Sets the pose at which its body is put on the floor. */
+  void startAt(Pose start) {
+    spec = new RobotSpec(spec.id(), start, spec.onFloor(), spec.app());
+  }
+
+  /** Whether its program has had a position fix. */
+  boolean hasFix() {
+    return positioning.hasMeasured();
   }
 
   void start() {

@@ -279,14 +279,9 @@ public final class Simulation {
       settings.check();
       SimSettings all = settings.with(Setting.FAULTS, settings.get(Setting.FAULTS).plus(faults));
       Obstacles floor = floor();
-      List<RobotSpec> start = new ArrayList<>(robots);
-      if (placedApp != null) {
-        List<Pose> starts = Starts.of(all, placed, floor, new Rng(seed));
-        for (int i = 0; i < placed; i++) {
-          RobotId id = new RobotId(all.robotName() + i);
-          start.add(new RobotSpec(id, starts.get(i), true, placedApp));
-        }
-      }
+      Starts starts = new Starts(all, robots, placed, placedApp, floor, new Rng(seed));
+      List<RobotSpec> start = starts.initial();
+      starts.check(start);
       List<RobotId> deployment = SimulationPlan.deployment(start).asList();
       if (director == null) {
         // With a director more robots may join: names are then checked when a fault begins.
@@ -304,6 +299,7 @@ public final class Simulation {
               waypoints,
               key(),
               start,
+              starts.areDrawn() ? starts::spaced : null,
               director,
               stepListener,
               all.get(Setting.FAULTS).plus(chaos(start.size())),

@@ -1,6 +1,7 @@
 package org.starl.sim;
 
 import java.util.List;
+import java.util.function.BiFunction;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.ItemPosition;
@@ -25,6 +26,8 @@ import org.starl.trace.TraceHeader;
  * @param waypoints named places on the floor, known to every robot
  * @param key seals datagrams; may be null
  * @param robots initial robots
+ * @param placement the same robots, with drawn starts at least so many mm apart, and so many mm from
+ *     edges and obstacles; null if no start is drawn. Throws {@link BadInput} if they do not fit
  * @param director may be null
  * @param stepListener may be null
  * @param faults of the settings, then those drawn by chaos
@@ -41,6 +44,7 @@ public record SimulationPlan(
     List<ItemPosition> waypoints,
     @Nullable DeploymentKey key,
     List<RobotSpec> robots,
+    @Nullable BiFunction<Double, Double, List<RobotSpec>> placement,
     @Nullable Director director,
     @Nullable StepListener stepListener,
     FaultPlan faults,

@@ -95,6 +95,7 @@ public final class DistributedPathPlanning implements StarLPrimitive {
     failure = gvh.variable(source, TubeTrace.FAILURE, TubeFailure.NONE);
     driver = new TubeDriver(gvh, new DriverWiring());
     claims = new TubeClaims(gvh, channel, participants, settings, radiusMm, new ClaimsWiring());
+    gvh.gps.require(settings.needs(radiusMm));
     gvh.gps.onFix(this::seek);
     gvh.explain(this::waitsFor);
   }

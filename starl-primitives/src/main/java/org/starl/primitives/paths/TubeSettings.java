@@ -2,6 +2,8 @@ package org.starl.primitives.paths;
 
 import static org.starl.time.Time.NS_PER_MS;
 
+import org.starl.platform.StartNeeds;
+
 /**
  * The settings of a {@link DistributedPathPlanning}.
  *
@@ -23,6 +25,9 @@ public record TubeSettings(
     long pauseMs,
     long maxPauseMs) {
 
+  /** Planners find a path for a margin that is larger by half a per cent and 4 mm. */
+  private static final double FREE = 1.005;
+
   public static final TubeSettings DEFAULT =
       new TubeSettings(60, 1_000, 60_000, 200, 2_000, 200, 2_000);
 
@@ -39,6 +44,12 @@ public record TubeSettings(
       throw new IllegalArgumentException(
           "tube settings: expected lengths and times above 0, and no maximum below its first wait");
     }
+  }
+
+  /** The discs of two robots at their starts must not touch; the rounding of two centres included. */
+  StartNeeds needs(int radiusMm) {
+    return new StartNeeds(
+        "reach tubes", 2 * radiusMm + 2, FREE * radiusMm + 4, positionErrorMm, deadlineNs());
   }
 
   long deadlineNs() {

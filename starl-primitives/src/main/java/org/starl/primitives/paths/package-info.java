@@ -57,6 +57,9 @@
  * harm. A robot stores a release before it sends it: after a restart it holds the tubes that the
  * others believe it to hold, or fewer.
  *
+ * <p>The discs of two robots at their starts must not touch: the simulator draws starts accordingly,
+ * if tubes are created before the first fix, and refuses given ones that are nearer.
+ *
  * <p>A robot first claims the disc at its place; no robot moves before all have done so ({@code
  * unplaced()} lists the missing ones). A crashed robot keeps its tubes, and the others plan around
  * them or fail. After a restart it still holds its tubes, and continues from there.

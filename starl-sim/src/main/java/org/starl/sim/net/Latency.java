@@ -28,6 +28,11 @@ public sealed interface Latency {
    */
   long longestNs();
 
+  /** A lower bound of all delays. */
+  default long shortestNs() {
+    return 0;
+  }
+
   /** Whether every delay is equal, so that no random number is drawn. */
   default boolean isConstant() {
     return false;
@@ -103,6 +108,11 @@ public sealed interface Latency {
     }
 
     @Override
+    public long shortestNs() {
+      return ns;
+    }
+
+    @Override
     public boolean isConstant() {
       return true;
     }
@@ -127,6 +137,11 @@ public sealed interface Latency {
     @Override
     public long longestNs() {
       return maxNs;
+    }
+
+    @Override
+    public long shortestNs() {
+      return minNs;
     }
 
     @Override

@@ -8,6 +8,7 @@ import org.starl.geometry.Obstacles;
 import org.starl.geometry.Point;
 import org.starl.geometry.Pose;
 import org.starl.input.BadInput;
+import org.starl.input.Quantities;
 import org.starl.random.Rng;
 
 /** Draws free places for robots, in time that is linear in their number. */
@@ -28,14 +29,21 @@ public final class Placement {
    * Places lie on the floor from (0, 0) to (width, height).
    *
    * @param spacingMm the minimum distance between the centres of two robots
+   * @param taken places of other robots
    */
   public Placement(
-      double widthMm, double heightMm, double radiusMm, double spacingMm, Obstacles obstacles) {
+      double widthMm,
+      double heightMm,
+      double radiusMm,
+      double spacingMm,
+      Obstacles obstacles,
+      List<Point> taken) {
     this.widthMm = widthMm;
     this.heightMm = heightMm;
     this.radiusMm = radiusMm;
     this.spacingMm = spacingMm;
     this.obstacles = obstacles;
+    taken.forEach(this::take);
   }
 
   /**
@@ -45,32 +53,44 @@ public final class Placement {
    * @throws BadInput if there is not enough room
    */
   public List<Pose> draw(int count, Rng rng) {
+    if (count > 0) {
+      requireRoomForOne("floorWidth", widthMm);
+      requireRoomForOne("floorHeight", heightMm);
+    }
     List<Pose> poses = new ArrayList<>();
     for (int i = 0; i < count; i++) {
-      poses.add(drawOne(count, rng));
+      poses.add(drawOne(count, i, rng));
     }
     return poses;
   }
 
-  private Pose drawOne(int count, Rng rng) {
+  private void requireRoomForOne(String key, double mm) {
+    if (mm < 2 * radiusMm) {
+      throw new BadInput(
+          "%s=%s: expected at least %s, twice robotRadius"
+              .formatted(key, Quantities.distanceText(mm), Quantities.distanceText(2 * radiusMm)));
+    }
+  }
+
+  private void take(Point at) {
+    cells.computeIfAbsent(cell(at, 0, 0), key -> new ArrayList<>()).add(at);
+  }
+
+  private Pose drawOne(int count, int before, Rng rng) {
     for (int i = 0; i < MAX_TRIES; i++) {
       Point at =
           new Point(
               radiusMm + rng.nextDouble() * (widthMm - 2 * radiusMm),
               radiusMm + rng.nextDouble() * (heightMm - 2 * radiusMm));
       if (isFree(at)) {
-        cells.computeIfAbsent(cell(at, 0, 0), key -> new ArrayList<>()).add(at);
+        take(at);
         return Pose.of(at, (2 * rng.nextDouble() - 1) * StrictMath.PI);
       }
     }
     throw new BadInput(
-        "robots: "
-            + count
-            + ": expected fewer, or a larger floor than "
-            + Math.round(widthMm)
-            + " by "
-            + Math.round(heightMm)
-            + " mm (floorWidth, floorHeight)");
+        ("robots: %d: only %d found places %.0f mm apart on a floor of %.0f by %.0f mm:"
+                + " expected fewer, or a larger floor (floorWidth, floorHeight)")
+            .formatted(count, before, spacingMm, widthMm, heightMm));
   }
 
   private boolean isFree(Point at) {

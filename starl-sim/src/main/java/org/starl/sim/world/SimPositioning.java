@@ -1,6 +1,7 @@
 package org.starl.sim.world;
 
 import java.util.SortedMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.starl.geometry.Angles;
 import org.starl.geometry.Fix;
@@ -8,6 +9,7 @@ import org.starl.geometry.Pose;
 import org.starl.id.RobotId;
 import org.starl.platform.Clock;
 import org.starl.platform.Positioning;
+import org.starl.platform.StartNeeds;
 import org.starl.platform.Timer;
 import org.starl.platform.Timers;
 import org.starl.random.Rng;
@@ -35,7 +37,9 @@ public final class SimPositioning implements Positioning {
   private boolean isOn = true;
   private final RobotId self;
   private final MeasuredRobots measured;
+  private Consumer<StartNeeds> needsListener = needs -> {};
   private @Nullable Receiver receiver;
+  private boolean hasMeasured;
   private @Nullable Body body;
 
   /**
@@ -95,6 +99,21 @@ public final class SimPositioning implements Positioning {
     return measured.shownTo(robotClock, trueClock);
   }
 
+  @Override
+  public void require(StartNeeds needs) {
+    needsListener.accept(needs);
+  }
+
+  /** Sets the receiver of what the robot's program needs; without it, needs are ignored. */
+  public void onNeeds(Consumer<StartNeeds> listener) {
+    needsListener = listener;
+  }
+
+  /** Whether it has delivered a fix. */
+  public boolean hasMeasured() {
+    return hasMeasured;
+  }
+
   /** Puts the body on the floor: fixes begin. */
   public void mount(Body newBody) {
     body = newBody;
@@ -133,6 +152,7 @@ public final class SimPositioning implements Positioning {
     long nowNs = trueClock.nowNs();
     timer.set(nextNs(nowNs + 1));
     if (isOn && receiver != null && body != null) {
+      hasMeasured = true;
       Pose pose = drawn(body.pose());
       measured.measured(self, new Fix(pose, nowNs, noise.boundMm(), noise.boundRad()));
       receiver.fixed(new Fix(pose, robotClock.nowNs(), noise.boundMm(), noise.boundRad()));
