@@ -298,7 +298,7 @@ class UnfinishedRunTest {
         run(
             33,
             app -> {
-              M_Mutex mutex = new M_Mutex(app.gvh(), "door");
+              M_Mutex mutex = new M_Mutex(app.gvh(), "door", app.gvh().id.participants());
               if (!app.is(31)) {
                 app.pause(1_000);
               }
