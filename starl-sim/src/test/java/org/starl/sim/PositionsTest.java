@@ -48,10 +48,7 @@ class PositionsTest {
         Simulation.builder()
             .waypoints(List.of(new ItemPosition("dock", 1, 2), new ItemPosition("bay", 3, 4)))
             .settings(
-                SimSettings.builder()
-                    .positionNoise(20)
-                    .duration(Duration.ofSeconds(10))
-                    .build());
+                SimSettings.builder().positionNoise(20).duration(Duration.ofSeconds(10)).build());
     for (int i = 0; i < 3; i++) {
       Pose start = new Pose(1000.0 * i, 0, 0);
       builder.robot(new RobotSpec(new RobotId("bot" + i), start, true, Onlooker::new));
@@ -65,7 +62,8 @@ class PositionsTest {
   }
 
   private static long ageNs(SimResult result, RobotId reader, RobotId seen) {
-    return (long) result.results().get(reader).get(2) - positions(result, reader).get(seen).timeNs();
+    return (long) result.results().get(reader).get(2)
+        - positions(result, reader).get(seen).timeNs();
   }
 
   @Test
@@ -103,8 +101,8 @@ class PositionsTest {
   void everyRobotHasTheWaypoints() {
     SimResult result = onlookers().build().run();
     assertThat(result.results().values())
-        .allSatisfy(ended ->
-            assertThat(ended.subList(3, 6)).isEqualTo(List.of("[bay, dock]", true, true)));
+        .allSatisfy(
+            ended -> assertThat(ended.subList(3, 6)).isEqualTo(List.of("[bay, dock]", true, true)));
   }
 
   @Test

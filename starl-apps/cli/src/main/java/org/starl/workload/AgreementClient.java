@@ -23,8 +23,7 @@ final class AgreementClient extends Client {
     super(gvh, setup, THINK_MS);
     AgreementSettings settings = AgreementSettings.DEFAULT.withDeadlineMs(setup.deadlineMs());
     for (int i = 0; i < setup.course().rounds(); i++) {
-      agreements.add(
-          new SetAgreement<>(gvh, "round" + i, VALUE, gvh.id.participants(), settings));
+      agreements.add(new SetAgreement<>(gvh, "round" + i, VALUE, gvh.id.participants(), settings));
     }
   }
 

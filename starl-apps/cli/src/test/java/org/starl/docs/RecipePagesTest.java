@@ -30,7 +30,9 @@ class RecipePagesTest {
       Matcher block = JAVA.matcher(Files.readString(ROOT.resolve(page)));
       while (block.find()) {
         Matcher name = NAME.matcher(block.group(1));
-        assertThat(name.find()).as("a Java block of %s is a recipe: %s", page, block.group(1)).isTrue();
+        assertThat(name.find())
+            .as("a Java block of %s is a recipe: %s", page, block.group(1))
+            .isTrue();
         String file = Files.readString(RECIPES.resolve(name.group(1) + ".java"));
         assertThat(withoutSpace(file)).as(page).contains(withoutSpace(block.group(1)));
         shown.add(name.group(1));
@@ -38,7 +40,9 @@ class RecipePagesTest {
     }
     try (Stream<Path> files = Files.list(RECIPES)) {
       assertThat(
-              files.map(file -> file.getFileName().toString()).filter(n -> n.endsWith("Recipe.java")))
+              files
+                  .map(file -> file.getFileName().toString())
+                  .filter(n -> n.endsWith("Recipe.java")))
           .containsExactlyInAnyOrderElementsOf(shown.stream().map(name -> name + ".java").toList());
     }
   }

@@ -91,7 +91,8 @@ public final class MazeDemo implements Demo {
 
   @Override
   public String summary() {
-    return "robots find ways among known and hidden walls, or prove that there is none (section 5.4)";
+    return "robots find ways among known and hidden walls, or prove that there is none (section"
+               + " 5.4)";
   }
 
   @Override

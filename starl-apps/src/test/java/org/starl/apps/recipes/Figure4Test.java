@@ -34,7 +34,8 @@ class Figure4Test {
     return Simulation.builder()
         .name("figure4")
         .seed(seed)
-        .robot(car(0, new Pose(-LANE_MM, FAR_MM, -HALF_TURN / 2), A, C, at("C1", -LANE_MM, -FAR_MM)))
+        .robot(
+            car(0, new Pose(-LANE_MM, FAR_MM, -HALF_TURN / 2), A, C, at("C1", -LANE_MM, -FAR_MM)))
         .robot(car(1, new Pose(-FAR_MM, -LANE_MM, 0), C, D, at("D1", FAR_MM, -LANE_MM)))
         .robot(car(2, new Pose(LANE_MM, -FAR_MM, HALF_TURN / 2), D, B, at("B1", LANE_MM, FAR_MM)))
         .robot(car(3, new Pose(FAR_MM, LANE_MM, HALF_TURN), B, A, at("A1", -FAR_MM, LANE_MM)))

@@ -23,8 +23,7 @@ final class GeocastRecipe extends LogicThread {
   @Override
   public List<Object> callStarL() {
     await(gvh.gps::hasFix);
-    GeocastReceipt sent =
-        warnings.do_geocast("brakes", warnings.neighbourhood(1_500), 2_000);
+    GeocastReceipt sent = warnings.do_geocast("brakes", warnings.neighbourhood(1_500), 2_000);
     await(sent::isComplete); // at the latest after 2 s
     sleep(2_000);
     return heard;

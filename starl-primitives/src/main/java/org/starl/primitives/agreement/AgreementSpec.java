@@ -98,8 +98,7 @@ public final class AgreementSpec extends InstanceSpec<AgreementSpec.Instance> {
   @Override
   protected void changed(Variable variable, Report report) {
     boolean isDecision =
-        variable.name().equals(SetAgreement.DECIDED)
-            && !variable.value().equals(Decision.NONE_YET);
+        variable.name().equals(SetAgreement.DECIDED) && !variable.value().equals(Decision.NONE_YET);
     boolean isFailure =
         variable.name().equals(SetAgreement.FAILED)
             && variable.value().equals(Boolean.TRUE.toString());

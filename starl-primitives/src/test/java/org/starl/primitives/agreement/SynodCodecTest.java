@@ -62,8 +62,8 @@ class SynodCodecTest {
   }
 
   private static byte[] decided(byte... value) {
-    return WireWriter.toBytes(out ->
-        new SynodCodec(ANYTHING).write(new Decided(1, Value.of(value)), out));
+    return WireWriter.toBytes(
+        out -> new SynodCodec(ANYTHING).write(new Decided(1, Value.of(value)), out));
   }
 
   private final SynodCodec codec = new SynodCodec(ANYTHING);

@@ -35,7 +35,8 @@ class M_MutexTest {
   @Test
   void aClosedGroupTakesTurnsOverABadRadio() {
     for (long seed = 0; seed < 10; seed++) {
-      SimResult result = run(5, seed, 0.3, gvh -> new Turns(gvh, new M_Mutex(gvh, XID, gvh.id.participants()), 5));
+      SimResult result =
+          run(5, seed, 0.3, gvh -> new Turns(gvh, new M_Mutex(gvh, XID, gvh.id.participants()), 5));
       assertThat(result.isFinished()).as("seed %d", seed).isTrue();
       assertThat(result.spec().holds()).as("seed %d: %s", seed, result.spec()).isTrue();
       assertThat(result.spec().checks(MutexSpec.EXCLUSIVE)).isEqualTo(25);
@@ -264,7 +265,8 @@ class M_MutexTest {
 
   @Test
   void wrongUseEndsTheRunWithAMessage() {
-    assertFails("has this instance already", (gvh, mux) -> new M_Mutex(gvh, XID, gvh.id.participants()));
+    assertFails(
+        "has this instance already", (gvh, mux) -> new M_Mutex(gvh, XID, gvh.id.participants()));
     assertFails("do_mutex of [A] while CRITICAL", (gvh, mux) -> mux.do_mutex(List.of("A")));
     assertFails("section 'a b'", (gvh, mux) -> mux.release("a b"));
     assertFails("release of [B] while holding [A]", (gvh, mux) -> mux.release("B"));

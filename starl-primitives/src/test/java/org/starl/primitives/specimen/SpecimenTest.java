@@ -48,18 +48,13 @@ class SpecimenTest {
   }
 
   enum Specimen {
-    TOKEN_MUTEX_WITH_STALE_OWNER_BROADCASTS(
-        "Exclusive", TokenMutex::new, MutexSpec::new),
+    TOKEN_MUTEX_WITH_STALE_OWNER_BROADCASTS("Exclusive", TokenMutex::new, MutexSpec::new),
     SET_MUTEX_WITH_LIST_INDEX_AND_DOUBLE_REPLIES(
-        "Exclusive",
-        setMutex(false, Bug.LIST_INDEX, Bug.DOUBLE_REPLIES),
-        MutexSpec::new),
-    SET_MUTEX_WITH_LIST_INDEX_ALONE(
-        "Exclusive", setMutex(false, Bug.LIST_INDEX), MutexSpec::new),
+        "Exclusive", setMutex(false, Bug.LIST_INDEX, Bug.DOUBLE_REPLIES), MutexSpec::new),
+    SET_MUTEX_WITH_LIST_INDEX_ALONE("Exclusive", setMutex(false, Bug.LIST_INDEX), MutexSpec::new),
     SET_MUTEX_WITH_DOUBLE_REPLIES_ALONE(
         "Exclusive", setMutex(false, Bug.DOUBLE_REPLIES), MutexSpec::new),
-    SET_MUTEX_THAT_BREAKS_ITS_WORD(
-        "Promise", setMutex(true, Bug.LIST_INDEX), MutexSpec::new),
+    SET_MUTEX_THAT_BREAKS_ITS_WORD("Promise", setMutex(true, Bug.LIST_INDEX), MutexSpec::new),
     SET_MUTEX_THAT_ASKS_NEIGHBOURS_ONLY(
         "Connected", setMutex(false, Bug.ASKS_NEIGHBOURS), MutexSpec::new),
     SET_MUTEX_THAT_LETS_STRANGERS_IN(

@@ -22,8 +22,7 @@ public final class MeasuredRobots {
     SortedMap<RobotId, Fix> shown = new TreeMap<>();
     newest.forEach((robot, fix) ->
         shown.put(
-            robot,
-            new Fix(fix.pose(), fix.timeNs() + aheadNs, fix.errorMm(), fix.errorRad())));
+            robot, new Fix(fix.pose(), fix.timeNs() + aheadNs, fix.errorMm(), fix.errorRad())));
     return shown;
   }
 }

@@ -35,7 +35,16 @@ final class PortsTest {
 
   private List<Fix> fixes(Body body, long seed, PositionNoise noise, double seconds) {
     SimPositioning positioning =
-        new SimPositioning(new RobotId("bot0"), new MeasuredRobots(), time, time, time, new Rng(seed), noise, 75 * MS, 0);
+        new SimPositioning(
+            new RobotId("bot0"),
+            new MeasuredRobots(),
+            time,
+            time,
+            time,
+            new Rng(seed),
+            noise,
+            75 * MS,
+            0);
     positioning.mount(body);
     List<Fix> fixes = new ArrayList<>();
     positioning.onFix(fixes::add);
@@ -101,7 +110,16 @@ final class PortsTest {
   void positioningResumesInPhaseAfterAnOutage() {
     Body body = bot(0, 0);
     SimPositioning positioning =
-        new SimPositioning(new RobotId("bot0"), new MeasuredRobots(), time, time, time, new Rng(1), PositionNoise.NONE, 75 * MS, 10 * MS);
+        new SimPositioning(
+            new RobotId("bot0"),
+            new MeasuredRobots(),
+            time,
+            time,
+            time,
+            new Rng(1),
+            PositionNoise.NONE,
+            75 * MS,
+            10 * MS);
     positioning.mount(body);
     List<Long> times = new ArrayList<>();
     positioning.onFix(fix -> times.add(fix.timeNs()));

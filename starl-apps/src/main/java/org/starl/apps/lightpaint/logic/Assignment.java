@@ -76,7 +76,8 @@ final class Assignment {
 
   /** The painter of the stroke; null if none is known to this robot. */
   private @Nullable RobotId painter(Stroke stroke) {
-    return agreements.get(stroke.number()).decided().get() instanceof Decision.Decided<RobotId> decided
+    return agreements.get(stroke.number()).decided().get()
+            instanceof Decision.Decided<RobotId> decided
         ? decided.value()
         : null;
   }
