@@ -65,7 +65,10 @@ class RecordTest {
             "--html",
             page.toString());
     assertThat(cli.status()).isEqualTo(ExitStatus.VIOLATED);
-    assertThat(page).content().contains("<title>intersection, seed 7</title>").endsWith("</html>\n");
+    assertThat(page)
+        .content()
+        .contains("<title>intersection, seed 7</title>")
+        .endsWith("</html>\n");
     assertThat(page).content().doesNotContain("http:", "https:", "{{");
     assertThat(Files.size(page)).isBetween(30_000L, 2_000_000L);
   }

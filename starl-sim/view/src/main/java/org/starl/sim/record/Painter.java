@@ -106,7 +106,8 @@ public final class Painter {
       Look look,
       List<Flight> messages) {
     switch (section) {
-      case FLOOR -> app(page, viewport, look, floor -> layer.paintFloor(floor, scene, look.at(viewport)));
+      case FLOOR ->
+          app(page, viewport, look, floor -> layer.paintFloor(floor, scene, look.at(viewport)));
       case OBSTACLES -> obstacles.paint(page, scene, viewport, look.at(viewport));
       case TRAILS -> {
         if (look.shows(Part.TRAILS) && layer.showsTrails()) {
@@ -119,7 +120,8 @@ public final class Painter {
         }
       }
       case SELECTION -> selection(page, scene, viewport, look);
-      case OVER -> app(page, viewport, look, floor -> layer.paintOver(floor, scene, look.at(viewport)));
+      case OVER ->
+          app(page, viewport, look, floor -> layer.paintOver(floor, scene, look.at(viewport)));
       case BUMPS -> {
         if (look.shows(Part.BUMPS)) {
           bumps(page, scene, viewport, look.theme());

@@ -38,7 +38,10 @@ final class FrameEncoder {
           changes.add(same);
         }
         same = 0;
-        changes.add(i > 0 && isMoved(items.get(i - 1), item) ? moved(items.get(i - 1), item) : changed(old, item));
+        changes.add(
+            i > 0 && isMoved(items.get(i - 1), item)
+                ? moved(items.get(i - 1), item)
+                : changed(old, item));
       }
     }
     boolean isSame = changes.isEmpty() && items.size() == before.size();

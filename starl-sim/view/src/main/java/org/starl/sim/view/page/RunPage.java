@@ -81,8 +81,7 @@ public final class RunPage {
 
   /** Writes the page in UTF-8. */
   public void write(OutputStream out) throws IOException {
-    String title =
-        recording.header().scenario() + ", seed " + recording.header().scenarioSeed();
+    String title = recording.header().scenario() + ", seed " + recording.header().scenarioSeed();
     String page =
         resource("player.html")
             .replace("{{style}}", resource("player.css"))

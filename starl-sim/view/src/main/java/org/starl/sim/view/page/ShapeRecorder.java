@@ -226,13 +226,7 @@ final class ShapeRecorder extends Graphics2D {
             font.getFamily().equals(Font.MONOSPACED) ? "monospace" : "sans-serif",
             angle);
     double width = font.getStringBounds(text, metrics.getFontRenderContext()).getWidth();
-    add(
-        DrawnItem.TEXT,
-        pen,
-        text,
-        units(width * scale),
-        units(start.getX()),
-        units(start.getY()));
+    add(DrawnItem.TEXT, pen, text, units(width * scale), units(start.getX()), units(start.getY()));
   }
 
   @Override
@@ -270,8 +264,7 @@ final class ShapeRecorder extends Graphics2D {
     Graphics2D painting = copy.createGraphics();
     painting.drawImage(image, 0, 0, null);
     painting.dispose();
-    Rectangle at =
-        transform.createTransformedShape(new Rectangle(x, y, width, height)).getBounds();
+    Rectangle at = transform.createTransformedShape(new Rectangle(x, y, width, height)).getBounds();
     add(
         DrawnItem.IMAGE,
         "",
@@ -373,7 +366,9 @@ final class ShapeRecorder extends Graphics2D {
 
   private static UnsupportedOperationException unsupported(String shape) {
     return new UnsupportedOperationException(
-        "a layer drew " + shape + ": expected shapes, text and whole images, which a page can show");
+        "a layer drew "
+            + shape
+            + ": expected shapes, text and whole images, which a page can show");
   }
 
   @Override

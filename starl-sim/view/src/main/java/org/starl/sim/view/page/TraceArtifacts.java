@@ -70,8 +70,7 @@ public final class TraceArtifacts implements RunArtifacts {
       Path trace, SimulationPlan plan, Recording recording, List<SimObserver> observers)
       throws IOException {
     try (TraceReader reader =
-        new TraceReader(
-            trace.toString(), new BufferedInputStream(Files.newInputStream(trace)))) {
+        new TraceReader(trace.toString(), new BufferedInputStream(Files.newInputStream(trace)))) {
       TracePlayer.show(
           trace.toString(), reader, Monitors.of(plan.monitors()).monitors(), observers);
     } catch (BadInput truncated) {

@@ -55,8 +55,7 @@ final class Browser implements AutoCloseable {
    */
   Browser(Path profile, Path page, int widthPx, int heightPx) throws Exception {
     String program = program();
-    assumeTrue(
-        program != null, "skipped: no Chromium on the PATH; expected one of " + NAMES);
+    assumeTrue(program != null, "skipped: no Chromium on the PATH; expected one of " + NAMES);
     process =
         new ProcessBuilder(
                 String.valueOf(program),
@@ -131,8 +130,7 @@ final class Browser implements AutoCloseable {
     private final StringBuilder parts = new StringBuilder();
 
     @Override
-    public @Nullable CompletionStage<?> onText(
-        WebSocket from, CharSequence part, boolean isLast) {
+    public @Nullable CompletionStage<?> onText(WebSocket from, CharSequence part, boolean isLast) {
       parts.append(part);
       if (isLast) {
         answers.add(parts.toString());
@@ -172,7 +170,9 @@ final class Browser implements AutoCloseable {
   /** Waits in the page, picture by picture, until a condition holds. */
   void await(String condition) throws Exception {
     evaluate(
-        "new Promise(done => { const look = () => (" + condition + ") ? done(true) :"
+        "new Promise(done => { const look = () => ("
+            + condition
+            + ") ? done(true) :"
             + " setTimeout(look, 10); look(); })");
   }
 

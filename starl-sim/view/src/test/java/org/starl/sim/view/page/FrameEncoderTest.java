@@ -86,7 +86,8 @@ class FrameEncoderTest {
   void aTrailThatGrowsCostsItsNewPointsOnly() {
     FrameEncoder encoder = new FrameEncoder();
     encoder.next(List.of(new int[] {DrawnItem.LINE, 7, 0, 0, 10, 10, 20, 20}));
-    List<Object> grown = encoder.next(List.of(new int[] {DrawnItem.LINE, 7, 0, 0, 10, 10, 20, 20, 31, 30}));
+    List<Object> grown =
+        encoder.next(List.of(new int[] {DrawnItem.LINE, 7, 0, 0, 10, 10, 20, 20, 31, 30}));
     assertThat(grown).hasSize(1);
     assertThat((int[]) grown.get(0)).containsExactly(8, 0, 31, 30);
   }

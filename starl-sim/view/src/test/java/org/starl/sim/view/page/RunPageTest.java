@@ -244,7 +244,9 @@ class RunPageTest {
       int x = (int) body.getX();
       int y = (int) body.getY();
       int there = actual.getRGB(at.path("x").asInt() + x, at.path("y").asInt() + y);
-      assertThat(difference(expected.getRGB(x, y), there)).as("%s at %d ms", robot, ms).isLessThan(6);
+      assertThat(difference(expected.getRGB(x, y), there))
+          .as("%s at %d ms", robot, ms)
+          .isLessThan(6);
     }
     int wrong = 0;
     for (int y = 0; y < expected.getHeight(); y++) {
@@ -276,7 +278,8 @@ class RunPageTest {
     browser().key(" ");
     assertThat(browser().text("#play")).isEqualTo("Play");
     double stoppedMs = nowMs();
-    browser().evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))");
+    browser()
+        .evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(done)))");
     assertThat(nowMs()).isEqualTo(stoppedMs);
   }
 
@@ -318,7 +321,9 @@ class RunPageTest {
   @Test
   void aViolationHasAMarkOnTheTimeBarAndALine() throws Exception {
     double percent =
-        browser().evaluate("parseFloat(document.querySelector('#marks .VIOLATION').style.left)").asDouble();
+        browser()
+            .evaluate("parseFloat(document.querySelector('#marks .VIOLATION').style.left)")
+            .asDouble();
     assertThat(percent).isBetween(70.8, 70.9);
     assertThat(browser().text("#message")).isEmpty();
     browser().key("n");
@@ -331,7 +336,8 @@ class RunPageTest {
 
   @Test
   void thePageLoadsNothingElse() throws Exception {
-    assertThat(browser().evaluate("performance.getEntriesByType('resource').length").asInt()).isZero();
+    assertThat(browser().evaluate("performance.getEntriesByType('resource').length").asInt())
+        .isZero();
     assertThat(browser().text("h1")).isEqualTo("<b>page</b>, seed 7");
   }
 }
