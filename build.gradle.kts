@@ -27,11 +27,11 @@ subprojects {
         }
     }
 
-    // `publishToMavenLocal` does what `mvn install` does.
+    // `publishToMavenLocal` does what `mvn install` does; the bill of materials has no jar.
     plugins.withId("maven-publish") {
         extensions.configure<org.gradle.api.publish.PublishingExtension> {
             publications.create("maven", org.gradle.api.publish.maven.MavenPublication::class.java) {
-                from(components.getByName("java"))
+                from(components.getByName(if (plugins.hasPlugin("java-platform")) "javaPlatform" else "java"))
             }
         }
     }

@@ -20,6 +20,9 @@ record Build(
     SortedMap<String, String> versions,
     List<Dependency> dependencies) {
 
+  /** The module without code: the versions of all others. */
+  static final String BOM = "starl-bom";
+
   /** Every difference, one line each; none if the builds agree. */
   static List<String> differences(Build maven, Build gradle) {
     List<String> found = new ArrayList<>();

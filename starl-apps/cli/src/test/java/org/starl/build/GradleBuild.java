@@ -92,7 +92,9 @@ final class GradleBuild {
     Matcher module = MODULE.matcher(files.apply("pom.xml"));
     while (module.find()) {
       modules.add(module.group(1));
-      addDependencies(dependencies, module.group(1), own, files);
+      if (!module.group(1).equals(Build.BOM)) {
+        addDependencies(dependencies, module.group(1), own, files);
+      }
     }
     requireKotlin(files.apply("starl-apps/kotlin/build.gradle.kts"));
     String coordinates = own.get("group") + ":" + own.get("version");

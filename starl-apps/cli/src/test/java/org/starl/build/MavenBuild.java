@@ -26,23 +26,30 @@ final class MavenBuild {
   private final SortedMap<String, String> properties = new TreeMap<>();
   private final SortedMap<String, String> managed = new TreeMap<>();
 
-  private MavenBuild(Element parent) {
+  private MavenBuild(Element parent, Element bom) {
     this.parent = parent;
     properties.put("project.version", childText(parent, "version"));
     for (Element property : children(child(parent, "properties"))) {
       properties.put(property.getTagName(), property.getTextContent().strip());
     }
-    Element management = child(parent, "dependencyManagement");
-    for (Element dependency : children(child(management, "dependencies"))) {
-      managed.put(nameOf(dependency), resolve(childText(dependency, "version")));
+    for (Element pom : List.of(parent, bom)) {
+      for (Element dependency : managed(pom)) {
+        managed.put(nameOf(dependency), resolve(childText(dependency, "version")));
+      }
     }
+  }
+
+  private static List<Element> managed(Element pom) {
+    return children(child(child(pom, "dependencyManagement"), "dependencies"));
   }
 
   /**
    * @param files gives the text of a file of the project
    */
   static Build read(UnaryOperator<String> files) {
-    return new MavenBuild(parse("pom.xml", files.apply("pom.xml"))).build(files);
+    String bom = Build.BOM + "/pom.xml";
+    return new MavenBuild(parse("pom.xml", files.apply("pom.xml")), parse(bom, files.apply(bom)))
+        .build(files);
   }
 
   private Build build(UnaryOperator<String> files) {
@@ -51,6 +58,9 @@ final class MavenBuild {
     for (Element module : children(child(parent, "modules"))) {
       String name = module.getTextContent().strip();
       modules.add(name);
+      if (name.equals(Build.BOM)) {
+        continue;
+      }
       String path = name + "/pom.xml";
       addDependencies(dependencies, name, parent);
       addDependencies(dependencies, name, parse(path, files.apply(path)));
