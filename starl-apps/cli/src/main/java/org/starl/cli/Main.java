@@ -51,7 +51,8 @@ import picocli.CommandLine.UnmatchedArgumentException;
       "Example: starl run intersection",
       "Run all tests: starl test",
       "Check all proofs: starl prove",
-      "Build the app for phones: starl apk"
+      "Build the app for phones: starl apk",
+      "Install StarL for projects of your own: starl install"
     })
 public final class Main implements Runnable {
 
