@@ -71,7 +71,8 @@ final class NewCommand extends BaseCommand implements Callable<Integer> {
     files.keySet().forEach(path -> out.println("  " + path));
     out.printf(
         """
-        next: cd %s
+        next: ./starl install           # in StarL's folder: once, and after each change of StarL
+              cd %s
               mvn test                  # or: gradle test
               ./%s run %s --seed 7
         then read README.md: a tour of half an hour

@@ -186,6 +186,27 @@ class NewCommandTest {
     assertThat(Files.isExecutable(project.root().resolve(NAME))).isTrue();
   }
 
+  @Test
+  void theLauncherFindsAJdkAsStarlDoes() throws IOException {
+    assertThat(findingAJdk(project.text(NAME)))
+        .isNotEmpty()
+        .isEqualTo(findingAJdk(Files.readString(Path.of("../../starl"))));
+  }
+
+  private static String findingAJdk(String script) {
+    int from = script.indexOf("# --- the JDK ");
+    return script.substring(from, script.indexOf("# --- the build ", from));
+  }
+
+  @Test
+  void theLastLinesNameEveryStepToAGreenTest(@TempDir Path empty) {
+    Cli cli = Cli.run("new", NAME, "--folder", empty.toString());
+    assertThat(cli.out())
+        .anyMatch(line -> line.startsWith("next: ./starl install "))
+        .contains("      cd " + empty)
+        .anyMatch(line -> line.startsWith("      mvn test "));
+  }
+
   @ParameterizedTest
   @ValueSource(
       strings = {
